@@ -1,0 +1,718 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
+#define CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsRef
+/// The side of a curve, as seen along it.
+enum class Side { LEFT, RIGHT };
+
+inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
+
+/// \ingroup PkgFlipGeodesicsRef
+/// One side of the joint between a segment and the next one of its curve.
+struct Joint
+{
+  Index incoming; ///< the segment that arrives at the node
+  Side side;
+};
+
+/// \ingroup PkgFlipGeodesicsRef
+/// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
+struct Strand_end
+{
+  Index halfedge = null_index;
+  Index segment = null_index;
+
+  bool is_none() const { return halfedge == null_index; }
+  bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
+  bool operator!=(const Strand_end& other) const { return !(*this == other); }
+};
+
+/// \ingroup PkgFlipGeodesicsRef
+/// What stands in the wedge at one side of a joint.
+enum class Wedge_state {
+  FREE,    ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
+  STRAIGHT, ///< the angle is \f$\pi\f$ or more
+  BLOCKED, ///< another strand is in the wedge, whose angle up to there is below \f$\pi\f$
+  BORDER,  ///< the border of the surface is in the wedge, whose angle is infinite
+  FIXED    ///< the node is fixed: the wedge is not looked at
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsRef
+ *
+ * A network of curves along the edges of an intrinsic triangulation: open paths, closed loops, curves with fixed nodes
+ * inside, several strands over one edge, strands that run to and fro. Model of `EdgePathGraph`.
+ *
+ * A curve is a chain of *segments*, each on a halfedge; the node between two segments is a *joint*, which is fixed or
+ * not. The ends of an open path are always fixed. Each edge keeps the list of its segments, its *stack*, from left to
+ * right as seen along its first halfedge. Around a vertex the ends of segments have a cyclic order: by spoke clockwise,
+ * and on a spoke by the stack from left to right as seen from the vertex.
+ *
+ * The invariant: curves are chains, stacks hold exactly the segments on their edge, and around each vertex the ends
+ * joined by joints that are not fixed form a non-crossing matching with all other ends, and the border, in one of its
+ * regions (`is_valid()`).
+ *
+ * Segment ids are given once and never again, so that an id in a queue cannot come to mean something else.
+ *
+ * A triangulation serves one network at a time: the network keeps the head of each stack in the edges' labels, and
+ * takes them out again in its destructor. The triangulation must outlive the network.
+ *
+ * \tparam Triangulation an `Intrinsic_triangulation`
+ *
+ * \cgalModels{EdgePathGraph}
+ */
+template <class Triangulation_>
+class Edge_path_network
+{
+public:
+  using Triangulation = Triangulation_;
+  using Turn = typename Triangulation::Turn;
+
+  /// What can be known of a wedge by looking at it.
+  struct Wedge
+  {
+    Wedge_state state;
+    Turn turn; ///< over the corners up to the next strand; to be compared only if `state` is `FREE`
+  };
+
+  explicit Edge_path_network(Triangulation& triangulation)
+    : m_triangulation(&triangulation)
+    , m_segments(1) // id 0 is no segment, as label 0 is no stack
+  {
+  }
+
+  Edge_path_network(const Edge_path_network&) = delete;
+  Edge_path_network& operator=(const Edge_path_network&) = delete;
+  ~Edge_path_network() { clear(); }
+
+  Triangulation& triangulation() const { return *m_triangulation; }
+
+  /// \name Building
+  /// @{
+
+  /*!
+   * Adds a curve along halfedges of the triangulation, each segment rightmost on its edge as seen along its halfedge.
+   *
+   * \param halfedges a chain: the head of each is the tail of the next, and the last's of the first if `is_closed`
+   * \param is_closed is the curve a loop without ends?
+   * \return the curve's index; curves are numbered from 0
+   * \throws Invalid_curve_error if the halfedges are no chain
+   */
+  template <class HalfedgeRange>
+  Index add_curve(const HalfedgeRange& halfedges, bool is_closed)
+  {
+    check_chain(halfedges, is_closed);
+    const Index curve = static_cast<Index>(m_curves.size());
+    m_curves.push_back({null_index, null_index, is_closed, 0});
+    for(Index h : halfedges)
+      append(curve, h);
+    if(is_closed)
+      link(m_curves[curve].last, m_curves[curve].first);
+    m_curves[curve].initial_length = length(curve);
+    return curve;
+  }
+
+  /// Fixes every node at vertex `v` that a curve passes now: it stays where it is, and strands cannot cross it.
+  void fix_nodes_at(Index v)
+  {
+    for(Index s = 1; s < static_cast<Index>(m_segments.size()); ++s)
+      if(is_alive(s) && m_triangulation->head(halfedge(s)) == v)
+        m_segments[s].is_head_fixed = true;
+  }
+
+  /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
+  void set_stack(Index e, const std::vector<Index>& order)
+  {
+    for(Index s : order)
+      unlink(s);
+    for(Index s : order)
+      link_outermost(s, 2 * e);
+  }
+
+  /// Removes all curves. Linear in the segments.
+  void clear()
+  {
+    for(Index s = 1; s < static_cast<Index>(m_segments.size()); ++s)
+      if(is_alive(s))
+        m_triangulation->set_label(Triangulation::edge(halfedge(s)), 0);
+    m_segments.resize(1);
+    m_curves.clear();
+  }
+
+  /// @}
+  /// \name Curves
+  /// @{
+
+  Index number_of_curves() const { return static_cast<Index>(m_curves.size()); }
+
+  /// One more than the largest segment id given so far; ids start at 1.
+  Index end_of_segment_ids() const { return static_cast<Index>(m_segments.size()); }
+
+  /// The first segment of a curve, `null_index` if the curve has shrunk to a point.
+  Index first_segment(Index curve) const { return m_curves[curve].first; }
+  Index last_segment(Index curve) const { return m_curves[curve].last; }
+  bool is_closed(Index curve) const { return m_curves[curve].is_closed; }
+  bool is_contracted(Index curve) const { return m_curves[curve].first == null_index; }
+
+  /// The length of a curve when it was added.
+  double initial_length(Index curve) const { return m_curves[curve].initial_length; }
+
+  /// The length of a curve, summed over its segments.
+  double length(Index curve) const
+  {
+    double sum = 0;
+    for_each_segment(curve, [&](Index s) { sum += m_triangulation->length(halfedge(s)); });
+    return sum;
+  }
+
+  /// Calls `function(s)` for each segment of a curve, in order.
+  template <class Function>
+  void for_each_segment(Index curve, Function function) const
+  {
+    const Index first = m_curves[curve].first;
+    for(Index s = first; s != null_index;) {
+      function(s);
+      s = m_segments[s].next;
+      if(s == first)
+        return;
+    }
+  }
+
+  /// The halfedges of a curve, in order.
+  std::vector<Index> halfedges(Index curve) const
+  {
+    std::vector<Index> result;
+    for_each_segment(curve, [&](Index s) { result.push_back(halfedge(s)); });
+    return result;
+  }
+
+  /// @}
+  /// \name Segments
+  /// @{
+
+  bool is_alive(Index s) const { return m_segments[s].halfedge != null_index; }
+  Index halfedge(Index s) const { return m_segments[s].halfedge; }
+  Index curve(Index s) const { return m_segments[s].curve; }
+  /// The next segment of the curve, `null_index` at the end of a path.
+  Index next(Index s) const { return m_segments[s].next; }
+  /// The previous segment of the curve, `null_index` at the start of a path.
+  Index previous(Index s) const { return m_segments[s].previous; }
+  /// Is the node at the head of `s` fixed? So is the end of a path.
+  bool is_head_fixed(Index s) const { return next(s) == null_index || m_segments[s].is_head_fixed; }
+
+  bool is_occupied(Index h) const { return m_triangulation->label(Triangulation::edge(h)) != 0; }
+
+  /// The segments on edge `e`, from left to right as seen along halfedge `2e`.
+  std::vector<Index> stack(Index e) const
+  {
+    std::vector<Index> result;
+    const Index first = m_triangulation->label(e);
+    if(first == 0)
+      return result;
+    Index s = first;
+    do {
+      result.push_back(s);
+      s = m_segments[s].right;
+    } while(s != first);
+    return result;
+  }
+
+  /// The outermost segment on a side of the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
+  Index outermost(Index h, Side side) const
+  {
+    const Index leftmost = m_triangulation->label(Triangulation::edge(h));
+    const bool is_along = (h & 1) == 0;
+    return is_along == (side == Side::LEFT) ? leftmost : m_segments[leftmost].left;
+  }
+
+  /// @}
+  /// \name Ends and wedges
+  /// @{
+
+  /// The two ends at a joint: the wedge on its side lies clockwise from the first to the second.
+  std::pair<Strand_end, Strand_end> ends(const Joint& joint) const
+  {
+    const Index x = joint.incoming, y = next(x);
+    const Strand_end at_x = {Triangulation::twin(halfedge(x)), x}, at_y = {halfedge(y), y};
+    return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
+  }
+
+  /// The next end clockwise about the node; none if the border intervenes. Linear in the spokes passed.
+  Strand_end next_clockwise(const Strand_end& end) const
+  {
+    const Index inner = neighbor(end.segment, end.halfedge, Side::RIGHT);
+    if(inner != null_index)
+      return {end.halfedge, inner};
+    Index h = end.halfedge;
+    do {
+      h = m_triangulation->clockwise(h);
+      if(h == null_index)
+        return {};
+    } while(!is_occupied(h));
+    return {h, outermost(h, Side::LEFT)};
+  }
+
+  /// The next end counterclockwise about the node; none if the border intervenes. Linear in the spokes passed.
+  Strand_end next_counterclockwise(const Strand_end& end) const
+  {
+    const Index inner = neighbor(end.segment, end.halfedge, Side::LEFT);
+    if(inner != null_index)
+      return {end.halfedge, inner};
+    Index h = end.halfedge;
+    do {
+      h = m_triangulation->counterclockwise(h);
+      if(h == null_index)
+        return {};
+    } while(!is_occupied(h));
+    return {h, outermost(h, Side::RIGHT)};
+  }
+
+  /// Looks into the wedge of a joint, no further than to \f$\pi\f$.
+  Wedge wedge(const Joint& joint) const
+  {
+    Wedge result = {Wedge_state::FIXED, {}};
+    if(is_head_fixed(joint.incoming))
+      return result;
+    const auto [a, b] = ends(joint);
+    const Index inner = neighbor(a.segment, a.halfedge, Side::RIGHT);
+    if(inner != null_index) {
+      result.state = b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED;
+      return result;
+    }
+    Index h = a.halfedge;
+    do {
+      const Index t = Triangulation::twin(h);
+      if(m_triangulation->is_border(t)) {
+        result.state = Wedge_state::BORDER;
+        return result;
+      }
+      m_triangulation->extend_turn(result.turn, t);
+      h = m_triangulation->next(t);
+      if(m_triangulation->is_straight(result.turn, a.halfedge, h)) {
+        result.state = Wedge_state::STRAIGHT;
+        return result;
+      }
+    } while(!is_occupied(h));
+    result.state = b == Strand_end{h, outermost(h, Side::LEFT)} ? Wedge_state::FREE : Wedge_state::BLOCKED;
+    return result;
+  }
+
+  /// Do the two ends of a joint lie on one spoke, next to each other, so that the joint turns back on itself?
+  bool is_turning_back(const Joint& joint) const
+  {
+    const auto [a, b] = ends(joint);
+    return a.halfedge == b.halfedge && neighbor(a.segment, a.halfedge, Side::RIGHT) == b.segment;
+  }
+
+  /// @}
+  /// \name Moves
+  /// @{
+
+  /*!
+   * Moves a joint over its wedge: replaces its two segments by segments along `arc`, which leads from the head of the
+   * joint's first end to that of its second, with the wedge on its right. The new segments are outermost on that side.
+   * An empty arc cancels a joint that turns back.
+   *
+   * \param affected receives the joints that are new, or newly adjacent: the complete list of those to look at again
+   * \return the first new segment in the direction of the curve, `null_index` if there is none
+   */
+  Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)
+  {
+    const std::pair<Strand_end, Strand_end> old = ends(joint);
+    const Index x = joint.incoming, y = next(x);
+    CGAL_precondition(x != y);
+    const Strand_end before = survivor_counterclockwise(old.first, x, y);
+    // A joint that turns back also uncovers the ends beside it at its far node.
+    const Strand_end far = {Triangulation::twin(old.first.halfedge), old.second.segment};
+    const Strand_end before_far = arc.empty() ? survivor_counterclockwise(far, x, y) : Strand_end{};
+
+    const Index upstream = next(y) == x ? null_index : previous(x);
+    const Index first = splice(x, y, joint.side, arc);
+    collect_joints_from(upstream != null_index ? upstream : first, arc.size() + 1, affected);
+    collect_if_adjacent(before, affected);
+    collect_if_adjacent(before_far, affected);
+    return first;
+  }
+
+  /*!
+   * Replaces the one segment of a loop by two, along the other two edges of the face on the left of `h`, the segment's
+   * halfedge or its twin [SC20, Appendix B].
+   * \return the new segment that arrives at the old node
+   */
+  Index perturb_loop(Index s, Index h)
+  {
+    const Index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
+    const Index curve = m_segments[s].curve;
+    const bool is_along = h == halfedge(s);
+    remove(s);
+    const Index a = create(curve, is_along ? Triangulation::twin(hp) : hn);
+    const Index b = create(curve, is_along ? Triangulation::twin(hn) : hp);
+    // The face lies to the left of hn and hp.
+    link_outermost(a, is_along ? Triangulation::twin(hp) : Triangulation::twin(hn));
+    link_outermost(b, is_along ? Triangulation::twin(hn) : Triangulation::twin(hp));
+    link(a, b);
+    link(b, a);
+    m_curves[curve].first = a;
+    m_curves[curve].last = b;
+    return b;
+  }
+
+  /// Where a segment lies in its stack: what is needed to put another one into its place.
+  struct Stack_place
+  {
+    Index halfedge, left, right;
+  };
+
+  Stack_place stack_place(Index s) const
+  {
+    return {halfedge(s), neighbor(s, halfedge(s) & ~1, Side::LEFT), neighbor(s, halfedge(s) & ~1, Side::RIGHT)};
+  }
+
+  /// Replaces a closed curve by the one segment that it was when `place` was taken. \pre the flips since are undone
+  Index restore_loop(Index curve, const Stack_place& place)
+  {
+    remove_segments(curve);
+    const Index s = create(curve, place.halfedge);
+    if(place.left != null_index)
+      link_right_of(s, place.left);
+    else if(place.right != null_index)
+      link_outermost(s, (place.halfedge & ~1) ^ 1);
+    else
+      link_outermost(s, place.halfedge);
+    link(s, s);
+    m_curves[curve].first = m_curves[curve].last = s;
+    return s;
+  }
+
+  /// @}
+
+  /// Checks the invariant; linear in the segments and the degrees of the vertices they touch.
+  bool is_valid() const
+  {
+    for(Index c = 0; c < number_of_curves(); ++c)
+      if(!is_valid_chain(c))
+        return false;
+    for(Index s = 1; s < end_of_segment_ids(); ++s)
+      if(is_alive(s) && !(is_valid_stack(s) && is_non_crossing_at({halfedge(s), s}) &&
+                          is_non_crossing_at({Triangulation::twin(halfedge(s)), s})))
+        return false;
+    return true;
+  }
+
+  /*!
+   * Do the ends about the vertex of `end` form a non-crossing matching, with all ends of curves, fixed nodes and the
+   * border in one region?
+   */
+  bool is_non_crossing_at(const Strand_end& end) const
+  {
+    Strand_end start = end;
+    bool has_border = false;
+    for(Strand_end e = next_counterclockwise(start); e != end; e = next_counterclockwise(start)) {
+      if(e.is_none()) {
+        has_border = true;
+        break;
+      }
+      start = e;
+    }
+    return is_non_crossing_from(has_border ? start : end, has_border);
+  }
+
+private:
+  struct Segment
+  {
+    Index halfedge = null_index;
+    Index next = null_index, previous = null_index;
+    Index left = null_index, right = null_index; // in the stack, circular, as seen along the edge's first halfedge
+    Index curve = null_index;
+    bool is_head_fixed = false;
+  };
+
+  struct Curve
+  {
+    Index first, last;
+    bool is_closed;
+    double initial_length;
+  };
+
+  template <class HalfedgeRange>
+  void check_chain(const HalfedgeRange& halfedges, bool is_closed) const
+  {
+    std::size_t position = 0;
+    Index first = null_index, last = null_index;
+    for(Index h : halfedges) {
+      if(h < 0 || h >= m_triangulation->number_of_halfedges())
+        throw Invalid_curve_error("a curve has a halfedge that the mesh does not have", {position});
+      if(last != null_index && m_triangulation->head(last) != m_triangulation->tail(h))
+        throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
+      if(first == null_index)
+        first = h;
+      last = h;
+      ++position;
+    }
+    if(first == null_index)
+      throw Invalid_curve_error("a curve has no edge");
+    if(is_closed && m_triangulation->head(last) != m_triangulation->tail(first))
+      throw Invalid_curve_error("a closed curve does not end where it starts", {position});
+  }
+
+  void append(Index curve, Index h)
+  {
+    const Index s = create(curve, h);
+    link_outermost(s, h);
+    if(m_curves[curve].first == null_index)
+      m_curves[curve].first = s;
+    else
+      link(m_curves[curve].last, s);
+    m_curves[curve].last = s;
+  }
+
+  Index create(Index curve, Index h)
+  {
+    m_segments.emplace_back();
+    m_segments.back().halfedge = h;
+    m_segments.back().curve = curve;
+    return static_cast<Index>(m_segments.size()) - 1;
+  }
+
+  void link(Index s, Index t)
+  {
+    if(s != null_index)
+      m_segments[s].next = t;
+    if(t != null_index)
+      m_segments[t].previous = s;
+  }
+
+  // The neighbour of s in its stack as seen along h, null_index if s is outermost.
+  Index neighbor(Index s, Index h, Side side) const
+  {
+    const Index first = m_triangulation->label(Triangulation::edge(h));
+    const bool is_to_the_right = ((h & 1) == 0) == (side == Side::RIGHT);
+    const Index found = is_to_the_right ? m_segments[s].right : m_segments[s].left;
+    const bool is_outermost = is_to_the_right ? found == first : s == first;
+    return is_outermost ? null_index : found;
+  }
+
+  // Puts s outermost on the right of its edge as seen along h.
+  void link_outermost(Index s, Index h)
+  {
+    const Index e = Triangulation::edge(h), first = m_triangulation->label(e);
+    if(first == 0) {
+      m_segments[s].left = m_segments[s].right = s;
+      m_triangulation->set_label(e, s);
+      return;
+    }
+    link_right_of(s, m_segments[first].left);
+    if((h & 1) != 0)
+      m_triangulation->set_label(e, s);
+  }
+
+  void link_right_of(Index s, Index left)
+  {
+    const Index right = m_segments[left].right;
+    m_segments[s].left = left;
+    m_segments[s].right = right;
+    m_segments[left].right = s;
+    m_segments[right].left = s;
+  }
+
+  void unlink(Index s)
+  {
+    const Index e = Triangulation::edge(halfedge(s));
+    const Index left = m_segments[s].left, right = m_segments[s].right;
+    m_segments[left].right = right;
+    m_segments[right].left = left;
+    if(m_triangulation->label(e) == s)
+      m_triangulation->set_label(e, right == s ? 0 : right);
+  }
+
+  void remove(Index s)
+  {
+    unlink(s);
+    m_segments[s].halfedge = null_index;
+  }
+
+  void remove_segments(Index curve)
+  {
+    std::vector<Index> segments;
+    for_each_segment(curve, [&](Index s) { segments.push_back(s); });
+    for(Index s : segments)
+      remove(s);
+  }
+
+  // The next end counterclockwise that is not one of x or y.
+  Strand_end survivor_counterclockwise(const Strand_end& start, Index x, Index y) const
+  {
+    Strand_end end = next_counterclockwise(start);
+    while(!end.is_none() && end != start && (end.segment == x || end.segment == y))
+      end = next_counterclockwise(end);
+    return end == start ? Strand_end{} : end;
+  }
+
+  // Replaces x and y by segments along the arc; returns the first of them.
+  Index splice(Index x, Index y, Side side, const std::vector<Index>& arc)
+  {
+    const Index curve = m_segments[x].curve;
+    const bool was_whole_loop = next(y) == x;
+    const Index before = was_whole_loop ? null_index : previous(x), after = was_whole_loop ? null_index : next(y);
+    const bool is_end_fixed = m_segments[y].is_head_fixed;
+    remove(x);
+    remove(y);
+
+    Index first = null_index, last = null_index;
+    for(std::size_t i = 0; i < arc.size(); ++i) {
+      const Index h = side == Side::LEFT ? arc[i] : Triangulation::twin(arc[arc.size() - 1 - i]);
+      const Index s = create(curve, h);
+      link_outermost(s, side == Side::LEFT ? h : Triangulation::twin(h));
+      if(first == null_index)
+        first = s;
+      else
+        link(last, s);
+      last = s;
+    }
+    if(last != null_index)
+      m_segments[last].is_head_fixed = is_end_fixed;
+    relink(curve, before, first, last, after, was_whole_loop);
+    return first;
+  }
+
+  void relink(Index curve, Index before, Index first, Index last, Index after, bool was_whole_loop)
+  {
+    Curve& c = m_curves[curve];
+    if(was_whole_loop) {
+      if(first != null_index)
+        link(last, first);
+      c.first = first;
+      c.last = last;
+      return;
+    }
+    link(before, first == null_index ? after : first);
+    link(last == null_index ? before : last, after);
+    const Index head = first == null_index ? after : first, tail = last == null_index ? before : last;
+    if(c.is_closed) { // any segment may be the first
+      c.first = head;
+      c.last = m_segments[head].previous;
+      return;
+    }
+    if(before == null_index)
+      c.first = head;
+    if(after == null_index)
+      c.last = tail;
+  }
+
+  // Both sides of up to `count` joints along the curve, the first at the head of s.
+  void collect_joints_from(Index s, std::size_t count, std::vector<Joint>& affected) const
+  {
+    for(std::size_t i = 0; i < count && s != null_index && next(s) != null_index; ++i, s = next(s))
+      collect(s, affected);
+  }
+
+  void collect(Index incoming, std::vector<Joint>& affected) const
+  {
+    affected.push_back({incoming, Side::LEFT});
+    affected.push_back({incoming, Side::RIGHT});
+  }
+
+  // The pair that has become adjacent: an end and the next one clockwise, if they belong to one joint.
+  void collect_if_adjacent(const Strand_end& a, std::vector<Joint>& affected) const
+  {
+    if(a.is_none())
+      return;
+    const Strand_end b = next_clockwise(a);
+    if(b.is_none())
+      return;
+    const bool arrives_first = a.halfedge == Triangulation::twin(halfedge(a.segment));
+    if(arrives_first && next(a.segment) == b.segment && b.halfedge == halfedge(b.segment))
+      affected.push_back({a.segment, Side::LEFT});
+    const bool leaves_first = a.halfedge == halfedge(a.segment);
+    if(leaves_first && next(b.segment) == a.segment && b.halfedge == Triangulation::twin(halfedge(b.segment)))
+      affected.push_back({b.segment, Side::RIGHT});
+  }
+
+  bool is_valid_chain(Index curve) const
+  {
+    bool is_chain = true;
+    Index last = null_index;
+    for_each_segment(curve, [&](Index s) {
+      is_chain = is_chain && is_alive(s) && m_segments[s].curve == curve;
+      const Index t = next(s);
+      is_chain = is_chain && (t == null_index || (previous(t) == s && m_triangulation->head(halfedge(s)) ==
+                                                                          m_triangulation->tail(halfedge(t))));
+      last = s;
+    });
+    return is_chain && last == m_curves[curve].last &&
+           (last == null_index || (next(last) == null_index) != m_curves[curve].is_closed);
+  }
+
+  bool is_valid_stack(Index s) const
+  {
+    const Index e = Triangulation::edge(halfedge(s));
+    bool is_listed = false;
+    for(Index t : stack(e)) {
+      is_listed = is_listed || t == s;
+      if(!is_alive(t) || Triangulation::edge(halfedge(t)) != e || m_segments[m_segments[t].right].left != t)
+        return false;
+    }
+    return is_listed;
+  }
+
+  // The end that a joint, if not fixed, connects with this one.
+  Strand_end partner(const Strand_end& end) const
+  {
+    const Index s = end.segment;
+    if(end.halfedge == halfedge(s)) {
+      const Index p = previous(s);
+      return p == null_index || is_head_fixed(p) ? Strand_end{} : Strand_end{Triangulation::twin(halfedge(p)), p};
+    }
+    return is_head_fixed(s) ? Strand_end{} : Strand_end{halfedge(next(s)), next(s)};
+  }
+
+  // Clockwise from an end, which comes first after the border if there is one: matched ends nest like brackets, and
+  // single ends, like the border, all lie at one depth outside every bracket, or inside one and the same.
+  bool is_non_crossing_from(const Strand_end& start, bool has_border) const
+  {
+    std::vector<Strand_end> open;
+    Strand_end region; // the innermost open bracket around the single ends
+    bool has_region = has_border;
+    Strand_end end = start;
+    do {
+      const Strand_end mate = partner(end);
+      if(mate.is_none()) {
+        const Strand_end here = open.empty() ? Strand_end{} : open.back();
+        if(has_region && region != here)
+          return false;
+        region = here;
+        has_region = true;
+      } else if(!open.empty() && open.back() == mate) {
+        open.pop_back();
+      } else {
+        open.push_back(end);
+      }
+      end = next_clockwise(end);
+    } while(!end.is_none() && end != start);
+    return open.empty();
+  }
+
+  Triangulation* m_triangulation;
+  std::vector<Segment> m_segments;
+  std::vector<Curve> m_curves;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H
+#define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+template <class TriangleMesh>
+using Default_point_map =
+    typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type;
+
+template <class TriangleMesh>
+using Default_traits = Intrinsic_triangulation_traits<
+    typename Kernel_traits<typename boost::property_traits<Default_point_map<TriangleMesh>>::value_type>::Kernel>;
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsRef
+ *
+ * An intrinsic triangulation of a triangle mesh: the mesh's vertices, joined by straight edges *in* the surface, that
+ * can be flipped without changing the surface [SC20, section 3.1].
+ *
+ * It is a true \f$\Delta\f$-complex: an edge may be a loop, two edges may share both end vertices, a vertex may have
+ * degree 1, a face may be glued to itself. Elements are told apart by their indices, never by their vertices. Vertices
+ * keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`; both ids survive flips, and before
+ * the first flip they are the input's.
+ *
+ * Faces of the input are copied when they are first touched, so that construction takes constant time over a
+ * `Surface_mesh`, and \f$O(n \log n)\f$ over other meshes, whose elements are numbered first. The mesh and its points
+ * must outlive the triangulation, unchanged.
+ *
+ * The invariant: the vectors of a face close, the two sides of an edge have one length, and the crossing numbers of the
+ * edges are those of the input edges (`is_valid()`).
+ *
+ * Not safe to be used from two threads at once, not even for reading; give each thread a triangulation of its own.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold
+ * \tparam Traits_ a model of `IntrinsicTriangulationTraits`
+ * \tparam Metric_ `Embedded_metric` or `Edge_length_metric`
+ */
+template <class TriangleMesh,
+          class Traits_ = internal::Default_traits<TriangleMesh>,
+          class Metric_ = Embedded_metric<TriangleMesh, internal::Default_point_map<TriangleMesh>>>
+class Intrinsic_triangulation
+{
+public:
+  using Triangle_mesh = TriangleMesh;
+  using Traits = Traits_;
+  using Metric = Metric_;
+  using Input_mesh = internal::Indexed_mesh<TriangleMesh>;
+  using vertex_descriptor = typename Input_mesh::vertex_descriptor;
+  using halfedge_descriptor = typename Input_mesh::halfedge_descriptor;
+  using FT = typename Traits::FT;
+  using Halfedge_geometry = typename Traits::Halfedge_geometry;
+  using Turn = typename Traits::Turn;
+
+  /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge.
+  struct Flip_record
+  {
+    Index h;                         ///< the flipped halfedge, i->j before and l->k after
+    Index hp, tn;                    ///< k->i and i->l
+    Index version_hp, version_tn;    ///< their versions at the time
+    Index rotation;                  ///< how many input edges a turn about i from ik to il crosses
+    Index old_version, old_crossings;
+    Halfedge_geometry old_h, old_t, old_tn, old_tp;
+  };
+
+  /// A position in the flip log, to roll back to.
+  using Log_position = std::size_t;
+
+  /// \name Construction
+  /// @{
+
+  /// Over an embedded mesh with the mesh's own points. Complexity: see the class.
+  explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
+    : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
+  {
+  }
+
+  /// Over a mesh with a metric. Complexity: see the class.
+  Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
+    : m_input(mesh)
+    , m_metric(metric)
+    , m_traits(traits)
+    , m_edges(static_cast<std::size_t>(m_input.number_of_halfedges() / 2))
+    , m_outgoing(static_cast<std::size_t>(m_input.number_of_vertices()))
+  {
+  }
+
+  Intrinsic_triangulation(Intrinsic_triangulation&&) = default;
+  Intrinsic_triangulation& operator=(Intrinsic_triangulation&&) = default;
+
+  /// @}
+  /// \name The input
+  /// @{
+
+  const Input_mesh& input() const { return m_input; }
+  const Metric& metric() const { return m_metric; }
+  const Traits& traits() const { return m_traits; }
+
+  Index number_of_vertices() const { return m_input.number_of_vertices(); }
+  Index number_of_halfedges() const { return m_input.number_of_halfedges(); }
+  Index number_of_edges() const { return m_input.number_of_halfedges() / 2; }
+
+  /// The index of a vertex or halfedge of the input mesh, `null_index` if it is not one.
+  template <class Descriptor>
+  Index index(Descriptor d) const
+  {
+    return m_input.index(d);
+  }
+
+  /// The input mesh's vertex with index `v`.
+  vertex_descriptor vertex(Index v) const { return m_input.vertex(v); }
+
+  /// The input mesh's halfedge with index `h`.
+  halfedge_descriptor input_halfedge(Index h) const { return m_input.halfedge(h); }
+
+  /// @}
+  /// \name Connectivity
+  /// Constant time; the face on the left of a halfedge is copied from the input at the first touch, and then a
+  /// degenerate or non-finite face throws `Degenerate_face_error` or `Invalid_coordinate_error`.
+  /// @{
+
+  static Index twin(Index h) { return h ^ 1; }
+  static Index edge(Index h) { return h >> 1; }
+
+  /// The next halfedge around the face. \pre `h` is not on the border
+  Index next(Index h) const { return record(h).encoded_next - 1; }
+  /// The previous halfedge around the face. \pre `h` is not on the border
+  Index previous(Index h) const { return next(next(h)); }
+  Index tail(Index h) const { return record(h).tail; }
+  Index head(Index h) const { return record(twin(h)).tail; }
+  /// Has `h` no face on its left?
+  bool is_border(Index h) const { return record(h).encoded_next == Halfedge_record::border; }
+
+  /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
+  Index clockwise(Index h) const
+  {
+    const Index t = twin(h);
+    return is_border(t) ? null_index : next(t);
+  }
+
+  /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
+  Index counterclockwise(Index h) const { return is_border(h) ? null_index : twin(previous(h)); }
+
+  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
+  Index outgoing(Index v) const
+  {
+    if(m_outgoing[v] == 0) {
+      const Index h = m_input.outgoing(v);
+      if(h == null_index)
+        return null_index;
+      record(h);
+      m_outgoing[v] = h + 1;
+    }
+    return m_outgoing[v] - 1;
+  }
+
+  /// @}
+  /// \name Geometry
+  /// @{
+
+  const Halfedge_geometry& geometry(Index h) const { return record(h).geometry; }
+
+  /// The length of edge `edge(h)`, rounded to double.
+  double length(Index h) const { return m_traits.compute_length_object()(geometry(is_border(h) ? twin(h) : h)); }
+
+  /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
+  void extend_turn(Turn& turn, Index h) const
+  {
+    const Index hn = next(h);
+    m_traits.extend_turn_object()(turn, geometry(h), geometry(hn), geometry(next(hn)));
+  }
+
+  /*!
+   * Is the turn, which leads clockwise about a vertex from halfedge `from` to halfedge `to`, at least \f$\pi\f$?
+   * \pre the turn has at least one corner; `from == to` means all the way round
+   */
+  bool is_straight(const Turn& turn, Index /* from */, Index /* to */) const
+  {
+    return certainly(m_traits.compare_turn_with_straight_object()(turn) != SMALLER);
+  }
+
+  /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
+  bool is_reflex_at_head(Index h) const
+  {
+    const Index tp = previous(twin(h));
+    Turn turn;
+    extend_turn(turn, h);
+    extend_turn(turn, tp);
+    return is_straight(turn, twin(tp), next(h));
+  }
+
+  /// @}
+  /// \name Flips
+  /// @{
+
+  /// Can the edge of `h` be flipped [SC20, section 3.1.3]: inside, in a convex quad, both ends of degree above 1?
+  bool is_flippable(Index h) const
+  {
+    const Index t = twin(h);
+    if(is_border(h) || is_border(t) || next(h) == t || next(t) == h)
+      return false;
+    return !is_reflex_at_head(h) && !is_reflex_at_head(t);
+  }
+
+  /*!
+   * Flips the edge of `h`: `h` leads from the apex of its twin's face to the apex of its own afterwards. Four flips of
+   * one halfedge restore the connectivity. Constant time.
+   * \pre `is_flippable(h)`
+   */
+  void flip(Index h)
+  {
+    const Index t = twin(h);
+    const Index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
+    CGAL_precondition_msg(hn != t && tn != h, "an edge at a vertex of degree 1 cannot be flipped");
+
+    const auto flipped = m_traits.flip_object()(geometry(h), geometry(hn), geometry(hp), geometry(t), geometry(tn),
+                                                geometry(tp));
+    const internal::Quad_crossings crossing = {crossings(edge(h)), crossings(edge(hn)), crossings(edge(hp)),
+                                               crossings(edge(tn)), crossings(edge(tp))};
+    Edge_record& e = m_edges[edge(h)];
+    m_log.push_back({h, hp, tn, m_edges[edge(hp)].version, m_edges[edge(tn)].version, crossing.rotation_at_i(), e.version,
+                     e.crossings_plus_one, geometry(h), geometry(t), geometry(tn), geometry(tp)});
+
+    move_outgoing(tail(h), h, tn);
+    move_outgoing(tail(t), t, hn);
+    e.version = static_cast<Index>(m_log.size());
+    e.crossings_plus_one = crossing.other_diagonal() + 1;
+    link_face(h, hp, tn);
+    link_face(t, tp, hn);
+    known_record(h).tail = known_record(tp).tail;
+    known_record(t).tail = known_record(hp).tail;
+    set_geometries(h, flipped.h, flipped.t, tn, flipped.tn, tp, flipped.tp);
+  }
+
+  /// The end of the flip log: the number of flips since the input.
+  Log_position log_position() const { return m_log.size(); }
+
+  /// Takes flips back, the last first, until the log has `position` entries; bit for bit. Linear in the flips undone.
+  void rollback(Log_position position = 0)
+  {
+    for(; m_log.size() > position; m_log.pop_back())
+      undo(m_log.back());
+  }
+
+  /// Entry `i` of the flip log.
+  const Flip_record& flip_record(Log_position i) const { return m_log[i]; }
+
+  /// @}
+  /// \name Correspondence with the input
+  /// @{
+
+  /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
+  Index crossings(Index e) const { return m_edges[e].crossings_plus_one - 1; }
+
+  /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
+  Index version(Index e) const { return m_edges[e].version; }
+
+  /*!
+   * How many input edges start strictly inside the wedge from halfedge `from` clockwise to halfedge `to` of one vertex;
+   * `from == to` means all the way round. \pre no border in between. Linear in the wedge's degree.
+   */
+  Index input_edges_in_wedge(Index from, Index to) const
+  {
+    Index count = 0;
+    for(Index h = from;;) {
+      const Index t = twin(h), tn = next(t);
+      const internal::Triangle_crossings corner(crossings(edge(next(tn))), crossings(edge(t)), crossings(edge(tn)));
+      count += corner.emanating[0];
+      h = tn;
+      if(h == to)
+        return count;
+      count += crossings(edge(h)) < 0 ? 1 : 0;
+    }
+  }
+
+  /// @}
+  /// \name Labels
+  /// An integer per edge at the disposal of the one curve network that lives in the triangulation; 0 at first.
+  /// @{
+
+  Index label(Index e) const { return m_edges[e].label; }
+  void set_label(Index e, Index label) { m_edges[e].label = label; }
+
+  /// @}
+
+  /*!
+   * Checks the invariant of all that has been touched: the links of faces, the closing of their vectors, the equal
+   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`. Linear in the mesh.
+   */
+  bool is_valid(double tolerance = 1e-9) const
+  {
+    for(Index h = 0; h < number_of_halfedges(); ++h)
+      if(known_record(h).encoded_next > 0 && !is_valid_halfedge(h, tolerance))
+        return false;
+    return true;
+  }
+
+private:
+  struct Halfedge_record
+  {
+    static constexpr Index untouched = 0, border = -1;
+
+    Index encoded_next; // untouched, border, or one more than the next halfedge
+    Index tail;
+    Halfedge_geometry geometry;
+  };
+
+  // One cache line with two doubles per halfedge. All zeros is an edge of the input whose faces are not known yet.
+  struct Edge_record
+  {
+    Halfedge_record sides[2];
+    Index crossings_plus_one;
+    Index version;
+    Index label;
+  };
+
+  Halfedge_record& known_record(Index h) const { return m_edges[h >> 1].sides[h & 1]; }
+
+  const Halfedge_record& record(Index h) const
+  {
+    const Halfedge_record& r = known_record(h);
+    if(r.encoded_next == Halfedge_record::untouched)
+      import_face(h);
+    return r;
+  }
+
+  void import_face(Index h) const
+  {
+    if(m_input.is_border(h)) {
+      known_record(h).tail = m_input.tail(h);
+      known_record(h).encoded_next = Halfedge_record::border;
+      return;
+    }
+    const Index sides[3] = {h, m_input.next(h), m_input.next(m_input.next(h))};
+    if(m_input.next(sides[2]) != h)
+      throw Invalid_mesh_error("the face at vertex " + std::to_string(m_input.tail(h)) + " is not a triangle",
+                               {static_cast<std::size_t>(m_input.tail(h))});
+    const auto geometry = m_metric.face_geometry(m_input, h, m_traits);
+    for(int i = 0; i < 3; ++i) {
+      known_record(sides[i]) = {sides[(i + 1) % 3] + 1, m_input.tail(sides[i]), geometry[i]};
+      if(m_outgoing[m_input.tail(sides[i])] == 0)
+        m_outgoing[m_input.tail(sides[i])] = sides[i] + 1;
+    }
+  }
+
+  void link_face(Index a, Index b, Index c)
+  {
+    known_record(a).encoded_next = b + 1;
+    known_record(b).encoded_next = c + 1;
+    known_record(c).encoded_next = a + 1;
+  }
+
+  void set_geometries(Index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_t, Index tn,
+                      const Halfedge_geometry& at_tn, Index tp, const Halfedge_geometry& at_tp)
+  {
+    known_record(h).geometry = at_h;
+    known_record(twin(h)).geometry = at_t;
+    known_record(tn).geometry = at_tn;
+    known_record(tp).geometry = at_tp;
+  }
+
+  void move_outgoing(Index v, Index from, Index to)
+  {
+    if(m_outgoing[v] == from + 1)
+      m_outgoing[v] = to + 1;
+  }
+
+  // h = l->k in (h, hp, tn) and t = k->l in (t, tp, hn) become i->j and j->i again.
+  void undo(const Flip_record& flip)
+  {
+    const Index h = flip.h, t = twin(h);
+    const Index hp = next(h), tn = next(hp), tp = next(t), hn = next(tp);
+    move_outgoing(tail(h), h, tp);
+    move_outgoing(tail(t), t, hp);
+    m_edges[edge(h)].version = flip.old_version;
+    m_edges[edge(h)].crossings_plus_one = flip.old_crossings;
+    link_face(h, hn, hp);
+    link_face(t, tn, tp);
+    known_record(h).tail = known_record(tn).tail;
+    known_record(t).tail = known_record(hn).tail;
+    set_geometries(h, flip.old_h, flip.old_t, tn, flip.old_tn, tp, flip.old_tp);
+  }
+
+  bool is_valid_halfedge(Index h, double tolerance) const
+  {
+    const Index hn = next(h), hp = next(hn);
+    if(next(hp) != h || head(h) != tail(hn))
+      return false;
+    const double a = length(h), b = length(hn), c = length(hp);
+    const double scale = tolerance * (std::max)({a, b, c});
+    if(a > b + c + scale)
+      return false;
+    return is_border(twin(h)) ||
+           std::abs(a - m_traits.compute_length_object()(geometry(twin(h)))) <= scale;
+  }
+
+  Input_mesh m_input;
+  Metric m_metric;
+  Traits m_traits;
+  // Mutable, since faces of the input are copied when they are first read.
+  mutable internal::Lazy_array<Edge_record> m_edges;
+  mutable internal::Lazy_array<Index> m_outgoing; // one more than a halfedge, 0 where none is known
+  std::vector<Flip_record> m_log;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H

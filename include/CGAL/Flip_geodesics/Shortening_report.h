@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SHORTENING_REPORT_H
+#define CGAL_FLIP_GEODESICS_SHORTENING_REPORT_H
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsRef
+/// How a curve came out of a shortening.
+enum class Shortening_status {
+  LOCALLY_SHORTEST,   ///< no side of a joint that is not blocked has an angle below \f$\pi\f$
+  CONTRACTED,         ///< the curve has shrunk to a point
+  LENGTH_LIMIT,       ///< a further step would have made the curve, or the network, shorter than allowed
+  ANGLE_LIMIT,        ///< all angles that could be widened had reached the limit
+  ITERATION_LIMIT,    ///< the allowed number of steps, or the time, was used up
+  STOPPED_BY_VISITOR, ///< the visitor's `go_further()` said no
+  PRECISION_LIMIT     ///< the traits' arithmetic could not tell whether the curve is locally shortest
+};
+
+/// The name of a status, as the enumerator is spelled.
+inline const char* to_string(Shortening_status status)
+{
+  switch(status) {
+  case Shortening_status::LOCALLY_SHORTEST: return "LOCALLY_SHORTEST";
+  case Shortening_status::CONTRACTED: return "CONTRACTED";
+  case Shortening_status::LENGTH_LIMIT: return "LENGTH_LIMIT";
+  case Shortening_status::ANGLE_LIMIT: return "ANGLE_LIMIT";
+  case Shortening_status::ITERATION_LIMIT: return "ITERATION_LIMIT";
+  case Shortening_status::STOPPED_BY_VISITOR: return "STOPPED_BY_VISITOR";
+  case Shortening_status::PRECISION_LIMIT: return "PRECISION_LIMIT";
+  }
+  return "";
+}
+
+/// \ingroup PkgFlipGeodesicsRef
+/// What happened to one curve.
+struct Curve_report
+{
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
+  double initial_length = 0;
+  double length = 0;
+  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
+  double smallest_angle = std::numeric_limits<double>::infinity();
+};
+
+/// \ingroup PkgFlipGeodesicsRef
+/// What a shortening did.
+struct Shortening_report
+{
+  std::vector<Curve_report> curves; ///< one per curve of the network
+  std::size_t flips = 0;            ///< edge flips
+  std::size_t flip_outs = 0;        ///< steps, [SC20, Algorithm 1]; the steps of a loop unit count singly
+
+  /// Is every curve of the network locally shortest, or contracted to a point, which is as short as can be?
+  bool is_complete() const
+  {
+    for(const Curve_report& curve : curves)
+      if(curve.status != Shortening_status::LOCALLY_SHORTEST && curve.status != Shortening_status::CONTRACTED)
+        return false;
+    return true;
+  }
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SHORTENING_REPORT_H

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SHORTENING_VISITOR_H
+#define CGAL_FLIP_GEODESICS_SHORTENING_VISITOR_H
+
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsRef
+ *
+ * A visitor that does nothing; derive from it and hide what you need.
+ *
+ * \cgalModels{FlipOutVisitor}
+ */
+struct Default_shortening_visitor
+{
+  /// After the edge of halfedge `h` was flipped. A step that is not taken after all flips back without a call.
+  template <class Triangulation>
+  void on_flip(const Triangulation&, Index /* h */)
+  {
+  }
+
+  /// After a step: a joint of `curve` has been moved over its wedge.
+  template <class Network>
+  void after_flip_out(const Network&, Index /* curve */)
+  {
+  }
+
+  /// Asked before each step: shall the shortening go on?
+  bool go_further() { return true; }
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SHORTENING_VISITOR_H

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_EXCEPTIONS_H
+#define CGAL_FLIP_GEODESICS_EXCEPTIONS_H
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsErrors
+ *
+ * The base class of everything that this package throws.
+ *
+ * It carries the indices of the offending elements, in the order in which the message names them: positions in
+ * `vertices(mesh)` for meshes, positions in the input for curves.
+ */
+class Error : public std::runtime_error
+{
+public:
+  explicit Error(const std::string& message, std::vector<std::size_t> elements = {})
+    : std::runtime_error(message)
+    , m_elements(std::move(elements))
+  {
+  }
+
+  /// The indices of the offending elements.
+  const std::vector<std::size_t>& elements() const { return m_elements; }
+
+private:
+  std::vector<std::size_t> m_elements;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// The connectivity is not that of an oriented triangulated surface.
+class Invalid_mesh_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// A face has an edge of length zero, or lengths that violate the triangle inequality; `elements()` are its vertices.
+class Degenerate_face_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// A coordinate or an edge length is NaN or infinite, or so large or small that its square is not a normal number.
+class Invalid_coordinate_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// A vertex index is not one of the mesh's.
+class Vertex_out_of_range_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// No edge path joins the two vertices in `elements()`.
+class Disconnected_endpoints_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// A curve is empty, is not a chain of edges of the mesh, or ends where it starts although it is to be open.
+class Invalid_curve_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// Two strands of the input curves cross at the vertex in `elements()`, whatever their order on shared edges.
+class Crossing_curves_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// Overlapping input curves do not determine an order on the shared edge whose vertices are in `elements()`.
+class Ambiguous_order_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_EXCEPTIONS_H

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_EXTRACT_H
+#define CGAL_FLIP_GEODESICS_EXTRACT_H
+
+#include <CGAL/Flip_geodesics/Crossing_words.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsExtraction
+ *
+ * A point of the surface at a vertex or on an edge of the input: \f$(1-t)\,a + t\,b\f$. At a vertex `a == b` and `t` is
+ * 0. On an edge `a` is the nearer end, so that `t` lies in [0, 1/2] and keeps its relative accuracy close to vertices.
+ */
+struct Surface_point
+{
+  Index a, b; ///< input vertices
+  double t;
+  Index halfedge; ///< on an edge: the input halfedge that is crossed, as a side of the face that is left; else null
+
+  bool is_vertex() const { return a == b; }
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsExtraction
+ *
+ * Reads curves of a network off on the input mesh, by unfolding the words of their segments: which edges are crossed,
+ * and in which order, is exact; where they are crossed is rounded to double.
+ *
+ * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there; the
+ * edges then tell on which side the curve passes.
+ *
+ * Words are kept between calls. Invalid after the triangulation has changed.
+ *
+ * \tparam Network an `Edge_path_network`
+ */
+template <class Network>
+class Curve_extractor
+{
+  using Triangulation = typename Network::Triangulation;
+  using Triangle_mesh = typename Triangulation::Triangle_mesh;
+  using Strip = internal::Strip<Triangulation>;
+
+public:
+  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor;
+
+  explicit Curve_extractor(const Network& network)
+    : m_network(network)
+    , m_triangulation(network.triangulation())
+    , m_words(m_triangulation)
+  {
+  }
+
+  /*!
+   * Writes the `Surface_point`s of a curve, from its start to its end; a closed curve repeats its first point. Nothing is
+   * written for a curve that has contracted. Linear in the crossed edges.
+   */
+  template <class OutputIterator>
+  OutputIterator surface_points(Index curve, OutputIterator out)
+  {
+    Index last = null_index;
+    m_network.for_each_segment(curve, [&](Index s) {
+      const Index h = m_network.halfedge(s);
+      *out++ = vertex_point(m_triangulation.tail(h));
+      const Strip strip(m_triangulation, m_words(h));
+      for(std::size_t i = 0; i < strip.gates().size(); ++i)
+        *out++ = edge_point(strip.gates()[i].crossed, strip.crossing(i));
+      last = h;
+    });
+    if(last != null_index)
+      *out++ = vertex_point(m_triangulation.head(last));
+    return out;
+  }
+
+  /// The surface points of a curve as a vector.
+  std::vector<Surface_point> surface_points(Index curve)
+  {
+    std::vector<Surface_point> result;
+    surface_points(curve, std::back_inserter(result));
+    return result;
+  }
+
+  /// Writes the points of a curve in space, one per surface point. Only with `Embedded_metric`.
+  template <class OutputIterator>
+  OutputIterator points(Index curve, OutputIterator out)
+  {
+    for(const Surface_point& p : surface_points(curve))
+      *out++ = point(p);
+    return out;
+  }
+
+  /// Writes the input halfedges that a curve crosses, each as a side of the face that is left.
+  template <class OutputIterator>
+  OutputIterator crossed_halfedges(Index curve, OutputIterator out)
+  {
+    m_network.for_each_segment(curve, [&](Index s) {
+      for(Index h : m_words(m_network.halfedge(s)).crossed)
+        *out++ = m_triangulation.input_halfedge(h);
+    });
+    return out;
+  }
+
+  /*!
+   * Writes a curve as face locations, pairs of a face and barycentric coordinates as in
+   * `CGAL::Polygon_mesh_processing::Face_location`: the coordinates belong to the source, target and third vertex of
+   * `halfedge(face, mesh)`.
+   */
+  template <class OutputIterator>
+  OutputIterator face_locations(Index curve, const Triangle_mesh& mesh, OutputIterator out)
+  {
+    for(const Surface_point& p : surface_points(curve))
+      *out++ = face_location(p, mesh);
+    return out;
+  }
+
+  /// The point in space. Only with `Embedded_metric`.
+  auto point(const Surface_point& p) const
+  {
+    using Point = typename Triangulation::Metric::Point_3;
+    const auto& input = m_triangulation.input();
+    const Point a = m_triangulation.metric().point(input, p.a);
+    if(p.is_vertex())
+      return a;
+    const Point b = m_triangulation.metric().point(input, p.b);
+    return Point(a.x() + p.t * (b.x() - a.x()), a.y() + p.t * (b.y() - a.y()), a.z() + p.t * (b.z() - a.z()));
+  }
+
+  /// The word of a segment of the network.
+  Crossing_word word(Index segment) { return m_words(m_network.halfedge(segment)); }
+
+private:
+  static Surface_point vertex_point(Index v) { return {v, v, 0, null_index}; }
+
+  Surface_point edge_point(Index crossed, double from_right) const
+  {
+    const Index right = m_triangulation.input().tail(crossed);
+    const Index left = m_triangulation.input().tail(Triangulation::twin(crossed));
+    if(from_right <= 0.5)
+      return {right, left, from_right, crossed};
+    return {left, right, 1 - from_right, crossed};
+  }
+
+  std::pair<face_descriptor, std::array<double, 3>> face_location(const Surface_point& p, const Triangle_mesh& mesh) const
+  {
+    const auto& input = m_triangulation.input();
+    Index h = p.is_vertex() ? input.outgoing(p.a) : p.halfedge;
+    if(input.is_border(h)) // at most one of two consecutive spokes is on the border
+      h = p.is_vertex() ? input.next(Triangulation::twin(h)) : Triangulation::twin(h);
+    const face_descriptor f = face(m_triangulation.input_halfedge(h), mesh);
+    Index corner = input.index(halfedge(f, mesh));
+    std::array<double, 3> weights = {0, 0, 0};
+    for(double& weight : weights) {
+      const Index v = input.tail(corner);
+      weight = v == p.a ? 1 - p.t : (v == p.b ? p.t : 0);
+      corner = input.next(corner);
+    }
+    return {f, weights};
+  }
+
+  const Network& m_network;
+  const Triangulation& m_triangulation;
+  Crossing_words<Triangulation> m_words;
+};
+
+/// \ingroup PkgFlipGeodesicsExtraction
+/// A face of the intrinsic triangulation; side `i` leads from vertex `i` to vertex `(i + 1) % 3`.
+struct Intrinsic_face
+{
+  std::array<Index, 3> vertices;
+  std::array<Index, 3> halfedges;
+  std::array<double, 3> lengths;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsExtraction
+ *
+ * Writes all faces of a triangulation, which contains the curves of its network as edges, ordered by their smallest
+ * halfedge, which comes first. Copies what was not touched yet: linear in the mesh.
+ */
+template <class Triangulation, class OutputIterator>
+OutputIterator intrinsic_faces(const Triangulation& triangulation, OutputIterator out)
+{
+  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
+    if(triangulation.is_border(h))
+      continue;
+    const Index hn = triangulation.next(h), hp = triangulation.next(hn);
+    if(hn < h || hp < h)
+      continue;
+    *out++ = Intrinsic_face{{triangulation.tail(h), triangulation.tail(hn), triangulation.tail(hp)},
+                            {h, hn, hp},
+                            {triangulation.length(h), triangulation.length(hn), triangulation.length(hp)}};
+  }
+  return out;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_EXTRACT_H

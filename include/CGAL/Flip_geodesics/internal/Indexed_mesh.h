@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_INDEXED_MESH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_INDEXED_MESH_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+template <typename P>
+class Surface_mesh;
+
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsRef
+/// The index of a vertex, an edge or a halfedge; halfedges `2e` and `2e+1` are the two sides of edge `e`.
+using Index = std::int32_t;
+
+/// \ingroup PkgFlipGeodesicsRef
+/// The index of no element.
+constexpr Index null_index = -1;
+
+namespace internal {
+
+inline Index twin_index(Index h) { return h ^ 1; }
+
+template <class Count>
+Index checked_index_bound(Count count)
+{
+  if(static_cast<std::uint64_t>(count) >= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)()))
+    throw Invalid_mesh_error("the mesh has more elements than 32-bit indices can number");
+  return static_cast<Index>(count);
+}
+
+/*
+ * A FaceListGraph seen through consecutive integers, with twin(h) == h ^ 1.
+ *
+ * The general model numbers edges and vertices in the order of `edges(mesh)` and `vertices(mesh)` and copies the
+ * connectivity once, O(mesh). It asks nothing of the descriptors but `<`, whose order reaches no result.
+ */
+template <class TriangleMesh>
+class Indexed_mesh
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+
+public:
+  using vertex_descriptor = typename Graph::vertex_descriptor;
+  using halfedge_descriptor = typename Graph::halfedge_descriptor;
+
+  explicit Indexed_mesh(const TriangleMesh& mesh)
+  {
+    index_vertices(mesh);
+    index_halfedges(mesh);
+    copy_connectivity(mesh);
+  }
+
+  Index number_of_vertices() const { return static_cast<Index>(m_vertices.size()); }
+  Index number_of_halfedges() const { return static_cast<Index>(m_halfedges.size()); }
+
+  vertex_descriptor vertex(Index v) const { return m_vertices[v]; }
+  halfedge_descriptor halfedge(Index h) const { return m_halfedges[h]; }
+  Index index(vertex_descriptor v) const { return find(m_vertex_order, v); }
+  Index index(halfedge_descriptor h) const { return find(m_halfedge_order, h); }
+
+  Index next(Index h) const { return m_next[h]; }
+  Index tail(Index h) const { return m_tail[h]; }
+  bool is_border(Index h) const { return m_is_border[h] != 0; }
+  /// A halfedge that starts at `v`, or `null_index` at an isolated vertex.
+  Index outgoing(Index v) const { return m_outgoing[v]; }
+
+private:
+  template <class Descriptor>
+  using Order = std::vector<std::pair<Descriptor, Index>>;
+
+  template <class Descriptor>
+  static Order<Descriptor> sorted_order(const std::vector<Descriptor>& descriptors)
+  {
+    Order<Descriptor> order;
+    order.reserve(descriptors.size());
+    for(const Descriptor& d : descriptors)
+      order.emplace_back(d, static_cast<Index>(order.size()));
+    std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return order;
+  }
+
+  template <class Descriptor>
+  static Index find(const Order<Descriptor>& order, const Descriptor& wanted)
+  {
+    const auto found = std::lower_bound(order.begin(), order.end(), wanted,
+                                        [](const auto& entry, const Descriptor& d) { return entry.first < d; });
+    return (found != order.end() && found->first == wanted) ? found->second : null_index;
+  }
+
+  void index_vertices(const TriangleMesh& mesh)
+  {
+    for(vertex_descriptor v : vertices(mesh))
+      m_vertices.push_back(v);
+    checked_index_bound(m_vertices.size());
+    m_vertex_order = sorted_order(m_vertices);
+  }
+
+  void index_halfedges(const TriangleMesh& mesh)
+  {
+    for(const auto& e : edges(mesh)) {
+      m_halfedges.push_back(CGAL::halfedge(e, mesh));
+      m_halfedges.push_back(opposite(m_halfedges.back(), mesh));
+    }
+    checked_index_bound(m_halfedges.size());
+    m_halfedge_order = sorted_order(m_halfedges);
+  }
+
+  void copy_connectivity(const TriangleMesh& mesh)
+  {
+    m_outgoing.assign(m_vertices.size(), null_index);
+    for(halfedge_descriptor h : m_halfedges) {
+      m_next.push_back(index(CGAL::next(h, mesh)));
+      m_tail.push_back(index(source(h, mesh)));
+      m_is_border.push_back(CGAL::is_border(h, mesh) ? 1 : 0);
+      m_outgoing[m_tail.back()] = static_cast<Index>(m_tail.size()) - 1;
+    }
+  }
+
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<halfedge_descriptor> m_halfedges;
+  Order<vertex_descriptor> m_vertex_order;
+  Order<halfedge_descriptor> m_halfedge_order;
+  std::vector<Index> m_next, m_tail, m_outgoing;
+  std::vector<char> m_is_border;
+};
+
+/* A `Surface_mesh` is numbered the same way already, so that nothing is copied and nothing read before it is asked. */
+template <class P>
+class Indexed_mesh<CGAL::Surface_mesh<P>>
+{
+  using Mesh = CGAL::Surface_mesh<P>;
+  using Graph = boost::graph_traits<Mesh>;
+
+public:
+  using vertex_descriptor = typename Graph::vertex_descriptor;
+  using halfedge_descriptor = typename Graph::halfedge_descriptor;
+
+  explicit Indexed_mesh(const Mesh& mesh)
+    : m_mesh(&mesh)
+    , m_number_of_vertices(checked_index_bound(mesh.number_of_vertices() + mesh.number_of_removed_vertices()))
+    , m_number_of_halfedges(checked_index_bound(mesh.number_of_halfedges() + mesh.number_of_removed_halfedges()))
+  {
+  }
+
+  Index number_of_vertices() const { return m_number_of_vertices; }
+  Index number_of_halfedges() const { return m_number_of_halfedges; }
+
+  vertex_descriptor vertex(Index v) const { return vertex_descriptor(static_cast<std::uint32_t>(v)); }
+  halfedge_descriptor halfedge(Index h) const { return halfedge_descriptor(static_cast<std::uint32_t>(h)); }
+  Index index(vertex_descriptor v) const { return to_index(v, m_number_of_vertices); }
+  Index index(halfedge_descriptor h) const { return to_index(h, m_number_of_halfedges); }
+
+  Index next(Index h) const { return static_cast<Index>(m_mesh->next(halfedge(h))); }
+  Index tail(Index h) const { return static_cast<Index>(m_mesh->target(halfedge(twin_index(h)))); }
+  bool is_border(Index h) const { return m_mesh->is_border(halfedge(h)); }
+  Index outgoing(Index v) const
+  {
+    const halfedge_descriptor h = m_mesh->halfedge(vertex(v));
+    return h == Graph::null_halfedge() ? null_index : twin_index(static_cast<Index>(h));
+  }
+
+private:
+  template <class Descriptor>
+  static Index to_index(Descriptor d, Index bound)
+  {
+    const std::size_t i = static_cast<std::size_t>(d);
+    return i < static_cast<std::size_t>(bound) ? static_cast<Index>(i) : null_index;
+  }
+
+  const Mesh* m_mesh;
+  Index m_number_of_vertices, m_number_of_halfedges;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_INDEXED_MESH_H

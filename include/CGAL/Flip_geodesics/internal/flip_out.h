@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * [SC20, Algorithm 2] for any network: while a wedge that is free has an angle below pi, take the smallest and flip it
+ * out. Wedges are queued by angle, then segment, then side, so that the result is determined by the input.
+ *
+ * A wedge's angle does not change while its joint lives, since flips elsewhere keep the angle between two edges that
+ * stay. So a key never goes stale. Whether the wedge is free does change: a wedge that is found blocked is dropped, and
+ * `EdgePathGraph::replace_joint()` names it again when it may be free.
+ */
+template <class Network, class StopPredicate, class Visitor>
+class Flip_out
+{
+  using Triangulation = typename Network::Triangulation;
+  using Wedge = typename Network::Wedge;
+
+public:
+  Flip_out(Network& network, const StopPredicate& stop, Visitor& visitor)
+    : m_network(network)
+    , m_triangulation(network.triangulation())
+    , m_stop(stop)
+    , m_visitor(visitor)
+    , m_curves(static_cast<std::size_t>(network.number_of_curves()))
+  {
+    for(Index c = 0; c < network.number_of_curves(); ++c) {
+      m_curves[c].length = network.length(c);
+      m_length += m_curves[c].length;
+      m_initial_length += network.initial_length(c);
+      if(network.is_contracted(c))
+        m_curves[c].status = Shortening_status::CONTRACTED;
+    }
+  }
+
+  void run()
+  {
+    queue_all_joints();
+    while(!m_queue.empty() && !m_has_ended) {
+      const Candidate candidate = m_queue.top();
+      m_queue.pop();
+      if(is_current(candidate) && is_free(candidate.joint))
+        take_step(candidate);
+    }
+  }
+
+  /// Looks at all joints of a curve again.
+  void queue_curve(Index curve)
+  {
+    m_network.for_each_segment(curve, [&](Index s) {
+      if(m_network.next(s) != null_index) {
+        queue({s, Side::LEFT});
+        queue({s, Side::RIGHT});
+      }
+    });
+  }
+
+  Shortening_status status(Index curve) const { return m_curves[curve].status; }
+  std::size_t flips() const { return m_flips; }
+  std::size_t steps() const { return m_steps; }
+
+private:
+  struct Candidate
+  {
+    double key;
+    Joint joint;
+    Index outgoing;
+
+    // std::priority_queue hands out the largest: the smallest angle, then the older segment, then the left side.
+    bool operator<(const Candidate& other) const
+    {
+      if(key != other.key)
+        return key > other.key;
+      if(joint.incoming != other.joint.incoming)
+        return joint.incoming > other.joint.incoming;
+      return joint.side > other.joint.side;
+    }
+  };
+
+  struct Curve_state
+  {
+    Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
+    double length = 0;
+    std::size_t blind_steps = 0;
+  };
+
+  void queue_all_joints()
+  {
+    for(Index c = 0; c < m_network.number_of_curves(); ++c)
+      queue_curve(c);
+  }
+
+  void queue(const Joint& joint)
+  {
+    const Wedge wedge = m_network.wedge(joint);
+    if(wedge.state == Wedge_state::FREE)
+      m_queue.push({m_triangulation.traits().turn_key_object()(wedge.turn), joint, m_network.next(joint.incoming)});
+  }
+
+  bool is_current(const Candidate& candidate) const
+  {
+    const Index x = candidate.joint.incoming;
+    return m_network.is_alive(x) && m_network.next(x) == candidate.outgoing &&
+           m_curves[m_network.curve(x)].status == Shortening_status::LOCALLY_SHORTEST;
+  }
+
+  bool is_free(const Joint& joint) const { return m_network.wedge(joint).state == Wedge_state::FREE; }
+
+  void take_step(const Candidate& candidate)
+  {
+    if(!m_visitor.go_further())
+      return end(Shortening_status::STOPPED_BY_VISITOR);
+    if(candidate.joint.incoming == candidate.outgoing)
+      shorten_single_segment_loop(candidate);
+    else
+      shorten_joint(candidate);
+  }
+
+  void shorten_joint(const Candidate& candidate)
+  {
+    const Index curve = m_network.curve(candidate.joint.incoming);
+    const auto start = m_triangulation.log_position();
+    const double change = flip_out_wedge(candidate.joint);
+    const bool is_longer = is_visible(change, curve) && change > 0;
+    const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key, curve, change);
+    if(is_longer || decision != Stop_decision::CONTINUE) {
+      m_triangulation.rollback(start); // longer can only be wrong: the angle was below pi by rounding alone
+      return obey(decision, curve);
+    }
+    apply(candidate.joint, change);
+    finish_step(curve, change);
+  }
+
+  /*
+   * [SC20, Algorithm 1]: flips the edges out of a free wedge, the first with beta < pi first, and walks along its outer
+   * arc into m_arc. Returns by how much the curve becomes longer.
+   *
+   *            n_1 ------ n_2          spokes b -> a, n_1, ..., c are passed clockwise
+   *           /   .     .   .
+   *          /  beta  .      .         beta_j: the angle at n_j, inside the wedge
+   *         a      . .        c
+   *          .     .        .
+   *            x    .    .  y
+   *               .  . .
+   *                  b
+   */
+  double flip_out_wedge(const Joint& joint)
+  {
+    m_arc.clear();
+    const auto [a, c] = m_network.ends(joint);
+    double change = -m_triangulation.length(a.halfedge) - m_triangulation.length(c.halfedge);
+    if(m_network.is_turning_back(joint))
+      return change;
+
+    Index spoke = m_triangulation.clockwise(a.halfedge);
+    while(spoke != c.halfedge) {
+      if(m_triangulation.is_reflex_at_head(spoke)) {
+        spoke = m_triangulation.clockwise(spoke);
+        continue;
+      }
+      const Index before = m_triangulation.counterclockwise(spoke), after = m_triangulation.clockwise(spoke);
+      flip(spoke);
+      spoke = before == a.halfedge ? after : before;
+    }
+
+    spoke = a.halfedge;
+    do {
+      const Index t = Triangulation::twin(spoke);
+      m_arc.push_back(Triangulation::twin(m_triangulation.previous(t)));
+      change += m_triangulation.length(m_arc.back());
+      spoke = m_triangulation.next(t);
+    } while(spoke != c.halfedge);
+    return change;
+  }
+
+  void flip(Index h)
+  {
+    CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge holds no strand");
+    m_triangulation.flip(h);
+    ++m_flips;
+    m_visitor.on_flip(m_triangulation, h);
+  }
+
+  void apply(const Joint& joint, double change)
+  {
+    const Index curve = m_network.curve(joint.incoming);
+    m_network.replace_joint(joint, m_arc, m_affected);
+    add_length(curve, change);
+  }
+
+  void finish_step(Index curve, double change)
+  {
+    ++m_steps;
+    m_visitor.after_flip_out(m_network, curve);
+    if(m_network.is_contracted(curve))
+      m_curves[curve].status = Shortening_status::CONTRACTED;
+    queue_affected();
+    count_blind_step(curve, change);
+  }
+
+  // Is the change larger than what rounding makes of the length?
+  bool is_visible(double change, Index curve) const { return std::abs(change) > 1e-14 * m_curves[curve].length; }
+
+  /*
+   * Every step shortens, but by less than doubles see where the angle is within 1e-7 of pi. Exact decisions end all the
+   * same; those of doubles could go round in circles, and a curve that takes too many blind steps in a row is given up.
+   */
+  void count_blind_step(Index curve, double change)
+  {
+    constexpr std::size_t patience = 10000;
+    Curve_state& state = m_curves[curve];
+    state.blind_steps = is_visible(change, curve) ? 0 : state.blind_steps + 1;
+    if(state.blind_steps > patience)
+      state.status = Shortening_status::PRECISION_LIMIT;
+  }
+
+  void queue_affected()
+  {
+    for(const Joint& joint : m_affected)
+      if(m_network.is_alive(joint.incoming) && m_network.next(joint.incoming) != null_index)
+        queue(joint);
+    m_affected.clear();
+  }
+
+  /*
+   * A loop of one segment, [SC20, Appendix B], as one unit: move the loop over the face in its wedge, which lengthens
+   * it, flip out the wedge at the old node, and then shorten it back on the other side as long as that is possible.
+   * All of it happens in a flat annulus that holds no vertex and no other strand, and ends shorter than it began; the
+   * manual's section on termination has the proof.
+   */
+  void shorten_single_segment_loop(const Candidate& candidate)
+  {
+    const Index s = candidate.joint.incoming, curve = m_network.curve(s);
+    const auto start = m_triangulation.log_position();
+    const auto place = m_network.stack_place(s);
+    const double length_before = m_curves[curve].length;
+
+    perturb_and_flip_out({s, candidate.joint.side});
+    while(!m_network.is_contracted(curve) && shorten_somewhere(curve, opposite_side(candidate.joint.side))) {
+    }
+
+    const double change = m_curves[curve].length - length_before;
+    add_length(curve, -change);
+    const Stop_decision decision = change < 0 ? ask(candidate.key, curve, change) : Stop_decision::CONTINUE;
+    if(change < 0 && decision == Stop_decision::CONTINUE) {
+      add_length(curve, change);
+      return finish_step(curve, change);
+    }
+    m_affected.clear();
+    m_triangulation.rollback(start);
+    m_network.restore_loop(curve, place);
+    obey(decision, curve);
+  }
+
+  void perturb_and_flip_out(const Joint& loop)
+  {
+    const Index curve = m_network.curve(loop.incoming);
+    const Index h = m_network.halfedge(loop.incoming);
+    const Index arriving = m_network.perturb_loop(loop.incoming, loop.side == Side::LEFT ? h : Triangulation::twin(h));
+    add_length(curve, m_network.length(curve) - m_curves[curve].length);
+    const Joint old_node = {arriving, loop.side};
+    apply(old_node, flip_out_wedge(old_node));
+  }
+
+  // One step at the first joint of a curve whose wedge on a side is free; false if there is none.
+  bool shorten_somewhere(Index curve, Side side)
+  {
+    Index found = null_index;
+    m_network.for_each_segment(curve, [&](Index s) {
+      if(found == null_index && m_network.next(s) != s && is_free({s, side}))
+        found = s;
+    });
+    if(found == null_index)
+      return false;
+    const auto start = m_triangulation.log_position();
+    const double change = flip_out_wedge({found, side});
+    if(change >= 0) {
+      m_triangulation.rollback(start);
+      return false;
+    }
+    apply({found, side}, change);
+    return true;
+  }
+
+  void add_length(Index curve, double change)
+  {
+    m_curves[curve].length += change;
+    m_length += change;
+  }
+
+  Stop_decision ask(double key, Index curve, double change) const
+  {
+    return m_stop(Shortening_step{curve, key, m_steps, m_network.initial_length(curve),
+                                  m_curves[curve].length + change, m_initial_length, m_length + change});
+  }
+
+  void obey(Stop_decision decision, Index curve)
+  {
+    switch(decision) {
+    case Stop_decision::CONTINUE: return;
+    case Stop_decision::CURVE_LENGTH_LIMIT: m_curves[curve].status = Shortening_status::LENGTH_LIMIT; return;
+    case Stop_decision::LENGTH_LIMIT: return end(Shortening_status::LENGTH_LIMIT);
+    case Stop_decision::ANGLE_LIMIT: return end(Shortening_status::ANGLE_LIMIT);
+    case Stop_decision::ITERATION_LIMIT: return end(Shortening_status::ITERATION_LIMIT);
+    }
+  }
+
+  // Every curve that still has a wedge to flip out gets the status; the others are locally shortest as they are.
+  void end(Shortening_status status)
+  {
+    m_has_ended = true;
+    for(Index c = 0; c < m_network.number_of_curves(); ++c)
+      if(m_curves[c].status == Shortening_status::LOCALLY_SHORTEST && has_free_wedge(c))
+        m_curves[c].status = status;
+  }
+
+  bool has_free_wedge(Index curve) const
+  {
+    bool found = false;
+    m_network.for_each_segment(curve, [&](Index s) {
+      if(m_network.next(s) != null_index)
+        found = found || is_free({s, Side::LEFT}) || is_free({s, Side::RIGHT});
+    });
+    return found;
+  }
+
+  Network& m_network;
+  Triangulation& m_triangulation;
+  const StopPredicate& m_stop;
+  Visitor& m_visitor;
+  std::priority_queue<Candidate> m_queue;
+  std::vector<Curve_state> m_curves;
+  double m_length = 0, m_initial_length = 0;
+  std::size_t m_flips = 0, m_steps = 0;
+  bool m_has_ended = false;
+  std::vector<Index> m_arc;
+  std::vector<Joint> m_affected;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_H

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_METRICS_H
+#define CGAL_FLIP_GEODESICS_METRICS_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+/* Lengths whose squares and products of squares stay normal doubles. */
+inline bool is_usable_length(double length)
+{
+  return length > 1e-70 && length < 1e70;
+}
+
+[[noreturn]] inline void throw_unusable_length(double length, Index v, Index w)
+{
+  const std::string edge = "the edge between vertices " + std::to_string(v) + " and " + std::to_string(w);
+  const std::vector<std::size_t> elements = {static_cast<std::size_t>(v), static_cast<std::size_t>(w)};
+  if(length == 0)
+    throw Degenerate_face_error(edge + " has length zero", elements);
+  throw Invalid_coordinate_error(edge + " has the length " + std::to_string(length) +
+                                     ", which is not a finite number between 1e-70 and 1e70",
+                                 elements);
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsMetrics
+ *
+ * The metric of a mesh embedded in space: edges have the length of the segment between their end points.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ * \tparam VertexPointMap a model of `ReadablePropertyMap` with the mesh's vertices as keys and points as values
+ */
+template <class TriangleMesh, class VertexPointMap>
+class Embedded_metric
+{
+public:
+  using Mesh = internal::Indexed_mesh<TriangleMesh>;
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+  using Kernel = typename Kernel_traits<Point_3>::Kernel;
+
+  explicit Embedded_metric(VertexPointMap points)
+    : m_points(points)
+  {
+  }
+
+  /// The point of vertex `v`.
+  decltype(auto) point(const Mesh& mesh, Index v) const { return get(m_points, mesh.vertex(v)); }
+
+  /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
+  double length(const Mesh& mesh, Index h) const
+  {
+    const Index v = mesh.tail(h), w = mesh.tail(internal::twin_index(h));
+    const double length = distance(mesh, v, w);
+    if(!internal::is_usable_length(length))
+      internal::throw_unusable_length(length, v, w);
+    return length;
+  }
+
+  /// A lower bound of the distance on the surface: the distance through space.
+  double distance_lower_bound(const Mesh& mesh, Index v, Index w) const { return distance(mesh, v, w); }
+
+  /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face. \throws as `length()`
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const
+  {
+    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    for(Index side : {h, hn, hp})
+      length(mesh, side);
+    return traits.construct_face_3_object()(point(mesh, mesh.tail(h)), point(mesh, mesh.tail(hn)),
+                                            point(mesh, mesh.tail(hp)));
+  }
+
+private:
+  double distance(const Mesh& mesh, Index v, Index w) const
+  {
+    decltype(auto) p = point(mesh, v);
+    decltype(auto) q = point(mesh, w);
+    const double x = CGAL::to_double(q.x() - p.x());
+    const double y = CGAL::to_double(q.y() - p.y());
+    const double z = CGAL::to_double(q.z() - p.z());
+    return std::sqrt(x * x + y * y + z * z);
+  }
+
+  VertexPointMap m_points;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsMetrics
+ *
+ * A metric given by a length for each edge, without any embedding; so are anisotropic metrics given.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph`
+ * \tparam EdgeLengthMap a model of `ReadablePropertyMap` with the mesh's edges as keys and numbers as values
+ */
+template <class TriangleMesh, class EdgeLengthMap>
+class Edge_length_metric
+{
+public:
+  using Mesh = internal::Indexed_mesh<TriangleMesh>;
+  using Kernel = Simple_cartesian<double>;
+
+  Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)
+    : m_mesh(&mesh)
+    , m_lengths(lengths)
+  {
+  }
+
+  /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
+  double length(const Mesh& mesh, Index h) const
+  {
+    const double length = CGAL::to_double(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
+    if(!internal::is_usable_length(length))
+      internal::throw_unusable_length(length, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    return length;
+  }
+
+  /// Zero: lengths alone say nothing of the distance.
+  double distance_lower_bound(const Mesh&, Index, Index) const { return 0; }
+
+  /*!
+   * The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
+   * \throws Degenerate_face_error if the lengths violate the triangle inequality; equality is allowed
+   */
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const
+  {
+    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    const double a = length(mesh, h), b = length(mesh, hn), c = length(mesh, hp);
+    if(a > b + c || b > c + a || c > a + b)
+      throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(mesh.tail(h)) + ", " +
+                                      std::to_string(mesh.tail(hn)) + ", " + std::to_string(mesh.tail(hp)) +
+                                      " violate the triangle inequality",
+                                  {static_cast<std::size_t>(mesh.tail(h)), static_cast<std::size_t>(mesh.tail(hn)),
+                                   static_cast<std::size_t>(mesh.tail(hp))});
+    return traits.construct_face_from_lengths_object()(a, b, c);
+  }
+
+private:
+  const TriangleMesh* m_mesh;
+  EdgeLengthMap m_lengths;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_METRICS_H

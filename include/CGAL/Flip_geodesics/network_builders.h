@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_NETWORK_BUILDERS_H
+#define CGAL_FLIP_GEODESICS_NETWORK_BUILDERS_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+template <class Triangulation>
+void check_vertex_index(const Triangulation& triangulation, Index v, std::size_t position)
+{
+  if(v < 0 || v >= triangulation.number_of_vertices())
+    throw Vertex_out_of_range_error("vertex " + std::to_string(v) + " at position " + std::to_string(position) +
+                                        " of a curve is not one of the mesh's " +
+                                        std::to_string(triangulation.number_of_vertices()) + " vertices",
+                                    {position});
+}
+
+/* The halfedges that start at v, clockwise, from the border if there is one. */
+template <class Triangulation>
+std::vector<Index> spokes(const Triangulation& triangulation, Index v)
+{
+  std::vector<Index> result;
+  const Index start = triangulation.outgoing(v);
+  if(start == null_index)
+    return result;
+  Index first = start;
+  for(Index h = triangulation.counterclockwise(start); h != null_index && h != start;
+      h = triangulation.counterclockwise(h))
+    first = h;
+  if(triangulation.counterclockwise(first) == start)
+    first = start;
+  Index h = first;
+  do {
+    result.push_back(h);
+    h = triangulation.clockwise(h);
+  } while(h != null_index && h != first);
+  return result;
+}
+
+/* The shortest edge from v to w, of equally long ones the first by index; null_index if there is none. */
+template <class Triangulation>
+Index halfedge_between(const Triangulation& triangulation, Index v, Index w)
+{
+  Index best = null_index;
+  for(Index h : spokes(triangulation, v)) {
+    if(triangulation.head(h) != w)
+      continue;
+    const bool is_better = best == null_index || triangulation.length(h) < triangulation.length(best) ||
+                           (triangulation.length(h) == triangulation.length(best) && h < best);
+    if(is_better)
+      best = h;
+  }
+  return best;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The chain of halfedges of the triangulation that passes given vertices, one edge between each two.
+ *
+ * \param vertices a range of vertex indices; a closed curve does not repeat the first
+ * \throws Vertex_out_of_range_error
+ * \throws Invalid_curve_error if there are fewer than two vertices, or two in a row share no edge
+ */
+template <class Triangulation, class VertexRange>
+std::vector<Index> halfedges_through(const Triangulation& triangulation, const VertexRange& vertices, bool is_closed)
+{
+  std::vector<Index> v;
+  for(Index vertex : vertices) {
+    internal::check_vertex_index(triangulation, vertex, v.size());
+    v.push_back(vertex);
+  }
+  if(v.size() < 2)
+    throw Invalid_curve_error("a curve needs at least two vertices");
+  if(is_closed)
+    v.push_back(v.front());
+  std::vector<Index> result;
+  for(std::size_t i = 0; i + 1 < v.size(); ++i) {
+    result.push_back(internal::halfedge_between(triangulation, v[i], v[i + 1]));
+    if(result.back() == null_index)
+      throw Invalid_curve_error("a curve is not connected: no edge joins vertex " + std::to_string(v[i]) +
+                                    " and vertex " + std::to_string(v[i + 1]),
+                                {static_cast<std::size_t>(v[i]), static_cast<std::size_t>(v[i + 1])});
+  }
+  return result;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The chain of input halfedges along shortest edge paths from each way point to the next.
+ *
+ * \param search a `Shortest_edge_path` over the network's triangulation, whose edges are still the input's
+ * \param way_points vertex indices, at least two, no two in a row equal; a closed curve does not repeat the first
+ * \throws Invalid_curve_error for fewer than two way points, or two equal ones in a row
+ * \throws Vertex_out_of_range_error, Disconnected_endpoints_error as `Shortest_edge_path`
+ */
+template <class Search, class VertexRange>
+std::vector<Index> shortest_halfedges_through(Search& search, const VertexRange& way_points, bool is_closed = false)
+{
+  std::vector<Index> v(std::begin(way_points), std::end(way_points));
+  if(v.size() < 2)
+    throw Invalid_curve_error("a curve needs at least two way points");
+  if(is_closed)
+    v.push_back(v.front());
+  std::vector<Index> result;
+  for(std::size_t i = 0; i + 1 < v.size(); ++i) {
+    if(v[i] == v[i + 1])
+      throw Invalid_curve_error("a curve starts and ends at the same vertex " + std::to_string(v[i]),
+                                {static_cast<std::size_t>(v[i])});
+    const std::vector<Index> leg = search(v[i], v[i + 1]);
+    result.insert(result.end(), leg.begin(), leg.end());
+  }
+  return result;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Adds the network formed by the marked edges of the input mesh: a curve for each chain between vertices where other
+ * than two marked edges meet, which are its fixed ends, and a closed one for each loop without such a vertex. Curves are
+ * numbered by their smallest edge. Linear in the mesh.
+ *
+ * \param mesh the triangulation's mesh
+ * \param is_marked a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as values
+ * \return the number of curves added
+ * \pre the triangulation's edges are still the input's
+ */
+template <class Network, class TriangleMesh, class EdgeIsMarkedMap>
+Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedMap is_marked)
+{
+  const auto& triangulation = network.triangulation();
+  std::vector<char> is_open(static_cast<std::size_t>(triangulation.number_of_edges()), 0);
+  std::vector<Index> degree(static_cast<std::size_t>(triangulation.number_of_vertices()), 0);
+  for(Index e = 0; e < triangulation.number_of_edges(); ++e) {
+    is_open[e] = get(is_marked, edge(triangulation.input_halfedge(2 * e), mesh)) ? 1 : 0;
+    if(is_open[e] != 0) {
+      ++degree[triangulation.tail(2 * e)];
+      ++degree[triangulation.head(2 * e)];
+    }
+  }
+
+  const auto next_marked = [&](Index h) { // the way on from the head of h, null_index at a node that ends curves
+    if(degree[triangulation.head(h)] != 2)
+      return null_index;
+    for(Index g : internal::spokes(triangulation, triangulation.head(h)))
+      if(is_open[Network::Triangulation::edge(g)] != 0)
+        return g;
+    return null_index;
+  };
+  const auto walk = [&](Index h) {
+    std::vector<Index> chain;
+    for(; h != null_index; h = next_marked(h)) {
+      is_open[Network::Triangulation::edge(h)] = 0;
+      chain.push_back(h);
+    }
+    return chain;
+  };
+
+  const Index before = network.number_of_curves();
+  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    if(is_open[h >> 1] != 0 && degree[triangulation.tail(h)] != 2)
+      network.add_curve(walk(h), false);
+  for(Index e = 0; e < triangulation.number_of_edges(); ++e)
+    if(is_open[e] != 0)
+      network.add_curve(walk(2 * e), true);
+  return network.number_of_curves() - before;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_NETWORK_BUILDERS_H

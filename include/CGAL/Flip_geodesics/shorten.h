@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SHORTEN_H
+#define CGAL_FLIP_GEODESICS_SHORTEN_H
+
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/internal/flip_out.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/verify.h>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsRef
+ *
+ * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class, and measures the
+ * result afresh from the input: a curve is reported `LOCALLY_SHORTEST` only if the measurement says so.
+ *
+ * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. The flips grow like
+ * \f$m^{1.8}\f$ with the segments \f$m\f$ of a shortest edge path, and take constant time each.
+ *
+ * \param network the curves; they are moved, and the edges around them flipped
+ * \param stop a model of `FlipOutStopPredicate`
+ * \param visitor a model of `FlipOutVisitor`
+ * \throws Degenerate_face_error, Invalid_coordinate_error if a face that is touched is no triangle; the network and its
+ *         triangulation are then valid, and the curves as short as they were pulled so far
+ */
+template <class Network, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
+Shortening_report shorten(Network& network, const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
+{
+  internal::Flip_out<Network, StopPredicate, std::remove_reference_t<Visitor>> engine(network, stop, visitor);
+  engine.run();
+
+  Shortening_report report;
+  report.flips = engine.flips();
+  report.flip_outs = engine.steps();
+  Straightness_meter<Network> meter(network);
+  for(Index c = 0; c < network.number_of_curves(); ++c) {
+    const Straightness straightness = meter(c);
+    Shortening_status status = engine.status(c);
+    if(status == Shortening_status::LOCALLY_SHORTEST && !straightness.is_locally_shortest())
+      status = Shortening_status::PRECISION_LIMIT;
+    report.curves.push_back({status, network.initial_length(c), network.length(c), straightness.smallest_angle});
+  }
+  return report;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SHORTEN_H

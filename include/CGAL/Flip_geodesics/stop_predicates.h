@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_STOP_PREDICATES_H
+#define CGAL_FLIP_GEODESICS_STOP_PREDICATES_H
+
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+#include <CGAL/assertions.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsStop
+/// What a stop predicate says of a step that is about to be taken.
+enum class Stop_decision {
+  CONTINUE,            ///< take it
+  CURVE_LENGTH_LIMIT,  ///< do not take it, and leave its curve as it is; go on with the others
+  LENGTH_LIMIT,        ///< do not take it, and end
+  ANGLE_LIMIT,         ///< do not take it, and end
+  ITERATION_LIMIT      ///< do not take it, and end
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// The step that is about to be taken, with the lengths before and after it.
+struct Shortening_step
+{
+  Index curve;
+  double angle_key;            ///< `Turn_key` of the wedge, in [0, 2): 1 - cos / (|cos| + sin) of its angle
+  std::size_t steps;           ///< the number of steps taken so far
+  double curve_initial_length; ///< of the curve
+  double curve_length_after;   ///< of the curve, if the step is taken
+  double initial_length;       ///< of the network
+  double length_after;         ///< of the network, if the step is taken
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Never stops. \cgalModels{FlipOutStopPredicate}
+struct Never_stop_predicate
+{
+  Stop_decision operator()(const Shortening_step&) const { return Stop_decision::CONTINUE; }
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Keeps the network's total length at `ratio` times its initial length or above. \cgalModels{FlipOutStopPredicate}
+class Length_ratio_stop_predicate
+{
+public:
+  /// \pre 0 <= ratio <= 1
+  explicit Length_ratio_stop_predicate(double ratio)
+    : m_ratio(ratio)
+  {
+    CGAL_precondition(0 <= ratio && ratio <= 1);
+  }
+
+  Stop_decision operator()(const Shortening_step& step) const
+  {
+    return step.length_after < m_ratio * step.initial_length ? Stop_decision::LENGTH_LIMIT : Stop_decision::CONTINUE;
+  }
+
+private:
+  double m_ratio;
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Keeps each curve's length at `ratio` times its initial length or above, so that small loops survive too.
+/// \cgalModels{FlipOutStopPredicate}
+class Curve_length_ratio_stop_predicate
+{
+public:
+  /// \pre 0 <= ratio <= 1
+  explicit Curve_length_ratio_stop_predicate(double ratio)
+    : m_ratio(ratio)
+  {
+    CGAL_precondition(0 <= ratio && ratio <= 1);
+  }
+
+  Stop_decision operator()(const Shortening_step& step) const
+  {
+    return step.curve_length_after < m_ratio * step.curve_initial_length ? Stop_decision::CURVE_LENGTH_LIMIT
+                                                                         : Stop_decision::CONTINUE;
+  }
+
+private:
+  double m_ratio;
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Stops when the smallest angle that could be widened has reached a limit. \cgalModels{FlipOutStopPredicate}
+class Angle_stop_predicate
+{
+public:
+  /// \param angle in radians, in (0, \f$\pi\f$]
+  explicit Angle_stop_predicate(double angle)
+    : m_key(1 - std::cos(angle) / (std::abs(std::cos(angle)) + std::sin(angle)))
+  {
+    CGAL_precondition(angle > 0);
+  }
+
+  Stop_decision operator()(const Shortening_step& step) const
+  {
+    return step.angle_key >= m_key ? Stop_decision::ANGLE_LIMIT : Stop_decision::CONTINUE;
+  }
+
+private:
+  double m_key;
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Stops after a number of steps. \cgalModels{FlipOutStopPredicate}
+class Iteration_stop_predicate
+{
+public:
+  explicit Iteration_stop_predicate(std::size_t limit)
+    : m_limit(limit)
+  {
+  }
+
+  Stop_decision operator()(const Shortening_step& step) const
+  {
+    return step.steps >= m_limit ? Stop_decision::ITERATION_LIMIT : Stop_decision::CONTINUE;
+  }
+
+private:
+  std::size_t m_limit;
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Stops when a time is over, counted from the predicate's construction. \cgalModels{FlipOutStopPredicate}
+class Time_stop_predicate
+{
+public:
+  explicit Time_stop_predicate(std::chrono::duration<double> limit)
+    : m_end(std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(limit))
+  {
+  }
+
+  Stop_decision operator()(const Shortening_step&) const
+  {
+    return std::chrono::steady_clock::now() >= m_end ? Stop_decision::ITERATION_LIMIT : Stop_decision::CONTINUE;
+  }
+
+private:
+  std::chrono::steady_clock::time_point m_end;
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Stops as soon as one of several predicates does; the first that does decides how. \cgalModels{FlipOutStopPredicate}
+template <class... Predicates>
+class Any_stop_predicate
+{
+public:
+  explicit Any_stop_predicate(Predicates... predicates)
+    : m_predicates(predicates...)
+  {
+  }
+
+  Stop_decision operator()(const Shortening_step& step) const
+  {
+    Stop_decision decision = Stop_decision::CONTINUE;
+    std::apply(
+        [&](const Predicates&... predicate) {
+          ((decision = decision == Stop_decision::CONTINUE ? predicate(step) : decision), ...);
+        },
+        m_predicates);
+    return decision;
+  }
+
+private:
+  std::tuple<Predicates...> m_predicates;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_STOP_PREDICATES_H

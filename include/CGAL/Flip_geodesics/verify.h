@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_VERIFY_H
+#define CGAL_FLIP_GEODESICS_VERIFY_H
+
+#include <CGAL/Flip_geodesics/Crossing_words.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsRef
+/// How straight a curve is, measured from the input alone.
+struct Straightness
+{
+  /// The largest angle, in radians, by which a segment leaves the strip of input faces that it is to cross.
+  double largest_bend = 0;
+  /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
+  double smallest_angle = std::numeric_limits<double>::infinity();
+
+  /// Is the curve locally shortest up to an angle, in radians?
+  bool is_locally_shortest(double tolerance = 1e-8) const
+  {
+    return largest_bend <= tolerance && smallest_angle >= boost::math::constants::pi<double>() - tolerance;
+  }
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsRef
+ *
+ * Measures curves of a network afresh from the input: each segment's word of crossed input edges is unfolded from the
+ * input's coordinates, and the angles at the joints are summed over input faces. Nothing that the flips computed enters
+ * but integers, and so no error of theirs. The unfolding is in double, its own error some units in the last place per
+ * face [SC20, section 5.1 has the idea of checking; the strips are this package's].
+ *
+ * Invalid after the triangulation has changed.
+ *
+ * \tparam Network an `Edge_path_network`
+ */
+template <class Network>
+class Straightness_meter
+{
+  using Triangulation = typename Network::Triangulation;
+  using Strip = internal::Strip<Triangulation>;
+
+public:
+  explicit Straightness_meter(const Network& network)
+    : m_network(network)
+    , m_triangulation(network.triangulation())
+    , m_words(m_triangulation)
+  {
+  }
+
+  /// Measures one curve. Linear in the crossed input edges and in the degrees of the vertices it passes.
+  Straightness operator()(Index curve)
+  {
+    Straightness result;
+    m_network.for_each_segment(curve, [&](Index s) {
+      result.largest_bend = (std::max)(result.largest_bend, Strip(m_triangulation, m_words(m_network.halfedge(s))).bend());
+      if(m_network.next(s) != null_index)
+        result.smallest_angle = (std::min)({result.smallest_angle, angle({s, Side::LEFT}), angle({s, Side::RIGHT})});
+    });
+    return result;
+  }
+
+  /// The angle at a side of a joint, in radians; infinite if the side is blocked, fixed or holds the border.
+  double angle(const Joint& joint)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if(m_network.is_head_fixed(joint.incoming))
+      return infinity;
+    const auto [a, b] = m_network.ends(joint);
+    if(m_network.next_clockwise(a) != b)
+      return infinity;
+    return m_network.is_turning_back(joint) ? 0 : angle_between(a.halfedge, b.halfedge);
+  }
+
+private:
+  // The direction of a halfedge at its tail: an input halfedge, and the angle from it counterclockwise.
+  struct Direction
+  {
+    Index reference;
+    double angle;
+    bool is_along;
+  };
+
+  Direction direction(Index h)
+  {
+    const Crossing_word word = m_words(h);
+    const Strip strip(m_triangulation, word);
+    return {strip.reference(), std::arg(strip.end()), word.along != null_index};
+  }
+
+  // Clockwise from a to b: the input corners between their reference halfedges, corrected at both ends.
+  double angle_between(Index a, Index b)
+  {
+    const Direction from = direction(a), to = direction(b);
+    const Index steps = m_triangulation.input_edges_in_wedge(a, b) + (from.is_along ? 1 : 0);
+    double sum = from.angle - to.angle;
+    Index h = from.reference;
+    for(Index i = 0; i < steps; ++i) {
+      const Index t = Triangulation::twin(h);
+      sum += corner(t);
+      h = m_triangulation.input().next(t);
+    }
+    CGAL_assertion(h == to.reference);
+    return sum;
+  }
+
+  // The input corner at the head of input halfedge h.
+  double corner(Index h) const
+  {
+    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+    const auto face = m_triangulation.metric().face_geometry(m_triangulation.input(), h, Double_traits());
+    return std::atan2(face[1].y, -face[1].x); // the layout puts h on the positive real axis
+  }
+
+  const Network& m_network;
+  const Triangulation& m_triangulation;
+  Crossing_words<Triangulation> m_words;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_VERIFY_H
