@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# What the tests, examples and benchmarks share: the warnings, the optional libraries, one function per program.
+
+find_package(Eigen3 QUIET)
+include(CGAL_Eigen3_support)
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
+find_package(CLI11 QUIET)
+find_package(benchmark QUIET)
+
+# By hand: the configuration file of some distributions' OpenMesh names files that they do not ship.
+find_path(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/ArrayKernel.hh)
+find_library(FLIP_GEODESICS_OPENMESH_LIBRARY OpenMeshCore)
+mark_as_advanced(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR FLIP_GEODESICS_OPENMESH_LIBRARY)
+if(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR AND FLIP_GEODESICS_OPENMESH_LIBRARY)
+  add_library(Flip_geodesics_OpenMesh INTERFACE IMPORTED)
+  set_target_properties(
+    Flip_geodesics_OpenMesh
+    PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${FLIP_GEODESICS_OPENMESH_INCLUDE_DIR}"
+               INTERFACE_LINK_LIBRARIES "${FLIP_GEODESICS_OPENMESH_LIBRARY}"
+               INTERFACE_COMPILE_DEFINITIONS "CGAL_USE_OPENMESH;NOMINMAX;_USE_MATH_DEFINES"
+               # OpenMesh has elements without initial values, which g++ reports where they are inlined.
+               INTERFACE_COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
+endif()
+
+add_library(Flip_geodesics_warnings INTERFACE)
+target_compile_options(
+  Flip_geodesics_warnings
+  INTERFACE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic>
+            $<$<AND:$<BOOL:${FLIP_GEODESICS_WARNINGS_AS_ERRORS}>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-Werror>)
+
+# An optional library is linked to the programs whose source mentions it, so that nobody keeps lists and the other
+# programs do not pay for it. `flip_geodesics_optional_libraries` holds triples: pattern, target, and what happens
+# without it: GUARDED (the source has an #ifdef) or REQUIRED (the program is left out).
+set(flip_geodesics_optional_libraries
+    "CGAL_EIGEN3_ENABLED|<Eigen/" CGAL::Eigen3_support GUARDED
+    "CGAL_LINKED_WITH_TBB|CGAL::Parallel_tag" CGAL::TBB_support GUARDED
+    "CGAL_USE_OPENMESH" Flip_geodesics_OpenMesh GUARDED
+    "<CLI/CLI.hpp>" CLI11::CLI11 REQUIRED
+    "<benchmark/benchmark.h>" benchmark::benchmark REQUIRED)
+
+# Sets `used` to the optional libraries that `source` mentions and `missing` to those that it cannot do without.
+function(flip_geodesics_find_used_libraries source used missing)
+  # Editing the source may change the answer.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+  file(READ "${source}" text)
+  set(found "")
+  set(absent "")
+  set(triples "${flip_geodesics_optional_libraries}")
+  while(triples)
+    list(POP_FRONT triples pattern library need)
+    if(NOT text MATCHES "${pattern}")
+      continue()
+    elseif(TARGET ${library})
+      list(APPEND found ${library})
+    elseif(need STREQUAL REQUIRED)
+      list(APPEND absent ${library})
+    endif()
+  endwhile()
+  set(${used} "${found}" PARENT_SCOPE)
+  set(${missing} "${absent}" PARENT_SCOPE)
+endfunction()
+
+# flip_geodesics_add_program(name [WITHOUT_LIBRARY])
+#
+# Adds the executable `name` made of `name.cpp`. Leaves it out, with a message, if a required library is missing: test
+# if(TARGET name) after the call.
+function(flip_geodesics_add_program name)
+  cmake_parse_arguments(arg "WITHOUT_LIBRARY" "" "" ${ARGN})
+  set(source "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
+  flip_geodesics_find_used_libraries("${source}" used missing)
+  if(missing)
+    message(STATUS "Flip_geodesics: ${name} is left out, because ${missing} was not found")
+    return()
+  endif()
+  add_executable(${name} "${source}")
+  target_compile_features(${name} PRIVATE cxx_std_17)
+  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
+  target_link_libraries(${name} PRIVATE Flip_geodesics_warnings ${used})
+  if(NOT arg_WITHOUT_LIBRARY)
+    target_link_libraries(${name} PRIVATE CGAL::Flip_geodesics)
+  endif()
+endfunction()

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Installs the package into an empty prefix, then configures, builds and runs the project of this folder against it.
+# Arguments: build_dir and source_dir of the package, its version, and the generator, make_program, compiler, launcher,
+# flags and cgal_dir that it was configured with.
+
+cmake_minimum_required(VERSION 3.16)
+
+set(work_dir "${build_dir}/consumer")
+set(prefix "${work_dir}/prefix")
+file(REMOVE_RECURSE "${work_dir}")
+
+# run(what command...): stops with the output of the command if it fails.
+function(run what)
+  execute_process(
+    COMMAND ${ARGN}
+    RESULT_VARIABLE status
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${what} failed (${status}):\n${output}")
+  endif()
+  message(STATUS "${what}: done")
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+run("install" "${CMAKE_COMMAND}" --install "${build_dir}" --prefix "${prefix}")
+
+file(GLOB_RECURSE installed "${prefix}/*")
+foreach(file IN LISTS installed)
+  file(READ "${file}" text)
+  string(FIND "${text}" "${source_dir}" position)
+  if(NOT position EQUAL -1)
+    message(FATAL_ERROR "${file} cannot be moved to another machine: it names ${source_dir}")
+  endif()
+endforeach()
+
+# Copied, so that no relative path leads back to the package's sources.
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/CMakeLists.txt" "${CMAKE_CURRENT_LIST_DIR}/main.cpp"
+     DESTINATION "${work_dir}/source")
+set(options -G "${generator}" -D "CMAKE_MAKE_PROGRAM=${make_program}" -D "CMAKE_CXX_COMPILER=${compiler}"
+            -D "CMAKE_CXX_COMPILER_LAUNCHER=${launcher}" -D "CMAKE_CXX_FLAGS=${flags}" -D CMAKE_BUILD_TYPE=Release
+            -D "CGAL_DIR=${cgal_dir}" -D "CMAKE_PREFIX_PATH=${prefix}")
+run("configure" "${CMAKE_COMMAND}" -S "${work_dir}/source" -B "${work_dir}/build" ${options})
+
+load_cache("${work_dir}/build" READ_WITH_PREFIX consumer_ Flip_geodesics_DIR)
+string(FIND "${consumer_Flip_geodesics_DIR}" "${prefix}" position)
+if(NOT position EQUAL 0)
+  message(FATAL_ERROR "found ${consumer_Flip_geodesics_DIR} instead of the package in ${prefix}")
+endif()
+
+run("build" "${CMAKE_COMMAND}" --build "${work_dir}/build")
+run("run" "${work_dir}/build/consumer")
+message(STATUS "version ${version}: ${output}")
