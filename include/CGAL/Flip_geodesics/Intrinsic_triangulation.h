@@ -184,6 +184,15 @@ public:
 
   const Halfedge_geometry& geometry(Index h) const { return record(h).geometry; }
 
+  /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones.
+  void set_face_geometry(Index h, const typename Traits::Face_geometry& geometry)
+  {
+    for(const Halfedge_geometry& side : geometry) {
+      known_record(h).geometry = side;
+      h = next(h);
+    }
+  }
+
   /// The length of edge `edge(h)`, rounded to double.
   double length(Index h) const { return m_traits.compute_length_object()(geometry(is_border(h) ? twin(h) : h)); }
 

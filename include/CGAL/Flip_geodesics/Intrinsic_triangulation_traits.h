@@ -6,10 +6,12 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -34,6 +36,8 @@ class Intrinsic_triangulation_traits
 {
 public:
   using FT = double;
+  /// Do vectors drift with flips, so that faces may need to be laid out afresh?
+  using Has_drift = Tag_true;
   using Point_3 = typename K::Point_3;
 
   /// The vector of a halfedge in the frame of its face.
@@ -121,6 +125,16 @@ public:
       const double product =
           (l[0] + (l[1] + l[2])) * (l[2] - (l[0] - l[1])) * (l[2] + (l[0] - l[1])) * (l[0] + (l[1] - l[2]));
       return product > 0 ? std::sqrt(product) / 2 : 0;
+    }
+  };
+
+  /// Lays out a face given by the vectors of its halfedges in one frame, as pairs x, y.
+  class Construct_face_2
+  {
+  public:
+    Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v) const
+    {
+      return {{{v[0][0], v[0][1]}, {v[1][0], v[1][1]}, {v[2][0], v[2][1]}}};
     }
   };
 
@@ -227,6 +241,7 @@ public:
 
   Construct_face_3 construct_face_3_object() const { return {}; }
   Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; }
+  Construct_face_2 construct_face_2_object() const { return {}; }
   Extend_turn extend_turn_object() const { return {}; }
   Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
   Turn_key turn_key_object() const { return {}; }

@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstddef>
@@ -157,8 +157,8 @@ private:
     Index h = p.is_vertex() ? input.outgoing(p.a) : p.halfedge;
     if(input.is_border(h)) // at most one of two consecutive spokes is on the border
       h = p.is_vertex() ? input.next(Triangulation::twin(h)) : Triangulation::twin(h);
-    const face_descriptor f = face(m_triangulation.input_halfedge(h), mesh);
-    Index corner = input.index(halfedge(f, mesh));
+    const face_descriptor f = internal::graph_face(m_triangulation.input_halfedge(h), mesh);
+    Index corner = input.index(internal::graph_halfedge(f, mesh));
     std::array<double, 3> weights = {0, 0, 0};
     for(double& weight : weights) {
       const Index v = input.tail(corner);

@@ -8,7 +8,6 @@
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -12,6 +12,49 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+namespace internal {
+
+/*
+ * Joints of a curve that are bent although the triangulation's vectors say otherwise: lays out the faces in their wedges
+ * afresh and queues the curve again. Returns whether there were any.
+ */
+template <class Network, class Engine>
+bool refresh_bent_joints(Network& network, Engine& engine, Index curve)
+{
+  if(engine.status(curve) != Shortening_status::LOCALLY_SHORTEST)
+    return false;
+  Straightness_meter<Network> meter(network);
+  if(meter(curve).is_locally_shortest())
+    return false;
+  bool has_refreshed = false;
+  network.for_each_segment(curve, [&](Index s) {
+    for(Side side : {Side::LEFT, Side::RIGHT}) {
+      if(network.next(s) == null_index || meter.angle({s, side}) >= Straightness::straight_angle())
+        continue;
+      has_refreshed = meter.refresh_wedge({s, side}, network.triangulation()) || has_refreshed;
+    }
+  });
+  if(has_refreshed)
+    engine.queue_curve(curve);
+  return has_refreshed;
+}
+
+/* Goes on until the curves are as straight as the input says, or fresh vectors no longer help. */
+template <class Network, class Engine>
+void shorten_where_drift_hid_it(Network& network, Engine& engine)
+{
+  constexpr int most_rounds = 50;
+  bool has_refreshed = true;
+  for(int round = 0; round < most_rounds && has_refreshed; ++round) {
+    has_refreshed = false;
+    for(Index c = 0; c < network.number_of_curves(); ++c)
+      has_refreshed = refresh_bent_joints(network, engine, c) || has_refreshed;
+    engine.run_queue();
+  }
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsRef
  *
@@ -32,6 +75,8 @@ Shortening_report shorten(Network& network, const StopPredicate& stop = StopPred
 {
   internal::Flip_out<Network, StopPredicate, std::remove_reference_t<Visitor>> engine(network, stop, visitor);
   engine.run();
+  if constexpr(Network::Triangulation::Traits::Has_drift::value)
+    internal::shorten_where_drift_hid_it(network, engine);
 
   Shortening_report report;
   report.flips = engine.flips();

@@ -124,11 +124,12 @@ private:
   {
     const auto& input = m_triangulation->input();
     const Index first = input.outgoing(v);
-    // A border halfedge is a spoke too; next() of its twin's side leads around the border all the same.
+    if(first == null_index)
+      return;
     Index h = first;
     do {
       relax(v, h, target);
-      h = input.next(Triangulation::twin(h));
+      h = input.next(Triangulation::twin(h)); // along the border, too
     } while(h != first);
   }
 

@@ -26,11 +26,12 @@ struct Straightness
   /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// Is the curve locally shortest up to an angle, in radians?
-  bool is_locally_shortest(double tolerance = 1e-8) const
-  {
-    return largest_bend <= tolerance && smallest_angle >= boost::math::constants::pi<double>() - tolerance;
-  }
+  /// The angle, in radians, by which a straight angle may be missed: far above the error of the measurement.
+  static constexpr double tolerance() { return 1e-8; }
+  static constexpr double straight_angle() { return boost::math::constants::pi<double>() - tolerance(); }
+
+  /// Is the curve locally shortest up to `tolerance()`?
+  bool is_locally_shortest() const { return largest_bend <= tolerance() && smallest_angle >= straight_angle(); }
 };
 
 /*!
@@ -83,7 +84,43 @@ public:
     return m_network.is_turning_back(joint) ? 0 : angle_between(a.halfedge, b.halfedge);
   }
 
+  /*!
+   * Lays out the faces in the wedge at a side of a joint afresh, so that the triangulation's angles agree with the
+   * input's again; drift can have spoiled them in needles.
+   * \return is every corner of the faces between 0 and \f$\pi\f$? If not, the flips were wrong already.
+   */
+  bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
+  {
+    const auto [a, b] = m_network.ends(joint);
+    Index h = a.halfedge;
+    do {
+      const Index t = Triangulation::twin(h);
+      if(m_triangulation.is_border(t))
+        return true;
+      if(!refresh_face(t, triangulation))
+        return false;
+      h = m_triangulation.next(t);
+    } while(h != b.halfedge);
+    return true;
+  }
+
 private:
+  bool refresh_face(Index h, Triangulation& triangulation)
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    const Index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
+    const double at_tail = angle_between(Triangulation::twin(hp), h);
+    const double at_head = angle_between(Triangulation::twin(h), hn);
+    if(at_tail < 0 || at_tail > pi || at_head < 0 || at_head > pi)
+      return false;
+    const std::complex<double> vn = std::polar(Strip(m_triangulation, m_words(hn)).length(), pi - at_head);
+    const std::complex<double> vp = -std::polar(Strip(m_triangulation, m_words(hp)).length(), at_tail);
+    const double length = Strip(m_triangulation, m_words(h)).length();
+    triangulation.set_face_geometry(h, m_triangulation.traits().construct_face_2_object()(
+                                           {{{length, 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}));
+    return true;
+  }
+
   // The direction of a halfedge at its tail: an input halfedge, and the angle from it counterclockwise.
   struct Direction
   {

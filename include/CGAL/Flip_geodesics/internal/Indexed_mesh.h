@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -41,6 +40,25 @@ Index checked_index_bound(Count count)
   if(static_cast<std::uint64_t>(count) >= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)()))
     throw Invalid_mesh_error("the mesh has more elements than 32-bit indices can number");
   return static_cast<Index>(count);
+}
+
+/* The graph functions, found by the mesh's own namespace; inside classes, members would hide them. */
+template <class Descriptor, class TriangleMesh>
+auto graph_halfedge(Descriptor d, const TriangleMesh& mesh)
+{
+  return halfedge(d, mesh);
+}
+
+template <class Descriptor, class TriangleMesh>
+auto graph_next(Descriptor h, const TriangleMesh& mesh)
+{
+  return next(h, mesh);
+}
+
+template <class Descriptor, class TriangleMesh>
+auto graph_face(Descriptor h, const TriangleMesh& mesh)
+{
+  return face(h, mesh);
 }
 
 /*
@@ -113,7 +131,7 @@ private:
   void index_halfedges(const TriangleMesh& mesh)
   {
     for(const auto& e : edges(mesh)) {
-      m_halfedges.push_back(CGAL::halfedge(e, mesh));
+      m_halfedges.push_back(graph_halfedge(e, mesh));
       m_halfedges.push_back(opposite(m_halfedges.back(), mesh));
     }
     checked_index_bound(m_halfedges.size());
@@ -124,9 +142,9 @@ private:
   {
     m_outgoing.assign(m_vertices.size(), null_index);
     for(halfedge_descriptor h : m_halfedges) {
-      m_next.push_back(index(CGAL::next(h, mesh)));
+      m_next.push_back(index(graph_next(h, mesh)));
       m_tail.push_back(index(source(h, mesh)));
-      m_is_border.push_back(CGAL::is_border(h, mesh) ? 1 : 0);
+      m_is_border.push_back(graph_face(h, mesh) == Graph::null_face() ? 1 : 0);
       m_outgoing[m_tail.back()] = static_cast<Index>(m_tail.size()) - 1;
     }
   }

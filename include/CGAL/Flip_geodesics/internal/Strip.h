@@ -107,17 +107,22 @@ private:
     const auto& input = m_triangulation->input();
     m_reference = input.next(input.next(crossed.front()));
     const Face_vectors first = face_along(m_reference, m_triangulation->metric().length(input, m_reference));
-    Vector right = first[0], left = right + first[1];
+    Vector right = first[0], left = right + first[1], gate = -first[1];
     m_gates.reserve(crossed.size());
     for(std::size_t i = 0;; ++i) {
       m_gates.push_back({crossed[i], right, left});
-      const Index entered = Triangulation::twin(crossed[i]); // leads from left to right
-      const Vector apex = right + face_along(entered, right - left)[1];
+      // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never differences
+      // of positions, which would magnify the error wherever a gate is short.
+      const Index entered = Triangulation::twin(crossed[i]);
+      const Face_vectors face = face_along(entered, gate);
+      const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
       if(i + 1 == crossed.size()) {
         m_end = apex;
         return;
       }
-      (crossed[i + 1] == input.next(entered) ? left : right) = apex;
+      const bool is_leaving_right = crossed[i + 1] == input.next(entered);
+      gate = is_leaving_right ? -face[1] : -face[2];
+      (is_leaving_right ? left : right) = apex;
     }
   }
 

@@ -50,6 +50,11 @@ public:
   void run()
   {
     queue_all_joints();
+    run_queue();
+  }
+
+  void run_queue()
+  {
     while(!m_queue.empty() && !m_has_ended) {
       const Candidate candidate = m_queue.top();
       m_queue.pop();
