@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The checker of polylines finds what is wrong, and nothing where all is right. The right curves come from closed
+// forms: straight lines on a plane grid that is folded, rolled up, moved and scaled; the wrong ones are these,
+// perturbed.
+
+#define BOOST_TEST_MODULE test_checker
+#include "checker_io.h"
+#include "polyline_checker.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace polyline_checker;
+
+namespace {
+
+using Lift = std::function<Mesh::Point(long double, long double)>; // from the plane into space
+
+/*
+ * Squares of side 1 with one diagonal each, `width` times `height`, put into space by `lift`, which is isometric on
+ * each square, up to a factor. With `is_rolled_up` the right border is the left one.
+ */
+struct Grid
+{
+  int width, height;
+  Lift lift;
+  bool is_rolled_up = false;
+
+  int columns() const { return is_rolled_up ? width : width + 1; }
+  Index vertex(int x, int y) const { return Index(y * columns() + (is_rolled_up ? x % width : x)); }
+
+  Mesh mesh() const
+  {
+    std::vector<Mesh::Point> points;
+    for(int y = 0; y <= height; ++y)
+      for(int x = 0; x < columns(); ++x)
+        points.push_back(lift(x, y));
+    std::vector<Mesh::Face> faces;
+    for(int y = 0; y < height; ++y)
+      for(int x = 0; x < width; ++x) {
+        faces.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1)});
+        faces.push_back({vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
+      }
+    return Mesh(points, faces);
+  }
+};
+
+Polyline_point vertex_point(const Grid& grid, int x, int y)
+{
+  return {grid.vertex(x, y), grid.vertex(x, y), 0, grid.lift(x, y)};
+}
+
+// The point (1 - t) (ax, ay) + t (bx, by), written from the nearer end.
+Polyline_point edge_point(const Grid& grid, int ax, int ay, int bx, int by, double t)
+{
+  if(t > 0.5)
+    return edge_point(grid, bx, by, ax, ay, 1 - t);
+  const Mesh::Point p = grid.lift(ax, ay), q = grid.lift(bx, by);
+  Polyline_point point{grid.vertex(ax, ay), grid.vertex(bx, by), t, {}};
+  for(int i = 0; i < 3; ++i)
+    point.position[i] = p[i] + t * (q[i] - p[i]);
+  return point;
+}
+
+// The straight line between two grid points, 0 <= slope <= 1, without a grid point in between: the grid edges that it
+// crosses, in order.
+Polyline straight_line(const Grid& grid, int sx, int sy, int tx, int ty)
+{
+  const long double slope = (long double)(ty - sy) / (tx - sx);
+  std::vector<std::pair<long double, Polyline_point>> crossings; // with x, along the line
+  const auto add = [&](long double x, int ax, int ay, int bx, int by, long double t) {
+    if(x > sx + 1e-9L && x < tx - 1e-9L) // not the edges of the two ends
+      crossings.emplace_back(x, edge_point(grid, ax, ay, bx, by, double(t)));
+  };
+  for(int i = sx; i < tx; ++i) {
+    const long double y = sy + slope * (i - sx);
+    const int row = int(std::floor(y));
+    add(i, i, row, i, row + 1, y - row); // vertical edge
+    for(int j = row; j <= row + 1; ++j) {
+      const long double x = slope > 0 ? sx + (j - sy) / slope : sx - 1;
+      if(x > i && x < i + 1)
+        add(x, i, j, i + 1, j, x - i);                                 // horizontal edge
+      const long double t = (sy + slope * (i - sx) - j) / (1 - slope); // diagonal edge
+      if(t > 0 && t < 1)
+        add(i + t, i, j, i + 1, j + 1, t);
+    }
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
+  Polyline line{0, {vertex_point(grid, sx, sy)}};
+  for(const auto& crossing : crossings)
+    line.points.push_back(crossing.second);
+  line.points.push_back(vertex_point(grid, tx, ty));
+  return line;
+}
+
+Polyline joined(Polyline line, const Polyline& rest)
+{
+  line.points.insert(line.points.end(), rest.points.begin() + 1, rest.points.end());
+  return line;
+}
+
+Lift plane(double scale = 1, double x0 = 0, double y0 = 0)
+{
+  return [=](long double x, long double y) { return Mesh::Point{double(x0 + scale * x), double(y0 + scale * y), x0}; };
+}
+
+Lift folded_at(int crease)
+{
+  return [=](long double x, long double y) {
+    return x <= crease ? Mesh::Point{double(x), double(y), 0}
+                       : Mesh::Point{double(crease), double(y), double(x - crease)};
+  };
+}
+
+// A prism with `sides` sides of width 1: the cylinder as a mesh has it.
+Lift rolled_up(int sides)
+{
+  return [=](long double x, long double y) {
+    const long double radius = 0.5L / std::sin(pi / sides), angle = 2 * pi * std::fmod(x, (long double)sides) / sides;
+    return Mesh::Point{double(radius * std::cos(angle)), double(radius * std::sin(angle)), double(y)};
+  };
+}
+
+Curve_report check(const Mesh& mesh, const Polyline& curve) { return check_curves(mesh, {curve}).front(); }
+
+void expect_geodesic(const Curve_report& report, long double length)
+{
+  BOOST_TEST(report.broken == 0u);
+  BOOST_TEST(report.first_break == "");
+  BOOST_TEST(report.strip_bend < 1e-14L);
+  BOOST_TEST(report.point_deviation < 1e-14L);
+  BOOST_TEST(report.raw_bend < 1e-12L);
+  BOOST_TEST(report.min_vertex_angle > pi - 1e-14L);
+  BOOST_TEST(report.bent_vertices == 0u);
+  BOOST_TEST(std::fabs(report.length / length - 1) < 1e-14L);
+  BOOST_TEST(is_geodesic(report));
+}
+
+// Two triangles above and two below the line from (0,0) to (4,0), around the vertex (2, h). The curve passes above it.
+struct Kite
+{
+  Mesh mesh;
+  Polyline curve;
+
+  explicit Kite(double h)
+    : mesh({{0, 0, 0}, {4, 0, 0}, {2, h, 0}, {2, 2, 0}, {2, -2, 0}}, {{0, 2, 3}, {2, 1, 3}, {0, 4, 2}, {4, 1, 2}})
+    , curve{0,
+            {{0, 0, 0, {0, 0, 0}},
+             {2, 3, (std::max)(0.0, -h / (2 - h)), {2, (std::max)(h, 0.0), 0}},
+             {1, 1, 0, {4, 0, 0}}}}
+  {
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(right_curves)
+
+BOOST_AUTO_TEST_CASE(plane_diagonals)
+{
+  const Grid grid{12, 8, plane()};
+  const Mesh mesh = grid.mesh();
+  for(const auto& [x, y] : {std::pair(7, 3), {12, 5}, {11, 8}, {9, 1}})
+    expect_geodesic(check(mesh, straight_line(grid, 0, 0, x, y)), std::hypot((long double)x, (long double)y));
+}
+
+BOOST_AUTO_TEST_CASE(scaled_and_far_from_the_origin)
+{
+  for(double scale : {1e-30, 1e30, std::ldexp(1, -60), std::ldexp(1, 60)}) {
+    const Grid grid{8, 4, plane(scale)};
+    expect_geodesic(check(grid.mesh(), straight_line(grid, 0, 0, 7, 3)), scale * std::sqrt(58.0L));
+  }
+  const Grid far{8, 4, plane(1, std::ldexp(1, 20), -std::ldexp(1, 23))};
+  expect_geodesic(check(far.mesh(), straight_line(far, 0, 0, 7, 3)), std::sqrt(58.0L));
+}
+
+BOOST_AUTO_TEST_CASE(around_an_edge_of_a_cube)
+{
+  const Grid grid{8, 8, folded_at(4)};
+  expect_geodesic(check(grid.mesh(), straight_line(grid, 0, 0, 8, 7)), std::sqrt(113.0L));
+}
+
+BOOST_AUTO_TEST_CASE(helix_on_a_cylinder)
+{
+  const Grid grid{6, 5, rolled_up(6), true};
+  const Curve_report report = check(grid.mesh(), straight_line(grid, 1, 0, 20, 3)); // three times around
+  BOOST_TEST(is_geodesic(report));
+  BOOST_TEST(std::fabs(report.length / std::sqrt(370.0L) - 1) < 1e-14L);
+}
+
+BOOST_AUTO_TEST_CASE(closed_curves_on_a_cylinder)
+{
+  const Grid grid{6, 2, rolled_up(6), true};
+  const Mesh mesh = grid.mesh();
+  for(int y : {0, 1, 2}) { // the first and the last are the border, where the outer side has no angle
+    Polyline ring{0, {}};
+    for(int x = 0; x <= 6; ++x)
+      ring.points.push_back(vertex_point(grid, x, y));
+    const Curve_report report = check(mesh, ring);
+    BOOST_TEST(report.segments == 6u);
+    BOOST_TEST(std::fabs(report.min_vertex_angle - pi) < 1e-14L);
+    BOOST_TEST(std::fabs(report.length - 6) < 1e-14L);
+    BOOST_TEST(is_geodesic(report));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(through_a_flat_vertex)
+{
+  const Grid grid{8, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const Polyline passed = joined(straight_line(grid, 0, 0, 3, 1), straight_line(grid, 3, 1, 6, 2));
+  const Curve_report report = check(mesh, passed);
+  expect_geodesic(report, std::sqrt(40.0L));
+  BOOST_TEST(report.segments == 2u);
+  BOOST_TEST(std::fabs(report.min_vertex_angle - pi) < 1e-15L);
+
+  // The same as crossings of edges of the vertex, on either side of it.
+  const std::vector<std::vector<std::pair<int, int>>> fans = {{{2, 1}, {3, 2}, {4, 2}}, {{2, 0}, {3, 0}, {4, 1}}};
+  for(const auto& fan : fans) {
+    Polyline beside = straight_line(grid, 0, 0, 3, 1);
+    const Polyline rest = straight_line(grid, 3, 1, 6, 2);
+    beside.points.pop_back();
+    for(const auto& [x, y] : fan)
+      beside.points.push_back(edge_point(grid, 3, 1, x, y, 0));
+    beside.points.insert(beside.points.end(), rest.points.begin() + 1, rest.points.end());
+    const Curve_report crossing = check(mesh, beside);
+    BOOST_TEST(crossing.segments == 1u);
+    expect_geodesic(crossing, std::sqrt(40.0L));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(needles)
+{
+  const double thickness = std::ldexp(1, -70); // angles of 5e-20 degrees
+  const Grid grid{8, 4, [=](long double x, long double y) { return Mesh::Point{double(x), double(y * thickness), 0}; }};
+  const Curve_report report = check(grid.mesh(), straight_line(grid, 0, 0, 7, 3));
+  BOOST_TEST(is_geodesic(report));
+  BOOST_TEST(std::fabs(report.length - 7) < 1e-14L);
+}
+
+BOOST_AUTO_TEST_CASE(face_without_area)
+{
+  // A (0,0), B (2,0), C (1,1), M (1,0) on AB, D (1.25,-1); the face BAM has no area.
+  const Mesh mesh({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1.25, -1, 0}},
+                  {{0, 1, 2}, {1, 0, 3}, {3, 0, 4}, {1, 3, 4}});
+  const Polyline_point c{2, 2, 0, {1, 1, 0}}, d{4, 4, 0, {1.25, -1, 0}}, on_ab{1, 0, 0.4375, {1.125, 0, 0}};
+  expect_geodesic(check(mesh, {0, {c, on_ab, {3, 1, 0.125, {1.125, 0, 0}}, d}}), std::hypot(2.0L, 0.25L));
+  const Curve_report wrong_side = check(mesh, {0, {c, on_ab, {3, 0, 0, {1, 0, 0}}, d}});
+  BOOST_TEST(wrong_side.broken == 0u);
+  BOOST_TEST(!is_geodesic(wrong_side));
+}
+
+// Where long double sees noise, 50 digits see what is there.
+BOOST_AUTO_TEST_CASE(fifty_digits)
+{
+  using boost::multiprecision::cpp_bin_float_50;
+  using Precise = boost::multiprecision::number<cpp_bin_float_50::backend_type, boost::multiprecision::et_off>;
+  const Grid grid{8, 8, folded_at(4)};
+  BOOST_TEST(trace_curve<Precise>(grid.mesh(), straight_line(grid, 0, 0, 8, 7)).report.strip_bend == 0);
+  for(double h : {1e-3, 1e-12, 1e-40}) {
+    const Kite kite(h);
+    const long double bend = trace_curve<Precise>(kite.mesh, kite.curve).report.strip_bend;
+    BOOST_TEST(std::fabs(bend / std::atan(h / 2.0L) - 1) < 1e-8L);
+    BOOST_TEST(trace_curve_reliably(kite.mesh, kite.curve).report.points == 3u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_point)
+{
+  const Grid grid{2, 2, plane()};
+  const Curve_report report = check(grid.mesh(), {0, {vertex_point(grid, 1, 1), vertex_point(grid, 1, 1)}});
+  BOOST_TEST(report.broken == 0u);
+  BOOST_TEST(report.segments == 0u);
+  BOOST_TEST(report.length == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(wrong_curves)
+
+BOOST_AUTO_TEST_CASE(moved_crossing)
+{
+  const Grid grid{8, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const Polyline line = straight_line(grid, 0, 0, 7, 3);
+  for(std::size_t i = 1; i + 1 < line.points.size(); ++i)
+    for(double shift : {1e-4, -1e-4}) {
+      Polyline moved = line;
+      Polyline_point& point = moved.points[i];
+      point.t += shift;
+      const Mesh::Point &p = mesh.point(point.a), &q = mesh.point(point.b);
+      for(int k = 0; k < 3; ++k)
+        point.position[k] = p[k] + point.t * (q[k] - p[k]);
+      const Curve_report report = check(mesh, moved);
+      BOOST_TEST(report.broken == 0u);
+      BOOST_TEST(report.strip_bend == 0); // the strip is still right
+      BOOST_TEST(report.point_deviation > 4e-6L);
+      BOOST_TEST(report.point_deviation < 2e-5L);
+      BOOST_TEST(report.raw_bend > 1e-5L);
+      BOOST_TEST(!is_geodesic(report));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_side_of_a_vertex)
+{
+  for(double h : {1.0, 1e-2, 1e-5, 4e-6, 1e-9, 1e-15, 0.0, -1e-9, -1e-3}) {
+    const Kite kite(h);
+    const Curve_report report = check(kite.mesh, kite.curve);
+    const long double expected = h > 0 ? std::atan(h / 2.0L) : 0;
+    BOOST_TEST_CONTEXT("h = " << h)
+    {
+      BOOST_TEST(report.broken == 0u);
+      BOOST_TEST(std::fabs(report.strip_bend - expected) <= 1e-15L * expected);
+      BOOST_TEST(is_geodesic(report) == (expected < 1e-6L));
+      if(h >= 0)
+        BOOST_TEST(std::fabs(report.raw_bend - 2 * expected) < 1e-15L);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_edge)
+{
+  const Grid grid{8, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const Polyline line = straight_line(grid, 0, 0, 7, 3);
+  for(std::size_t i = 1; i + 1 < line.points.size(); ++i) {
+    Polyline without = line, doubled = line, other = line, none = line;
+    without.points.erase(without.points.begin() + i);
+    doubled.points.insert(doubled.points.begin() + i, line.points[i]);
+    other.points[i] = edge_point(grid, 7, 4, 8, 4, 0.25);
+    none.points[i].b = grid.vertex(8, 0);
+    for(const Polyline& wrong : {without, doubled, other, none}) {
+      BOOST_TEST(check(mesh, wrong).broken > 0u);
+      BOOST_TEST(!is_geodesic(check(mesh, wrong)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_points)
+{
+  const Grid grid{8, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const Polyline line = straight_line(grid, 0, 0, 7, 3);
+  Polyline displaced = line, outside = line, unknown = line, headless = line;
+  displaced.points[3].position[1] += 1e-9;
+  outside.points[3].t = 1.5;
+  unknown.points[3].a = 1000;
+  headless.points.erase(headless.points.begin());
+  for(const Polyline& wrong : {displaced, outside, unknown, headless})
+    BOOST_TEST(check(mesh, wrong).broken == 1u);
+  const Polyline jump{0, {vertex_point(grid, 0, 0), vertex_point(grid, 3, 0)}};
+  BOOST_TEST(check(mesh, jump).broken == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(corner_at_a_vertex)
+{
+  const Grid grid{8, 4, plane()};
+  const Polyline corner = joined(straight_line(grid, 0, 1, 3, 2), straight_line(grid, 3, 2, 8, 3));
+  const Curve_report report = check(grid.mesh(), corner);
+  const long double turn = std::atan2(1.0L, 3.0L) - std::atan2(1.0L, 5.0L);
+  BOOST_TEST(report.strip_bend == 0);
+  BOOST_TEST(std::fabs(report.min_vertex_angle - (pi - turn)) < 1e-14L);
+  BOOST_TEST(report.min_unblocked_angle == report.min_vertex_angle);
+  BOOST_TEST(report.bent_vertices == 1u);
+  BOOST_TEST(!is_geodesic(report));
+  Joint_options options;
+  options.fixed_vertices.insert(grid.vertex(3, 2));
+  BOOST_TEST(is_geodesic(check_curves(grid.mesh(), {corner}, options).front()));
+}
+
+BOOST_AUTO_TEST_CASE(over_the_corner_of_a_cube)
+{
+  // Three faces of a cube around the vertex 0, its edges to 1, 2, 3.
+  const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}},
+                  {{0, 1, 4}, {0, 4, 2}, {0, 2, 5}, {0, 5, 3}, {0, 3, 6}, {0, 6, 1}});
+  const Polyline_point origin{0, 0, 0, {0, 0, 0}}, x{1, 1, 0, {1, 0, 0}}, xy{4, 4, 0, {1, 1, 0}}, z{3, 3, 0, {0, 0, 1}};
+  BOOST_TEST(std::fabs(check(mesh, {0, {x, origin, z}}).min_vertex_angle - pi / 2) < 1e-15L);
+  const Curve_report diagonal = check(mesh, {0, {xy, origin, z}});
+  BOOST_TEST(std::fabs(diagonal.min_vertex_angle - 3 * pi / 4) < 1e-15L);
+  BOOST_TEST(std::fabs(diagonal.length - 1 - std::sqrt(2.0L)) < 1e-15L);
+}
+
+BOOST_AUTO_TEST_CASE(there_and_back)
+{
+  const Grid grid{4, 4, plane()};
+  const Curve_report report = check(
+      grid.mesh(),
+      {0, {vertex_point(grid, 0, 0), vertex_point(grid, 1, 0), vertex_point(grid, 2, 0), vertex_point(grid, 1, 0)}});
+  BOOST_TEST(report.min_vertex_angle == 0);
+  BOOST_TEST(!is_geodesic(report));
+}
+
+BOOST_AUTO_TEST_CASE(corner_at_the_base_of_a_loop)
+{
+  const Grid grid{6, 2, rolled_up(6), true};
+  const Mesh mesh = grid.mesh();
+  const Polyline loop = joined(straight_line(grid, 0, 0, 3, 1),
+                               Polyline{0,
+                                        {vertex_point(grid, 3, 1), vertex_point(grid, 4, 1), vertex_point(grid, 5, 1),
+                                         vertex_point(grid, 6, 1), vertex_point(grid, 6, 0)}});
+  const Curve_report report = check(mesh, loop);
+  BOOST_TEST(report.bent_vertices == 3u); // at (3,1), (6,1) and at the base, where one side is the border
+  Joint_options options;
+  options.bases_are_fixed = true;
+  BOOST_TEST(check_curves(mesh, {loop}, options).front().bent_vertices == 2u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(blocked_joints)
+
+// The curve a-v-b has an angle of pi/2 at v, in which the curve c-v ends.
+BOOST_AUTO_TEST_CASE(by_another_curve)
+{
+  const Grid grid{4, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const Polyline bent{0, {vertex_point(grid, 3, 2), vertex_point(grid, 2, 2), vertex_point(grid, 2, 3)}};
+  const Polyline inside{1, {vertex_point(grid, 4, 3), edge_point(grid, 3, 2, 3, 3, 0.5), vertex_point(grid, 2, 2)}};
+  const Polyline outside{1, {vertex_point(grid, 1, 1), vertex_point(grid, 2, 2)}};
+  Joint_options together;
+  together.curves_block_each_other = true;
+  const auto smallest_unblocked = [&](const Polyline& other, const Joint_options& options) {
+    const Curve_report report = check_curves(mesh, {bent, other}, options).front();
+    BOOST_TEST(report.bent_vertices == 1u);
+    BOOST_TEST(std::fabs(report.min_vertex_angle - pi / 2) < 1e-15L);
+    return report.min_unblocked_angle;
+  };
+  BOOST_TEST(smallest_unblocked(inside, Joint_options()) < pi / 2 + 1e-15L);
+  BOOST_TEST(smallest_unblocked(outside, together) < pi / 2 + 1e-15L);
+  BOOST_TEST(std::fabs(smallest_unblocked(inside, together) - 3 * pi / 2) < 1e-14L);
+}
+
+// The curve goes around its own source and is held up by its first segment.
+BOOST_AUTO_TEST_CASE(by_its_own_end)
+{
+  const Grid grid{4, 4, plane()};
+  Polyline curve{0, {}};
+  for(const auto& [x, y] : {std::pair(2, 2), {3, 3}, {3, 2}, {2, 2}, {2, 3}})
+    curve.points.push_back(vertex_point(grid, x, y));
+  curve.points.resize(4);
+  curve.points.push_back(vertex_point(grid, 2, 3));
+  const Curve_report report = check(grid.mesh(), curve);
+  BOOST_TEST(report.bent_vertices == 3u);
+  BOOST_TEST(std::fabs(report.min_unblocked_angle - pi / 4) < 1e-14L); // at (3,3); that at (2,2) is blocked
+
+  Strand_ends ends;
+  Traced_curve traced = trace_curve(grid.mesh(), curve);
+  add_strand_ends(traced, 0, ends);
+  traced.report.min_unblocked_angle = infinite_angle;
+  measure_joint(grid.mesh(), ends, 0, 2, 3, traced, Tolerances());
+  BOOST_TEST(std::fabs(traced.report.min_unblocked_angle - 3 * pi / 2) < 1e-14L);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(files)
+
+const std::string two_lines = "# curve a b t x y z\n\n0 0 0 0 0 0 0\r\n0 1 1 0 1 0 0\n";
+
+std::vector<Polyline> read(const std::string& text)
+{
+  std::istringstream in(text);
+  return read_polylines(in);
+}
+
+std::map<long, Verdict> judge_with(const std::string& polylines, const std::string& stats)
+{
+  std::istringstream in(stats);
+  return judge_curves(Grid{1, 1, plane()}.mesh(), read(polylines), read_stats(in));
+}
+
+BOOST_AUTO_TEST_CASE(polylines)
+{
+  const std::vector<Polyline> curves = read(two_lines + "7 0 2 0.25 0 0.25 0\n");
+  BOOST_REQUIRE(curves.size() == 2u);
+  BOOST_TEST(curves[0].points.size() == 2u);
+  BOOST_TEST(curves[1].id == 7);
+  BOOST_TEST(curves[1].points[0].b == 2u);
+  BOOST_TEST(curves[1].points[0].t == 0.25);
+  for(const std::string wrong :
+      {"0 1 1 0 1 0\n", "0 1 1 0 1 0 0 0\n", "0 a 1 0 1 0 0\n", "7 0 0 0 0 0 0\n0 1 1 0 1 0 0\n"})
+    BOOST_CHECK_THROW(read(two_lines + wrong), Bad_input);
+}
+
+BOOST_AUTO_TEST_CASE(statistics)
+{
+  const std::string header = "curve,source,target,length,status\n";
+  BOOST_TEST(judge_with(two_lines, header + "0,0,1,1,LOCALLY_SHORTEST\n").at(0).ok);
+  BOOST_TEST(!judge_with(two_lines, header + "0,0,2,1,LOCALLY_SHORTEST\n").at(0).ok);
+  BOOST_TEST(!judge_with(two_lines, header + "0,3,1,1,LOCALLY_SHORTEST\n").at(0).ok);
+  BOOST_TEST(!judge_with(two_lines, header + "0,0,1,1.00001,LOCALLY_SHORTEST\n").at(0).ok);
+  BOOST_TEST(!judge_with(two_lines, header + "1,0,1,1,LOCALLY_SHORTEST\n").at(0).ok);
+  BOOST_TEST(!judge_with(two_lines, header + "1,0,1,1,LOCALLY_SHORTEST\n").at(1).ok);
+  BOOST_TEST(judge_with("", header + "0,0,0,0,CONTRACTED\n").at(0).ok);
+  BOOST_CHECK_THROW(judge_with(two_lines, "source,target\n"), Bad_input);
+  BOOST_CHECK_THROW(judge_with(two_lines, header + "0,0\n"), Bad_input);
+}
+
+BOOST_AUTO_TEST_CASE(stopped_early)
+{
+  const std::string corner = two_lines + "0 3 3 0 1 1 0\n", stats = "curve,status\n0,";
+  BOOST_TEST(!judge_with(corner, stats + "LOCALLY_SHORTEST\n").at(0).report.broken);
+  BOOST_TEST(judge_with(corner, stats + "LENGTH_LIMIT\n").at(0).ok);
+}
+
+BOOST_AUTO_TEST_CASE(table)
+{
+  std::ostringstream out;
+  write_verdicts(out, judge_with(two_lines, "curve,status,length\n0,LOCALLY_SHORTEST,1\n"));
+  BOOST_TEST(out.str().find("\n0,LOCALLY_SHORTEST,2,1,0,0,0,0,inf,0,inf,1,0,1,\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(bad_meshes)
+{
+  const std::vector<Mesh::Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  BOOST_CHECK_THROW(Mesh(points, {{0, 1, 3}}), Bad_input);
+  BOOST_CHECK_THROW(Mesh(points, {{0, 1, 1}}), Bad_input);
+  BOOST_CHECK_THROW(Mesh(points, {{0, 1, 2}, {1, 2, 0}}), Bad_input);
+  BOOST_CHECK_THROW(Mesh({{0, 0, 0}, {1, std::nan(""), 0}, {0, 1, 0}}, {{0, 1, 2}}), Bad_input);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
