@@ -3,58 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_CROSSING_WORDS_H
 #define CGAL_FLIP_GEODESICS_CROSSING_WORDS_H
 
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-
-#include <CGAL/assertions.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <unordered_map>
-#include <vector>
+#include <CGAL/Flip_geodesics/Crossing_word.h>
 
 namespace CGAL {
 namespace Flip_geodesics {
 
-/*!
- * \ingroup PkgFlipGeodesicsRef
- *
- * The input edges that an intrinsic edge crosses, from its tail to its head.
- *
- * Either the intrinsic edge lies along the input halfedge `along`, and crosses nothing; or `along` is `null_index` and
- * `crossed` lists input halfedges, each as a side of the face that is left through it.
- */
-struct Crossing_word
-{
-  Index along = null_index;
-  std::vector<Index> crossed;
-
-  /// The word of the other direction.
-  Crossing_word reversed() const
-  {
-    Crossing_word result;
-    result.along = along == null_index ? null_index : internal::twin_index(along);
-    result.crossed.reserve(crossed.size());
-    for(std::size_t i = crossed.size(); i-- > 0;)
-      result.crossed.push_back(internal::twin_index(crossed[i]));
-    return result;
-  }
-};
-
-/*!
- * \ingroup PkgFlipGeodesicsRef
- *
- * The crossing words of an intrinsic triangulation's edges, derived from its flip log by combinatorics alone, so that
- * they are exact whatever the numbers do.
- *
- * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the free
- * reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what touches k or
- * l at the ends. Only the edges that the asked ones descend from are visited, and each once: about as many as the curve
- * had segments, not as there were flips.
- *
- * Words stay valid until the triangulation is flipped or rolled back; make a new object then.
- *
- * \tparam Triangulation an `Intrinsic_triangulation`
- */
 template <class Triangulation>
 class Crossing_words
 {
@@ -63,125 +16,10 @@ public:
     : m_triangulation(&triangulation)
   {
   }
-
-  /// The word of halfedge `h`, from tail to head.
-  Crossing_word operator()(Index h)
-  {
-    const Index e = Triangulation::edge(h), version = m_triangulation->version(e);
-    resolve(version);
-    return word(h, version);
-  }
+  Crossing_word operator()(Index h) const { return m_triangulation->crossing_word(h); }
 
 private:
-  using Input_mesh = typename Triangulation::Input_mesh;
-  using Flip_record = typename Triangulation::Flip_record;
-
-  // The word of halfedge h of an edge in the version that a flip gave it, or in the input's.
-  Crossing_word word(Index h, Index version) const
-  {
-    if(version == 0)
-      return {h, {}};
-    const Crossing_word& stored = m_words.at(version);
-    return (h & 1) == 0 ? stored : stored.reversed();
-  }
-
-  // Depth first over the flips that made the edges, on a stack of our own: histories are as deep as curves are long.
-  void resolve(Index wanted)
-  {
-    std::vector<Index> pending = {wanted};
-    while(!pending.empty()) {
-      const Index version = pending.back();
-      if(is_known(version)) {
-        pending.pop_back();
-        continue;
-      }
-      const Flip_record& flip = m_triangulation->flip_record(static_cast<std::size_t>(version) - 1);
-      const bool are_known = is_known(flip.version_hp) && is_known(flip.version_tn);
-      if(!are_known) {
-        pending.push_back(flip.version_hp);
-        pending.push_back(flip.version_tn);
-        continue;
-      }
-      // The flip leaves h = l->k and its twin k->l.
-      Crossing_word word_of_kl = join(word(flip.hp, flip.version_hp), flip.rotation, word(flip.tn, flip.version_tn));
-      m_words.emplace(version, (flip.h & 1) == 1 ? std::move(word_of_kl) : word_of_kl.reversed());
-      pending.pop_back();
-    }
-  }
-
-  bool is_known(Index version) const { return version == 0 || m_words.count(version) != 0; }
-
-  Crossing_word join(const Crossing_word& ki, Index rotation, const Crossing_word& il) const
-  {
-    const Input_mesh& input = m_triangulation->input();
-    Crossing_word kl;
-    kl.crossed = ki.crossed;
-    Index spoke = first_spoke(ki);
-    for(Index i = 0; i < rotation; ++i) {
-      append_reduced(kl.crossed, spoke);
-      spoke = input.next(Triangulation::twin(spoke));
-    }
-    for(Index letter : il.crossed)
-      append_reduced(kl.crossed, letter);
-    trim(kl, first_corner(ki), last_corner(il));
-    return kl;
-  }
-
-  static void append_reduced(std::vector<Index>& crossed, Index letter)
-  {
-    if(!crossed.empty() && crossed.back() == Triangulation::twin(letter))
-      crossed.pop_back();
-    else
-      crossed.push_back(letter);
-  }
-
-  Index previous(Index h) const { return m_triangulation->input().next(m_triangulation->input().next(h)); }
-
-  // The first input halfedge at i that a clockwise turn from ik meets, strictly.
-  Index first_spoke(const Crossing_word& ki) const
-  {
-    return ki.along != null_index ? m_triangulation->input().next(ki.along)
-                                  : previous(Triangulation::twin(ki.crossed.back()));
-  }
-
-  // The path leaves k in an input face; the halfedge of that face that starts at k. It keeps j, hence the face, on its
-  // left if ki runs along an edge.
-  Index first_corner(const Crossing_word& ki) const
-  {
-    return ki.along != null_index ? ki.along : previous(ki.crossed.front());
-  }
-
-  // The path reaches l in an input face, the halfedge of that face that starts at l. It keeps j on its left as well.
-  Index last_corner(const Crossing_word& il) const
-  {
-    return il.along != null_index ? m_triangulation->input().next(il.along)
-                                  : previous(Triangulation::twin(il.crossed.back()));
-  }
-
-  // The face on the other side of a spoke `side` of the face of `corner`: its corner at the same vertex.
-  Index corner_across(Index side, Index corner) const
-  {
-    const Index twin = Triangulation::twin(side);
-    return side == corner ? m_triangulation->input().next(twin) : twin;
-  }
-
-  // Drops the letters that touch the end points, moving the corners along; what is left of a bare edge is that edge.
-  void trim(Crossing_word& kl, Index corner_of_k, Index corner_of_l) const
-  {
-    const Input_mesh& input = m_triangulation->input();
-    auto first = kl.crossed.begin(), last = kl.crossed.end();
-    for(; first != last && *first != input.next(corner_of_k); ++first)
-      corner_of_k = corner_across(*first, corner_of_k);
-    for(; first != last && Triangulation::twin(*(last - 1)) != input.next(corner_of_l); --last)
-      corner_of_l = corner_across(Triangulation::twin(*(last - 1)), corner_of_l);
-    kl.crossed.erase(last, kl.crossed.end());
-    kl.crossed.erase(kl.crossed.begin(), first);
-    if(kl.crossed.empty())
-      kl.along = input.next(corner_of_k) == corner_of_l ? corner_of_k : Triangulation::twin(corner_of_l);
-  }
-
   const Triangulation* m_triangulation;
-  std::unordered_map<Index, Crossing_word> m_words;
 };
 
 } // namespace Flip_geodesics

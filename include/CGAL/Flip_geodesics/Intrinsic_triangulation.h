@@ -3,8 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H
 #define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H
 
+#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Crossing_words.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
@@ -271,8 +273,10 @@ public:
   /// Takes flips back, the last first, until the log has `position` entries; bit for bit. Linear in the flips undone.
   void rollback(Log_position position = 0)
   {
-    for(; m_log.size() > position; m_log.pop_back())
+    for(; m_log.size() > position; m_log.pop_back()) {
+      m_words.forget(static_cast<Index>(m_log.size()));
       undo(m_log.back());
+    }
   }
 
   /// Entry `i` of the flip log.
@@ -284,6 +288,12 @@ public:
 
   /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
   Index crossings(Index e) const { return m_edges[e].crossings_plus_one - 1; }
+
+  /*!
+   * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone. Derived from the
+   * flip log when it is first asked for, and kept: in total about as many words as the edge's history has joints.
+   */
+  Crossing_word crossing_word(Index h) const { return m_words(*this, h); }
 
   /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
   Index version(Index e) const { return m_edges[e].version; }
@@ -433,6 +443,7 @@ private:
   // Mutable, since faces of the input are copied when they are first read.
   mutable internal::Lazy_array<Edge_record> m_edges;
   mutable internal::Lazy_array<Index> m_outgoing; // one more than a halfedge, 0 where none is known
+  mutable internal::Crossing_words<Intrinsic_triangulation> m_words;
   std::vector<Flip_record> m_log;
 };
 

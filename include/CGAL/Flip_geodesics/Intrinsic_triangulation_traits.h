@@ -150,10 +150,11 @@ public:
     {
       const double x = -(out.x * in.x + out.y * in.y);
       const double y = (std::max)(out.y * in.x - out.x * in.y, 0.0);
-      const bool are_both_acute = turn.x > 0 && x > 0;
       const double product_x = turn.x * x - turn.y * y;
       const double product_y = turn.x * y + turn.y * x;
-      turn.is_straight = turn.is_straight || (!are_both_acute && product_y <= angle_tolerance() * std::abs(product_x));
+      // Two angles below pi: past pi the product lies below the axis, and near it on the axis' negative half.
+      turn.is_straight = turn.is_straight || product_y < 0 ||
+                         (product_x < 0 && product_y <= -angle_tolerance() * product_x);
       turn.x = product_x;
       turn.y = product_y;
       rescale(turn);

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EXTRACT_H
 #define CGAL_FLIP_GEODESICS_EXTRACT_H
 
-#include <CGAL/Flip_geodesics/Crossing_words.h>
+#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 
@@ -41,8 +41,6 @@ struct Surface_point
  * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there; the
  * edges then tell on which side the curve passes.
  *
- * Words are kept between calls. Invalid after the triangulation has changed.
- *
  * \tparam Network an `Edge_path_network`
  */
 template <class Network>
@@ -58,7 +56,6 @@ public:
   explicit Curve_extractor(const Network& network)
     : m_network(network)
     , m_triangulation(network.triangulation())
-    , m_words(m_triangulation)
   {
   }
 
@@ -73,7 +70,7 @@ public:
     m_network.for_each_segment(curve, [&](Index s) {
       const Index h = m_network.halfedge(s);
       *out++ = vertex_point(m_triangulation.tail(h));
-      const Strip strip(m_triangulation, m_words(h));
+      const Strip strip(m_triangulation, m_triangulation.crossing_word(h));
       for(std::size_t i = 0; i < strip.gates().size(); ++i)
         *out++ = edge_point(strip.gates()[i].crossed, strip.crossing(i));
       last = h;
@@ -105,7 +102,7 @@ public:
   OutputIterator crossed_halfedges(Index curve, OutputIterator out)
   {
     m_network.for_each_segment(curve, [&](Index s) {
-      for(Index h : m_words(m_network.halfedge(s)).crossed)
+      for(Index h : m_triangulation.crossing_word(m_network.halfedge(s)).crossed)
         *out++ = m_triangulation.input_halfedge(h);
     });
     return out;
@@ -137,7 +134,7 @@ public:
   }
 
   /// The word of a segment of the network.
-  Crossing_word word(Index segment) { return m_words(m_network.halfedge(segment)); }
+  Crossing_word word(Index segment) { return m_triangulation.crossing_word(m_network.halfedge(segment)); }
 
 private:
   static Surface_point vertex_point(Index v) { return {v, v, 0, null_index}; }
@@ -170,7 +167,6 @@ private:
 
   const Network& m_network;
   const Triangulation& m_triangulation;
-  Crossing_words<Triangulation> m_words;
 };
 
 /// \ingroup PkgFlipGeodesicsExtraction

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_VERIFY_H
 #define CGAL_FLIP_GEODESICS_VERIFY_H
 
-#include <CGAL/Flip_geodesics/Crossing_words.h>
+#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 
@@ -56,7 +56,6 @@ public:
   explicit Straightness_meter(const Network& network)
     : m_network(network)
     , m_triangulation(network.triangulation())
-    , m_words(m_triangulation)
   {
   }
 
@@ -65,7 +64,7 @@ public:
   {
     Straightness result;
     m_network.for_each_segment(curve, [&](Index s) {
-      result.largest_bend = (std::max)(result.largest_bend, Strip(m_triangulation, m_words(m_network.halfedge(s))).bend());
+      result.largest_bend = (std::max)(result.largest_bend, Strip(m_triangulation, m_triangulation.crossing_word(m_network.halfedge(s))).bend());
       if(m_network.next(s) != null_index)
         result.smallest_angle = (std::min)({result.smallest_angle, angle({s, Side::LEFT}), angle({s, Side::RIGHT})});
     });
@@ -113,9 +112,9 @@ private:
     const double at_head = angle_between(Triangulation::twin(h), hn);
     if(at_tail < 0 || at_tail > pi || at_head < 0 || at_head > pi)
       return false;
-    const std::complex<double> vn = std::polar(Strip(m_triangulation, m_words(hn)).length(), pi - at_head);
-    const std::complex<double> vp = -std::polar(Strip(m_triangulation, m_words(hp)).length(), at_tail);
-    const double length = Strip(m_triangulation, m_words(h)).length();
+    const std::complex<double> vn = std::polar(Strip(m_triangulation, m_triangulation.crossing_word(hn)).length(), pi - at_head);
+    const std::complex<double> vp = -std::polar(Strip(m_triangulation, m_triangulation.crossing_word(hp)).length(), at_tail);
+    const double length = Strip(m_triangulation, m_triangulation.crossing_word(h)).length();
     triangulation.set_face_geometry(h, m_triangulation.traits().construct_face_2_object()(
                                            {{{length, 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}));
     return true;
@@ -131,7 +130,7 @@ private:
 
   Direction direction(Index h)
   {
-    const Crossing_word word = m_words(h);
+    const Crossing_word word = m_triangulation.crossing_word(h);
     const Strip strip(m_triangulation, word);
     return {strip.reference(), std::arg(strip.end()), word.along != null_index};
   }
@@ -162,7 +161,6 @@ private:
 
   const Network& m_network;
   const Triangulation& m_triangulation;
-  Crossing_words<Triangulation> m_words;
 };
 
 } // namespace Flip_geodesics

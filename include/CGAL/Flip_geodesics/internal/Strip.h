@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIP_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIP_H
 
-#include <CGAL/Flip_geodesics/Crossing_words.h>
+#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 
 #include <algorithm>
