@@ -20,6 +20,8 @@ namespace Flip_geodesics {
 /// The side of a curve, as seen along it.
 enum class Side { LEFT, RIGHT };
 
+/// \ingroup PkgFlipGeodesicsRef
+/// The other side.
 inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
 
 /// \ingroup PkgFlipGeodesicsRef
@@ -37,6 +39,7 @@ struct Strand_end
   Index halfedge = null_index;
   Index segment = null_index;
 
+  /// Is it no end at all?
   bool is_none() const { return halfedge == null_index; }
   bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
   bool operator!=(const Strand_end& other) const { return !(*this == other); }
@@ -90,6 +93,7 @@ public:
     Turn turn; ///< over the corners up to the next strand; to be compared only if `state` is `FREE`
   };
 
+  /// An empty network in a triangulation, which no other network uses.
   explicit Edge_path_network(Triangulation& triangulation)
     : m_triangulation(&triangulation)
     , m_segments(1) // id 0 is no segment, as label 0 is no stack
@@ -100,6 +104,7 @@ public:
   Edge_path_network& operator=(const Edge_path_network&) = delete;
   ~Edge_path_network() { clear(); }
 
+  /// The triangulation that the curves lie in.
   Triangulation& triangulation() const { return *m_triangulation; }
 
   /// \name Building
@@ -158,6 +163,7 @@ public:
   /// \name Curves
   /// @{
 
+  /// The number of curves added, those that have contracted included; curves are numbered from 0.
   Index number_of_curves() const { return static_cast<Index>(m_curves.size()); }
 
   /// One more than the largest segment id given so far; ids start at 1.
@@ -165,8 +171,11 @@ public:
 
   /// The first segment of a curve, `null_index` if the curve has shrunk to a point.
   Index first_segment(Index curve) const { return m_curves[curve].first; }
+  /// The last segment of a curve, `null_index` if the curve has shrunk to a point.
   Index last_segment(Index curve) const { return m_curves[curve].last; }
+  /// Is the curve a loop without ends?
   bool is_closed(Index curve) const { return m_curves[curve].is_closed; }
+  /// Has the curve shrunk to a point?
   bool is_contracted(Index curve) const { return m_curves[curve].first == null_index; }
 
   /// The length of a curve when it was added.
@@ -205,8 +214,11 @@ public:
   /// \name Segments
   /// @{
 
+  /// Is `s` a segment of a curve now? Ids of segments that were replaced stay dead.
   bool is_alive(Index s) const { return m_segments[s].halfedge != null_index; }
+  /// The halfedge that segment `s` runs along, `null_index` if it is dead.
   Index halfedge(Index s) const { return m_segments[s].halfedge; }
+  /// The curve of segment `s`.
   Index curve(Index s) const { return m_segments[s].curve; }
   /// The next segment of the curve, `null_index` at the end of a path.
   Index next(Index s) const { return m_segments[s].next; }
@@ -215,6 +227,7 @@ public:
   /// Is the node at the head of `s` fixed? So is the end of a path.
   bool is_head_fixed(Index s) const { return next(s) == null_index || m_segments[s].is_head_fixed; }
 
+  /// Does any segment lie on the edge of `h`?
   bool is_occupied(Index h) const { return m_triangulation->label(Triangulation::edge(h)) != 0; }
 
   /// The segments on edge `e`, from left to right as seen along halfedge `2e`.
@@ -378,6 +391,7 @@ public:
     Index halfedge, left, right;
   };
 
+  /// The place of segment `s`, to be kept for `restore_loop()`.
   Stack_place stack_place(Index s) const
   {
     return {halfedge(s), neighbor(s, halfedge(s) & ~1, Side::LEFT), neighbor(s, halfedge(s) & ~1, Side::RIGHT)};
@@ -586,6 +600,8 @@ private:
     }
     if(last != null_index)
       m_segments[last].is_head_fixed = is_end_fixed;
+    else if(before != null_index) // the two nodes become one
+      m_segments[before].is_head_fixed = m_segments[before].is_head_fixed || is_end_fixed;
     relink(curve, before, first, last, after, was_whole_loop);
     return first;
   }

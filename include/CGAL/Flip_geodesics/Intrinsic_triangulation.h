@@ -9,7 +9,9 @@
 #include <CGAL/Flip_geodesics/internal/Crossing_words.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -19,7 +21,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -78,7 +83,8 @@ public:
   using Halfedge_geometry = typename Traits::Halfedge_geometry;
   using Turn = typename Traits::Turn;
 
-  /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge.
+  /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge. Where `hp` is
+  /// `null_index`, nothing was flipped, but the face of `h` laid out afresh; the first three vectors are its old ones.
   struct Flip_record
   {
     Index h;                         ///< the flipped halfedge, i->j before and l->k after
@@ -111,19 +117,27 @@ public:
   {
   }
 
+  /// Moves a triangulation; one with a network cannot be moved, since the network refers to it.
   Intrinsic_triangulation(Intrinsic_triangulation&&) = default;
+  /// Moves a triangulation, as above.
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&&) = default;
 
   /// @}
   /// \name The input
   /// @{
 
+  /// The input mesh, numbered by consecutive integers.
   const Input_mesh& input() const { return m_input; }
+  /// Where the lengths of the input's edges come from.
   const Metric& metric() const { return m_metric; }
+  /// The arithmetic.
   const Traits& traits() const { return m_traits; }
 
+  /// The number of vertices, the input's.
   Index number_of_vertices() const { return m_input.number_of_vertices(); }
+  /// The number of halfedges, twice the number of edges.
   Index number_of_halfedges() const { return m_input.number_of_halfedges(); }
+  /// The number of edges, the input's; flips do not change it.
   Index number_of_edges() const { return m_input.number_of_halfedges() / 2; }
 
   /// The index of a vertex or halfedge of the input mesh, `null_index` if it is not one.
@@ -145,14 +159,18 @@ public:
   /// degenerate or non-finite face throws `Degenerate_face_error` or `Invalid_coordinate_error`.
   /// @{
 
+  /// The other side of the edge.
   static Index twin(Index h) { return h ^ 1; }
+  /// The edge that `h` is a side of.
   static Index edge(Index h) { return h >> 1; }
 
   /// The next halfedge around the face. \pre `h` is not on the border
   Index next(Index h) const { return record(h).encoded_next - 1; }
   /// The previous halfedge around the face. \pre `h` is not on the border
   Index previous(Index h) const { return next(next(h)); }
+  /// The vertex at which `h` starts.
   Index tail(Index h) const { return record(h).tail; }
+  /// The vertex at which `h` ends.
   Index head(Index h) const { return record(twin(h)).tail; }
   /// Has `h` no face on its left?
   bool is_border(Index h) const { return record(h).encoded_next == Halfedge_record::border; }
@@ -184,15 +202,22 @@ public:
   /// \name Geometry
   /// @{
 
+  /// What the traits keep of a halfedge, in the frame of its face. \pre `h` is not on the border
   const Halfedge_geometry& geometry(Index h) const { return record(h).geometry; }
 
-  /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones.
+  /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones. The log keeps the old ones.
   void set_face_geometry(Index h, const typename Traits::Face_geometry& geometry)
   {
-    for(const Halfedge_geometry& side : geometry) {
-      known_record(h).geometry = side;
-      h = next(h);
-    }
+    const Index hn = next(h), hp = next(hn);
+    m_log.push_back({h, null_index, null_index, 0, 0, 0, 0, 0, this->geometry(h), this->geometry(hn),
+                     this->geometry(hp), Halfedge_geometry()});
+    set_geometries_of_face(h, geometry[0], geometry[1], geometry[2]);
+  }
+
+  /// The squared length of edge `edge(h)`, in the traits' number type.
+  FT squared_length(Index h) const
+  {
+    return m_traits.compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
   }
 
   /// The length of edge `edge(h)`, rounded to double.
@@ -209,10 +234,17 @@ public:
    * Is the turn, which leads clockwise about a vertex from halfedge `from` to halfedge `to`, at least \f$\pi\f$?
    * \pre the turn has at least one corner; `from == to` means all the way round
    */
-  bool is_straight(const Turn& turn, Index /* from */, Index /* to */) const
+  bool is_straight(const Turn& turn, Index from, Index to) const
   {
-    return certainly(m_traits.compare_turn_with_straight_object()(turn) != SMALLER);
+    const Uncertain<Comparison_result> comparison = m_traits.compare_turn_with_straight_object()(turn);
+    if constexpr(!Traits::Has_drift::value)
+      if(!comparison.is_certain())
+        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics)(from, to) != SMALLER;
+    return comparison.make_certain() != SMALLER;
   }
+
+  /// How the decisions that were left open by the traits were taken, since construction.
+  const Decision_statistics& decision_statistics() const { return m_statistics; }
 
   /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
   bool is_reflex_at_head(Index h) const
@@ -265,9 +297,10 @@ public:
     known_record(h).tail = known_record(tp).tail;
     known_record(t).tail = known_record(hp).tail;
     set_geometries(h, flipped.h, flipped.t, tn, flipped.tn, tp, flipped.tp);
+    refresh_inaccurate({h, t, tn, tp});
   }
 
-  /// The end of the flip log: the number of flips since the input.
+  /// The end of the flip log: the number of flips since the input, and of faces laid out afresh.
   Log_position log_position() const { return m_log.size(); }
 
   /// Takes flips back, the last first, until the log has `position` entries; bit for bit. Linear in the flips undone.
@@ -321,7 +354,9 @@ public:
   /// An integer per edge at the disposal of the one curve network that lives in the triangulation; 0 at first.
   /// @{
 
+  /// The label of edge `e`.
   Index label(Index e) const { return m_edges[e].label; }
+  /// Sets the label of edge `e`.
   void set_label(Index e, Index label) { m_edges[e].label = label; }
 
   /// @}
@@ -374,11 +409,14 @@ private:
       known_record(h).encoded_next = Halfedge_record::border;
       return;
     }
-    const Index sides[3] = {h, m_input.next(h), m_input.next(m_input.next(h))};
-    if(m_input.next(sides[2]) != h)
+    const Index hn = m_input.next(h), hp = m_input.next(hn);
+    if(m_input.next(hp) != h)
       throw Invalid_mesh_error("the face at vertex " + std::to_string(m_input.tail(h)) + " is not a triangle",
                                {static_cast<std::size_t>(m_input.tail(h))});
-    const auto geometry = m_metric.face_geometry(m_input, h, m_traits);
+    // From the smallest side on, so that the bits do not depend on which side is touched first.
+    const Index first = (std::min)({h, hn, hp});
+    const Index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
+    const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
     for(int i = 0; i < 3; ++i) {
       known_record(sides[i]) = {sides[(i + 1) % 3] + 1, m_input.tail(sides[i]), geometry[i]};
       if(m_outgoing[m_input.tail(sides[i])] == 0)
@@ -402,15 +440,32 @@ private:
     known_record(tp).geometry = at_tp;
   }
 
+  void refresh_inaccurate(const std::array<Index, 4>& halfedges)
+  {
+    for(Index h : halfedges)
+      if(m_traits.is_inaccurate_object()(geometry(h)))
+        internal::refresh_face(*this, h);
+  }
+
   void move_outgoing(Index v, Index from, Index to)
   {
     if(m_outgoing[v] == from + 1)
       m_outgoing[v] = to + 1;
   }
 
+  void set_geometries_of_face(Index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
+                              const Halfedge_geometry& at_hp)
+  {
+    known_record(h).geometry = at_h;
+    known_record(next(h)).geometry = at_hn;
+    known_record(previous(h)).geometry = at_hp;
+  }
+
   // h = l->k in (h, hp, tn) and t = k->l in (t, tp, hn) become i->j and j->i again.
   void undo(const Flip_record& flip)
   {
+    if(flip.hp == null_index)
+      return set_geometries_of_face(flip.h, flip.old_h, flip.old_t, flip.old_tn);
     const Index h = flip.h, t = twin(h);
     const Index hp = next(h), tn = next(hp), tp = next(t), hn = next(tp);
     move_outgoing(tail(h), h, tp);
@@ -427,14 +482,14 @@ private:
   bool is_valid_halfedge(Index h, double tolerance) const
   {
     const Index hn = next(h), hp = next(hn);
-    if(next(hp) != h || head(h) != tail(hn))
+    const Halfedge_record& t = known_record(twin(h));
+    if(next(hp) != h || (t.encoded_next != Halfedge_record::untouched && t.tail != tail(hn)))
       return false;
     const double a = length(h), b = length(hn), c = length(hp);
     const double scale = tolerance * (std::max)({a, b, c});
     if(a > b + c + scale)
       return false;
-    return is_border(twin(h)) ||
-           std::abs(a - m_traits.compute_length_object()(geometry(twin(h)))) <= scale;
+    return t.encoded_next <= 0 || std::abs(a - m_traits.compute_length_object()(t.geometry)) <= scale;
   }
 
   Input_mesh m_input;
@@ -444,6 +499,7 @@ private:
   mutable internal::Lazy_array<Edge_record> m_edges;
   mutable internal::Lazy_array<Index> m_outgoing; // one more than a halfedge, 0 where none is known
   mutable internal::Crossing_words<Intrinsic_triangulation> m_words;
+  mutable Decision_statistics m_statistics;
   std::vector<Flip_record> m_log;
 };
 

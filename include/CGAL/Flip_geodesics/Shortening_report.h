@@ -53,8 +53,8 @@ struct Curve_report
 struct Shortening_report
 {
   std::vector<Curve_report> curves; ///< one per curve of the network
-  std::size_t flips = 0;            ///< edge flips
-  std::size_t flip_outs = 0;        ///< steps, [SC20, Algorithm 1]; the steps of a loop unit count singly
+  std::size_t flips = 0;            ///< edge flips, those of steps that were taken back included
+  std::size_t flip_outs = 0;        ///< steps [SC20, Algorithm 1]; the unit for a loop of one segment counts as one
 
   /// Is every curve of the network locally shortest, or contracted to a point, which is as short as can be?
   bool is_complete() const

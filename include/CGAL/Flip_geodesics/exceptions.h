@@ -77,7 +77,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A curve is empty, is not a chain of edges of the mesh, or ends where it starts although it is to be open.
+/// A curve is empty or not a chain of edges of the mesh, or two of its way points in a row are equal.
 class Invalid_curve_error : public Error
 {
 public:

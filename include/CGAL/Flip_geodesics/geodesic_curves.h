@@ -83,7 +83,7 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: the shortest edge path,
- * pulled tight. It is nearly always the shortest path there is, but need not be.
+ * pulled tight. A path that takes another way round a hole or a bump may be shorter still.
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component

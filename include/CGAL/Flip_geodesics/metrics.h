@@ -4,7 +4,9 @@
 #define CGAL_FLIP_GEODESICS_METRICS_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/planar_sine.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -14,8 +16,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -34,8 +37,10 @@ inline bool is_usable_length(double length)
   const std::vector<std::size_t> elements = {static_cast<std::size_t>(v), static_cast<std::size_t>(w)};
   if(length == 0)
     throw Degenerate_face_error(edge + " has length zero", elements);
-  throw Invalid_coordinate_error(edge + " has the length " + std::to_string(length) +
-                                     ", which is not a finite number between 1e-70 and 1e70",
+  std::ostringstream number;
+  number << length;
+  throw Invalid_coordinate_error(edge + " has the length " + number.str() +
+                                     ", which is not a number between 1e-70 and 1e70",
                                  elements);
 }
 
@@ -89,14 +94,42 @@ public:
                                             point(mesh, mesh.tail(hp)));
   }
 
+  /// The same face in exact numbers; the coordinates are taken as the doubles they round to.
+  internal::Exact_face exact_face(const Mesh& mesh, Index h) const
+  {
+    std::array<double, 9> coordinates;
+    for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
+      decltype(auto) p = point(mesh, mesh.tail(h));
+      coordinates[3 * i] = CGAL::to_double(p.x());
+      coordinates[3 * i + 1] = CGAL::to_double(p.y());
+      coordinates[3 * i + 2] = CGAL::to_double(p.z());
+    }
+    return internal::exact_face_from_points(coordinates);
+  }
+
+  /*!
+   * The sign of the sine of the wedge from the direction of one word clockwise over `steps` input corners to that of
+   * another, exactly, if the faces lie unfolded in one plane of space.
+   * \return do they?
+   */
+  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
+  {
+    using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
+    const auto point_of = [&](Index v) {
+      decltype(auto) p = point(mesh, v);
+      return Exact_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    };
+    return internal::Planar_sine<Mesh, decltype(point_of)>(mesh, point_of)(a, b, steps, sine);
+  }
+
 private:
   double distance(const Mesh& mesh, Index v, Index w) const
   {
     decltype(auto) p = point(mesh, v);
     decltype(auto) q = point(mesh, w);
-    const double x = CGAL::to_double(q.x() - p.x());
-    const double y = CGAL::to_double(q.y() - p.y());
-    const double z = CGAL::to_double(q.z() - p.z());
+    const double x = CGAL::to_double(q.x()) - CGAL::to_double(p.x());
+    const double y = CGAL::to_double(q.y()) - CGAL::to_double(p.y());
+    const double z = CGAL::to_double(q.z()) - CGAL::to_double(p.z());
     return std::sqrt(x * x + y * y + z * z);
   }
 
@@ -153,6 +186,16 @@ public:
                                    static_cast<std::size_t>(mesh.tail(hp))});
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
+
+  /// The same face in exact numbers; the lengths are taken as the doubles they round to.
+  internal::Exact_face exact_face(const Mesh& mesh, Index h) const
+  {
+    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    return internal::exact_face_from_lengths({length(mesh, h), length(mesh, hn), length(mesh, hp)});
+  }
+
+  /// False: lengths do not say what lies in one plane.
+  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, Sign&) const { return false; }
 
 private:
   const TriangleMesh* m_mesh;

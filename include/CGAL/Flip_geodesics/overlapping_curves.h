@@ -4,13 +4,75 @@
 #define CGAL_FLIP_GEODESICS_OVERLAPPING_CURVES_H
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Stack_order.h>
+#include <CGAL/Flip_geodesics/internal/Stack_order_search.h>
+
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 
+namespace internal {
+
 template <class Network>
-void order_overlapping_curves(Network&)
+void order_stacks(Network& network)
 {
+  const Stack_pairs<Network> pairs(network);
+  if(pairs.number_of_stacks() == 0)
+    return;
+  Crossing_equations<Network> equations(pairs);
+  Stack_order_search<Network> search(equations);
+  search.run();
+  for(Index i = 0; i < pairs.number_of_stacks(); ++i)
+    network.set_stack(pairs.edge(i), search.order(i));
+}
+
+template <class Network>
+void check_crossings(const Network& network)
+{
+  const auto& triangulation = network.triangulation();
+  for_each_vertex(triangulation, occupied_halfedges(network), [&](auto first, auto) {
+    if(!network.is_non_crossing_at({*first, network.outermost(*first, Side::LEFT)}))
+      throw_crossing(triangulation.tail(*first));
+  });
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Finds the order in which the curves of a network lie side by side on the edges that they share, so that no two cross,
+ * nor one crosses itself. To be called after the curves were added: `add_curve()` puts them on an edge in the order in
+ * which they come.
+ *
+ * Two strands that share a run of edges are ordered by where they part, at either end of it; a path that ends, or a
+ * fixed node, leaves the order open, but that all paths' ends at a vertex, and the border, must be on one side of each
+ * curve that passes. What this leaves open is decided by the others on the same edges, and otherwise by default: the
+ * strand that was added first is on the left, as seen along it. So copies of a curve come to lie to its right.
+ *
+ * The answer is exact, and depends on the connectivity only: if there is an order, it is found; if there is none, the
+ * curves cross whatever their order, as two that part on opposite sides at the ends of a run do, or one that winds
+ * around an annulus twice before it closes. Only for long paths that turn back on themselves again and again, where the
+ * choices interlock, may the search be given up.
+ *
+ * If it throws, the curves are unchanged, but the order along the edges may not be.
+ *
+ * Complexity: \f$O(n \log n)\f$ in the segments, and linear in the degrees of the vertices they pass, if no edge has
+ * two of them; otherwise there are \f$p\f$, the pairs of segments on one edge, besides, in time \f$O(p \log p)\f$ and
+ * memory \f$O(p)\f$; and where defaults do not fit, \f$p\f$ times the largest number of segments on an edge.
+ *
+ * \param network an `Edge_path_network`
+ * \throws Crossing_curves_error with a vertex at which curves cross; where only several vertices together make it
+ *         impossible that they do not, with one of these
+ * \throws Ambiguous_order_error with the vertices of a shared edge, if the search is given up
+ */
+template <class Network>
+void order_overlapping_curves(Network& network)
+{
+  internal::order_stacks(network);
+  internal::check_crossings(network);
 }
 
 } // namespace Flip_geodesics

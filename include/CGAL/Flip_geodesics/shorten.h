@@ -61,14 +61,14 @@ void shorten_where_drift_hid_it(Network& network, Engine& engine)
  * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class, and measures the
  * result afresh from the input: a curve is reported `LOCALLY_SHORTEST` only if the measurement says so.
  *
- * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. The flips grow like
- * \f$m^{1.8}\f$ with the segments \f$m\f$ of a shortest edge path, and take constant time each.
+ * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. A flip takes constant
+ * time.
  *
  * \param network the curves; they are moved, and the edges around them flipped
  * \param stop a model of `FlipOutStopPredicate`
  * \param visitor a model of `FlipOutVisitor`
  * \throws Degenerate_face_error, Invalid_coordinate_error if a face that is touched is no triangle; the network and its
- *         triangulation are then valid, and the curves as short as they were pulled so far
+ *         triangulation are then valid, and the curves somewhere on their way
  */
 template <class Network, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
 Shortening_report shorten(Network& network, const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
@@ -85,7 +85,8 @@ Shortening_report shorten(Network& network, const StopPredicate& stop = StopPred
   for(Index c = 0; c < network.number_of_curves(); ++c) {
     const Straightness straightness = meter(c);
     Shortening_status status = engine.status(c);
-    if(status == Shortening_status::LOCALLY_SHORTEST && !straightness.is_locally_shortest())
+    if(status == Shortening_status::LOCALLY_SHORTEST && Network::Triangulation::Traits::Has_drift::value &&
+       !straightness.is_locally_shortest())
       status = Shortening_status::PRECISION_LIMIT;
     report.curves.push_back({status, network.initial_length(c), network.length(c), straightness.smallest_angle});
   }

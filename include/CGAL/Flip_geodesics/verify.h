@@ -6,12 +6,13 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 
 namespace CGAL {
@@ -80,7 +81,7 @@ public:
     const auto [a, b] = m_network.ends(joint);
     if(m_network.next_clockwise(a) != b)
       return infinity;
-    return m_network.is_turning_back(joint) ? 0 : angle_between(a.halfedge, b.halfedge);
+    return m_network.is_turning_back(joint) ? 0 : internal::wedge_angle(m_triangulation, a.halfedge, b.halfedge).value;
   }
 
   /*!
@@ -96,7 +97,7 @@ public:
       const Index t = Triangulation::twin(h);
       if(m_triangulation.is_border(t))
         return true;
-      if(!refresh_face(t, triangulation))
+      if(!internal::refresh_face(triangulation, t))
         return false;
       h = m_triangulation.next(t);
     } while(h != b.halfedge);
@@ -104,61 +105,6 @@ public:
   }
 
 private:
-  bool refresh_face(Index h, Triangulation& triangulation)
-  {
-    constexpr double pi = boost::math::constants::pi<double>();
-    const Index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
-    const double at_tail = angle_between(Triangulation::twin(hp), h);
-    const double at_head = angle_between(Triangulation::twin(h), hn);
-    if(at_tail < 0 || at_tail > pi || at_head < 0 || at_head > pi)
-      return false;
-    const std::complex<double> vn = std::polar(Strip(m_triangulation, m_triangulation.crossing_word(hn)).length(), pi - at_head);
-    const std::complex<double> vp = -std::polar(Strip(m_triangulation, m_triangulation.crossing_word(hp)).length(), at_tail);
-    const double length = Strip(m_triangulation, m_triangulation.crossing_word(h)).length();
-    triangulation.set_face_geometry(h, m_triangulation.traits().construct_face_2_object()(
-                                           {{{length, 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}));
-    return true;
-  }
-
-  // The direction of a halfedge at its tail: an input halfedge, and the angle from it counterclockwise.
-  struct Direction
-  {
-    Index reference;
-    double angle;
-    bool is_along;
-  };
-
-  Direction direction(Index h)
-  {
-    const Crossing_word word = m_triangulation.crossing_word(h);
-    const Strip strip(m_triangulation, word);
-    return {strip.reference(), std::arg(strip.end()), word.along != null_index};
-  }
-
-  // Clockwise from a to b: the input corners between their reference halfedges, corrected at both ends.
-  double angle_between(Index a, Index b)
-  {
-    const Direction from = direction(a), to = direction(b);
-    const Index steps = m_triangulation.input_edges_in_wedge(a, b) + (from.is_along ? 1 : 0);
-    double sum = from.angle - to.angle;
-    Index h = from.reference;
-    for(Index i = 0; i < steps; ++i) {
-      const Index t = Triangulation::twin(h);
-      sum += corner(t);
-      h = m_triangulation.input().next(t);
-    }
-    CGAL_assertion(h == to.reference);
-    return sum;
-  }
-
-  // The input corner at the head of input halfedge h.
-  double corner(Index h) const
-  {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-    const auto face = m_triangulation.metric().face_geometry(m_triangulation.input(), h, Double_traits());
-    return std::atan2(face[1].y, -face[1].x); // the layout puts h on the positive real axis
-  }
-
   const Network& m_network;
   const Triangulation& m_triangulation;
 };

@@ -3,6 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_EXACT_FACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_EXACT_FACE_H
 
+// Before the numbers of Boost: it tells CGAL about them.
+#include <CGAL/boost_mp.h>
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>

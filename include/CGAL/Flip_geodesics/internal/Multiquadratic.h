@@ -8,9 +8,9 @@
 #include <CGAL/enum.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -43,12 +43,17 @@ public:
       else
         m_squares.push_back(g);
     m_elements.swap(generators);
+    for(const Integer& d : radicands)
+      m_roots.emplace(d, factored_root(d));
   }
 
   const std::vector<Integer>& generators() const { return m_elements; }
 
   /* The root of one of the given integers. */
-  Root root(Integer d) const
+  const Root& root(const Integer& d) const { return m_roots.at(d); }
+
+private:
+  Root factored_root(Integer d) const
   {
     Root result = {1, 0};
     if(d == 0)
@@ -71,7 +76,6 @@ public:
     return result;
   }
 
-private:
   static bool is_square(const Integer& n)
   {
     Integer remainder;
@@ -109,6 +113,7 @@ private:
   }
 
   std::vector<Integer> m_elements, m_squares;
+  std::map<Integer, Root> m_roots;
 };
 
 /* Exact arithmetic in Z[sqrt g_1, ..., sqrt g_r]: one integer per product of distinct roots. */
@@ -158,7 +163,7 @@ public:
   /* a times the root of d. */
   Number times_root(const Number& a, const Integer& d) const
   {
-    const Root_base::Root root = m_base.root(d);
+    const Root_base::Root& root = m_base.root(d);
     Number result(m_products.size());
     for(std::size_t i = 0; i < a.size(); ++i)
       result[i ^ root.mask] += a[i] * root.factor * m_products[i & root.mask];
@@ -185,17 +190,13 @@ public:
       return ZERO;
     if(a.size() == 1)
       return a[0] > 0 ? POSITIVE : NEGATIVE;
-    for(unsigned digits = 50;; digits *= 2) {
-      using Float = boost::multiprecision::mpfr_float;
-      Float sum(0, digits), magnitude(0, digits);
+    for(unsigned bits = 64;; bits *= 2) {
+      Integer sum = 0, error = 0; // in units of 2^-bits, each root rounded down
       for(std::size_t i = 0; i < a.size(); ++i) {
-        Float term(a[i], digits);
-        term *= sqrt(Float(m_products[i], digits));
-        sum += term;
-        magnitude += abs(term);
+        sum += a[i] * boost::multiprecision::sqrt(Integer(m_products[i] << (2 * bits)));
+        error += abs(a[i]);
       }
-      magnitude *= Float(static_cast<unsigned>(8 * a.size()), digits) * pow(Float(10, digits), -static_cast<int>(digits));
-      if(abs(sum) > magnitude)
+      if(abs(sum) > error)
         return sum > 0 ? POSITIVE : NEGATIVE;
     }
   }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -20,7 +21,7 @@ namespace internal {
 /*
  * The input faces along a crossing word, unfolded into the plane from the input's own coordinates: whatever flips led
  * to the edge, its vector is fresh here. The error is normwise, a few units in the last place per face, whatever the
- * shapes of the faces [DESIGN history in the manual].
+ * shapes of the faces.
  *
  * The tail lies at the origin; the frame is that of the reference halfedge: `reference()` starts at the tail, keeps the
  * first face on its left, and points along the positive real axis. An edge along an input halfedge refers to itself.
@@ -36,6 +37,7 @@ public:
   {
     Index crossed; // the input halfedge as in the word; its tail is on the right
     Vector right, left;
+    double right_error, left_error; // bounds
   };
 
   Strip(const Triangulation& triangulation, const Crossing_word& word)
@@ -51,6 +53,13 @@ public:
   const std::vector<Gate>& gates() const { return m_gates; }
   const Vector& end() const { return m_end; }
   double length() const { return std::abs(m_end); }
+
+  /* A bound of the error of end(), relative to its length; infinite if that is all error. */
+  double relative_error() const
+  {
+    const double length = std::abs(m_end);
+    return length > 2 * m_error ? m_error / (length - m_error) : std::numeric_limits<double>::infinity();
+  }
 
   /*
    * The largest angle by which an end of a crossed edge lies on the wrong side of the straight line from tail to head,
@@ -74,6 +83,10 @@ public:
 
 private:
   using Face_vectors = std::array<Vector, 3>;
+
+  // Bounds the relative error of the quotient of two vectors of a face, and of the product with another: a layout's
+  // vector has 16 units of roundoff at most, from differences (2), dot or cross products (8), roots and quotients (3).
+  static constexpr double ratio_error = 48 * std::numeric_limits<double>::epsilon();
 
   static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
@@ -99,6 +112,7 @@ private:
   void lay_out_edge(Index h)
   {
     m_reference = h;
+    m_error = 0; // the direction is exact
     m_end = m_triangulation->metric().length(m_triangulation->input(), h);
   }
 
@@ -108,21 +122,29 @@ private:
     m_reference = input.next(input.next(crossed.front()));
     const Face_vectors first = face_along(m_reference, m_triangulation->metric().length(input, m_reference));
     Vector right = first[0], left = right + first[1], gate = -first[1];
+    double right_error = ratio_error * std::abs(right), left_error = right_error + ratio_error * std::abs(gate);
     m_gates.reserve(crossed.size());
     for(std::size_t i = 0;; ++i) {
-      m_gates.push_back({crossed[i], right, left});
+      m_gates.push_back({crossed[i], right, left, right_error, left_error});
       // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never differences
       // of positions, which would magnify the error wherever a gate is short.
       const Index entered = Triangulation::twin(crossed[i]);
       const Face_vectors face = face_along(entered, gate);
-      const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
+      const bool is_near_right = std::abs(face[1]) < std::abs(face[2]);
+      const Vector apex = is_near_right ? right + face[1] : left - face[2];
+      const double turn_error = static_cast<double>(i + 2) * ratio_error;
+      const double apex_error = (is_near_right ? right_error + turn_error * std::abs(face[1])
+                                               : left_error + turn_error * std::abs(face[2])) +
+                                ratio_error * std::abs(apex);
       if(i + 1 == crossed.size()) {
         m_end = apex;
+        m_error = apex_error;
         return;
       }
       const bool is_leaving_right = crossed[i + 1] == input.next(entered);
       gate = is_leaving_right ? -face[1] : -face[2];
       (is_leaving_right ? left : right) = apex;
+      (is_leaving_right ? left_error : right_error) = apex_error;
     }
   }
 
@@ -130,6 +152,7 @@ private:
   Index m_reference = null_index;
   std::vector<Gate> m_gates;
   Vector m_end;
+  double m_error = 0;
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <queue>
 #include <vector>
 
@@ -30,6 +31,9 @@ class Flip_out
   using Triangulation = typename Network::Triangulation;
   using Wedge = typename Network::Wedge;
 
+  // With exact decisions every step shortens, whatever the rounded lengths say.
+  static constexpr bool can_err = Triangulation::Traits::Has_drift::value;
+
 public:
   Flip_out(Network& network, const StopPredicate& stop, Visitor& visitor)
     : m_network(network)
@@ -39,7 +43,7 @@ public:
     , m_curves(static_cast<std::size_t>(network.number_of_curves()))
   {
     for(Index c = 0; c < network.number_of_curves(); ++c) {
-      m_curves[c].length = network.length(c);
+      m_curves[c].length = m_curves[c].shortest = network.length(c);
       m_length += m_curves[c].length;
       m_initial_length += network.initial_length(c);
       if(network.is_contracted(c))
@@ -100,7 +104,8 @@ private:
   {
     Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
     double length = 0;
-    std::size_t blind_steps = 0;
+    double shortest = 0; // up to what rounding makes of it
+    std::size_t steps_since_shortest = 0;
   };
 
   void queue_all_joints()
@@ -140,14 +145,14 @@ private:
     const Index curve = m_network.curve(candidate.joint.incoming);
     const auto start = m_triangulation.log_position();
     const double change = flip_out_wedge(candidate.joint);
-    const bool is_longer = is_visible(change, curve) && change > 0;
+    const bool is_longer = can_err && is_visible(change, curve) && change > 0;
     const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key, curve, change);
     if(is_longer || decision != Stop_decision::CONTINUE) {
       m_triangulation.rollback(start); // longer can only be wrong: the angle was below pi by rounding alone
       return obey(decision, curve);
     }
     apply(candidate.joint, change);
-    finish_step(curve, change);
+    finish_step(curve);
   }
 
   /*
@@ -207,14 +212,14 @@ private:
     add_length(curve, change);
   }
 
-  void finish_step(Index curve, double change)
+  void finish_step(Index curve)
   {
     ++m_steps;
     m_visitor.after_flip_out(m_network, curve);
     if(m_network.is_contracted(curve))
       m_curves[curve].status = Shortening_status::CONTRACTED;
     queue_affected();
-    count_blind_step(curve, change);
+    count_blind_step(curve);
   }
 
   // Is the change larger than what rounding makes of the length?
@@ -222,14 +227,19 @@ private:
 
   /*
    * Every step shortens, but by less than doubles see where the angle is within 1e-7 of pi. Exact decisions end all the
-   * same; those of doubles could go round in circles, and a curve that takes too many blind steps in a row is given up.
+   * same; those of doubles could go round in circles, and a curve that has not become visibly shorter than ever before
+   * in so many steps is given up. As each round shortens it visibly, there are finitely many.
    */
-  void count_blind_step(Index curve, double change)
+  void count_blind_step(Index curve)
   {
     constexpr std::size_t patience = 10000;
     Curve_state& state = m_curves[curve];
-    state.blind_steps = is_visible(change, curve) ? 0 : state.blind_steps + 1;
-    if(state.blind_steps > patience)
+    ++state.steps_since_shortest;
+    if(state.length < state.shortest * (1 - 1e-14)) {
+      state.shortest = state.length;
+      state.steps_since_shortest = 0;
+    }
+    if(can_err && state.steps_since_shortest > patience)
       state.status = Shortening_status::PRECISION_LIMIT;
   }
 
@@ -255,15 +265,18 @@ private:
     const double length_before = m_curves[curve].length;
 
     perturb_and_flip_out({s, candidate.joint.side});
-    while(!m_network.is_contracted(curve) && shorten_somewhere(curve, opposite_side(candidate.joint.side))) {
+    std::size_t patience = can_err ? 10000 : (std::numeric_limits<std::size_t>::max)();
+    while(!m_network.is_contracted(curve) && patience-- > 0 &&
+          shorten_somewhere(curve, opposite_side(candidate.joint.side))) {
     }
 
     const double change = m_curves[curve].length - length_before;
     add_length(curve, -change);
-    const Stop_decision decision = change < 0 ? ask(candidate.key, curve, change) : Stop_decision::CONTINUE;
-    if(change < 0 && decision == Stop_decision::CONTINUE) {
+    const bool is_shorter = !can_err || change < 0;
+    const Stop_decision decision = is_shorter ? ask(candidate.key, curve, change) : Stop_decision::CONTINUE;
+    if(is_shorter && decision == Stop_decision::CONTINUE) {
       add_length(curve, change);
-      return finish_step(curve, change);
+      return finish_step(curve);
     }
     m_affected.clear();
     m_triangulation.rollback(start);
@@ -293,7 +306,7 @@ private:
       return false;
     const auto start = m_triangulation.log_position();
     const double change = flip_out_wedge({found, side});
-    if(change >= 0) {
+    if(can_err && change >= 0) {
       m_triangulation.rollback(start);
       return false;
     }

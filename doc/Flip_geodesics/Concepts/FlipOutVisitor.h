@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/*!
+ * \ingroup PkgFlipGeodesicsConcepts
+ * \cgalConcept
+ *
+ * An observer of a shortening, for progress, interruption and animation. `shorten()` calls its members from one
+ * thread; an exception that one of them throws passes through `shorten()`.
+ *
+ * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
+ * \cgalHasModelsEnd
+ *
+ * \sa `CGAL::Flip_geodesics::shorten()`
+ */
+class FlipOutVisitor
+{
+public:
+  /// Called before each step. If it answers `false`, then the shortening ends, and the curves that could still be
+  /// shortened have the status `Shortening_status::STOPPED_BY_VISITOR`.
+  bool go_further();
+
+  /// Called after the edge of halfedge `h` was flipped, when the curves are not moved yet. There is no call for flips
+  /// that are taken back with a step that is not taken; compare `triangulation.log_position()` to see it.
+  template <class Triangulation>
+  void on_flip(const Triangulation& triangulation, Index h);
+
+  /// Called after a step, when a curve has become shorter. The unit that shortens a loop of one segment is one step.
+  template <class Network>
+  void after_flip_out(const Network& network, Index curve);
+};

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/*!
+ * \ingroup PkgFlipGeodesicsConcepts
+ * \cgalConcept
+ *
+ * The lengths of a mesh's edges and the shapes of its faces, from wherever they come. A model is copyable, and cheaply
+ * so: a triangulation keeps a copy.
+ *
+ * The argument `mesh` of its members is the mesh as `Intrinsic_triangulation::input()` gives it, numbered by
+ * consecutive integers: `mesh.vertex(v)` and `mesh.halfedge(h)` are the descriptors of vertex `v` and halfedge `h`,
+ * `mesh.tail(h)` is the vertex at which `h` starts, `mesh.next(h)` the next halfedge around the face, and `h ^ 1` the
+ * twin of `h`.
+ *
+ * The two models have further members, over types that are not documented, which serve traits that leave decisions to
+ * the triangulation, such as `Certified_intrinsic_triangulation_traits`. Any other metric works with traits of which
+ * `Has_drift` is `CGAL::Tag_true`.
+ *
+ * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
+ * \cgalHasModels{CGAL::Flip_geodesics::Edge_length_metric<TriangleMesh\,EdgeLengthMap>}
+ * \cgalHasModelsEnd
+ *
+ * \sa `CGAL::Flip_geodesics::Intrinsic_triangulation`
+ */
+class IntrinsicMetric
+{
+public:
+  /// The type of `Intrinsic_triangulation::input()`.
+  typedef unspecified_type Mesh;
+
+  /// A \cgal kernel. The measurement of finished curves lays faces out by `Intrinsic_triangulation_traits<Kernel>`.
+  typedef unspecified_type Kernel;
+
+  /// The length of the edge of a halfedge, rounded; positive, and the same for both halfedges of the edge.
+  /// \throws Degenerate_face_error, Invalid_coordinate_error if there is no usable length
+  double length(const Mesh& mesh, Index h) const;
+
+  /// A lower bound of the length of all edge paths between two vertices, for the search of a shortest one. It is 0
+  /// from a vertex to itself, and from the two ends of an edge to one vertex it differs by no more than the edge's
+  /// length.
+  double distance_lower_bound(const Mesh& mesh, Index v, Index w) const;
+
+  /// The geometry of the face on the left of `h`, from `h` on, made by one of the functors of `traits`.
+  /// \throws Degenerate_face_error, Invalid_coordinate_error if the face has no usable shape
+  /// \pre `h` is not on the border
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const;
+};

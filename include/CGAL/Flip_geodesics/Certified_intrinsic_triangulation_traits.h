@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_CERTIFIED_INTRINSIC_TRIANGULATION_TRAITS_H
+#define CGAL_FLIP_GEODESICS_CERTIFIED_INTRINSIC_TRIANGULATION_TRAITS_H
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsTraits
+ *
+ * The model of `IntrinsicTriangulationTraits` whose every decision is the sign of the exact real number that the input
+ * defines, its coordinates or edge lengths taken as the doubles they are.
+ *
+ * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. A sign that lies
+ * within the bound is left to the triangulation, which unfolds the input faces: in double with an a-priori bound, then
+ * by exact predicates of points where the faces lie in one plane, then by exact arithmetic in the field of the roots of
+ * the faces' areas. So zeros are proven, and the flips end.
+ *
+ * \tparam K a kernel with `Point_3` and `FT`, convertible to double
+ *
+ * \cgalModels{IntrinsicTriangulationTraits}
+ */
+template <class K>
+class Certified_intrinsic_triangulation_traits
+{
+  using Plain = Intrinsic_triangulation_traits<K>;
+
+  // Bounds of relative errors in units of roundoff: of a layout's vectors, of a product of two, of a flip's rotation.
+  static constexpr double unit = std::numeric_limits<double>::epsilon();
+  static constexpr double layout_error = 16 * unit, product_error = 8 * unit, rotation_error = 16 * unit;
+
+  static double norm_bound(double x, double y) { return std::abs(x) + std::abs(y); }
+
+public:
+  using FT = double;
+  using Has_drift = Tag_false;
+  using Point_3 = typename K::Point_3;
+
+  /// The vector of a halfedge in the frame of its face, and a bound of its error relative to its length.
+  struct Halfedge_geometry
+  {
+    double x, y;
+    double error;
+  };
+
+  using Face_geometry = std::array<Halfedge_geometry, 3>;
+
+  /// The rotation over a fan of corners, with a bound of its error relative to its magnitude.
+  struct Turn
+  {
+    double x = 1, y = 0;
+    double error = 0;
+    Comparison_result comparison = SMALLER;
+    bool is_certain = true;
+  };
+
+  struct Flipped_geometry
+  {
+    Halfedge_geometry h, t, tn, tp;
+  };
+
+  class Construct_face_3
+  {
+  public:
+    Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
+    {
+      return with_error(typename Plain::Construct_face_3()(p, q, r), layout_error);
+    }
+  };
+
+  class Construct_face_from_lengths
+  {
+  public:
+    Face_geometry operator()(double a, double b, double c) const
+    {
+      return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), layout_error);
+    }
+  };
+
+  class Construct_face_2
+  {
+  public:
+    Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
+    {
+      return with_error(typename Plain::Construct_face_2()(v, error), error);
+    }
+  };
+
+  /// As `Intrinsic_triangulation_traits::Extend_turn`, with the error; decides only what it can.
+  class Extend_turn
+  {
+  public:
+    void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
+                    const Halfedge_geometry& /* opposite */) const
+    {
+      const double x = -(out.x * in.x + out.y * in.y), y = out.y * in.x - out.x * in.y;
+      const double corner_error = in.error + out.error + product_error;
+      const bool is_corner_acute = x > corner_error * norm_bound(x, y);
+      const bool is_turn_acute = turn.x > turn.error * norm_bound(turn.x, turn.y);
+      const double product_x = turn.x * x - turn.y * y, product_y = turn.x * y + turn.y * x;
+      turn.x = product_x;
+      turn.y = product_y;
+      turn.error += corner_error + product_error;
+      decide(turn, is_turn_acute, is_corner_acute);
+      rescale(turn);
+    }
+
+  private:
+    // The turn was below pi before, as is each corner: so the sum is below 2 pi, and the sine's sign tells which.
+    static void decide(Turn& turn, bool is_turn_acute, bool is_corner_acute)
+    {
+      const double radius = turn.error * norm_bound(turn.x, turn.y);
+      turn.is_certain = true;
+      if(is_turn_acute && is_corner_acute)
+        turn.comparison = SMALLER;
+      else if(turn.y > radius)
+        turn.comparison = SMALLER;
+      else if(turn.y < -radius)
+        turn.comparison = LARGER;
+      else
+        turn.is_certain = false;
+    }
+
+    static void rescale(Turn& turn)
+    {
+      constexpr double huge = 0x1p200, tiny = 0x1p-200;
+      while(norm_bound(turn.x, turn.y) > huge) {
+        turn.x *= tiny;
+        turn.y *= tiny;
+      }
+      while(norm_bound(turn.x, turn.y) < tiny && (turn.x != 0 || turn.y != 0)) {
+        turn.x *= huge;
+        turn.y *= huge;
+      }
+    }
+  };
+
+  class Compare_turn_with_straight
+  {
+  public:
+    Uncertain<Comparison_result> operator()(const Turn& turn) const
+    {
+      return turn.is_certain ? Uncertain<Comparison_result>(turn.comparison)
+                             : Uncertain<Comparison_result>(SMALLER, LARGER);
+    }
+  };
+
+  class Turn_key
+  {
+  public:
+    double operator()(const Turn& turn) const { return 1 - turn.x / norm_bound(turn.x, turn.y); }
+  };
+
+  /// As `Intrinsic_triangulation_traits::Flip`, with the errors.
+  class Flip
+  {
+  public:
+    Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
+                                const Halfedge_geometry& t, const Halfedge_geometry& tn,
+                                const Halfedge_geometry& tp) const
+    {
+      const auto flipped = typename Plain::Flip()(plain(h), plain(hn), plain(hp), plain(t), plain(tn), plain(tp));
+      const double turned = h.error + t.error + rotation_error;
+      const Halfedge_geometry new_tn = {flipped.tn.x, flipped.tn.y, tn.error + turned};
+      const Halfedge_geometry new_tp = {flipped.tp.x, flipped.tp.y, tp.error + turned};
+      return {difference(flipped.h, hp, new_tn), difference(flipped.t, hn, new_tp), new_tn, new_tp};
+    }
+
+  private:
+    static typename Plain::Halfedge_geometry plain(const Halfedge_geometry& h) { return {h.x, h.y}; }
+
+    static Halfedge_geometry difference(const typename Plain::Halfedge_geometry& sum, const Halfedge_geometry& a,
+                                        const Halfedge_geometry& b)
+    {
+      const double error = a.error * std::sqrt(a.x * a.x + a.y * a.y) + b.error * std::sqrt(b.x * b.x + b.y * b.y);
+      const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y);
+      return {sum.x, sum.y, error < length ? error / (length - error) + product_error
+                                           : std::numeric_limits<double>::infinity()};
+    }
+  };
+
+  class Is_inaccurate
+  {
+  public:
+    bool operator()(const Halfedge_geometry& h) const { return !(h.error < 0x1p-14); }
+  };
+
+  class Compute_squared_length
+  {
+  public:
+    FT operator()(const Halfedge_geometry& h) const { return h.x * h.x + h.y * h.y; }
+  };
+
+  class Compute_length
+  {
+  public:
+    double operator()(const Halfedge_geometry& h) const { return std::sqrt(h.x * h.x + h.y * h.y); }
+  };
+
+  Construct_face_3 construct_face_3_object() const { return {}; }
+  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; }
+  Construct_face_2 construct_face_2_object() const { return {}; }
+  Extend_turn extend_turn_object() const { return {}; }
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
+  Turn_key turn_key_object() const { return {}; }
+  Flip flip_object() const { return {}; }
+  Is_inaccurate is_inaccurate_object() const { return {}; }
+  Compute_squared_length compute_squared_length_object() const { return {}; }
+  Compute_length compute_length_object() const { return {}; }
+
+private:
+  static Face_geometry with_error(const typename Plain::Face_geometry& face, double error)
+  {
+    Face_geometry result;
+    for(int i = 0; i < 3; ++i)
+      result[i] = {face[i].x, face[i].y, error};
+    return result;
+  }
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_CERTIFIED_INTRINSIC_TRIANGULATION_TRAITS_H

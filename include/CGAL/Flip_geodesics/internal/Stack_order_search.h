@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_STACK_ORDER_SEARCH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_STACK_ORDER_SEARCH_H
+
+#include <CGAL/Flip_geodesics/internal/Parity_classes.h>
+#include <CGAL/Flip_geodesics/internal/Stack_order.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Gives the classes of `Crossing_equations` values, so that the long equations hold too and each stack has an order:
+ * that no three segments are each left of the next.
+ *
+ * Classes that share a stack or an equation form a problem of their own. In each the defaults are tried all together,
+ * which is all there is to do for copies of curves. If they do not fit, classes are given their defaults one by one,
+ * each followed by what it implies; at a contradiction the last default that has not yet been taken back is. After some
+ * retries the search starts again, with the classes first that had no value left.
+ *
+ * Linear in the pairs if the defaults fit, and if they do not, in the pairs times the size of the largest stack for
+ * each retry. Retries need turns back that interlock: none of 12 000 random networks on tiny meshes with paths of 30
+ * steps, a fifth of the steps turns back, took more than 128; of 3000 with up to 100 steps, one was given up.
+ */
+template <class Network>
+class Stack_order_search
+{
+  using Triangulation = typename Network::Triangulation;
+  using Equation = typename Crossing_equations<Network>::Equation;
+
+public:
+  static constexpr std::size_t most_retries = 10000, first_retries = 20;
+
+  explicit Stack_order_search(Crossing_equations<Network>& equations)
+    : m_equations(equations)
+    , m_pairs(equations.pairs())
+    , m_triangulation(m_pairs.network().triangulation())
+    , m_value(static_cast<std::size_t>(m_pairs.number_of_variables()), Value::UNKNOWN)
+  {
+    m_value[variable(false_literal)] = Value::NO;
+    flatten_classes();
+    find_members();
+    find_equations();
+  }
+
+  /* \throws Crossing_curves_error, Ambiguous_order_error */
+  void run()
+  {
+    if(!imply_first() || !propagate(true))
+      throw_crossing(m_conflict);
+    find_problems();
+    for(Index i = 0; i < m_choices_of.size(); ++i)
+      if(m_choices_of[i].size() > 0 && !has_fitting_defaults(i))
+        search(i);
+    for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
+      if(!is_ordered(i))
+        throw_crossing(m_triangulation.tail(2 * m_pairs.edge(i)));
+  }
+
+  /* The segments of a stack from left to right. \pre `run()` has returned */
+  std::vector<Index> order(Index stack) const
+  {
+    const auto segments = m_pairs.segments(stack);
+    std::vector<Index> result(static_cast<std::size_t>(segments.size()));
+    for(Index s : segments)
+      result[number_on_left(stack, s)] = s;
+    return result;
+  }
+
+  /* How often a choice was taken back. */
+  std::size_t retries() const { return m_retries; }
+
+private:
+  enum class Value : char { NO, YES, UNKNOWN };
+
+  struct Choice
+  {
+    std::size_t trail_size; // before it
+    Index choice;
+    bool is_second; // has the default failed?
+  };
+
+  /// \name The classes
+  /// @{
+
+  void flatten_classes()
+  {
+    for(Index v = 0; v < m_pairs.number_of_variables(); ++v)
+      m_class.push_back(m_equations.classes().representative(2 * v));
+  }
+
+  Literal class_of(Literal a) const { return opposite_if(is_opposite(a), m_class[variable(a)]); }
+
+  void find_members()
+  {
+    std::vector<Index> keys(static_cast<std::size_t>(m_pairs.end_of_pairs()), null_index);
+    for(Index v = 1; v < m_pairs.end_of_pairs(); ++v)
+      if(is_unknown(2 * v))
+        keys[v] = variable(m_class[v]);
+    m_members = Buckets(m_pairs.number_of_variables(), keys);
+  }
+
+  // Four items for each equation, one for each literal.
+  void find_equations()
+  {
+    std::vector<Index> keys;
+    for(const Equation& equation : m_equations.long_equations())
+      for(Literal a : equation.literals)
+        keys.push_back(is_unknown(a) ? variable(class_of(a)) : null_index);
+    m_equation_items = Buckets(m_pairs.number_of_variables(), keys);
+  }
+
+  bool is_unknown(Literal a) const { return m_value[variable(class_of(a))] == Value::UNKNOWN; }
+
+  bool is_true(Literal a) const
+  {
+    const Literal c = class_of(a);
+    return m_value[variable(c)] == (is_opposite(c) ? Value::NO : Value::YES);
+  }
+
+  bool is_left(Index s, Index t) const { return is_true(m_pairs.is_left(s, t)); }
+
+  /// @}
+  /// \name What follows from what
+  /// @{
+
+  // Returns false if the opposite is known.
+  bool assign(Literal a)
+  {
+    if(!is_unknown(a))
+      return is_true(a);
+    const Literal c = class_of(a);
+    m_value[variable(c)] = is_opposite(c) ? Value::NO : Value::YES;
+    m_trail.push_back(variable(c));
+    return true;
+  }
+
+  void undo(std::size_t trail_size)
+  {
+    for(; m_trail.size() > trail_size; m_trail.pop_back())
+      m_value[m_trail.back()] = Value::UNKNOWN;
+    m_propagated = trail_size;
+  }
+
+  // What the known pairs of a stack imply for the unknown ones.
+  bool imply_first()
+  {
+    for(Index v = 1; v < m_pairs.end_of_pairs(); ++v) {
+      if(!is_unknown(2 * v))
+        continue;
+      const auto [s, t] = m_pairs.segments_of_pair(v);
+      for(Index u : m_pairs.segments(m_pairs.stack_of(s)))
+        if(u != s && u != t && !imply_from(s, t, u))
+          return false;
+    }
+    return true;
+  }
+
+  bool imply_from(Index s, Index t, Index u)
+  {
+    const bool is_st = is_left(s, u) && is_left(u, t), is_ts = is_left(t, u) && is_left(u, s);
+    const bool is_possible = (!is_st || assign(m_pairs.is_left(s, t))) && (!is_ts || assign(m_pairs.is_left(t, s)));
+    return is_possible || fail_at_stack(s);
+  }
+
+  // Returns false if the values contradict each other. The orders of the stacks can be left out of it.
+  bool propagate(bool uses_orders)
+  {
+    for(; m_propagated < m_trail.size(); ++m_propagated) {
+      const Index c = m_trail[m_propagated];
+      for(Index item : m_equation_items[c])
+        if(!imply_from_equation(m_equations.long_equations()[item / 4]))
+          return false;
+      if(uses_orders)
+        for(Index v : m_members[c])
+          if(!imply_from_order(v))
+            return false;
+    }
+    return true;
+  }
+
+  bool imply_from_equation(const Equation& equation)
+  {
+    Parity_sum sum;
+    for(Literal a : equation.literals)
+      sum.add(is_unknown(a) ? class_of(a) : constant(is_true(a)));
+    const bool is_possible = sum.size > 1 ||
+                             (sum.size == 1 && assign(opposite_if(!sum.parity, 2 * sum.variables[0]))) ||
+                             (sum.size == 0 && !sum.parity);
+    if(!is_possible)
+      m_conflict = equation.vertex;
+    return is_possible;
+  }
+
+  bool imply_from_order(Index pair)
+  {
+    auto [s, t] = m_pairs.segments_of_pair(pair);
+    if(!is_left(s, t))
+      std::swap(s, t);
+    for(Index u : m_pairs.segments(m_pairs.stack_of(s))) {
+      if(u == s || u == t)
+        continue;
+      if((is_left(u, s) && !assign(m_pairs.is_left(u, t))) || (is_left(t, u) && !assign(m_pairs.is_left(s, u))))
+        return fail_at_stack(s);
+    }
+    return true;
+  }
+
+  bool fail_at_stack(Index s)
+  {
+    m_conflict = m_triangulation.tail(2 * m_pairs.edge(m_pairs.stack_of(s)));
+    return false;
+  }
+
+  Index number_on_left(Index stack, Index s) const
+  {
+    Index count = 0;
+    for(Index t : m_pairs.segments(stack))
+      count += t != s && is_left(t, s) ? 1 : 0;
+    return count;
+  }
+
+  // No three segments are each left of the next if and only if the numbers of those on the left are all different.
+  bool is_ordered(Index stack) const
+  {
+    const auto segments = m_pairs.segments(stack);
+    std::vector<char> is_taken(static_cast<std::size_t>(segments.size()), 0);
+    for(Index s : segments) {
+      char& place = is_taken[number_on_left(stack, s)];
+      if(place != 0)
+        return false;
+      place = 1;
+    }
+    return true;
+  }
+
+  /// @}
+  /// \name The problems
+  /// @{
+
+  // Problems are numbered by their representatives.
+  void find_problems()
+  {
+    Parity_classes problems(m_pairs.number_of_variables());
+    const auto join = [&](Index& first, Literal a) {
+      if(!is_unknown(a))
+        return;
+      const Index c = variable(class_of(a));
+      first = first == null_index ? c : first;
+      problems.unite(2 * first, 2 * c);
+    };
+    std::vector<Index> stack_class(static_cast<std::size_t>(m_pairs.number_of_stacks()), null_index);
+    for(Index v = 1; v < m_pairs.end_of_pairs(); ++v)
+      join(stack_class[m_pairs.stack_of(m_pairs.segments_of_pair(v).first)], 2 * v);
+    for(const Equation& equation : m_equations.long_equations()) {
+      Index first = null_index;
+      for(Literal a : equation.literals)
+        join(first, a);
+    }
+    const auto problem_of = [&](Index c) { return c == null_index ? c : variable(problems.representative(2 * c)); };
+    std::transform(stack_class.begin(), stack_class.end(), stack_class.begin(), problem_of);
+    m_stacks_of = Buckets(m_pairs.number_of_variables(), stack_class);
+    find_choices(problem_of);
+  }
+
+  // The unknown classes, by the oldest segments they are about, with their defaults: the older is on the left as seen
+  // along it. Among segments that nothing else orders, the oldest is then always outermost, so that an order results.
+  template <class ProblemOf>
+  void find_choices(const ProblemOf& problem_of)
+  {
+    std::vector<char> is_known(static_cast<std::size_t>(m_pairs.number_of_variables()), 0);
+    std::vector<Index> problem;
+    for(Index s = 1; s < m_pairs.network().end_of_segment_ids(); ++s) {
+      if(m_pairs.stack_of(s) == null_index)
+        continue;
+      const auto segments = m_pairs.segments(m_pairs.stack_of(s));
+      for(auto t = std::upper_bound(segments.begin(), segments.end(), s); t != segments.end(); ++t) {
+        const Literal a = class_of(m_pairs.is_left(m_pairs.network().halfedge(s), s, *t));
+        if(!is_unknown(a) || is_known[variable(a)] != 0)
+          continue;
+        is_known[variable(a)] = 1;
+        m_choices.push_back(a);
+        problem.push_back(problem_of(variable(a)));
+      }
+    }
+    m_choices_of = Buckets(m_pairs.number_of_variables(), problem);
+  }
+
+  bool has_fitting_defaults(Index problem)
+  {
+    const std::size_t trail_size = m_trail.size();
+    for(Index i : m_choices_of[problem])
+      assign(m_choices[i]);
+    const auto stacks = m_stacks_of[problem];
+    if(propagate(false) && std::all_of(stacks.begin(), stacks.end(), [&](Index i) { return is_ordered(i); }))
+      return true;
+    undo(trail_size);
+    return false;
+  }
+
+  void search(Index problem)
+  {
+    make_queue(problem);
+    std::size_t retries_left = first_retries;
+    for(std::size_t most = first_retries; !search_queue(retries_left); retries_left = most += most / 2)
+      ; // again from the start, with the queue as it is now
+  }
+
+  // First the choices in most equations, for the others seldom matter.
+  void make_queue(Index problem)
+  {
+    const auto choices = m_choices_of[problem];
+    const auto number_of_items = [&](Index i) { return m_equation_items[variable(m_choices[i])].size(); };
+    m_queue.assign(choices.begin(), choices.end());
+    std::stable_sort(m_queue.begin(), m_queue.end(),
+                     [&](Index i, Index j) { return number_of_items(i) > number_of_items(j); });
+  }
+
+  // Returns false, with all choices taken back, when no retries are left.
+  bool search_queue(std::size_t retries_left)
+  {
+    m_made.clear();
+    for(std::size_t i = 0; i < m_queue.size();) {
+      if(!is_unknown(m_choices[m_queue[i]])) {
+        ++i;
+        continue;
+      }
+      m_made.push_back({m_trail.size(), m_queue[i], false});
+      assign(m_choices[m_queue[i]]);
+      for(; !propagate(true); i = 0) {
+        retry();
+        if(--retries_left == 0) {
+          undo(m_made.front().trail_size);
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // Takes choices back until one has another value left, and gives it that. Those that had none come first from now on,
+  // so that the search finds out soon whether they still have none.
+  void retry()
+  {
+    for(; !m_made.empty() && m_made.back().is_second; m_made.pop_back()) {
+      const auto failed = std::find(m_queue.begin(), m_queue.end(), m_made.back().choice);
+      std::rotate(m_queue.begin(), failed, failed + 1);
+    }
+    if(m_made.empty())
+      throw_crossing(m_conflict);
+    Choice& last = m_made.back();
+    undo(last.trail_size);
+    if(++m_retries > most_retries)
+      give_up(m_choices[last.choice]);
+    last.is_second = true;
+    assign(opposite(m_choices[last.choice]));
+  }
+
+  [[noreturn]] void give_up(Literal a) const
+  {
+    const Index s = m_pairs.segments_of_pair(*m_members[variable(a)].begin()).first;
+    const Index h = m_pairs.network().halfedge(s);
+    throw_ambiguous(m_triangulation.tail(h), m_triangulation.head(h));
+  }
+
+  /// @}
+
+  Crossing_equations<Network>& m_equations;
+  const Stack_pairs<Network>& m_pairs;
+  const Triangulation& m_triangulation;
+
+  std::vector<Literal> m_class; // by variable
+  Buckets m_members;            // the pairs of an unknown class
+  Buckets m_equation_items;     // its places in long equations, four to an equation
+
+  std::vector<Value> m_value;   // of a class
+  std::vector<Index> m_trail;   // the classes that were given values, in order
+  std::size_t m_propagated = 0; // how many of them have been followed up
+  Index m_conflict = null_index;
+
+  std::vector<Literal> m_choices;
+  Buckets m_choices_of, m_stacks_of; // by problem
+  std::vector<Index> m_queue;        // the choices of a problem
+  std::vector<Choice> m_made;
+  std::size_t m_retries = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_STACK_ORDER_SEARCH_H

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_WEDGE_ANGLE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_WEDGE_ANGLE_H
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+
+#include <CGAL/assertions.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* An angle, in radians, and a bound of its error. */
+struct Wedge_angle
+{
+  double value;
+  double error;
+};
+
+/* The input corner at the head of input halfedge h. */
+template <class Triangulation>
+double input_corner(const Triangulation& triangulation, Index h)
+{
+  using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+  const auto face = triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
+  return std::atan2(face[1].y, -face[1].x); // the layout puts h on the positive real axis
+}
+
+/*
+ * The angle clockwise from halfedge a to halfedge b of one vertex, afresh from the input: the input corners between their
+ * reference halfedges, corrected by their strips at both ends. a == b means all the way round.
+ */
+template <class Triangulation>
+Wedge_angle wedge_angle(const Triangulation& triangulation, Index a, Index b)
+{
+  constexpr double corner_error = 100 * std::numeric_limits<double>::epsilon();
+  const Crossing_word word_a = triangulation.crossing_word(a), word_b = triangulation.crossing_word(b);
+  const Strip<Triangulation> from(triangulation, word_a), to(triangulation, word_b);
+  const Index steps = triangulation.input_edges_in_wedge(a, b) + (word_a.along != null_index ? 1 : 0);
+  double sum = std::arg(from.end()) - std::arg(to.end());
+  Index h = from.reference();
+  for(Index i = 0; i < steps; ++i) {
+    const Index t = Triangulation::twin(h);
+    sum += input_corner(triangulation, t);
+    h = triangulation.input().next(t);
+  }
+  CGAL_assertion(h == to.reference());
+  const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
+  return {sum, strip_error + static_cast<double>(steps + 4) * corner_error};
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_WEDGE_ANGLE_H
