@@ -473,6 +473,7 @@ private:
         throw Invalid_curve_error("a curve has a halfedge that the mesh does not have", {position});
       if(last != null_index && m_triangulation->head(last) != m_triangulation->tail(h))
         throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
+      m_triangulation->length(h); // copies its face, which may throw: before the network changes
       if(first == null_index)
         first = h;
       last = h;

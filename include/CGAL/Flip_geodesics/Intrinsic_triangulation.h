@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -241,6 +242,15 @@ public:
       if(!comparison.is_certain())
         return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics)(from, to) != SMALLER;
     return comparison.make_certain() != SMALLER;
+  }
+
+  // The input face on the left of input halfedge h in exact numbers; kept, since hard decisions come in crowds.
+  const internal::Exact_face& exact_input_face(Index h) const
+  {
+    const auto found = m_exact_faces.find(h);
+    if(found != m_exact_faces.end())
+      return found->second;
+    return m_exact_faces.emplace(h, m_metric.exact_face(m_input, h)).first->second;
   }
 
   /// How the decisions that were left open by the traits were taken, since construction.
@@ -500,6 +510,7 @@ private:
   mutable internal::Lazy_array<Index> m_outgoing; // one more than a halfedge, 0 where none is known
   mutable internal::Crossing_words<Intrinsic_triangulation> m_words;
   mutable Decision_statistics m_statistics;
+  mutable std::unordered_map<Index, internal::Exact_face> m_exact_faces;
   std::vector<Flip_record> m_log;
 };
 

@@ -20,7 +20,7 @@ namespace Flip_geodesics {
 /// What a certificate says of a curve.
 enum class Certificate_verdict {
   PROVEN,       ///< the curve is locally shortest, exactly
-  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ after 600 digits without a difference
+  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ after 290 digits without a difference
   BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces
   BENT_JOINT    ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
 };

@@ -100,6 +100,15 @@ public:
   using Error::Error;
 };
 
+/// \ingroup PkgFlipGeodesicsErrors
+/// A number type without square roots meets an area that is not rational in the unit of areas chosen for it; `elements()`
+/// are the vertices of the face, if they are known.
+class Inexact_root_error : public Error
+{
+public:
+  using Error::Error;
+};
+
 } // namespace Flip_geodesics
 } // namespace CGAL
 

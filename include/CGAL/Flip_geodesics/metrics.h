@@ -73,11 +73,16 @@ public:
   /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
   double length(const Mesh& mesh, Index h) const
   {
-    const Index v = mesh.tail(h), w = mesh.tail(internal::twin_index(h));
-    const double length = distance(mesh, v, w);
+    const double length = weight(mesh, h);
     if(!internal::is_usable_length(length))
-      internal::throw_unusable_length(length, v, w);
+      internal::throw_unusable_length(length, mesh.tail(h), mesh.tail(internal::twin_index(h)));
     return length;
+  }
+
+  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  double weight(const Mesh& mesh, Index h) const
+  {
+    return distance(mesh, mesh.tail(h), mesh.tail(internal::twin_index(h)));
   }
 
   /// A lower bound of the distance on the surface: the distance through space.
@@ -160,10 +165,16 @@ public:
   /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
   double length(const Mesh& mesh, Index h) const
   {
-    const double length = CGAL::to_double(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
+    const double length = weight(mesh, h);
     if(!internal::is_usable_length(length))
       internal::throw_unusable_length(length, mesh.tail(h), mesh.tail(internal::twin_index(h)));
     return length;
+  }
+
+  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  double weight(const Mesh& mesh, Index h) const
+  {
+    return CGAL::to_double(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
   /// Zero: lengths alone say nothing of the distance.

@@ -47,21 +47,23 @@ void check_crossings(const Network& network)
  * nor one crosses itself. To be called after the curves were added: `add_curve()` puts them on an edge in the order in
  * which they come.
  *
- * Two strands that share a run of edges are ordered by where they part, at either end of it; a path that ends, or a
- * fixed node, leaves the order open, but that all paths' ends at a vertex, and the border, must be on one side of each
- * curve that passes. What this leaves open is decided by the others on the same edges, and otherwise by default: the
- * strand that was added first is on the left, as seen along it. So copies of a curve come to lie to its right.
+ * Two strands that share a run of edges are ordered by where they part, at either end of it. Where a path ends, or has
+ * a fixed node, the order is left open, but that all such ends at a vertex, and the border, must be on one side of each
+ * curve that passes. What is left open at both ends follows from the order of others on the same edges, or else is
+ * chosen: the strand that was added first is on the left, as seen along it, or if its curve has turned back an odd
+ * number of times before, as seen against it. So copies of a curve that does not turn back lie to its right.
  *
- * The answer is exact, and depends on the connectivity only: if there is an order, it is found; if there is none, the
- * curves cross whatever their order, as two that part on opposite sides at the ends of a run do, or one that winds
- * around an annulus twice before it closes. Only for long paths that turn back on themselves again and again, where the
- * choices interlock, may the search be given up.
+ * The answer depends on the connectivity only, and is exact: if there is an order, it is found; if there is none, the
+ * curves cross however they lie, as two do that part on opposite sides at the ends of a run, or one that goes around an
+ * annulus twice before it closes. Only where long paths turn back on each other again and again, and their choices
+ * interlock, may the search be given up.
  *
  * If it throws, the curves are unchanged, but the order along the edges may not be.
  *
- * Complexity: \f$O(n \log n)\f$ in the segments, and linear in the degrees of the vertices they pass, if no edge has
- * two of them; otherwise there are \f$p\f$, the pairs of segments on one edge, besides, in time \f$O(p \log p)\f$ and
- * memory \f$O(p)\f$; and where defaults do not fit, \f$p\f$ times the largest number of segments on an edge.
+ * Complexity: for \f$n\f$ segments, \f$O(n \log n)\f$ and the degrees of the vertices they pass. If edges have several,
+ * there are \f$p\f$ pairs of segments on one edge besides, which take \f$O(p \log p)\f$ time, half a second per
+ * million, and \f$O(p)\f$ memory; and where the choices above do not fit together, \f$p\f$ times the most segments on
+ * one edge.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error with a vertex at which curves cross; where only several vertices together make it

@@ -6,8 +6,10 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -48,7 +50,8 @@ public:
    * The halfedges of a shortest edge path from `source` to `target`; none if they are equal.
    * \throws Vertex_out_of_range_error
    * \throws Disconnected_endpoints_error
-   * \throws Degenerate_face_error, Invalid_coordinate_error for edges that the search meets
+   * \throws Invalid_coordinate_error for an edge that the search meets and whose length is negative or no number; edges
+   *         of length zero are passed here, and refused where the curve is straightened over them
    */
   std::vector<Index> operator()(Index source, Index target)
   {
@@ -140,7 +143,10 @@ private:
     Label& label = m_labels[w];
     if(label.stamp == m_epoch + 1)
       return;
-    const double distance = m_labels[v].distance + m_triangulation->metric().length(input, h);
+    const double weight = m_triangulation->metric().weight(input, h);
+    if(!(weight >= 0) || std::isinf(weight))
+      internal::throw_unusable_length(weight, v, w);
+    const double distance = m_labels[v].distance + weight;
     if(label.stamp == m_epoch && label.distance <= distance)
       return;
     label = {distance, h, m_epoch};

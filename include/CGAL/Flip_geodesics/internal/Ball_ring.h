@@ -10,32 +10,55 @@
 
 #include <boost/multiprecision/mpfr.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Floating-point arithmetic of a fixed number of decimal digits, with a bound of the error carried along. */
+/*
+ * Floating-point arithmetic of a fixed number of decimal digits, with a bound of the error carried along. Strips are not
+ * scaled: numbers stay as large as the ratios of edge lengths, so that doubles can hold the bounds.
+ */
 template <unsigned Digits>
 class Ball_ring
 {
-  using Float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<Digits>,
-                                              boost::multiprecision::et_off>;
+  using Float = boost::multiprecision::number<
+      boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+      boost::multiprecision::et_off>;
 
 public:
   struct Number
   {
-    Float middle, radius;
+    Float middle;
+    double radius;
   };
 
-  Number integer(const Integer& n) const { return rounded(Float(n), Float(0)); }
+  /* The factor (dot + sign i sqrt(squared_root)) / divisor. */
+  struct Side
+  {
+    Number dot, root;
+  };
+
+  Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& divisor) const
+  {
+    const Float length = Float(divisor);
+    const Float root = boost::multiprecision::sqrt(Float(squared_root)) / length;
+    return {rounded(Float(dot) / length, 0), rounded(sign > 0 ? root : Float(-root), 0)};
+  }
+
+  Number integer(int n) const { return {Float(n), 0}; }
+  Number rescale(const Number& a, const Integer& /* factor */) const { return a; }
+  Number times_dot(const Number& a, const Side& side) const { return multiply(a, side.dot); }
+  Number times_root(const Number& a, const Side& side) const { return multiply(a, side.root); }
   Number add(const Number& a, const Number& b) const { return rounded(a.middle + b.middle, a.radius + b.radius); }
   Number negate(const Number& a) const { return {-a.middle, a.radius}; }
-  Number scale(const Number& a, const Integer& n) const { return multiply(a, integer(n)); }
-  Number times_root(const Number& a, const Integer& d) const { return multiply(a, rounded(boost::multiprecision::sqrt(Float(d)), Float(0))); }
 
   Number multiply(const Number& a, const Number& b) const
   {
-    return rounded(a.middle * b.middle, boost::multiprecision::abs(a.middle) * b.radius + boost::multiprecision::abs(b.middle) * a.radius + a.radius * b.radius);
+    return rounded(a.middle * b.middle, magnitude(a) * b.radius + magnitude(b) * a.radius + a.radius * b.radius);
   }
 
   Uncertain<Sign> sign(const Number& a) const
@@ -46,11 +69,15 @@ public:
   }
 
 private:
-  // Adds the rounding of the last operations, generously; the radius is itself rounded, by less than this adds.
-  static Number rounded(const Float& middle, const Float& radius)
+  static double magnitude(const Number& a) { return std::abs(a.middle.template convert_to<double>()); }
+
+  // Adds the rounding of the last few operations, generously, and that of the radius itself. A radius too small for a
+  // double is kept from vanishing.
+  static Number rounded(const Float& middle, double radius)
   {
-    static const Float unit = boost::multiprecision::pow(Float(10), 2 - static_cast<int>(Digits));
-    return {middle, radius * (1 + unit) + boost::multiprecision::abs(middle) * unit};
+    static const double unit = std::pow(10.0, 2 - static_cast<int>((std::min)(Digits, 290u)));
+    const double size = std::abs(middle.template convert_to<double>());
+    return {middle, (radius + size * unit) * (1 + 1e-12) + (std::numeric_limits<double>::min)()};
   }
 };
 

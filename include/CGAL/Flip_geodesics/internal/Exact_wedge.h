@@ -24,7 +24,7 @@ struct Ring_complex
 
 /*
  * Exact unfolding of crossing words, over any ring that knows the roots of the faces' squared areas. Directions only: a
- * strip is scaled by a positive integer at each face instead of being divided.
+ * ring may scale a strip by a positive integer at each face instead of dividing, `Ring::rescale()`.
  */
 template <class Triangulation, class Ring>
 class Exact_unfolding
@@ -58,24 +58,24 @@ public:
     const auto& input = m_triangulation.input();
     Exact_strip result;
     result.reference = input.next(input.next(word.crossed.front()));
-    const Exact_face first = face(result.reference);
-    Complex right = {m_ring.integer(first.squared_length), m_ring.integer(0)};
-    const Complex side = next_side({m_ring.integer(1), m_ring.integer(0)}, first);
+    const Sides first = sides(result.reference);
+    Complex right = {m_ring.rescale(m_ring.integer(1), first.squared_length), m_ring.integer(0)};
+    const Complex side = times({m_ring.integer(1), m_ring.integer(0)}, first.next);
     Complex left = add(right, side), gate = negate(side);
     for(std::size_t i = 0;; ++i) {
       result.gates.push_back({right, left});
       const Index entered = Triangulation::twin(word.crossed[i]);
-      const Exact_face f = face(entered);
-      right = scale(right, f.squared_length);
-      left = scale(left, f.squared_length);
-      const Complex to_apex = next_side(gate, f);
+      const Sides f = sides(entered);
+      right = rescale(right, f.squared_length);
+      left = rescale(left, f.squared_length);
+      const Complex to_apex = times(gate, f.next);
       const Complex apex = add(right, to_apex);
       if(i + 1 == word.crossed.size()) {
         result.end = apex;
         return result;
       }
       const bool is_leaving_right = word.crossed[i + 1] == input.next(entered);
-      gate = negate(is_leaving_right ? to_apex : previous_side(gate, f));
+      gate = negate(is_leaving_right ? to_apex : times(gate, f.previous));
       (is_leaving_right ? left : right) = apex;
     }
   }
@@ -87,9 +87,9 @@ public:
     Index h = a.reference;
     for(Index i = 0; i < steps; ++i) {
       const Index t = Triangulation::twin(h);
-      const Exact_face f = face(t);
+      const Exact_face& f = face(t);
       // From next(t) to -t: -conj(dot + i root) up to a positive factor.
-      result = times_face(result, -f.dot_next, f.doubled_area_squared, 1);
+      result = times(result, m_ring.side(-f.dot_next, f.doubled_area_squared, 1, f.squared_length));
       h = m_triangulation.input().next(t);
     }
     return result;
@@ -102,30 +102,35 @@ public:
   }
 
 private:
-  Exact_face face(Index h) const { return m_triangulation.metric().exact_face(m_triangulation.input(), h); }
+  const Exact_face& face(Index h) const { return m_triangulation.exact_input_face(h); }
 
-  // h * (dot +- i root)
-  Complex times_face(const Complex& h, const Integer& dot, const Integer& squared_root, int sign) const
+  // The other two sides of a face relative to the first, as factors.
+  struct Sides
   {
-    Number re_root = m_ring.times_root(h.re, squared_root), im_root = m_ring.times_root(h.im, squared_root);
-    (sign > 0 ? im_root : re_root) = m_ring.negate(sign > 0 ? im_root : re_root);
-    return {m_ring.add(m_ring.scale(h.re, dot), im_root), m_ring.add(m_ring.scale(h.im, dot), re_root)};
+    Integer squared_length;
+    typename Ring::Side next, previous;
+  };
+
+  Sides sides(Index h) const
+  {
+    const Exact_face& f = face(h);
+    return {f.squared_length, m_ring.side(f.dot_next, f.doubled_area_squared, 1, f.squared_length),
+            m_ring.side(f.dot_previous, f.doubled_area_squared, -1, f.squared_length)};
   }
 
-  Complex next_side(const Complex& h, const Exact_face& f) const
+  Complex times(const Complex& h, const typename Ring::Side& side) const
   {
-    return times_face(h, f.dot_next, f.doubled_area_squared, 1);
-  }
-
-  Complex previous_side(const Complex& h, const Exact_face& f) const
-  {
-    return times_face(h, f.dot_previous, f.doubled_area_squared, -1);
+    return {m_ring.add(m_ring.times_dot(h.re, side), m_ring.negate(m_ring.times_root(h.im, side))),
+            m_ring.add(m_ring.times_dot(h.im, side), m_ring.times_root(h.re, side))};
   }
 
   Complex add(const Complex& a, const Complex& b) const { return {m_ring.add(a.re, b.re), m_ring.add(a.im, b.im)}; }
   Complex negate(const Complex& a) const { return {m_ring.negate(a.re), m_ring.negate(a.im)}; }
   Complex conjugate(const Complex& a) const { return {a.re, m_ring.negate(a.im)}; }
-  Complex scale(const Complex& a, const Integer& n) const { return {m_ring.scale(a.re, n), m_ring.scale(a.im, n)}; }
+  Complex rescale(const Complex& a, const Integer& n) const
+  {
+    return {m_ring.rescale(a.re, n), m_ring.rescale(a.im, n)};
+  }
   Complex multiply(const Complex& a, const Complex& b) const
   {
     return {m_ring.add(m_ring.multiply(a.re, b.re), m_ring.negate(m_ring.multiply(a.im, b.im))),

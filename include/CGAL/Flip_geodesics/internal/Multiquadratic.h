@@ -153,20 +153,35 @@ public:
     return a;
   }
 
-  Number scale(Number a, const Integer& factor) const
+  /* The factor dot + sign i sqrt(squared_root), for numbers that are rescaled by the divisor instead. */
+  struct Side
+  {
+    Integer dot;
+    Root_base::Root root;
+  };
+
+  Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& /* divisor */) const
+  {
+    Side result = {dot, m_base.root(squared_root)};
+    result.root.factor *= sign;
+    return result;
+  }
+
+  Number rescale(Number a, const Integer& factor) const
   {
     for(Integer& c : a)
       c *= factor;
     return a;
   }
 
-  /* a times the root of d. */
-  Number times_root(const Number& a, const Integer& d) const
+  Number times_dot(const Number& a, const Side& side) const { return rescale(a, side.dot); }
+
+  Number times_root(const Number& a, const Side& side) const
   {
-    const Root_base::Root& root = m_base.root(d);
     Number result(m_products.size());
     for(std::size_t i = 0; i < a.size(); ++i)
-      result[i ^ root.mask] += a[i] * root.factor * m_products[i & root.mask];
+      if(a[i] != 0)
+        result[i ^ side.root.mask] += a[i] * side.root.factor * m_products[i & side.root.mask];
     return result;
   }
 

@@ -77,7 +77,7 @@ private:
       return in_ring(Multiquadratic_ring(base), word).make_certain();
     }
     ++m_statistics.by_precision;
-    const Uncertain<bool> slow = in_ring(Ball_ring<600>(), word);
+    const Uncertain<bool> slow = in_ring(Ball_ring<290>(), word);
     return slow.is_certain() && slow.make_certain(); // what cannot be proven straight is not
   }
 
@@ -100,11 +100,9 @@ private:
   std::vector<Integer> squared_areas(const Crossing_word& word) const
   {
     std::vector<Integer> result = {
-        m_triangulation.metric().exact_face(m_triangulation.input(), word.crossed.front()).doubled_area_squared};
+        m_triangulation.exact_input_face(word.crossed.front()).doubled_area_squared};
     for(Index h : word.crossed)
-      result.push_back(m_triangulation.metric()
-                           .exact_face(m_triangulation.input(), Triangulation::twin(h))
-                           .doubled_area_squared);
+      result.push_back(m_triangulation.exact_input_face(Triangulation::twin(h)).doubled_area_squared);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;

@@ -71,7 +71,7 @@ private:
   // Precision finds the sign of what is not zero; exact arithmetic proves what is, and is the faster with few roots.
   Sign sine_by_roots(const Crossing_word& word_a, const Crossing_word& word_b, Index steps) const
   {
-    constexpr std::size_t few = 3;
+    constexpr std::size_t few = 1;
     const std::vector<Integer> squares = radicands(word_a, word_b, steps);
     if(squares.size() > few) {
       const Uncertain<Sign> sign = sine_in(Ball_ring<50>(), word_a, word_b, steps);
@@ -91,10 +91,10 @@ private:
     return sign;
   }
 
-  // Too many roots for a proof that a number is zero: 600 digits without a sign are taken for one, and counted.
+  // Too many roots for a proof that a number is zero: 290 digits without a sign are taken for one, and counted.
   Sign sine_by_precision(const Crossing_word& word_a, const Crossing_word& word_b, Index steps) const
   {
-    const Uncertain<Sign> sign = sine_in(Ball_ring<600>(), word_a, word_b, steps);
+    const Uncertain<Sign> sign = sine_in(Ball_ring<290>(), word_a, word_b, steps);
     ++m_statistics.by_precision;
     m_statistics.unproven_zeros += sign.is_certain() ? 0 : 1;
     return sign.is_certain() ? sign.make_certain() : ZERO;
@@ -112,9 +112,7 @@ private:
   {
     const auto& input = m_triangulation.input();
     std::vector<Integer> result;
-    const auto add = [&](Index h) {
-      result.push_back(m_triangulation.metric().exact_face(input, h).doubled_area_squared);
-    };
+    const auto add = [&](Index h) { result.push_back(m_triangulation.exact_input_face(h).doubled_area_squared); };
     for(const Crossing_word* word : {&word_a, &word_b}) {
       if(!word->crossed.empty())
         add(word->crossed.front());
