@@ -3,8 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
 #define CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
 
+#include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Network_validity.h>
 
 #include <CGAL/assertions.h>
 
@@ -15,45 +17,6 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-/// \ingroup PkgFlipGeodesicsRef
-/// The side of a curve, as seen along it.
-enum class Side { LEFT, RIGHT };
-
-/// \ingroup PkgFlipGeodesicsRef
-/// The other side.
-inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
-
-/// \ingroup PkgFlipGeodesicsRef
-/// One side of the joint between a segment and the next one of its curve.
-struct Joint
-{
-  Index incoming; ///< the segment that arrives at the node
-  Side side;
-};
-
-/// \ingroup PkgFlipGeodesicsRef
-/// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
-struct Strand_end
-{
-  Index halfedge = null_index;
-  Index segment = null_index;
-
-  /// Is it no end at all?
-  bool is_none() const { return halfedge == null_index; }
-  bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
-  bool operator!=(const Strand_end& other) const { return !(*this == other); }
-};
-
-/// \ingroup PkgFlipGeodesicsRef
-/// What stands in the wedge at one side of a joint.
-enum class Wedge_state {
-  FREE,    ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
-  STRAIGHT, ///< the angle is \f$\pi\f$ or more
-  BLOCKED, ///< another strand is in the wedge, whose angle up to there is below \f$\pi\f$
-  BORDER,  ///< the border of the surface is in the wedge, whose angle is infinite
-  FIXED    ///< the node is fixed: the wedge is not looked at
-};
 
 /*!
  * \ingroup PkgFlipGeodesicsRef
@@ -416,17 +379,7 @@ public:
   /// @}
 
   /// Checks the invariant; linear in the segments and the degrees of the vertices they touch.
-  bool is_valid() const
-  {
-    for(Index c = 0; c < number_of_curves(); ++c)
-      if(!is_valid_chain(c))
-        return false;
-    for(Index s = 1; s < end_of_segment_ids(); ++s)
-      if(is_alive(s) && !(is_valid_stack(s) && is_non_crossing_at({halfedge(s), s}) &&
-                          is_non_crossing_at({Triangulation::twin(halfedge(s)), s})))
-        return false;
-    return true;
-  }
+  bool is_valid() const { return internal::Network_validity<Edge_path_network>(*this).is_valid(); }
 
   /*!
    * Do the ends about the vertex of `end` form a non-crossing matching, with all ends of curves, fixed nodes and the
@@ -434,16 +387,7 @@ public:
    */
   bool is_non_crossing_at(const Strand_end& end) const
   {
-    Strand_end start = end;
-    bool has_border = false;
-    for(Strand_end e = next_counterclockwise(start); e != end; e = next_counterclockwise(start)) {
-      if(e.is_none()) {
-        has_border = true;
-        break;
-      }
-      start = e;
-    }
-    return is_non_crossing_from(has_border ? start : end, has_border);
+    return internal::Network_validity<Edge_path_network>(*this).is_non_crossing_at(end);
   }
 
 private:
@@ -658,70 +602,6 @@ private:
     const bool leaves_first = a.halfedge == halfedge(a.segment);
     if(leaves_first && next(b.segment) == a.segment && b.halfedge == Triangulation::twin(halfedge(b.segment)))
       affected.push_back({b.segment, Side::RIGHT});
-  }
-
-  bool is_valid_chain(Index curve) const
-  {
-    bool is_chain = true;
-    Index last = null_index;
-    for_each_segment(curve, [&](Index s) {
-      is_chain = is_chain && is_alive(s) && m_segments[s].curve == curve;
-      const Index t = next(s);
-      is_chain = is_chain && (t == null_index || (previous(t) == s && m_triangulation->head(halfedge(s)) ==
-                                                                          m_triangulation->tail(halfedge(t))));
-      last = s;
-    });
-    return is_chain && last == m_curves[curve].last &&
-           (last == null_index || (next(last) == null_index) != m_curves[curve].is_closed);
-  }
-
-  bool is_valid_stack(Index s) const
-  {
-    const Index e = Triangulation::edge(halfedge(s));
-    bool is_listed = false;
-    for(Index t : stack(e)) {
-      is_listed = is_listed || t == s;
-      if(!is_alive(t) || Triangulation::edge(halfedge(t)) != e || m_segments[m_segments[t].right].left != t)
-        return false;
-    }
-    return is_listed;
-  }
-
-  // The end that a joint, if not fixed, connects with this one.
-  Strand_end partner(const Strand_end& end) const
-  {
-    const Index s = end.segment;
-    if(end.halfedge == halfedge(s)) {
-      const Index p = previous(s);
-      return p == null_index || is_head_fixed(p) ? Strand_end{} : Strand_end{Triangulation::twin(halfedge(p)), p};
-    }
-    return is_head_fixed(s) ? Strand_end{} : Strand_end{halfedge(next(s)), next(s)};
-  }
-
-  // Clockwise from an end, which comes first after the border if there is one: matched ends nest like brackets, and
-  // single ends, like the border, all lie at one depth outside every bracket, or inside one and the same.
-  bool is_non_crossing_from(const Strand_end& start, bool has_border) const
-  {
-    std::vector<Strand_end> open;
-    Strand_end region; // the innermost open bracket around the single ends
-    bool has_region = has_border;
-    Strand_end end = start;
-    do {
-      const Strand_end mate = partner(end);
-      if(mate.is_none()) {
-        const Strand_end here = open.empty() ? Strand_end{} : open.back();
-        if(has_region && region != here)
-          return false;
-        region = here;
-        has_region = true;
-      } else if(!open.empty() && open.back() == mate) {
-        open.pop_back();
-      } else {
-        open.push_back(end);
-      }
-      end = next_clockwise(end);
-    } while(!end.is_none() && end != start);
-    return open.empty();
   }
 
   Triangulation* m_triangulation;

@@ -6,6 +6,8 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Area_unit.h>
 #include <CGAL/Flip_geodesics/internal/Number_operations.h>
+#include <CGAL/Flip_geodesics/internal/Squared_length_geometry.h>
+#include <CGAL/Flip_geodesics/internal/Vector_geometry.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -46,11 +48,9 @@ namespace Flip_geodesics {
  * finds it. In the plane and on boxes along the axes it is 1, on regular tetrahedra and octahedra 3. Where a face does
  * not fit, `Inexact_root_error` is thrown when the face is touched.
  *
- * A halfedge stores its vector in a frame of its face that is scaled so that no length is ever needed: the first
- * halfedge \f$h\f$ of an input face is \f$(|h|^2, 0)\f$, the others are \f$(h\cdot v, \pm 2A)\f$, and the square of the
- * scale, \f$1/|h|^2\f$, is stored as well. So one root per input face, that of its squared area \f$A^2\f$, is the only
- * one, and flips need one division and no root [SC20, section 3.1 has lengths instead, and roots in each flip]. Rationals
- * count second coordinates in units of \f$\sqrt d\f$.
+ * Exact numbers are squared lengths and areas: with one root per input face, that of its squared area, everything stays
+ * in one field, and flips need no root. Rounded numbers and intervals are vectors in frames of the faces, as squared
+ * lengths and areas would drift apart.
  *
  * Numbers that own memory make a triangulation's construction linear in the mesh, and exact ones grow with flips: see
  * the user manual for what each number type costs. To have exact decisions and speed, use
@@ -76,6 +76,9 @@ class Exact_intrinsic_triangulation_traits
   static constexpr bool has_radicand = Operations::kind == internal::Number_kind::RATIONAL ||
                                        Operations::kind == internal::Number_kind::EXTENSION;
 
+  using Geometry =
+      std::conditional_t<is_exact, internal::Squared_length_geometry<NT>, internal::Vector_geometry<NT>>;
+
 public:
   using FT = NT;
   /// Rounded numbers drift, even if 100 digits do so unseen. Intervals know by how much.
@@ -84,14 +87,9 @@ public:
   /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
   using Radicand = typename Area_unit::Radicand;
 
-  /// The vector of a halfedge in the frame of its face, times an unknown positive factor whose square is `1 / scale`.
-  /// The second coordinate is in units of \f$\sqrt d\f$.
-  struct Halfedge_geometry
-  {
-    NT x, y, scale;
-  };
-
-  using Face_geometry = std::array<Halfedge_geometry, 3>;
+  using Halfedge_geometry = typename Geometry::Halfedge_geometry;
+  using Face_geometry = typename Geometry::Face_geometry;
+  using Flipped_geometry = typename Geometry::Flipped_geometry;
 
   /// The rotation over a fan of corners, a complex number of any magnitude.
   struct Turn
@@ -99,11 +97,6 @@ public:
     NT x = NT(1), y = NT(0);
     bool is_empty = true;
     Uncertain<Comparison_result> comparison = SMALLER;
-  };
-
-  struct Flipped_geometry
-  {
-    Halfedge_geometry h, t, tn, tp;
   };
 
   /// For any mesh, or with radicand 1 if the number type has no roots.
@@ -123,7 +116,7 @@ public:
   /// \throws Inexact_root_error
   class Construct_face_3
   {
-    using Vector_3 = std::array<NT, 3>;
+    using Vector_3 = typename Geometry::Vector_3;
 
   public:
     explicit Construct_face_3(const Area_unit& unit)
@@ -134,9 +127,8 @@ public:
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       const Vector_3 u = difference(p, q), v = difference(q, r), w = difference(r, p);
-      const Vector_3 normal = {NT(u[1] * v[2] - u[2] * v[1]), NT(u[2] * v[0] - u[0] * v[2]),
-                               NT(u[0] * v[1] - u[1] * v[0])};
-      return laid_out(dot(u, u), dot(u, v), dot(u, w), m_unit->root(dot(normal, normal)));
+      const NT x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
+      return Geometry::face(u, v, w, m_unit->root(NT(NT(4) * NT(x * x + y * y + z * z))));
     }
 
   private:
@@ -153,8 +145,6 @@ public:
       return {NT(number(q.x()) - number(p.x())), NT(number(q.y()) - number(p.y())), NT(number(q.z()) - number(p.z()))};
     }
 
-    static NT dot(const Vector_3& u, const Vector_3& v) { return NT(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]); }
-
     const Area_unit* m_unit;
   };
 
@@ -170,11 +160,8 @@ public:
     Face_geometry operator()(double length_a, double length_b, double length_c) const
     {
       const NT a(length_a), b(length_b), c(length_c);
-      const NT aa = a * a, bb = b * b, cc = c * c, half = NT(1) / NT(2);
-      const NT dot_next = (cc - aa - bb) * half, dot_previous = (bb - aa - cc) * half;
-      // [Heron], the square of twice the area.
-      const NT square = (a + b + c) * (a + b - c) * (b + c - a) * (c + a - b) * half * half;
-      return laid_out(aa, dot_next, dot_previous, m_unit->root(square));
+      const NT square = NT((a + b + c) * (a + b - c)) * NT((b + c - a) * (c + a - b)); // of 4 area [Heron]
+      return Geometry::face_from_squares(NT(a * a), NT(b * b), NT(c * c), m_unit->root(square));
     }
 
   private:
@@ -187,22 +174,11 @@ public:
   public:
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
-      CGAL_precondition_msg(!is_exact, "exact vectors cannot be laid out afresh from rounded ones");
-      Face_geometry result;
-      for(int i = 0; i < 3; ++i) {
-        const double radius = error * (std::abs(v[i][0]) + std::abs(v[i][1]));
-        result[i] = {within(v[i][0], radius), within(v[i][1], radius), NT(1)};
-      }
-      return result;
-    }
-
-  private:
-    static NT within(double x, double radius)
-    {
-      if constexpr(is_interval)
-        return NT(x) + NT(-radius, radius);
+      CGAL_precondition_msg(!is_exact, "exact numbers cannot be had from rounded vectors");
+      if constexpr(is_exact)
+        return static_cast<void>(v), static_cast<void>(error), Face_geometry();
       else
-        return static_cast<void>(radius), NT(x);
+        return Geometry::face_from_vectors(v, error);
     }
   };
 
@@ -216,19 +192,18 @@ public:
     }
 
     void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
-                    const Halfedge_geometry& /* opposite */) const
+                    const Halfedge_geometry& opposite) const
     {
       if(CGAL::possibly(turn.comparison != SMALLER))
         return; // straight or more already, or unknown for good
-      const NT x = -(NT(out.x * in.x) + m_unit->product(out.y, in.y));
-      const NT y = non_negative(NT(out.y * in.x - out.x * in.y));
-      const bool is_half_acute = is_interval && (is_positive(turn.x) || is_positive(x));
+      const typename Geometry::Corner corner = Geometry::corner(in, out, opposite);
+      const bool is_half_acute = is_interval && (is_positive(turn.x) || is_positive(corner.x));
       if(turn.is_empty) {
-        turn.x = x;
-        turn.y = y;
+        turn.x = corner.x;
+        turn.y = corner.y;
       } else {
-        const NT product_x = NT(turn.x * x) - m_unit->product(turn.y, y);
-        turn.y = NT(turn.x * y + turn.y * x);
+        const NT product_x = NT(turn.x * corner.x) - m_unit->product(turn.y, corner.y);
+        turn.y = NT(turn.x * corner.y + turn.y * corner.x);
         turn.x = product_x;
       }
       turn.is_empty = false;
@@ -237,17 +212,6 @@ public:
     }
 
   private:
-    // Areas are not negative, whatever rounding makes of them. Exact numbers need not be asked.
-    static NT non_negative(const NT& y)
-    {
-      if constexpr(is_interval)
-        return Operations::non_negative(y);
-      else if constexpr(is_rounded)
-        return Operations::sign(y) == NEGATIVE ? NT(0) : y;
-      else
-        return y;
-    }
-
     static bool is_positive(const NT& x) { return CGAL::certainly(Operations::sign(x) == POSITIVE); }
 
     // The turn was below pi before, and the corner is at most pi: their sum is below 2 pi, and zero means what it says.
@@ -326,7 +290,7 @@ public:
     const Area_unit* m_unit;
   };
 
-  /// As `Intrinsic_triangulation_traits::Flip`; the rotation between two frames changes the scale as well.
+  /// Needs one division, and no root.
   class Flip
   {
   public:
@@ -339,74 +303,39 @@ public:
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
     {
-      const NT norm = -(NT(t.x * t.x) + m_unit->product(t.y, t.y));
-      const Halfedge_geometry rotation = {NT((NT(h.x * t.x) + m_unit->product(h.y, t.y)) / norm),
-                                          NT(NT(h.y * t.x - h.x * t.y) / norm), h.scale};
-      const Halfedge_geometry moved_tn = product(rotation, tn), moved_tp = product(rotation, tp);
-      return {opposite_sum(hp, moved_tn), opposite_sum(hn, moved_tp), moved_tn, moved_tp};
+      return Geometry::flip(*m_unit, h, hn, hp, t, tn, tp);
     }
 
   private:
-    Halfedge_geometry product(const Halfedge_geometry& rotation, const Halfedge_geometry& v) const
-    {
-      return {NT(NT(rotation.x * v.x) - m_unit->product(rotation.y, v.y)), NT(rotation.x * v.y + rotation.y * v.x),
-              rotation.scale};
-    }
-
-    static Halfedge_geometry opposite_sum(const Halfedge_geometry& a, const Halfedge_geometry& b)
-    {
-      return {NT(-(a.x + b.x)), NT(-(a.y + b.y)), a.scale};
-    }
-
     const Area_unit* m_unit;
   };
 
-  /// Only intervals grow.
+  /// Intervals grow, and say so.
   class Is_inaccurate
   {
   public:
     bool operator()(const Halfedge_geometry& h) const
     {
-      if constexpr(is_interval)
-        return !(Operations::radius(h.x) + Operations::radius(h.y) <
-                 0x1p-14 * (std::abs(Operations::to_double(h.x)) + std::abs(Operations::to_double(h.y))));
-      else
+      if constexpr(is_exact)
         return static_cast<void>(h), false;
+      else
+        return Geometry::is_inaccurate(h);
     }
   };
 
   class Compute_squared_length
   {
   public:
-    explicit Compute_squared_length(const Area_unit& unit)
-      : m_unit(&unit)
-    {
-    }
-
-    FT operator()(const Halfedge_geometry& h) const
-    {
-      return NT((NT(h.x * h.x) + m_unit->product(h.y, h.y)) * h.scale);
-    }
-
-  private:
-    const Area_unit* m_unit;
+    FT operator()(const Halfedge_geometry& h) const { return Geometry::squared_length(h); }
   };
 
   class Compute_length
   {
   public:
-    explicit Compute_length(const Area_unit& unit)
-      : m_squared_length(unit)
-    {
-    }
-
     double operator()(const Halfedge_geometry& h) const
     {
-      return std::sqrt(Operations::to_double(m_squared_length(h)));
+      return std::sqrt(Operations::to_double(Geometry::squared_length(h)));
     }
-
-  private:
-    Compute_squared_length m_squared_length;
   };
 
   Construct_face_3 construct_face_3_object() const { return Construct_face_3(m_unit); }
@@ -417,24 +346,10 @@ public:
   Turn_key turn_key_object() const { return Turn_key(m_unit); }
   Flip flip_object() const { return Flip(m_unit); }
   Is_inaccurate is_inaccurate_object() const { return {}; }
-  Compute_squared_length compute_squared_length_object() const { return Compute_squared_length(m_unit); }
-  Compute_length compute_length_object() const { return Compute_length(m_unit); }
+  Compute_squared_length compute_squared_length_object() const { return {}; }
+  Compute_length compute_length_object() const { return {}; }
 
 private:
-  // Rounded numbers are scaled to the size of the face at once: products of squared lengths would leave their range.
-  static Face_geometry laid_out(const NT& square, const NT& dot_next, const NT& dot_previous, const NT& doubled_area)
-  {
-    if constexpr(is_exact) {
-      const NT scale = NT(1) / square;
-      return {{{square, NT(0), scale}, {dot_next, doubled_area, scale}, {dot_previous, NT(-doubled_area), scale}}};
-    } else {
-      const NT height = doubled_area / square;
-      return {{{NT(1), NT(0), square},
-               {NT(dot_next / square), height, square},
-               {NT(dot_previous / square), NT(-height), square}}};
-    }
-  }
-
   Area_unit m_unit;
 };
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_JOINT_H
+#define CGAL_FLIP_GEODESICS_JOINT_H
+
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsRef
+/// The side of a curve, as seen along it.
+enum class Side { LEFT, RIGHT };
+
+/// \ingroup PkgFlipGeodesicsRef
+/// The other side.
+inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
+
+/// \ingroup PkgFlipGeodesicsRef
+/// One side of the joint between a segment and the next one of its curve.
+struct Joint
+{
+  Index incoming; ///< the segment that arrives at the node
+  Side side;
+};
+
+/// \ingroup PkgFlipGeodesicsRef
+/// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
+struct Strand_end
+{
+  Index halfedge = null_index;
+  Index segment = null_index;
+
+  /// Is it no end at all?
+  bool is_none() const { return halfedge == null_index; }
+  bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
+  bool operator!=(const Strand_end& other) const { return !(*this == other); }
+};
+
+/// \ingroup PkgFlipGeodesicsRef
+/// What stands in the wedge at one side of a joint.
+enum class Wedge_state {
+  FREE,    ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
+  STRAIGHT, ///< the angle is \f$\pi\f$ or more
+  BLOCKED, ///< another strand is in the wedge, whose angle up to there is below \f$\pi\f$
+  BORDER,  ///< the border of the surface is in the wedge, whose angle is infinite
+  FIXED    ///< the node is fixed: the wedge is not looked at
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_JOINT_H

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_MOLLIFIED_METRIC_H
+#define CGAL_FLIP_GEODESICS_MOLLIFIED_METRIC_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+/* The point type of a metric, `void` if it has none. */
+template <class Metric, class = void>
+struct Metric_point
+{
+  using type = void;
+};
+
+template <class Metric>
+struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
+{
+  using type = typename Metric::Point_3;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsMetrics
+ *
+ * Another metric with one small length added to every edge, so much that each face satisfies the triangle inequality
+ * with a margin [Sharp, Crane, A Laplacian for Nonmanifold Triangle Meshes, section 4.5]. It makes meshes with edges of
+ * length zero and faces without area usable, at the price of a slightly different surface: an explicit choice.
+ *
+ * Curves are geodesics of the changed surface. They are still read off on the mesh's own points, if it has any.
+ *
+ * \tparam Metric `Embedded_metric` or `Edge_length_metric`
+ *
+ * \cgalModels{IntrinsicMetric}
+ */
+template <class Metric>
+class Mollified_metric : private Metric
+{
+  using Base = Metric;
+
+public:
+  using Mesh = typename Base::Mesh;
+  using Kernel = typename Base::Kernel;
+  using Point_3 = typename internal::Metric_point<Base>::type;
+
+  /*!
+   * Finds the length to add; linear in the mesh.
+   *
+   * \param mesh the triangle mesh of the metric
+   * \param factor the margin of the triangle inequality, relative to the mean edge length
+   * \pre 0 < factor < 1
+   * \throws Invalid_coordinate_error if an edge's length is negative or not a finite number
+   */
+  template <class TriangleMesh>
+  Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor = 1e-5)
+    : Base(metric)
+  {
+    CGAL_precondition(0 < factor && factor < 1);
+    const Mesh indexed(mesh);
+    m_added = needed_length(indexed, factor * mean_length(indexed));
+  }
+
+  /// The length that was added to every edge; zero if none was needed.
+  double added_length() const { return m_added; }
+
+  /// The length of halfedge `h`. \throws Invalid_coordinate_error
+  double length(const Mesh& mesh, Index h) const
+  {
+    const double length = weight(mesh, h);
+    if(!internal::is_usable_length(length))
+      internal::throw_unusable_length(length, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    return length;
+  }
+
+  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  double weight(const Mesh& mesh, Index h) const { return Base::weight(mesh, h) + m_added; }
+
+  using Base::distance_lower_bound;
+
+  /// The point of vertex `v`. Only over `Embedded_metric`.
+  decltype(auto) point(const Mesh& mesh, Index v) const { return Base::point(mesh, v); }
+
+  /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const
+  {
+    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    return traits.construct_face_from_lengths_object()(length(mesh, h), length(mesh, hn), length(mesh, hp));
+  }
+
+  /// The same face in exact numbers; the lengths are taken as the doubles they are.
+  internal::Exact_face exact_face(const Mesh& mesh, Index h) const
+  {
+    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    return internal::exact_face_from_lengths({length(mesh, h), length(mesh, hn), length(mesh, hp)});
+  }
+
+  /// False: lengths do not say what lies in one plane.
+  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, Sign&) const { return false; }
+
+private:
+  double checked_weight(const Mesh& mesh, Index h) const
+  {
+    const double weight = Base::weight(mesh, h);
+    if(!(weight >= 0) || std::isinf(weight))
+      internal::throw_unusable_length(weight, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    return weight;
+  }
+
+  double mean_length(const Mesh& mesh) const
+  {
+    double sum = 0;
+    for(Index h = 0; h < mesh.number_of_halfedges(); h += 2)
+      sum += checked_weight(mesh, h);
+    return mesh.number_of_halfedges() == 0 ? 0 : sum / (mesh.number_of_halfedges() / 2);
+  }
+
+  // Adding e to three sides adds e to the margin of each triangle inequality.
+  double needed_length(const Mesh& mesh, double margin) const
+  {
+    double needed = 0;
+    for(Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+      if(mesh.is_border(h))
+        continue;
+      const Index hn = mesh.next(h), hp = mesh.next(hn);
+      needed = (std::max)(needed, margin + Base::weight(mesh, h) - Base::weight(mesh, hn) - Base::weight(mesh, hp));
+    }
+    return needed;
+  }
+
+  double m_added = 0;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_MOLLIFIED_METRIC_H
