@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_INPUT_H
+#define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_INPUT_H
+
+#include "mesh_input.h"
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+
+#include <cstdint>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Which curves the program is to compute: read from files or drawn at random, and checked before the first is computed.
+namespace program {
+
+using CGAL::Flip_geodesics::Index;
+
+/// A curve to compute. Two vertices of a pair need not be neighbours; those of a curve given by its edges are.
+struct Curve_request
+{
+  std::string name;            ///< for messages: where it comes from
+  std::vector<Index> vertices; ///< a closed curve does not repeat the first
+  bool is_pair = false;
+  bool is_closed = false;
+};
+
+/// Curves that are shortened together, with the vertices where they are fixed.
+struct Network_request
+{
+  std::vector<Curve_request> curves;
+  std::vector<Index> fixed_vertices;
+};
+
+/// Vertices joined by edges, as a union-find forest: pairs in different components have no geodesic.
+class Components
+{
+public:
+  explicit Components(const Mesh& mesh)
+    : m_parents(mesh.number_of_vertices())
+  {
+    for(std::size_t v = 0; v < m_parents.size(); ++v)
+      m_parents[v] = static_cast<Index>(v);
+    for(const auto e : mesh.edges())
+      join(static_cast<Index>(mesh.vertex(e, 0)), static_cast<Index>(mesh.vertex(e, 1)));
+  }
+
+  Index root(Index v)
+  {
+    while(m_parents[v] != v) {
+      m_parents[v] = m_parents[m_parents[v]];
+      v = m_parents[v];
+    }
+    return v;
+  }
+
+private:
+  void join(Index v, Index w) { m_parents[(std::max)(root(v), root(w))] = (std::min)(root(v), root(w)); }
+
+  std::vector<Index> m_parents;
+};
+
+inline void check_vertex(const Mesh& mesh, long long v, const std::string& name)
+{
+  if(v < 0 || v >= static_cast<long long>(mesh.number_of_vertices()))
+    throw Bad_input(name + ": vertex " + std::to_string(v) + " does not exist; use 0 to " +
+                    std::to_string(mesh.number_of_vertices() - 1));
+}
+
+inline void check_pair(Components& components, const Curve_request& pair)
+{
+  const Index s = pair.vertices[0], t = pair.vertices[1];
+  if(s == t)
+    throw Bad_input(pair.name + ": source and target are both vertex " + std::to_string(s) + "; give two vertices");
+  if(components.root(s) != components.root(t))
+    throw Bad_input(pair.name + ": vertices " + std::to_string(s) + " and " + std::to_string(t) +
+                    " lie in different components; choose both in one");
+}
+
+inline void check_chain(const Mesh& mesh, const Curve_request& curve)
+{
+  const std::vector<Index>& v = curve.vertices;
+  if(v.size() < 2)
+    throw Bad_input(curve.name + ": a curve needs two vertices or more; add vertices or remove the line");
+  for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < v.size(); ++i) {
+    const Index a = v[i], b = v[(i + 1) % v.size()];
+    if(mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b)) == Mesh::null_halfedge())
+      throw Bad_input(curve.name + ": the curve is not connected, no edge joins vertices " + std::to_string(a) +
+                      " and " + std::to_string(b) + "; list every vertex on the way");
+  }
+}
+
+inline void check_not_empty(const std::vector<Curve_request>& curves, const std::string& file)
+{
+  if(curves.empty())
+    throw Bad_input(file + ": there is no curve in it; write one per line");
+}
+
+inline void check_fixed_vertices(const Network_request& network, const std::string& file)
+{
+  for(Index v : network.fixed_vertices) {
+    const bool is_passed = std::any_of(network.curves.begin(), network.curves.end(), [&](const Curve_request& curve) {
+      return std::find(curve.vertices.begin(), curve.vertices.end(), v) != curve.vertices.end();
+    });
+    if(!is_passed)
+      throw Bad_input(file + ": no curve passes the fixed vertex " + std::to_string(v) + "; remove it, or correct it");
+  }
+}
+
+// Calls `use(words, name)` for each line that is neither empty nor a comment.
+template <class Function>
+void for_each_line(const std::string& file, Function use)
+{
+  std::ifstream in(file);
+  if(!in || in.peek() == std::ifstream::traits_type::eof())
+    throw Bad_input(file + ": cannot be opened or is empty; check the path");
+  std::string line;
+  for(std::size_t number = 1; std::getline(in, line); ++number) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    if(!(words >> std::ws).eof())
+      use(words, file + " line " + std::to_string(number));
+  }
+}
+
+inline std::vector<Index> read_vertices(const Mesh& mesh, std::istringstream& words, const std::string& name)
+{
+  std::vector<Index> vertices;
+  for(std::string word; words >> word;) {
+    std::istringstream number(word);
+    long long v = 0;
+    if(!(number >> v) || !number.eof())
+      throw Bad_input(name + ": '" + word + "' is not a vertex number; write 0-based numbers between blanks");
+    check_vertex(mesh, v, name);
+    vertices.push_back(static_cast<Index>(v));
+  }
+  return vertices;
+}
+
+inline Curve_request make_pair_request(const Mesh& mesh, long long s, long long t, const std::string& name)
+{
+  check_vertex(mesh, s, name);
+  check_vertex(mesh, t, name);
+  Curve_request pair;
+  pair.name = name;
+  pair.vertices = {static_cast<Index>(s), static_cast<Index>(t)};
+  pair.is_pair = true;
+  return pair;
+}
+
+/// The pair of the command line.
+inline std::vector<Curve_request> single_pair(const Mesh& mesh, long long s, long long t)
+{
+  Components components(mesh);
+  std::vector<Curve_request> pairs = {make_pair_request(mesh, s, t, "--from, --to")};
+  check_pair(components, pairs.front());
+  return pairs;
+}
+
+/// Lines `s t`.
+inline std::vector<Curve_request> read_pairs(const Mesh& mesh, const std::string& file)
+{
+  Components components(mesh);
+  std::vector<Curve_request> pairs;
+  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
+    const std::vector<Index> v = read_vertices(mesh, words, name);
+    if(v.size() != 2)
+      throw Bad_input(name + ": a pair is two vertices, not " + std::to_string(v.size()) + "; write `source target`");
+    pairs.push_back(make_pair_request(mesh, v[0], v[1], name));
+    check_pair(components, pairs.back());
+  });
+  check_not_empty(pairs, file);
+  return pairs;
+}
+
+/// `count` pairs of different vertices of one component, the same ones for the same mesh and seed on any machine.
+inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t count, std::uint64_t seed)
+{
+  Components components(mesh);
+  std::vector<std::vector<Index>> members(mesh.number_of_vertices());
+  std::vector<Index> candidates; // faces make components of three vertices or more; others are isolated
+  for(const auto v : mesh.vertices())
+    members[components.root(static_cast<Index>(v))].push_back(static_cast<Index>(v));
+  for(const auto v : mesh.vertices())
+    if(members[components.root(static_cast<Index>(v))].size() > 1)
+      candidates.push_back(static_cast<Index>(v));
+
+  std::mt19937_64 random(seed);
+  std::vector<Curve_request> pairs;
+  while(pairs.size() < count) {
+    const Index s = candidates[random() % candidates.size()];
+    const std::vector<Index>& component = members[components.root(s)];
+    const Index t = component[random() % component.size()];
+    if(s != t)
+      pairs.push_back(make_pair_request(mesh, s, t, "random pair " + std::to_string(pairs.size())));
+  }
+  return pairs;
+}
+
+/// Lines of vertices, each joined to the next by an edge. A closed curve may repeat its first vertex at the end.
+inline std::vector<Curve_request> read_curves(const Mesh& mesh, const std::string& file, bool are_closed)
+{
+  std::vector<Curve_request> curves;
+  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
+    Curve_request curve;
+    curve.name = name;
+    curve.vertices = read_vertices(mesh, words, name);
+    curve.is_closed = are_closed;
+    if(are_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
+      curve.vertices.pop_back();
+    check_chain(mesh, curve);
+    curves.push_back(curve);
+  });
+  check_not_empty(curves, file);
+  return curves;
+}
+
+/// Lines of vertices as in `read_curves()`; after `o` the curve is closed, after `!` the vertices are fixed.
+inline Network_request read_network(const Mesh& mesh, const std::string& file)
+{
+  Network_request network;
+  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
+    Curve_request curve;
+    curve.name = name;
+    const char mark = static_cast<char>(words.peek());
+    if(mark == '!' || mark == 'o')
+      words.get();
+    curve.vertices = read_vertices(mesh, words, name);
+    if(mark == '!') {
+      network.fixed_vertices.insert(network.fixed_vertices.end(), curve.vertices.begin(), curve.vertices.end());
+      return;
+    }
+    curve.is_closed = mark == 'o';
+    if(curve.is_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
+      curve.vertices.pop_back();
+    check_chain(mesh, curve);
+    network.curves.push_back(curve);
+  });
+  check_not_empty(network.curves, file);
+  check_fixed_vertices(network, file);
+  return network;
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_INPUT_H

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H
+#define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H
+
+#include "curve_input.h"
+#include "progress.h"
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Computes the curves: each by itself on the same triangulation, whose flips are taken back in between, or a network.
+namespace program {
+
+/// A point of a curve: where on the input, (1 - t) a + t b, and where in space.
+struct Curve_point
+{
+  CGAL::Flip_geodesics::Surface_point on_surface;
+  Point_3 in_space;
+};
+
+/// What became of a curve.
+struct Curve_result
+{
+  std::string name;
+  Index source = CGAL::Flip_geodesics::null_index, target = CGAL::Flip_geodesics::null_index; ///< -1 if it is closed
+  std::size_t initial_segments = 0;
+  double initial_length = std::numeric_limits<double>::quiet_NaN();
+  double length = std::numeric_limits<double>::quiet_NaN();
+  std::size_t flips = 0, flip_outs = 0; ///< of the whole run if it is a network
+  double smallest_angle = std::numeric_limits<double>::quiet_NaN();
+  std::string status = "ERROR";
+  std::string certificate = "none"; ///< the verdict of `certify()`, if it was asked for
+  double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
+  std::string error;                                 ///< why the status is ERROR
+  std::vector<Curve_point> points;
+
+  bool is_error() const { return status == "ERROR"; }
+};
+
+struct Run_options
+{
+  CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
+  bool is_certifying = false;
+  std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
+};
+
+/// The mesh's own metric.
+using Metric = CGAL::Flip_geodesics::Embedded_metric<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point_3>>;
+
+/*!
+ * \tparam Traits the kernel to compute with, a model of `IntrinsicTriangulationTraits`
+ * \tparam Metric_ the metric to compute in, a model of `IntrinsicMetric` with points
+ */
+template <class Traits, class Metric_>
+class Curve_runner
+{
+  using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Metric_>;
+  using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
+
+public:
+  Curve_runner(const Mesh& mesh, const Metric_& metric, const Run_options& options, Progress& progress)
+    : m_mesh(mesh)
+    , m_metric(metric)
+    , m_options(options)
+    , m_progress(progress)
+    , m_triangulation(mesh, metric)
+    , m_search(m_triangulation, options.search)
+  {
+  }
+
+  /// Computes a curve by itself. A failure is a result with the status ERROR.
+  Curve_result run(const Curve_request& request) { return run(Network_request{{request}, {}}).front(); }
+
+  /// Computes curves that are shortened together. A failure is one of all of them.
+  std::vector<Curve_result> run(const Network_request& request)
+  {
+    std::vector<Curve_result> results;
+    for(const Curve_request& curve : request.curves)
+      results.push_back(make_result(curve));
+    try {
+      Network network(m_triangulation);
+      build(network, request, results);
+      shorten(network, results);
+      certify(network, results);
+      extract(network, results);
+      network.clear();
+      m_triangulation.rollback();
+    } catch(const std::exception& error) {
+      for(Curve_result& result : results)
+        fail(result, error.what());
+      m_triangulation = Triangulation(m_mesh, m_metric); // whatever state the failure left
+    }
+    return results;
+  }
+
+  /// Looks for curves that cross, which no order of their strands can mend. \throws Bad_input
+  void check(const Network_request& request)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const std::string name = request.curves.size() == 1 ? request.curves.front().name + ": " : "the network: ";
+    std::vector<Curve_result> results(request.curves.size());
+    try {
+      Network network(m_triangulation);
+      build(network, request, results);
+    } catch(const FG::Crossing_curves_error& error) {
+      throw Bad_input(name + error.what() + "; separate the curves, or fix the vertex in a network");
+    } catch(const FG::Ambiguous_order_error& error) {
+      throw Bad_input(name + error.what() + "; move the curves to different edges");
+    } catch(const FG::Error&) {
+      // Not a matter of the curves: reported when they are computed.
+    }
+  }
+
+private:
+  static Curve_result make_result(const Curve_request& request)
+  {
+    Curve_result result;
+    result.name = request.name;
+    if(!request.is_closed) {
+      result.source = request.vertices.front();
+      result.target = request.vertices.back();
+    }
+    return result;
+  }
+
+  static void fail(Curve_result& result, const std::string& why)
+  {
+    Curve_result failed;
+    failed.name = result.name;
+    failed.source = result.source;
+    failed.target = result.target;
+    failed.error = why.substr(0, why.find('\n'));
+    result = failed;
+  }
+
+  void build(Network& network, const Network_request& request, std::vector<Curve_result>& results)
+  {
+    for(std::size_t c = 0; c < request.curves.size(); ++c) {
+      const Stopwatch stopwatch;
+      const std::vector<Index> halfedges = initial_halfedges(request.curves[c]);
+      results[c].search_s = stopwatch.seconds();
+      results[c].initial_segments = halfedges.size();
+      network.add_curve(halfedges, request.curves[c].is_closed);
+    }
+    for(Index v : request.fixed_vertices)
+      network.fix_nodes_at(v);
+    order_overlapping_curves(network);
+  }
+
+  std::vector<Index> initial_halfedges(const Curve_request& request)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    if(request.is_pair)
+      return FG::shortest_halfedges_through(m_search, request.vertices);
+    return FG::halfedges_through(m_triangulation, request.vertices, request.is_closed);
+  }
+
+  void shorten(Network& network, std::vector<Curve_result>& results)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    Progress_visitor visitor(m_progress);
+    const FG::Shortening_report report =
+        m_options.stop_length ? FG::shorten(network, FG::Length_ratio_stop_predicate(*m_options.stop_length), visitor)
+                              : FG::shorten(network, FG::Never_stop_predicate(), visitor);
+    for(std::size_t c = 0; c < results.size(); ++c) {
+      const FG::Curve_report& curve = report.curves[c];
+      results[c].initial_length = curve.initial_length;
+      results[c].length = curve.length;
+      results[c].flips = report.flips;
+      results[c].flip_outs = report.flip_outs;
+      results[c].smallest_angle = curve.smallest_angle;
+      results[c].status = to_string(curve.status);
+      results[c].shorten_s = stopwatch.seconds();
+    }
+  }
+
+  void extract(Network& network, std::vector<Curve_result>& results)
+  {
+    CGAL::Flip_geodesics::Curve_extractor<Network> extractor(network);
+    for(std::size_t c = 0; c < results.size(); ++c) {
+      const Stopwatch stopwatch;
+      for(const auto& p : extractor.surface_points(static_cast<Index>(c)))
+        results[c].points.push_back({p, extractor.point(p)});
+      results[c].extract_s = stopwatch.seconds();
+    }
+  }
+
+  // Proves the finished curves from the input alone.
+  void certify(Network& network, std::vector<Curve_result>& results)
+  {
+    if(!m_options.is_certifying)
+      return;
+    const CGAL::Flip_geodesics::Network_certificate certificate = CGAL::Flip_geodesics::certify(network);
+    for(std::size_t c = 0; c < results.size(); ++c)
+      results[c].certificate = to_string(certificate.curves[c].verdict);
+  }
+
+  const Mesh& m_mesh;
+  Metric_ m_metric;
+  Run_options m_options;
+  Progress& m_progress;
+  Triangulation m_triangulation;
+  CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H

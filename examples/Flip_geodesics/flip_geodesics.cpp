@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Computes geodesic curves on a triangle mesh from the command line; see --help.
+//
+// Exit status: 0 on success, 1 if a curve could not be computed (the others are written), 2 on bad input.
+
+#include "curve_input.h"
+#include "curve_runner.h"
+#include "mesh_input.h"
+#include "progress.h"
+#include "result_files.h"
+#include "run_summary.h"
+#include "viewer_files.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Mollified_metric.h>
+
+#include <CGAL/assertions_behaviour.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace program;
+
+constexpr int success = 0, incomplete = 1, bad_input = 2;
+
+struct Options
+{
+  std::string mesh;
+  std::optional<long long> from, to;
+  std::string pairs, edges, loop, network;
+  std::optional<long long> random;
+  std::uint64_t seed = 1;
+  std::string kernel = "double", search = "astar";
+  std::optional<double> stop_length, mollify;
+  std::string polylines, stats, viewer;
+  bool is_quiet = false;
+};
+
+void add_options(CLI::App& app, Options& options)
+{
+  app.add_option("MESH", options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL")->required();
+  app.add_option("--from", options.from, "Source of one geodesic; vertices are counted from 0");
+  app.add_option("--to", options.to, "Target of one geodesic");
+  app.add_option("--pairs", options.pairs, "File: a geodesic per line `source target`; # starts a comment");
+  app.add_option("--random", options.random, "So many geodesics between random vertices of a component");
+  app.add_option("--seed", options.seed, "Seed of --random")->capture_default_str();
+  app.add_option("--edges", options.edges, "File: a path of edges per line, as vertices, each straightened by itself");
+  app.add_option("--loop", options.loop, "File: a closed loop of edges per line, each straightened by itself");
+  app.add_option("--network", options.network,
+                 "File: curves straightened together: a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
+  app.add_option("--kernel", options.kernel, "Arithmetic: double, or certified, which decides and proves exactly")
+      ->capture_default_str();
+  app.add_option("--mollify", options.mollify,
+                 "Lengthen all edges until triangles have this margin of the mean edge length: for degenerate meshes");
+  app.add_option("--search", options.search, "Search of the edge paths: astar or dijkstra")->capture_default_str();
+  app.add_option("--stop-length", options.stop_length,
+                 "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
+  app.add_option("--polylines", options.polylines, "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
+  app.add_option("--stats", options.stats, "Write a line per curve, comma-separated, with a header");
+  app.add_option("--mesh", options.viewer, "Write surface and curves for a viewer: .obj, .ply or .vtp");
+  app.add_flag("--quiet", options.is_quiet, "No table and no progress");
+}
+
+void check_options(const Options& options)
+{
+  const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
+                   (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) + (options.network.empty() ? 0 : 1);
+  if(jobs != 1)
+    throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network");
+  if(options.from.has_value() != options.to.has_value())
+    throw Bad_input("--from and --to belong together; give both");
+  if(options.random && *options.random < 1)
+    throw Bad_input("--random " + std::to_string(*options.random) + ": give 1 or more");
+  if(options.kernel != "double" && options.kernel != "certified")
+    throw Bad_input("--kernel " + options.kernel + ": not known; use double or certified");
+  if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
+    throw Bad_input("--mollify must lie between 0 and 1");
+  if(options.search != "astar" && options.search != "dijkstra")
+    throw Bad_input("--search " + options.search + ": not known; use astar or dijkstra");
+  if(options.stop_length && !(*options.stop_length >= 0 && *options.stop_length <= 1))
+    throw Bad_input("--stop-length must lie between 0 and 1");
+}
+
+// The independent runs: one curve each, or all curves of a network.
+std::vector<Network_request> read_requests(const Options& options, const Mesh& mesh)
+{
+  if(!options.network.empty())
+    return {read_network(mesh, options.network)};
+  const std::vector<Curve_request> curves =
+      options.random           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), options.seed)
+      : !options.pairs.empty() ? read_pairs(mesh, options.pairs)
+      : !options.edges.empty() ? read_curves(mesh, options.edges, false)
+      : !options.loop.empty()  ? read_curves(mesh, options.loop, true)
+                               : single_pair(mesh, *options.from, *options.to);
+  std::vector<Network_request> requests;
+  for(const Curve_request& curve : curves)
+    requests.push_back({{curve}, {}});
+  return requests;
+}
+
+/// Where the results go.
+class Outputs
+{
+public:
+  explicit Outputs(const Options& options)
+    : m_polylines(options.polylines)
+    , m_stats(options.stats)
+    , m_viewer(options.viewer)
+  {
+  }
+
+  void write(const std::vector<Curve_result>& run)
+  {
+    for(std::size_t i = 0; i < run.size(); ++i, ++m_curve) {
+      m_polylines.write(m_curve, run[i]);
+      m_stats.write(m_curve, run[i]);
+      m_viewer.add(m_curve, run[i]);
+      m_summary.add(m_curve, run[i], i > 0);
+      if(run[i].is_error())
+        std::cerr << "flip_geodesics: curve " << m_curve << " (" << run[i].name << "): " << run[i].error << '\n';
+      m_has_failed = m_has_failed || run[i].is_error();
+    }
+  }
+
+  void close(const Mesh& mesh)
+  {
+    m_polylines.close();
+    m_stats.close();
+    m_viewer.write(mesh);
+  }
+
+  const Run_summary& summary() const { return m_summary; }
+  bool has_failed() const { return m_has_failed; }
+
+private:
+  Polylines_file m_polylines;
+  Stats_file m_stats;
+  Viewer_file m_viewer;
+  Run_summary m_summary;
+  std::size_t m_curve = 0;
+  bool m_has_failed = false;
+};
+
+// `title` is printed above the table.
+template <class Traits, class Metric_>
+int run(const Options& options, const Mesh& mesh, const Metric_& metric, const std::vector<Network_request>& requests,
+        const std::string& title)
+{
+  std::size_t number_of_curves = 0;
+  for(const Network_request& request : requests)
+    number_of_curves += request.curves.size();
+  const CGAL::Flip_geodesics::Search_method search = options.search == "astar"
+                                                         ? CGAL::Flip_geodesics::Search_method::A_STAR
+                                                         : CGAL::Flip_geodesics::Search_method::DIJKSTRA;
+  Progress progress(number_of_curves, options.is_quiet);
+  const bool is_certifying = options.kernel == "certified";
+  Curve_runner<Traits, Metric_> runner(mesh, metric, {search, is_certifying, options.stop_length}, progress);
+  for(const Network_request& request : requests)
+    if(!request.curves.front().is_pair)
+      runner.check(request);
+
+  Outputs outputs(options);
+  for(const Network_request& request : requests) {
+    outputs.write(runner.run(request));
+    progress.add_curves(request.curves.size());
+  }
+  outputs.close(mesh);
+  if(!options.is_quiet)
+    outputs.summary().print(std::cout << title);
+  return outputs.has_failed() ? incomplete : success;
+}
+
+template <class Metric_>
+int run(const Options& options, const Mesh& mesh, const Metric_& metric, const std::string& title)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  const std::vector<Network_request> requests = read_requests(options, mesh);
+  if(options.kernel == "certified")
+    return run<FG::Certified_intrinsic_triangulation_traits<Kernel>>(options, mesh, metric, requests, title);
+  return run<FG::Intrinsic_triangulation_traits<Kernel>>(options, mesh, metric, requests, title);
+}
+
+int run(const Options& options)
+{
+  check_options(options);
+  const Stopwatch stopwatch;
+  const Mesh mesh = read_mesh(options.mesh);
+  std::ostringstream title;
+  title << options.mesh << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
+        << " triangles, read in " << stopwatch.seconds() << " s\n";
+  const Metric metric(mesh.points());
+  if(!options.mollify)
+    return run(options, mesh, metric, title.str());
+  const CGAL::Flip_geodesics::Mollified_metric<Metric> mollified(mesh, metric, *options.mollify);
+  title << mollified.added_length() << " added to the length of every edge\n";
+  return run(options, mesh, mollified, title.str());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("Pulls curves on a triangle mesh tight: geodesics by edge flips", "flip_geodesics");
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+    return run(options);
+  } catch(const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return success;
+  } catch(const CLI::ParseError& error) {
+    std::cerr << "flip_geodesics: " << error.what() << "; see --help\n";
+  } catch(const std::exception& error) {
+    std::cerr << "flip_geodesics: " << error.what() << '\n';
+  }
+  return bad_input;
+}

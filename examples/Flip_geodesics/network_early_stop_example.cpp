@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Smooths the borders between regions of a mesh: a network of curves is straightened together, but a stop predicate
+// ends it before they are geodesics, and a visitor watches and may interrupt.
+//
+//   network_early_stop_example [MESH [LENGTH_RATIO]]
+
+#include "polylines_io.h"
+#include "torus.h"
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace FG = CGAL::Flip_geodesics;
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+
+struct Counting_visitor : FG::Default_shortening_visitor
+{
+  std::size_t steps = 0;
+
+  template <class AnyNetwork>
+  void after_flip_out(const AnyNetwork&, FG::Index)
+  {
+    ++steps;
+  }
+  bool go_further() { return steps < 1000000; }
+};
+
+// The region, one of eight boxes, of the face on the left of a halfedge.
+int region(const Mesh& mesh, Mesh::Halfedge_index h)
+{
+  const Point_3& p = mesh.point(mesh.target(mesh.halfedge(mesh.face(h))));
+  return (p.x() > 0.1 ? 1 : 0) + (p.y() > 0.1 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
+  const double ratio = argc > 2 ? std::strtod(argv[2], nullptr) : 0.9;
+  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty() || !(ratio >= 0 && ratio <= 1)) {
+    std::cerr << "This is not a triangle mesh, or not a ratio between 0 and 1.\n";
+    return EXIT_FAILURE;
+  }
+  auto is_marked = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_between_regions", false).first;
+  for(const auto e : mesh.edges())
+    is_marked[e] = !mesh.is_border(e) && region(mesh, mesh.halfedge(e, 0)) != region(mesh, mesh.halfedge(e, 1));
+
+  std::vector<std::vector<Point_3>> curves;
+  Counting_visitor visitor;
+  try {
+    Triangulation triangulation(mesh);
+    Network network(triangulation);
+    curves.resize(FG::add_marked_edges(network, mesh, is_marked));
+    FG::shorten(network, FG::Curve_length_ratio_stop_predicate(ratio), visitor);
+    FG::Curve_extractor<Network> extractor(network);
+    for(FG::Index c = 0; c < network.number_of_curves(); ++c)
+      extractor.points(c, std::back_inserter(curves[c]));
+  } catch(const FG::Error& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  std::cout << curves.size() << " curves after " << visitor.steps << " steps.\n";
+  return write_polylines("network.polylines.txt", curves) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

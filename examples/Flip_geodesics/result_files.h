@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_EXAMPLES_RESULT_FILES_H
+#define CGAL_FLIP_GEODESICS_EXAMPLES_RESULT_FILES_H
+
+#include "curve_runner.h"
+
+#include <fstream>
+#include <limits>
+#include <string>
+#include <utility>
+
+// The files with lines for programs: polylines and statistics. They are written as the curves come.
+namespace program {
+
+/// A text file that is written with all digits of a double, and that complains if it cannot be.
+class Output_file
+{
+public:
+  /// An empty name means that nothing is to be written.
+  explicit Output_file(const std::string& name)
+    : m_name(name)
+  {
+    if(m_name.empty())
+      return;
+    m_out.open(m_name);
+    m_out.precision(std::numeric_limits<double>::max_digits10);
+    if(!m_out)
+      throw Bad_input(m_name + ": cannot be written; choose another place");
+  }
+
+  bool is_wanted() const { return !m_name.empty(); }
+  std::ostream& stream() { return m_out; }
+
+  void close()
+  {
+    if(!is_wanted())
+      return;
+    m_out.close();
+    if(!m_out)
+      throw Bad_input(m_name + ": could not be written to its end; look for space on the disk");
+  }
+
+private:
+  std::string m_name;
+  std::ofstream m_out;
+};
+
+/// Lines `curve a b t x y z`, one per point: (1 - t) a + t b on the input edge ab, or at a vertex if a is b.
+class Polylines_file
+{
+public:
+  explicit Polylines_file(const std::string& name)
+    : m_file(name)
+  {
+  }
+
+  void write(std::size_t curve, const Curve_result& result)
+  {
+    if(!m_file.is_wanted())
+      return;
+    for(const Curve_point& p : result.points)
+      m_file.stream() << curve << ' ' << p.on_surface.a << ' ' << p.on_surface.b << ' ' << p.on_surface.t << ' '
+                      << p.in_space.x() << ' ' << p.in_space.y() << ' ' << p.in_space.z() << '\n';
+  }
+
+  void close() { m_file.close(); }
+
+private:
+  Output_file m_file;
+};
+
+/*
+ * Comma-separated values, one line per curve. Lengths are in the units of the mesh, angles in radians, times in
+ * seconds. A curve that could not be computed has the status ERROR, and `nan` where nothing is known; a closed curve
+ * has -1 as source and target. The curves of a network share one run: flips, flip_outs and shorten_s are those of the
+ * run in each line.
+ */
+class Stats_file
+{
+public:
+  explicit Stats_file(const std::string& name)
+    : m_file(name)
+  {
+    if(m_file.is_wanted())
+      m_file.stream() << "curve,source,target,initial_segments,initial_length,length,flips,flip_outs,min_angle,status,"
+                         "certificate,search_s,shorten_s,extract_s\n";
+  }
+
+  void write(std::size_t curve, const Curve_result& r)
+  {
+    if(!m_file.is_wanted())
+      return;
+    m_file.stream() << curve << ',' << r.source << ',' << r.target << ',' << r.initial_segments << ','
+                    << r.initial_length << ',' << r.length << ',' << r.flips << ',' << r.flip_outs << ','
+                    << r.smallest_angle << ',' << r.status << ',' << r.certificate << ',' << r.search_s << ',' << r.shorten_s << ','
+                    << r.extract_s << '\n';
+  }
+
+  void close() { m_file.close(); }
+
+private:
+  Output_file m_file;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_EXAMPLES_RESULT_FILES_H

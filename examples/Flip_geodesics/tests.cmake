@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Runs the examples on a mesh that they make themselves, and the program on a generated mesh with good and bad input.
+
+set(example_dir ${CMAKE_CURRENT_BINARY_DIR}/run)
+file(MAKE_DIRECTORY ${example_dir})
+
+foreach(
+  example
+  conforming_triangulation_example
+  edge_length_metric_example
+  geodesic_loop_example
+  geodesic_path_example
+  network_early_stop_example
+  own_mesh_and_kernel_example)
+  if(TARGET ${example})
+    add_test(NAME ${example} COMMAND ${example} WORKING_DIRECTORY ${example_dir})
+    add_test(NAME ${example}_bad_input COMMAND ${example} no_such_mesh.off WORKING_DIRECTORY ${example_dir})
+    set_tests_properties(${example}_bad_input PROPERTIES WILL_FAIL ON)
+  endif()
+endforeach()
+
+# flip_geodesics_add_program_test(name status pattern arguments...): the exit status and what is printed.
+function(flip_geodesics_add_program_test name status pattern)
+  string(REPLACE ";" "|" arguments "${ARGN}")
+  add_test(
+    NAME program_${name}
+    COMMAND
+      ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:flip_geodesics> -D STATUS=${status} -D PATTERN=${pattern} -D
+      ARGUMENTS=${arguments} -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
+    WORKING_DIRECTORY ${example_dir})
+  set_tests_properties(program_${name} PROPERTIES FIXTURES_REQUIRED program_input)
+endfunction()
+
+if(TARGET flip_geodesics AND TARGET generate_torus)
+  add_test(NAME program_input COMMAND generate_torus torus.off 24 12 WORKING_DIRECTORY ${example_dir})
+  set_tests_properties(program_input PROPERTIES FIXTURES_SETUP program_input)
+
+  # A torus of 24 x 12 vertices; vertex 12 i + j.
+  file(WRITE ${example_dir}/pairs.txt "0 150\n# a comment\n3 77 # another\n")
+  file(WRITE ${example_dir}/path.txt "0 1 2 14 26 25 37\n5 6 7\n")
+  file(WRITE ${example_dir}/loop.txt "0 1 2 3 4 5 6 7 8 9 10 11 0\n")
+  file(WRITE ${example_dir}/trivial_loop.txt "0 12 13\n")
+  file(WRITE ${example_dir}/network.txt "o 0 1 2 3 4 5 6 7 8 9 10 11\n24 36 48 49\n49 50 51\n25 24\n! 36\n")
+  file(WRITE ${example_dir}/gap.txt "0 1 2\n0 1 5\n")
+  file(WRITE ${example_dir}/crossing.txt "5 6 7\n3 4 5 17 16 4 280\n")
+  file(WRITE ${example_dir}/crossing_network.txt "3 4 5\n16 4 280\n")
+  file(WRITE ${example_dir}/joined_network.txt "3 4 5\n16 4 280\n! 4\n")
+  file(WRITE ${example_dir}/loose_network.txt "3 4 5\n! 9\n")
+  file(WRITE ${example_dir}/no_curve.txt "# nothing\n\n")
+  file(WRITE ${example_dir}/equal.txt "0 1\n4 4\n")
+  file(WRITE ${example_dir}/far.txt "0 1\n4 400\n")
+  file(WRITE ${example_dir}/word.txt "0 one\n")
+  file(WRITE ${example_dir}/empty.off "")
+  file(WRITE ${example_dir}/quad.off "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
+  file(WRITE ${example_dir}/turned.off "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n")
+  file(WRITE ${example_dir}/book.off "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n")
+  file(WRITE ${example_dir}/bow.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n")
+  file(WRITE ${example_dir}/repeated.off "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 1\n")
+  file(WRITE ${example_dir}/range.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n")
+  file(WRITE ${example_dir}/nan.obj "v 0 0 0\nv 1 0 nan\nv 1 1 0\nf 1 2 3\n")
+  file(WRITE ${example_dir}/truncated.off "OFF\n3 1 0\n0 0 0\n1 0 0\n")
+  file(WRITE ${example_dir}/huge.off "OFF\n900000000000 1 0\n0 0 0\n")
+  file(WRITE ${example_dir}/two_parts.off
+       "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n3 3 4 5\n")
+  # Vertices 3 and 4 are one point; the path from 0 to 2 stays away from them.
+  file(WRITE ${example_dir}/zero_length.off
+       "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n9 9 0\n9 9 0\n3 0 1 2\n3 0 2 3\n3 3 2 4\n")
+  file(WRITE ${example_dir}/zero_length.txt "0 4\n0 1\n")
+
+  flip_geodesics_add_program_test(pair 0 LOCALLY_SHORTEST torus.off --from 0 --to 150)
+  flip_geodesics_add_program_test(pairs 0 "2 LOCALLY_SHORTEST" torus.off --pairs pairs.txt --mesh pairs.vtp)
+  flip_geodesics_add_program_test(random 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --mesh random.ply)
+  flip_geodesics_add_program_test(dijkstra 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search dijkstra)
+  flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj)
+  flip_geodesics_add_program_test(reads_its_obj 0 LOCALLY_SHORTEST path.obj --from 0 --to 150)
+  set_tests_properties(program_reads_its_obj PROPERTIES DEPENDS program_path)
+  flip_geodesics_add_program_test(loop 0 LOCALLY_SHORTEST torus.off --loop loop.txt)
+  flip_geodesics_add_program_test(trivial_loop 0 CONTRACTED torus.off --loop trivial_loop.txt --mesh none.vtp)
+  flip_geodesics_add_program_test(network 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt)
+  flip_geodesics_add_program_test(joined_network 0 "2 LOCALLY_SHORTEST" torus.off --network joined_network.txt)
+  flip_geodesics_add_program_test(stop_length 0 LENGTH_LIMIT torus.off --edges path.txt --stop-length 0.99)
+  flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
+  flip_geodesics_add_program_test(help 0 "--network" --help)
+  flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
+                                  zero_length.txt)
+
+  flip_geodesics_add_program_test(unknown_option 2 "--wrong" torus.off --wrong)
+  flip_geodesics_add_program_test(no_curves 2 "--random" torus.off)
+  flip_geodesics_add_program_test(two_sets_of_curves 2 "one of" torus.off --random 2 --pairs pairs.txt)
+  flip_geodesics_add_program_test(from_without_to 2 "both" torus.off --from 3)
+  flip_geodesics_add_program_test(certified 0 "LOCALLY_SHORTEST" torus.off --random 5 --kernel certified)
+  flip_geodesics_add_program_test(mollified 0 "LOCALLY_SHORTEST" torus.off --random 5 --mollify 1e-5)
+  flip_geodesics_add_program_test(bad_mollify 2 "--mollify" torus.off --random 5 --mollify 2)
+  flip_geodesics_add_program_test(unknown_kernel 2 "--kernel fast" torus.off --random 2 --kernel fast)
+  flip_geodesics_add_program_test(unknown_search 2 "--search best" torus.off --random 2 --search best)
+  flip_geodesics_add_program_test(bad_stop_length 2 "--stop-length" torus.off --random 2 --stop-length 2)
+  flip_geodesics_add_program_test(unwritable 2 "no_such_folder/x" torus.off --random 2 --stats no_such_folder/x)
+  flip_geodesics_add_program_test(viewer_format 2 "x.xyz" torus.off --random 2 --mesh x.xyz)
+  flip_geodesics_add_program_test(out_of_range 2 "vertex 288" torus.off --from 0 --to 288)
+  flip_geodesics_add_program_test(out_of_range_in_file 2 "far.txt line 2: vertex 400" torus.off --pairs far.txt)
+  flip_geodesics_add_program_test(equal_ends 2 "equal.txt line 2.*vertex 4" torus.off --pairs equal.txt)
+  flip_geodesics_add_program_test(not_a_number 2 "word.txt line 1.*one" torus.off --pairs word.txt)
+  flip_geodesics_add_program_test(gap 2 "gap.txt line 2.*1 and 5" torus.off --edges gap.txt)
+  flip_geodesics_add_program_test(disconnected 2 "0 and 3" two_parts.off --from 0 --to 3)
+  flip_geodesics_add_program_test(no_file 2 "missing.off" missing.off --random 2)
+  flip_geodesics_add_program_test(unknown_format 2 "pairs.txt" pairs.txt --random 2)
+  flip_geodesics_add_program_test(empty_file 2 "empty.off" empty.off --random 2)
+  flip_geodesics_add_program_test(quad 2 "quad.off: face 0 has 4" quad.off --random 2)
+  flip_geodesics_add_program_test(misoriented 2 "turned.off.*0 and 2.*orient" turned.off --random 2)
+  flip_geodesics_add_program_test(nonmanifold_edge 2 "book.off.*0 and 1 has 3 faces" book.off --random 2)
+  flip_geodesics_add_program_test(nonmanifold_vertex 2 "bow.off: vertex 0" bow.off --random 2)
+  flip_geodesics_add_program_test(repeated_vertex 2 "repeated.off: face 0" repeated.off --random 2)
+  flip_geodesics_add_program_test(face_out_of_range 2 "range.obj: face 0" range.obj --random 2)
+  flip_geodesics_add_program_test(not_a_coordinate 2 "nan.obj: line 2" nan.obj --random 2)
+  flip_geodesics_add_program_test(truncated 2 "truncated.off" truncated.off --random 2)
+  flip_geodesics_add_program_test(huge_header 2 "huge.off" huge.off --random 2)
+  flip_geodesics_add_program_test(none_at_random 2 "--random 0" torus.off --random 0)
+  flip_geodesics_add_program_test(less_than_none 2 "--random -3" torus.off --random -3)
+  flip_geodesics_add_program_test(no_curve 2 "no_curve.txt" torus.off --network no_curve.txt)
+  flip_geodesics_add_program_test(loose_fixed_vertex 2 "vertex 9" torus.off --network loose_network.txt)
+  flip_geodesics_add_program_test(crossing_itself 2 "crossing.txt line 2.*cross.*vertex 4" torus.off --edges
+                                  crossing.txt)
+  flip_geodesics_add_program_test(crossing_network 2 "cross.*vertex 4" torus.off --network crossing_network.txt)
+endif()

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H
+#define CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H
+
+#include "result_files.h"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The surface and the curves in one file for a viewer: first the surface's vertices, then the curves' points.
+namespace program {
+
+/// The curves as polylines in space, in the order of the results; those without points are left out.
+class Viewer_file
+{
+public:
+  /// The format follows from the extension: .obj, .ply or .vtp. An empty name means that nothing is to be written.
+  explicit Viewer_file(const std::string& name)
+    : m_format(extension(name))
+    , m_file(check_format(name))
+  {
+  }
+
+  void add(std::size_t curve, const Curve_result& result)
+  {
+    if(!m_file.is_wanted() || result.points.empty())
+      return;
+    m_curves.push_back({curve, {}});
+    for(const Curve_point& p : result.points)
+      m_curves.back().points.push_back(p.in_space);
+    m_number_of_points += result.points.size();
+  }
+
+  void write(const Mesh& mesh)
+  {
+    if(!m_file.is_wanted())
+      return;
+    if(m_format == "obj")
+      write_obj(mesh);
+    else if(m_format == "ply")
+      write_ply(mesh);
+    else
+      write_vtp(mesh);
+    m_file.close();
+  }
+
+private:
+  struct Polyline
+  {
+    std::size_t curve;
+    std::vector<Point_3> points;
+  };
+
+  static std::string check_format(const std::string& name)
+  {
+    const std::vector<std::string> known = {"obj", "ply", "vtp"};
+    if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
+      throw Bad_input(name + ": the extension of --mesh tells the format; use .obj, .ply or .vtp");
+    return name;
+  }
+
+  std::ostream& out() { return m_file.stream(); }
+
+  void write_points(const Mesh& mesh, const char* prefix)
+  {
+    const auto write = [&](const Point_3& p) { out() << prefix << p.x() << ' ' << p.y() << ' ' << p.z() << '\n'; };
+    for(const auto v : mesh.vertices())
+      write(mesh.point(v));
+    for(const Polyline& curve : m_curves)
+      std::for_each(curve.points.begin(), curve.points.end(), write);
+  }
+
+  // One line per face, with `prefix` in front of it and `first` the number of the first vertex.
+  void write_faces(const Mesh& mesh, const char* prefix, std::size_t first)
+  {
+    for(const auto f : mesh.faces()) {
+      out() << prefix;
+      for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+        out() << ' ' << v + first;
+      out() << '\n';
+    }
+  }
+
+  void write_obj(const Mesh& mesh)
+  {
+    write_points(mesh, "v ");
+    out() << "o surface\n";
+    write_faces(mesh, "f", 1);
+    std::size_t next = mesh.number_of_vertices() + 1;
+    for(const Polyline& curve : m_curves) {
+      out() << "o curve_" << curve.curve << "\nl";
+      for(std::size_t i = 0; i < curve.points.size(); ++i)
+        out() << ' ' << next++;
+      out() << '\n';
+    }
+  }
+
+  void write_ply(const Mesh& mesh)
+  {
+    out() << "ply\nformat ascii 1.0\nelement vertex " << mesh.number_of_vertices() + m_number_of_points
+          << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << mesh.number_of_faces()
+          << "\nproperty list uchar int vertex_indices\nelement edge " << m_number_of_points - m_curves.size()
+          << "\nproperty int vertex1\nproperty int vertex2\nproperty int curve\nend_header\n";
+    write_points(mesh, "");
+    write_faces(mesh, "3", 0);
+    std::size_t next = mesh.number_of_vertices();
+    for(const Polyline& curve : m_curves) {
+      for(std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+        out() << next + i << ' ' << next + i + 1 << ' ' << curve.curve << '\n';
+      next += curve.points.size();
+    }
+  }
+
+  void write_vtp(const Mesh& mesh)
+  {
+    out() << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+          << "<PolyData>\n<Piece NumberOfPoints=\"" << mesh.number_of_vertices() + m_number_of_points
+          << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << m_curves.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
+          << mesh.number_of_faces() << "\">\n<Points>\n"
+          << "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+    write_points(mesh, "");
+    out() << "</DataArray>\n</Points>\n";
+    write_vtp_curve_numbers(mesh);
+    write_vtp_lines(mesh);
+    write_vtp_faces(mesh);
+    out() << "</Piece>\n</PolyData>\n</VTKFile>\n";
+  }
+
+  void begin_vtp_array(const char* name)
+  {
+    out() << "<DataArray type=\"Int64\" Name=\"" << name << "\" format=\"ascii\">\n";
+  }
+  void end_vtp_array() { out() << "</DataArray>\n"; }
+
+  // Cells are counted lines first; faces belong to curve -1.
+  void write_vtp_curve_numbers(const Mesh& mesh)
+  {
+    out() << "<CellData Scalars=\"curve\">\n";
+    begin_vtp_array("curve");
+    for(const Polyline& curve : m_curves)
+      out() << curve.curve << '\n';
+    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
+      out() << "-1\n";
+    end_vtp_array();
+    out() << "</CellData>\n";
+  }
+
+  void write_vtp_lines(const Mesh& mesh)
+  {
+    out() << "<Lines>\n";
+    begin_vtp_array("connectivity");
+    for(std::size_t i = 0; i < m_number_of_points; ++i)
+      out() << mesh.number_of_vertices() + i << '\n';
+    end_vtp_array();
+    begin_vtp_array("offsets");
+    std::size_t end = 0;
+    for(const Polyline& curve : m_curves)
+      out() << (end += curve.points.size()) << '\n';
+    end_vtp_array();
+    out() << "</Lines>\n";
+  }
+
+  void write_vtp_faces(const Mesh& mesh)
+  {
+    out() << "<Polys>\n";
+    begin_vtp_array("connectivity");
+    write_faces(mesh, "", 0);
+    end_vtp_array();
+    begin_vtp_array("offsets");
+    for(std::size_t f = 1; f <= mesh.number_of_faces(); ++f)
+      out() << 3 * f << '\n';
+    end_vtp_array();
+    out() << "</Polys>\n";
+  }
+
+  std::string m_format;
+  Output_file m_file;
+  std::vector<Polyline> m_curves;
+  std::size_t m_number_of_points = 0;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H

@@ -1,0 +1,170 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Builds flip_geodesics and runs it on real meshes and a generated one, from nothing, on Debian 12, Ubuntu 24.04 or newer.
+#
+#   bash examples/run.sh
+#
+# Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
+# parallel jobs (default: one per processor), SKIP_INSTALL=1 neither looks for packages nor installs any.
+
+set -euo pipefail
+
+packages=(g++ cmake make libcgal-dev libgmp-dev libmpfr-dev libcli11-dev libcgal-demo)
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=${BUILD_DIR:-$root/build}
+mkdir -p "$build_dir"
+build_dir=$(cd "$build_dir" && pwd)
+work=$build_dir/examples
+data=$work/data
+results=$work/results
+program=$work/examples/Flip_geodesics/flip_geodesics
+checker=$work/benchmark/Flip_geodesics/check_polylines
+jobs=${JOBS:-$(nproc 2>/dev/null || echo 2)}
+
+fail() { echo "examples/run.sh: $*" >&2; exit 1; }
+
+install_packages() {
+  if ! command -v dpkg > /dev/null; then
+    echo "No Debian packages here; going on with what is installed."
+    return
+  fi
+  local package missing=()
+  for package in "$@"; do
+    dpkg -s "$package" 2> /dev/null | grep -q '^Status: install ok installed' || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    return
+  fi
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    as_root=(sudo)
+    # Without a terminal sudo must not ask for a password.
+    [ -t 0 ] || as_root=(sudo -n)
+    if ! "${as_root[@]}" true 2> /dev/null; then
+      echo "Packages are missing. Install them with this line, then start again:" >&2
+      echo "su -c 'apt-get update && apt-get install -y --no-install-recommends ${missing[*]}'" >&2
+      exit 1
+    fi
+  fi
+  echo "== installing ${missing[*]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" \
+    < /dev/null
+}
+
+build() {
+  echo "== building (log in $work/build.log)"
+  mkdir -p "$work"
+  {
+    cmake -S "$root" -B "$work" -D CMAKE_BUILD_TYPE=Release -D FLIP_GEODESICS_BUILD_EXAMPLES=ON \
+      -D FLIP_GEODESICS_BUILD_TESTS=OFF -D FLIP_GEODESICS_BUILD_BENCHMARKS=OFF &&
+      cmake --build "$work" -j "$jobs" --target flip_geodesics generate_torus check_polylines
+  } > "$work/build.log" 2>&1 || { tail -n 40 "$work/build.log" >&2; fail "building failed, see $work/build.log"; }
+}
+
+# CGAL's data set is an archive among the documentation of libcgal-demo. Systems that are installed without
+# documentation lack the file although they have the package: then it is taken out of the package.
+unpack_data() {
+  [ -d "$data" ] && [ -n "$(find "$data" -name fandisk.off)" ] && return
+  mkdir -p "$data"
+  local archive=""
+  if command -v dpkg > /dev/null; then
+    archive=$( (dpkg -L libcgal-demo libcgal-dev 2> /dev/null || true) | grep -E '/data\.tar\.[a-z0-9]+$' | head -n 1)
+    if [ -n "$archive" ] && ! [ -f "$archive" ]; then
+      (cd "$data" && apt-get download -q libcgal-demo && dpkg-deb -x libcgal-demo_*.deb .) > /dev/null 2>&1 || true
+      archive=$data$archive
+    fi
+  fi
+  [ -f "$archive" ] || fail "the data of the package libcgal-demo were not found"
+  tar -xf "$archive" -C "$data"
+}
+
+# Prints the first of the named meshes that the data set has.
+find_mesh() {
+  local name found
+  for name in "$@"; do
+    found=$(find "$data" -name "$name" | head -n 1)
+    [ -n "$found" ] && echo "$found" && return
+  done
+  fail "CGAL's data set has none of $*"
+}
+
+# One line of the table, from the statistics and the verdict of the independent checker.
+row() { # title, statistics, verdict
+  awk -F, -v title="$1" -v verdict="$(sed -nE 's/^.*, ([0-9]+) wrong.*$/\1/p' "$3" | tail -n 1)" '
+    function median(values, n,    i, j, v) {
+      for(i = 2; i <= n; ++i) {
+        v = values[i]
+        for(j = i - 1; j >= 1 && values[j] > v; --j)
+          values[j + 1] = values[j]
+        values[j + 1] = v
+      }
+      return values[int((n + 1) / 2)]
+    }
+    NR > 1 {
+      ++n
+      good += $10 == "LOCALLY_SHORTEST"
+      before += $5; after += $6
+      segments[n] = $4; flips[n] = $7
+      search[n] = $12; shorten[n] = $13; extract[n] = $14
+    }
+    END {
+      printf "%-26s %6d %8d %6s %8.2f %% %9d %7d %9.3f %9.3f %9.3f\n", title, n, good, verdict, 100 * (1 - after / before),
+             median(segments, n), median(flips, n), 1e3 * median(search, n), 1e3 * median(shorten, n),
+             1e3 * median(extract, n)
+    }' "$2"
+}
+
+faults=()
+
+# Computes curves on a mesh, has them checked, and adds a row to the table.
+run() { # title, file name of the results, format of the viewable file, mesh, options
+  local title=$1 out=$results/$2 viewer=$results/$2.$3 mesh=$4
+  shift 4
+  "$program" "$mesh" "$@" --quiet --polylines "$out.polylines" --stats "$out.csv" --mesh "$viewer"
+  "$checker" "$mesh" "$out.polylines" --stats "$out.csv" --csv "$out.check.csv" 2> "$out.check.txt" ||
+    faults+=("$out.check.csv")
+  row "$title" "$out.csv" "$out.check.txt" >> "$results/table.txt"
+}
+
+if [ -z "${SKIP_INSTALL-}" ]; then
+  install_packages "${packages[@]}"
+fi
+build
+unpack_data
+rm -rf "$results"
+mkdir -p "$results"
+
+scan=$(find_mesh bunny00.off refined_elephant.off armadillo.off)
+part=$(find_mesh fandisk.off anchor_dense.off anchor.off)
+torus=$results/torus.off
+around=400 along=200
+"$work/examples/Flip_geodesics/generate_torus" "$torus" $around $along
+{
+  seq -s ' ' 0 $((along - 1))                                # around the tube
+  seq -s ' ' 0 $along $((along * around - 1))                # around the hole, outside
+  seq -s ' ' $((along / 2)) $along $((along * around - 1))   # around the hole, inside
+} > "$results/torus_loops.txt"
+
+echo "== an example: one geodesic on $(basename "$scan")"
+"$program" "$scan" --from 100 --to 20000
+echo
+echo "== computing"
+run "$(basename "$scan"), a scan" scan ply "$scan" --random 100 --seed 1
+run "$(basename "$part"), a CAD part" part obj "$part" --random 100 --seed 1
+run "torus, generated" torus vtp "$torus" --random 100 --seed 1
+run "torus, closed geodesics" torus_loops vtp "$torus" --loop "$results/torus_loops.txt"
+
+echo
+echo "Geodesics between random vertices, and closed ones. Medians per curve; wrong: by an independent checker."
+echo "                                    locally             than                        search   shorten   extract"
+echo "mesh                       curves shortest  wrong   edges by  segments   flips        ms        ms        ms"
+cat "$results/table.txt"
+echo
+echo "Surfaces with curves to look at, for example with MeshLab or ParaView:"
+ls "$results"/*.ply "$results"/*.obj "$results"/*.vtp
+if [ ${#faults[@]} -ne 0 ]; then
+  fail "the checker finds fault with curves, see ${faults[*]}"
+fi
