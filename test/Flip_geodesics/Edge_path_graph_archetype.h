@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef FLIP_GEODESICS_TEST_EDGE_PATH_GRAPH_ARCHETYPE_H
+#define FLIP_GEODESICS_TEST_EDGE_PATH_GRAPH_ARCHETYPE_H
+
+#include "Topological_signature.h"
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Flip_geodesics_test {
+
+/// What the instrumented models throw when the engine breaks a rule.
+struct Broken_invariant : std::logic_error
+{
+  using std::logic_error::logic_error;
+};
+
+inline void require(bool condition, const char* rule)
+{
+  if(!condition)
+    throw Broken_invariant(rule);
+}
+
+/// A triangulation that refuses to flip an edge on which a curve lies.
+template <class Triangulation>
+class Guarded_triangulation : public Triangulation
+{
+public:
+  using Triangulation::Triangulation;
+
+  void flip(CGAL::Flip_geodesics::Index h)
+  {
+    require(this->label(h >> 1) == 0, "an edge under a curve is flipped");
+    require(this->is_flippable(h), "an edge is flipped that cannot be");
+    Triangulation::flip(h);
+  }
+};
+
+// ---------------------------------------------------------------- the rules that hold at any time
+
+/// Segments and stacks name each other, chains are continuous, dead segments are nowhere.
+template <class Network>
+void check_links(const Network& network, const Curve_system& system)
+{
+  std::vector<int> listed(system.segments.size(), 0), chained(system.segments.size(), 0);
+  for(int e = 0; e < static_cast<int>(system.stacks.size()); ++e)
+    for(int s : system.stacks[e]) {
+      require(system.segments[s].halfedge / 2 == e && system.segments[s].halfedge >= 0, "a stack lists a stranger");
+      ++listed[s];
+    }
+  for(int c = 0; c < network.number_of_curves(); ++c) {
+    int last = -1, steps = 0;
+    for(int s = network.first_segment(c); s != -1;) {
+      require(++steps <= static_cast<int>(system.segments.size()), "a chain does not end");
+      const Curve_system::Segment& segment = system.segments[s];
+      require(segment.curve == c && segment.halfedge >= 0, "a chain holds a stranger");
+      require(last == -1 || segment.previous == last, "a chain's backward link is wrong");
+      require(last == -1 || system.tail[system.segments[last].halfedge ^ 1] == system.tail[segment.halfedge],
+              "a chain is not continuous");
+      ++chained[s];
+      last = s;
+      s = segment.next == network.first_segment(c) ? -1 : segment.next;
+    }
+    require(last == network.last_segment(c), "a chain's last segment is wrong");
+    if(last == -1)
+      continue;
+    const Curve_system::Segment &first = system.segments[network.first_segment(c)], &end = system.segments[last];
+    require(network.is_closed(c) ? end.next == network.first_segment(c) : end.next == -1, "a chain ends wrongly");
+    require(network.is_closed(c) ? first.previous == last : first.previous == -1, "a chain starts wrongly");
+    require(!network.is_closed(c) || system.tail[end.halfedge ^ 1] == system.tail[first.halfedge],
+            "a loop is not closed");
+  }
+  for(std::size_t s = 0; s < listed.size(); ++s) {
+    const int expected = system.segments[s].halfedge >= 0 ? 1 : 0;
+    require(listed[s] == expected && chained[s] == expected, "a segment is not exactly once in a stack and a chain");
+  }
+}
+
+/// Around each vertex joints nest like brackets, with all ends of curves and the border in one region.
+inline void check_matching(const Curve_system& system)
+{
+  for(const std::vector<int>& star : system.stars()) {
+    std::vector<std::pair<int, int>> ends, mates; // halfedge, segment; {-1, -1} for none, and for the border itself
+    for(int h : star)
+      for(int s : system.stack_along(h)) {
+        const Curve_system::Segment& x = system.segments[s];
+        const int other = h == x.halfedge ? x.previous : x.next;
+        const bool is_fixed = other < 0 || (h == x.halfedge ? system.segments[other].is_head_fixed : x.is_head_fixed);
+        ends.emplace_back(h, s);
+        mates.push_back(is_fixed ? std::make_pair(-1, -1)
+                                 : std::make_pair(h == x.halfedge ? system.segments[other].halfedge ^ 1
+                                                                  : system.segments[other].halfedge,
+                                                  other));
+      }
+    if(system.clockwise(star.back()) == -1) {
+      ends.emplace_back(-1, -1);
+      mates.emplace_back(-1, -1);
+    }
+    const auto single = std::find(mates.begin(), mates.end(), std::make_pair(-1, -1));
+    const std::size_t start = single == mates.end() ? 0 : static_cast<std::size_t>(single - mates.begin());
+    std::vector<std::pair<int, int>> open;
+    for(std::size_t i = 0; i < ends.size(); ++i) {
+      const std::size_t k = (start + i) % ends.size();
+      if(mates[k].second == -1)
+        require(open.empty(), "an end of a curve, or the border, is enclosed by a joint");
+      else if(!open.empty() && open.back() == mates[k])
+        open.pop_back();
+      else
+        open.push_back(ends[k]);
+    }
+    require(open.empty(), "two joints cross");
+  }
+}
+
+// ---------------------------------------------------------------- the rule that holds at the end
+
+/// The angle at the tail of `h` in the face on its right, by atan2. \pre there is one
+template <class Triangulation>
+double corner_right_of(const Triangulation& triangulation, int h)
+{
+  const auto& in = triangulation.geometry(h ^ 1);
+  const auto& out = triangulation.geometry(triangulation.next(h ^ 1));
+  const double x = -(in.x * out.x + in.y * out.y);
+  const double y = (std::max)(out.y * in.x - out.x * in.y, 0.0); // a corner of pi is not one of -pi
+  return std::atan2(y, x);
+}
+
+/*
+ * The smallest angle at a side of a joint in which no other end lies, of the curves in `curves`: over all pairs of
+ * ends, with no use of the network's own ways to look around a vertex. Infinite if there is none.
+ */
+template <class Network>
+double smallest_free_angle(const Network& network, const std::set<int>& curves)
+{
+  const auto& triangulation = network.triangulation();
+  const Curve_system system(network);
+  double smallest = HUGE_VAL;
+  for(const std::vector<int>& star : system.stars()) {
+    struct End
+    {
+      int halfedge, segment;
+      std::size_t spoke;
+    };
+    std::vector<End> ends;
+    std::vector<double> angle_before = {0}; // of spoke i, from spoke 0
+    for(std::size_t i = 0; i < star.size(); ++i) {
+      for(int s : system.stack_along(star[i]))
+        ends.push_back({star[i], s, i});
+      if(system.clockwise(star[i]) != -1)
+        angle_before.push_back(angle_before.back() + corner_right_of(triangulation, star[i]));
+    }
+    const bool has_border = system.clockwise(star.back()) == -1;
+    const double whole = angle_before.back();
+    for(std::size_t i = 0; i < ends.size(); ++i)
+      for(std::size_t k = 0; k < ends.size(); ++k) {
+        const Curve_system::Segment &a = system.segments[ends[i].segment], &b = system.segments[ends[k].segment];
+        const bool is_left = ends[i].halfedge == (a.halfedge ^ 1) && a.next == ends[k].segment && !a.is_head_fixed &&
+                             ends[k].halfedge == b.halfedge;
+        const bool is_right = ends[i].halfedge == a.halfedge && a.previous == ends[k].segment && !b.is_head_fixed &&
+                              ends[k].halfedge == (b.halfedge ^ 1);
+        if((!is_left && !is_right) || curves.count(a.curve) == 0)
+          continue;
+        const bool is_next = (i + 1) % ends.size() == k, is_past_border = k <= i && has_border;
+        if(!is_next || is_past_border)
+          continue;
+        double angle = angle_before[ends[k].spoke] - angle_before[ends[i].spoke];
+        if(k <= i)
+          angle += whole;
+        smallest = (std::min)(smallest, angle);
+      }
+  }
+  return smallest;
+}
+
+// ---------------------------------------------------------------- the archetype
+
+/// What the engine did to a network, to see that the tests reach everything.
+struct Operation_counts
+{
+  long moves = 0, cancellations = 0, perturbations = 0, restorations = 0, contractions = 0, stacked_moves = 0,
+       full_stars = 0, own_edge_moves = 0;
+
+  Operation_counts& operator+=(const Operation_counts& other)
+  {
+    moves += other.moves;
+    cancellations += other.cancellations;
+    perturbations += other.perturbations;
+    restorations += other.restorations;
+    contractions += other.contractions;
+    stacked_moves += other.stacked_moves;
+    full_stars += other.full_stars;
+    own_edge_moves += other.own_edge_moves;
+    return *this;
+  }
+};
+
+/*
+ * A model of `EdgePathGraph` that has nothing but what the concept asks for. It forwards to an `Edge_path_network`,
+ * and after each operation that moves a curve it checks all that must hold then: links, non-crossing matchings, and the
+ * isotopy class of the whole network.
+ */
+template <class Network_>
+class Edge_path_graph_archetype
+{
+  using Index = CGAL::Flip_geodesics::Index;
+  using Joint = CGAL::Flip_geodesics::Joint;
+  using Side = CGAL::Flip_geodesics::Side;
+  using Strand_end = CGAL::Flip_geodesics::Strand_end;
+
+public:
+  using Triangulation = typename Network_::Triangulation;
+  using Wedge = typename Network_::Wedge;
+  using Stack_place = typename Network_::Stack_place;
+
+  explicit Edge_path_graph_archetype(Network_& network)
+    : m_network(network)
+    , m_initial(network)
+    , m_has_fixed_nodes(has_fixed_nodes(m_initial))
+    , m_expected(m_initial, {}, m_has_fixed_nodes)
+  {
+    check_links(network, m_initial);
+    check_matching(m_initial);
+  }
+
+  Edge_path_graph_archetype(const Edge_path_graph_archetype&) = delete;
+  Edge_path_graph_archetype& operator=(const Edge_path_graph_archetype&) = delete;
+
+  Triangulation& triangulation() const { return m_network.triangulation(); }
+  Index number_of_curves() const { return m_network.number_of_curves(); }
+  double length(Index curve) const { return m_network.length(curve); }
+  double initial_length(Index curve) const { return m_network.initial_length(curve); }
+  bool is_contracted(Index curve) const { return m_network.is_contracted(curve); }
+  template <class Function>
+  void for_each_segment(Index curve, Function function) const
+  {
+    m_network.for_each_segment(curve, function);
+  }
+
+  bool is_alive(Index s) const { return m_network.is_alive(s); }
+  Index halfedge(Index s) const { return m_network.halfedge(s); }
+  Index curve(Index s) const { return m_network.curve(s); }
+  Index next(Index s) const { return m_network.next(s); }
+  bool is_head_fixed(Index s) const { return m_network.is_head_fixed(s); }
+  bool is_occupied(Index h) const { return m_network.is_occupied(h); }
+
+  std::pair<Strand_end, Strand_end> ends(const Joint& joint) const { return m_network.ends(joint); }
+  Strand_end next_clockwise(const Strand_end& end) const { return m_network.next_clockwise(end); }
+  Wedge wedge(const Joint& joint) const { return m_network.wedge(joint); }
+  bool is_turning_back(const Joint& joint) const { return m_network.is_turning_back(joint); }
+
+  Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)
+  {
+    const Index curve = m_network.curve(joint.incoming);
+    count(joint, arc);
+    const Index first = m_network.replace_joint(joint, arc, affected);
+    check(curve);
+    return first;
+  }
+
+  Index perturb_loop(Index s, Index h)
+  {
+    const Index curve = m_network.curve(s);
+    ++m_counts.perturbations;
+    const Index arriving = m_network.perturb_loop(s, h);
+    check(curve);
+    return arriving;
+  }
+
+  Stack_place stack_place(Index s) const { return m_network.stack_place(s); }
+
+  Index restore_loop(Index curve, const Stack_place& place)
+  {
+    ++m_counts.restorations;
+    if(m_contracted.erase(curve) != 0)
+      m_expected = Topological_signature(m_initial, m_contracted, m_has_fixed_nodes);
+    const Index s = m_network.restore_loop(curve, place);
+    check(curve);
+    return s;
+  }
+
+  const Operation_counts& counts() const { return m_counts; }
+
+private:
+  static bool has_fixed_nodes(const Curve_system& system)
+  {
+    return std::any_of(system.segments.begin(), system.segments.end(), [](const Curve_system::Segment& s) {
+      return s.halfedge >= 0 && s.next >= 0 && s.is_head_fixed;
+    });
+  }
+
+  void count(const Joint& joint, const std::vector<Index>& arc)
+  {
+    const auto [a, b] = m_network.ends(joint);
+    ++(arc.empty() ? m_counts.cancellations : m_counts.moves);
+    m_counts.full_stars += !arc.empty() && a.halfedge == b.halfedge ? 1 : 0;
+    m_counts.own_edge_moves += a.halfedge == (b.halfedge ^ 1) ? 1 : 0;
+    m_counts.stacked_moves +=
+        m_network.stack(a.halfedge / 2).size() + m_network.stack(b.halfedge / 2).size() > 2 ? 1 : 0;
+  }
+
+  void check(Index curve)
+  {
+    const Curve_system system(m_network);
+    check_links(m_network, system);
+    check_matching(system);
+    require(m_network.is_valid(), "is_valid() says no");
+    if(m_network.is_contracted(curve) && m_contracted.insert(curve).second) {
+      ++m_counts.contractions;
+      require(m_has_fixed_nodes || m_expected.has_disk_inside(curve),
+              "a curve has contracted that does not bound a disk");
+      m_expected = Topological_signature(m_initial, m_contracted, m_has_fixed_nodes);
+    }
+    require(Topological_signature(system, m_contracted, m_has_fixed_nodes) == m_expected,
+            "the isotopy class has changed");
+  }
+
+  Network_& m_network;
+  Curve_system m_initial;
+  bool m_has_fixed_nodes;
+  Topological_signature m_expected;
+  std::set<int> m_contracted;
+  Operation_counts m_counts;
+};
+
+} // namespace Flip_geodesics_test
+
+#endif // FLIP_GEODESICS_TEST_EDGE_PATH_GRAPH_ARCHETYPE_H

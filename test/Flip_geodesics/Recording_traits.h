@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef FLIP_GEODESICS_TEST_RECORDING_TRAITS_H
+#define FLIP_GEODESICS_TEST_RECORDING_TRAITS_H
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <functional>
+#include <optional>
+
+/*
+ * The certified traits, with every decision told to an observer. The traits keep what the filter says to themselves and
+ * claim not to know, so that the triangulation turns to `Wedge_comparison`, which is specialised for these traits: it
+ * takes the filter's answer where there is one, asks the library's own comparison where not, and tells the observer.
+ */
+namespace Flip_geodesics_test {
+
+struct Decision
+{
+  int from, to; // the halfedges that bound the wedge, clockwise
+  CGAL::Comparison_result result;
+  bool is_filtered; // decided by the traits alone
+};
+
+struct Decision_observer
+{
+  std::function<void(const Decision&)> on_decision;
+  std::optional<CGAL::Comparison_result> filtered; // what the traits have just said
+};
+
+template <class K>
+class Recording_traits : public CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits<K>
+{
+  using Base = CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits<K>;
+
+public:
+  explicit Recording_traits(Decision_observer& observer)
+    : m_observer(&observer)
+  {
+  }
+
+  class Compare_turn_with_straight
+  {
+  public:
+    explicit Compare_turn_with_straight(Decision_observer* observer)
+      : m_observer(observer)
+    {
+    }
+
+    CGAL::Uncertain<CGAL::Comparison_result> operator()(const typename Base::Turn& turn) const
+    {
+      const CGAL::Uncertain<CGAL::Comparison_result> result = typename Base::Compare_turn_with_straight()(turn);
+      m_observer->filtered.reset();
+      if(result.is_certain())
+        m_observer->filtered = result.make_certain();
+      return CGAL::Uncertain<CGAL::Comparison_result>::indeterminate();
+    }
+
+  private:
+    Decision_observer* m_observer;
+  };
+
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return Compare_turn_with_straight(m_observer); }
+  Decision_observer& observer() const { return *m_observer; }
+
+private:
+  Decision_observer* m_observer;
+};
+
+/// A triangulation with recording traits as the library's own comparison is to see it.
+template <class Triangulation>
+class Plain_view
+{
+public:
+  using Metric = typename Triangulation::Metric;
+  using Input_mesh = typename Triangulation::Input_mesh;
+
+  explicit Plain_view(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  static int twin(int h) { return Triangulation::twin(h); }
+  const Input_mesh& input() const { return m_triangulation.input(); }
+  const Metric& metric() const { return m_triangulation.metric(); }
+  decltype(auto) crossing_word(int h) const { return m_triangulation.crossing_word(h); }
+  decltype(auto) exact_input_face(int h) const { return m_triangulation.exact_input_face(h); }
+  int input_edges_in_wedge(int from, int to) const { return m_triangulation.input_edges_in_wedge(from, to); }
+
+private:
+  const Triangulation& m_triangulation;
+};
+
+} // namespace Flip_geodesics_test
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+template <class TriangleMesh, class K, class Metric>
+class Wedge_comparison<Intrinsic_triangulation<TriangleMesh, Flip_geodesics_test::Recording_traits<K>, Metric>>
+{
+  using Triangulation = Intrinsic_triangulation<TriangleMesh, Flip_geodesics_test::Recording_traits<K>, Metric>;
+  using View = Flip_geodesics_test::Plain_view<Triangulation>;
+
+public:
+  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics)
+    : m_triangulation(triangulation)
+    , m_statistics(statistics)
+  {
+  }
+
+  Comparison_result operator()(Index from, Index to) const
+  {
+    Flip_geodesics_test::Decision_observer& observer = m_triangulation.traits().observer();
+    const std::optional<Comparison_result> filtered = observer.filtered;
+    observer.filtered.reset();
+    const Comparison_result result =
+        filtered ? *filtered : Wedge_comparison<View>(View(m_triangulation), m_statistics)(from, to);
+    if(observer.on_decision)
+      observer.on_decision({from, to, result, filtered.has_value()});
+    return result;
+  }
+
+private:
+  const Triangulation& m_triangulation;
+  Decision_statistics& m_statistics;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // FLIP_GEODESICS_TEST_RECORDING_TRAITS_H

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE certify
+
+#include "Curve_setting.h"
+#include "Referee.h"
+#include "generated_curves.h"
+#include "generated_meshes.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/mpl/list.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Certified_setting = Basic_curve_setting<
+    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Kernel>>>;
+using Settings = boost::mpl::list<Curve_setting, Certified_setting>;
+
+std::vector<Mesh_soup> soups()
+{
+  return {flat_grid(7, 7, Diagonal_rule::RANDOM),
+          jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1),
+          cube(4),
+          octahedron(4),
+          tetrahedron(4),
+          genus_3_plate(1),
+          bumpy_sphere(4, 0.3, 2),
+          needle_strip(7, 7, 0x1p20)};
+}
+
+// Angles of pi up to the rounding of the coordinates: doubles call them straight, which they are not.
+std::vector<Mesh_soup> soups_near_ties()
+{
+  return {torus(12, 9, 3, 1), cylinder(9, 4, 1, 2), cone_disk(6, 3, 2), saddle_disk(6, 3, 8)};
+}
+
+// Certifies by the referee.
+template <class Network>
+class Second_opinion
+{
+public:
+  using Triangulation = typename Network::Triangulation;
+  using Shape = Shape_of_points<Surface>;
+
+  Second_opinion(const Network& network, const Surface& mesh)
+    : m_network(network)
+    , m_referee(network.triangulation(), Shape(mesh))
+  {
+  }
+
+  bool is_locally_shortest(int curve)
+  {
+    bool result = true;
+    m_network.for_each_segment(curve, [&](int s) {
+      result = result && m_referee.is_straight(m_network.triangulation().crossing_word(m_network.halfedge(s))) &&
+               !is_bent({s, FG::Side::LEFT}) && !is_bent({s, FG::Side::RIGHT});
+    });
+    return result;
+  }
+
+  bool is_bent(const FG::Joint& joint)
+  {
+    if(m_network.is_head_fixed(joint.incoming))
+      return false;
+    const auto [a, b] = m_network.ends(joint);
+    if(m_network.next_clockwise(a) != b)
+      return false;
+    return m_network.is_turning_back(joint) || m_referee.compare_wedge(a.halfedge, b.halfedge) < 0;
+  }
+
+private:
+  const Network& m_network;
+  Referee<Triangulation, Shape> m_referee;
+};
+
+template <class Setting>
+FG::Network_certificate checked_certificate(Setting& setting)
+{
+  const FG::Network_certificate certificate = FG::certify(setting.network);
+  Second_opinion<typename Setting::Network> opinion(setting.network, setting.mesh);
+  BOOST_TEST(certificate.curves.size() == std::size_t(setting.network.number_of_curves()));
+  for(int c = 0; c < setting.network.number_of_curves(); ++c) {
+    const FG::Curve_certificate& curve = certificate.curves[c];
+    BOOST_TEST(curve.is_locally_shortest() == opinion.is_locally_shortest(c));
+    if(curve.verdict == FG::Certificate_verdict::BENT_JOINT) {
+      BOOST_TEST(setting.network.curve(curve.segment) == c);
+      BOOST_TEST(opinion.is_bent({curve.segment, curve.side}));
+    }
+  }
+  return certificate;
+}
+
+template <class Setting>
+void take_back(Setting& setting)
+{
+  setting.network.clear();
+  setting.triangulation.rollback();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(paths_that_were_pulled_tight_are_proven, Setting, Settings)
+{
+  for(const Mesh_soup& soup : soups()) {
+    Setting setting(soup);
+    Random_numbers random(1);
+    const int n = setting.triangulation.number_of_vertices();
+    for(int i = 0; i < 20; ++i) {
+      const int u = random.below(n);
+      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      setting.pull();
+      BOOST_TEST((checked_certificate(setting).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+      take_back(setting);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(loops_and_networks_that_were_pulled_tight_are_proven, Setting, Settings)
+{
+  int networks = 0, loops = 0;
+  for(const Mesh_soup& soup : soups()) {
+    Setting setting(soup);
+    Random_numbers random(2);
+    const int n = setting.triangulation.number_of_vertices();
+    for(int i = 0; i < 10; ++i) {
+      for(int k = 0; k < 3; ++k) {
+        const int u = random.below(n);
+        setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      }
+      try {
+        FG::order_overlapping_curves(setting.network);
+        setting.pull();
+        BOOST_TEST(checked_certificate(setting).is_locally_shortest());
+        ++networks;
+      } catch(const FG::Crossing_curves_error&) {
+      }
+      take_back(setting);
+
+      const std::vector<int> loop = random_walk(setting.triangulation, 15, true, random);
+      if(!loop.empty())
+        setting.network.add_curve(loop, true);
+      if(!loop.empty() && order_at_random(setting.network, loop, 5, random)) {
+        setting.pull();
+        BOOST_TEST(checked_certificate(setting).is_locally_shortest());
+        ++loops;
+      }
+      take_back(setting);
+    }
+  }
+  BOOST_TEST(networks > 30);
+  BOOST_TEST(loops > 20);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(near_ties_are_told_from_ties, Setting, Settings)
+{
+  constexpr bool is_exact = !Setting::Triangulation::Traits::Has_drift::value;
+  int bent = 0;
+  for(const Mesh_soup& soup : soups_near_ties()) {
+    Setting setting(soup);
+    Random_numbers random(5);
+    const int n = setting.triangulation.number_of_vertices();
+    for(int i = 0; i < 40; ++i) {
+      const int u = random.below(n);
+      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      setting.pull();
+      bent += checked_certificate(setting).is_locally_shortest() ? 0 : 1;
+      take_back(setting);
+    }
+  }
+  BOOST_TEST(is_exact == (bent == 0));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(paths_as_they_were_found_are_judged_as_the_referee_judges, Setting, Settings)
+{
+  int bent = 0, straight = 0;
+  for(const Mesh_soup& soup : soups()) {
+    Setting setting(soup);
+    Random_numbers random(3);
+    const int n = setting.triangulation.number_of_vertices();
+    for(int i = 0; i < 20; ++i) {
+      const int u = random.below(n);
+      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      (checked_certificate(setting).is_locally_shortest() ? straight : bent) += 1;
+      take_back(setting);
+    }
+  }
+  BOOST_TEST(bent > 50);
+  BOOST_TEST(straight > 10);
+}
+
+// However little is missing, a curve is proven after the last step and not before it.
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_curve_one_step_from_the_end_is_bent, Setting, Settings)
+{
+  int stopped = 0;
+  for(const Mesh_soup& soup : soups()) {
+    Setting setting(soup);
+    Random_numbers random(4);
+    const int n = setting.triangulation.number_of_vertices();
+    for(int i = 0; i < 10; ++i) {
+      const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
+      setting.add_path(u, v);
+      const std::size_t steps = setting.pull().flip_outs;
+      take_back(setting);
+      if(steps == 0)
+        continue;
+      setting.add_path(u, v);
+      setting.pull(FG::Iteration_stop_predicate(steps - 1));
+      const FG::Network_certificate certificate = checked_certificate(setting);
+      BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::BENT_JOINT));
+      ++stopped;
+      take_back(setting);
+    }
+  }
+  BOOST_TEST(stopped > 50);
+}
+
+BOOST_AUTO_TEST_CASE(the_bent_joint_is_named)
+{
+  const int n = 4;
+  Certified_setting setting(flat_grid(n, n, Diagonal_rule::RISING));
+  setting.add(vertex_path_on_grid(n, {{0, 1}, {2, 1}, {2, 3}}), false);
+  const FG::Network_certificate left = FG::certify(setting.network);
+  BOOST_TEST((left.curves[0].verdict == FG::Certificate_verdict::BENT_JOINT));
+  BOOST_TEST((left.curves[0].side == FG::Side::LEFT));
+  BOOST_TEST(setting.triangulation.head(setting.network.halfedge(left.curves[0].segment)) == grid_vertex(n, 2, 1));
+  take_back(setting);
+
+  setting.add(vertex_path_on_grid(n, {{0, 3}, {2, 3}, {2, 1}}), false);
+  const FG::Network_certificate right = FG::certify(setting.network);
+  BOOST_TEST((right.curves[0].side == FG::Side::RIGHT));
+  BOOST_TEST(setting.triangulation.head(setting.network.halfedge(right.curves[0].segment)) == grid_vertex(n, 2, 3));
+}
+
+BOOST_AUTO_TEST_CASE(each_curve_has_a_verdict_of_its_own)
+{
+  const int n = 6;
+  Certified_setting setting(flat_grid(n, n, Diagonal_rule::RISING));
+  setting.add(vertex_path_on_grid(n, {{0, 1}, {6, 1}}), false);
+  setting.add(vertex_path_on_grid(n, {{0, 2}, {3, 2}, {3, 5}}), false);
+  setting.add(vertex_path_on_grid(n, {{5, 2}, {5, 5}}), false);
+  const FG::Network_certificate certificate = FG::certify(setting.network);
+  BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST((certificate.curves[1].verdict == FG::Certificate_verdict::BENT_JOINT));
+  BOOST_TEST((certificate.curves[2].verdict == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST(!certificate.is_locally_shortest());
+}
+
+// A curve is held back by another that ends inside its wedge: nothing is wrong with it.
+BOOST_AUTO_TEST_CASE_TEMPLATE(what_blocks_a_joint_is_not_held_against_the_curve, Setting, Settings)
+{
+  const int n = 6;
+  Setting setting(flat_grid(n, n, Diagonal_rule::FALLING));
+  setting.add(vertex_path_on_grid(n, {{1, 3}, {3, 3}, {3, 5}}), false);
+  BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
+  setting.add({grid_vertex(n, 2, 4), grid_vertex(n, 3, 3)}, false);
+  const FG::Network_certificate certificate = checked_certificate(setting);
+  BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST((certificate.curves[1].verdict == FG::Certificate_verdict::PROVEN));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(fixed_nodes_may_be_bent, Setting, Settings)
+{
+  const int n = 6;
+  Setting setting(flat_grid(n, n, Diagonal_rule::RISING));
+  setting.add(vertex_path_on_grid(n, {{1, 3}, {3, 3}, {3, 5}}), false);
+  BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
+  setting.network.fix_nodes_at(grid_vertex(n, 3, 3));
+  BOOST_TEST(checked_certificate(setting).is_locally_shortest());
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_curve_that_turns_back_is_bent, Setting, Settings)
+{
+  Setting setting(cube(3));
+  setting.add({0, 1, 0, 1}, false);
+  const FG::Network_certificate certificate = checked_certificate(setting);
+  BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::BENT_JOINT));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_contracted_curve_is_proven, Setting, Settings)
+{
+  Setting setting(thirteen_vertex_cone_disk());
+  setting.add(disk_ring(6, 1), true);
+  BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
+  setting.pull();
+  BOOST_TEST(setting.network.is_contracted(0));
+  BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+}
+
+// The angles of these loops are pi, exactly: what one unit in the last place less would not allow.
+BOOST_AUTO_TEST_CASE_TEMPLATE(angles_of_exactly_pi_are_proven, Setting, Settings)
+{
+  Setting hexagon(octahedron(6));
+  hexagon.add(vertices_on_polyline(octahedron(6), {{3, -3, 0}, {3, 0, -3}, {0, 3, -3}, {-3, 3, 0}, {-3, 0, 3}, {0, -3, 3}},
+                                   true),
+              true);
+  BOOST_TEST((checked_certificate(hexagon).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+
+  Setting setting(tetrahedron(6));
+  setting.add(tetrahedron_loop(6), true);
+  const FG::Network_certificate certificate = checked_certificate(setting);
+  BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST(certificate.statistics.zeros_by_plane + certificate.statistics.zeros_by_roots > 0u);
+
+  Setting plate(genus_3_plate(2));
+  for(const Vertex_sequence& loop : genus_3_loops(2)) {
+    plate.add(loop, true);
+    BOOST_TEST((checked_certificate(plate).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+    take_back(plate);
+  }
+}
+
+// Lowering one vertex of a straight line by the smallest amount there is makes it bent on one side.
+BOOST_AUTO_TEST_CASE_TEMPLATE(one_unit_in_the_last_place_is_seen, Setting, Settings)
+{
+  const int n = 6;
+  Mesh_soup soup = flat_grid(n, n, Diagonal_rule::RISING);
+  soup.points[grid_vertex(n, 3, 3)][1] = 3 - 0x1p-51;
+  Setting setting(soup);
+  setting.add(vertex_path_on_grid(n, {{2, 3}, {4, 3}}), false);
+  const FG::Network_certificate certificate = checked_certificate(setting);
+  BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::BENT_JOINT));
+  BOOST_TEST((certificate.curves[0].side == FG::Side::LEFT));
+}
+
+BOOST_AUTO_TEST_CASE(names_of_verdicts)
+{
+  BOOST_TEST(FG::to_string(FG::Certificate_verdict::PROVEN) == std::string("PROVEN"));
+  BOOST_TEST(FG::to_string(FG::Certificate_verdict::PROBABLE) == std::string("PROBABLE"));
+  BOOST_TEST(FG::to_string(FG::Certificate_verdict::BENT_SEGMENT) == std::string("BENT_SEGMENT"));
+  BOOST_TEST(FG::to_string(FG::Certificate_verdict::BENT_JOINT) == std::string("BENT_JOINT"));
+}

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE closed_forms
+
+#include "Curve_setting.h"
+#include "closed_forms.h"
+#include "generated_curves.h"
+#include "generated_meshes.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using FG::Shortening_status;
+using namespace Flip_geodesics_test;
+
+using Edge = boost::graph_traits<Surface>::edge_descriptor;
+using Length_map = boost::associative_property_map<std::map<Edge, double>>;
+using Length_metric = FG::Edge_length_metric<Surface, Length_map>;
+using Length_triangulation =
+    FG::Intrinsic_triangulation<Surface, FG::Intrinsic_triangulation_traits<Length_metric::Kernel>, Length_metric>;
+
+namespace {
+
+#ifdef FLIP_GEODESICS_LONG_TESTS
+constexpr int scale = 50;
+#else
+constexpr int scale = 1;
+#endif
+
+constexpr double tolerance = 1e-10; // relative, of lengths
+
+bool is_close(double a, double b) { return std::abs(a - b) <= tolerance * std::abs(b); }
+
+void check_shortest(const FG::Curve_report& report, double expected)
+{
+  BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
+  BOOST_TEST(is_close(report.length, expected), report.length << " instead of " << expected);
+  BOOST_TEST(report.length <= report.initial_length * (1 + tolerance));
+}
+
+// Geodesics between random vertices against the true distance: never shorter, and mostly as short.
+template <class Distance>
+void check_distances(const char* name, const Mesh_soup& soup, int pairs, const Distance& distance)
+{
+  Curve_setting setting(soup);
+  Random_numbers random(1);
+  int equal = 0;
+  for(int i = 0; i < pairs; ++i) {
+    const int n = static_cast<int>(soup.points.size());
+    const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
+    const FG::Curve_report report = setting.pulled_path(u, v);
+    const double expected = distance(u, v);
+    BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
+    BOOST_TEST(report.length >= expected * (1 - tolerance), u << " to " << v);
+    BOOST_TEST(report.length <= report.initial_length * (1 + tolerance));
+    equal += is_close(report.length, expected) ? 1 : 0;
+  }
+  std::cout << name << ": " << equal << " of " << pairs << " geodesics are shortest paths\n";
+  BOOST_TEST(equal >= pairs * 3 / 4);
+}
+
+} // namespace
+
+// ---------------------------------------------------------------- paths
+
+BOOST_AUTO_TEST_CASE(plane)
+{
+  for(Diagonal_rule rule : {Diagonal_rule::RISING, Diagonal_rule::RANDOM}) {
+    const Mesh_soup soup = flat_grid(9, 7, rule);
+    check_distances("grid", soup, 100 * scale, [&](int u, int v) { return distance(soup.points[u], soup.points[v]); });
+  }
+  const Mesh_soup soup = jittered_grid(12, 12, Diagonal_rule::RANDOM, 0.24, 1);
+  check_distances("jittered grid", soup, 200 * scale,
+                  [&](int u, int v) { return distance(soup.points[u], soup.points[v]); });
+}
+
+BOOST_AUTO_TEST_CASE(boxes)
+{
+  for(const auto& [a, b, c] : {Coordinates{1, 1, 1}, Coordinates{3, 2, 1}, Coordinates{1, 0.1, 2}}) {
+    const Mesh_soup soup = box(a, b, c, 5);
+    check_distances("box", soup, 100 * scale, [&, a = a, b = b, c = c](int u, int v) {
+      return box_distance(a, b, c, soup.points[u], soup.points[v]);
+    });
+  }
+}
+
+// The distance that inexact unfolding elsewhere has been seen to miss.
+BOOST_AUTO_TEST_CASE(cube_of_edge_32)
+{
+  const Mesh_soup soup = translated(scaled(cube(16), 2), -16, -16, -16);
+  Curve_setting setting(soup);
+  const int u = index_of(soup, {-16, -6, 0}), v = index_of(soup, {8, -16, 12});
+  BOOST_REQUIRE(u >= 0);
+  BOOST_REQUIRE(v >= 0);
+  check_shortest(setting.pulled_path(u, v), std::sqrt(1300.0));
+}
+
+BOOST_AUTO_TEST_CASE(tetrahedra)
+{
+  for(int n : {1, 2, 5}) {
+    const Mesh_soup soup = tetrahedron(n);
+    check_distances("tetrahedron", soup, 100 * scale,
+                    [&](int u, int v) { return tetrahedron_distance(n, soup.points[u], soup.points[v]); });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cylinder_helices)
+{
+  const int n = 7, m = 6;
+  const double radius = 1.5, height = 4;
+  Curve_setting setting(cylinder(n, m, radius, height));
+  for(int steps = 0; steps <= 3 * n; ++steps)
+    check_shortest(setting.pulled(cylinder_helix(n, m, 2, steps), false),
+                   std::hypot(height, steps * polygon_side(n, radius)));
+  for(int k = 1; k < m; ++k)
+    check_shortest(setting.pulled(with_detours(cylinder(n, m, radius, height), cylinder_ring(n, k), true), true),
+                   n * polygon_side(n, radius));
+}
+
+// An apex below pi, above pi, and of more than 2 pi: the path stays on its side of the apex if it can.
+BOOST_AUTO_TEST_CASE(cones_and_saddles)
+{
+  const int k = 12, m = 4;
+  for(double total : {0.9, 2.5, 3.9, 5.8, 7.0, 9.5, 14.0}) {
+    Curve_setting setting(total < 2 * pi ? cone_disk(k, m, total) : saddle_disk(k, m, total));
+    for(int r = 1; r <= m; ++r)
+      for(int steps = 1; steps < k; ++steps) {
+        const double angle = total * steps / k, other = total - angle;
+        if(std::abs(angle - pi) < 1e-6 || std::abs(other - pi) < 1e-6)
+          continue; // a tie
+        const double expected = cone_distance(r, r, angle < pi ? angle : other);
+        const FG::Curve_report report = setting.pulled(disk_arc(k, r, 1, steps), false);
+        if(r == m && total > 2 * pi)
+          continue; // the border is in the way
+        check_shortest(report, expected);
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_saddle_vertex_is_passed)
+{
+  const int k = 6, m = 3;
+  Curve_setting setting(saddle_disk(k, m, 9));
+  setting.add(disk_arc(k, 1, 0, 3), false);
+  const FG::Shortening_report report = setting.pull();
+  check_shortest(report.curves[0], 2);
+  BOOST_TEST(report.curves[0].smallest_angle == 4.5, boost::test_tools::tolerance(1e-9));
+  bool passes = false;
+  for(int h : setting.network.halfedges(0))
+    passes = passes || setting.triangulation.tail(h) == 0;
+  BOOST_TEST(passes);
+}
+
+// ---------------------------------------------------------------- loops
+
+BOOST_AUTO_TEST_CASE(flat_tori)
+{
+  const int n = 6, m = 5;
+  const double a = 3, b = 2;
+  const Mesh_soup soup = torus(n, m, 3, 1);
+  const Surface mesh = to_mesh<Surface>(soup);
+  std::map<Edge, double> lengths = edge_lengths(mesh, Flat_torus_metric{n, m, a, b});
+  Length_triangulation triangulation(mesh, Length_metric(mesh, Length_map(lengths)));
+  for(int p = -4; p <= 4; ++p)
+    for(int q = 0; q <= 4; ++q) {
+      if(std::gcd(p, q) != 1)
+        continue;
+      FG::Edge_path_network<Length_triangulation> network(triangulation);
+      const Vertex_sequence loop = torus_loop(n, m, p, q);
+      network.add_curve(FG::halfedges_through(triangulation, loop, true), true);
+      FG::order_overlapping_curves(network);
+      check_shortest(FG::shorten(network).curves[0], std::hypot(p * a, q * b));
+      network.clear();
+      triangulation.rollback();
+    }
+}
+
+BOOST_AUTO_TEST_CASE(closed_geodesics_of_the_tetrahedron)
+{
+  for(int n : {2, 4, 6}) {
+    Curve_setting setting(tetrahedron(n));
+    const double length = 2 * n * std::sqrt(8.0);
+    check_shortest(setting.pulled(tetrahedron_loop(n), true), length);
+    check_shortest(setting.pulled(with_detours(tetrahedron(n), tetrahedron_loop(n), true, 2), true), length);
+  }
+}
+
+// A simple loop either contracts or ends at 2 * edge * sqrt(p*p + p*q + q*q) for coprime p, q: there are no others.
+BOOST_AUTO_TEST_CASE(random_loops_on_the_tetrahedron)
+{
+  for(int n : {2, 3}) {
+    Curve_setting setting(tetrahedron(n));
+    std::map<int, int> found;
+    Random_numbers random(2);
+    for(int i = 0; i < 6000 * scale; ++i) {
+      flip_at_random(setting.triangulation, random.below(40), random);
+      const std::vector<int> walk = random_walk(setting.triangulation, 12, true, random);
+      if(!walk.empty()) {
+        setting.network.add_curve(walk, true);
+        if(order_at_random(setting.network, walk, 5, random)) {
+          const FG::Curve_report report = setting.pull().curves[0];
+          const double norm = std::pow(report.length / (2 * n * std::sqrt(8.0)), 2);
+          ++found[static_cast<int>(std::lround(norm))];
+          BOOST_TEST(std::abs(norm - std::lround(norm)) < 1e-9);
+          BOOST_TEST((report.status == Shortening_status::CONTRACTED || norm > 0.5));
+          BOOST_TEST((report.status != Shortening_status::PRECISION_LIMIT));
+        }
+        setting.network.clear();
+      }
+      setting.triangulation.rollback();
+    }
+    std::cout << "loops on a tetrahedron, by p*p + p*q + q*q:";
+    for(const auto& [norm, count] : found)
+      std::cout << ' ' << norm << " (" << count << ')';
+    std::cout << '\n';
+    BOOST_TEST(found[1] > 0);
+    for(int impossible : {2, 4, 5, 6, 8, 9, 10, 11, 12})
+      BOOST_TEST(found[impossible] == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(hexagons_on_the_octahedron)
+{
+  const int n = 4;
+  const Mesh_soup soup = octahedron(n);
+  const Vertex_sequence hexagon =
+      vertices_on_polyline(soup, {{2, -2, 0}, {2, 0, -2}, {0, 2, -2}, {-2, 2, 0}, {-2, 0, 2}, {0, -2, 2}}, true);
+  Curve_setting setting(soup);
+  check_shortest(setting.pulled(hexagon, true), 3 * n * std::sqrt(2.0));
+  check_shortest(setting.pulled(with_detours(soup, hexagon, true, 3), true), 3 * n * std::sqrt(2.0));
+}
+
+BOOST_AUTO_TEST_CASE(handles_of_genus_3)
+{
+  for(int n : {1, 2, 3}) {
+    const Mesh_soup soup = genus_3_plate(n);
+    Curve_setting setting(soup);
+    for(const Vertex_sequence& loop : genus_3_loops(n)) {
+      check_shortest(setting.pulled(loop, true), 4 * n);
+      for(int period : {1, 2, 3}) {
+        const FG::Curve_report report = setting.pulled(with_detours(soup, loop, true, period), true);
+        BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
+        BOOST_TEST(report.length >= 4 * n * (1 - tolerance));
+        BOOST_TEST(report.length <= report.initial_length * (1 + tolerance));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(contractible_loops)
+{
+  Curve_setting smallest(thirteen_vertex_cone_disk());
+  for(int r : {1, 2})
+    BOOST_TEST(FG::to_string(smallest.pulled(disk_ring(6, r), true).status) == "CONTRACTED");
+  for(double total : {0.5, 2.0, 4.0, 6.0}) {
+    Curve_setting setting(cone_disk(7, 5, total));
+    for(int r = 1; r <= 5; ++r)
+      BOOST_TEST(FG::to_string(setting.pulled(disk_ring(7, r), true).status) == "CONTRACTED");
+  }
+  Curve_setting saddle(saddle_disk(8, 4, 11));
+  for(int r = 1; r <= 4; ++r)
+    BOOST_TEST(FG::to_string(saddle.pulled(disk_ring(8, r), true).status) == "CONTRACTED");
+}
+
+BOOST_AUTO_TEST_CASE(loops_contract_on_convex_surfaces)
+{
+  std::map<std::string, int> counts;
+  Random_numbers random(3);
+  const std::vector<Mesh_soup> soups = {random_convex_polyhedron(20, 1), random_convex_polyhedron(60, 2),
+                                        random_convex_polyhedron(8, 3), sphere(3)};
+  for(const Mesh_soup& soup : soups) {
+    Curve_setting setting(soup);
+    for(int i = 0; i < 3000 * scale; ++i) {
+      flip_at_random(setting.triangulation, random.below(200), random);
+      const std::vector<int> walk = random_walk(setting.triangulation, 25, true, random);
+      if(!walk.empty()) {
+        setting.network.add_curve(walk, true);
+        if(order_at_random(setting.network, walk, 5, random))
+          ++counts[FG::to_string(setting.pull().curves[0].status)];
+        setting.network.clear();
+      }
+      setting.triangulation.rollback();
+    }
+  }
+  for(const auto& [status, count] : counts)
+    std::cout << "loops on convex surfaces: " << status << ' ' << count << '\n';
+  BOOST_TEST(counts["CONTRACTED"] > 100);
+  BOOST_TEST(counts["LOCALLY_SHORTEST"] == 0);
+  BOOST_TEST(counts["PRECISION_LIMIT"] * 1000 <= counts["CONTRACTED"]);
+}

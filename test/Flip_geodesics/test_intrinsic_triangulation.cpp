@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE intrinsic_triangulation
+
+#include "generated_curves.h"
+#include "generated_meshes.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Edge = boost::graph_traits<Mesh>::edge_descriptor;
+using Length_map = boost::associative_property_map<std::map<Edge, double>>;
+using Length_metric = FG::Edge_length_metric<Mesh, Length_map>;
+using Length_triangulation =
+    FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Length_metric::Kernel>, Length_metric>;
+
+namespace {
+
+#ifdef FLIP_GEODESICS_LONG_TESTS
+constexpr int scale = 50;
+#else
+constexpr int scale = 1;
+#endif
+
+std::vector<Mesh_soup> soups()
+{
+  return {tetrahedron(1),
+          shaken(tetrahedron(1), 0.4, 1),
+          shaken(octahedron(1), 0.3, 2),
+          shaken(torus(4, 3, 2, 1), 0.2, 3),
+          cone_disk(5, 1, 2),
+          shaken(flat_grid(4, 3, Diagonal_rule::RANDOM), 0.2, 4),
+          shaken(grid_with_hole(3, 3, 1, 2, 1, 2), 0.1, 5),
+          single_triangle(),
+          shaken(genus_3_plate(1), 0.1, 6),
+          random_convex_polyhedron(30, 7),
+          with_isolated_vertices(disjoint_union(octahedron(1), flat_grid(2, 2, Diagonal_rule::FALLING)), 2, 1)};
+}
+
+// ---------------------------------------------------------------- what flips must not change
+
+// All that the triangulation says of its halfedges, as bytes where it is a number.
+struct Snapshot
+{
+  std::vector<int> links;
+  std::vector<double> vectors;
+
+  explicit Snapshot(const Triangulation& t)
+  {
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      const bool is_border = t.is_border(h);
+      for(int i : {is_border ? -1 : int(t.next(h)), int(t.tail(h)), int(t.crossings(h / 2)), int(t.version(h / 2))})
+        links.push_back(i);
+      if(!is_border)
+        vectors.insert(vectors.end(), {t.geometry(h).x, t.geometry(h).y});
+    }
+  }
+
+  bool operator==(const Snapshot& other) const
+  {
+    return links == other.links && vectors.size() == other.vectors.size() &&
+           std::memcmp(vectors.data(), other.vectors.data(), vectors.size() * sizeof(double)) == 0;
+  }
+};
+
+std::vector<int> connectivity(const Triangulation& t)
+{
+  std::vector<int> result;
+  for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    result.push_back(t.is_border(h) ? -1 : t.next(h));
+    result.push_back(t.tail(h));
+  }
+  return result;
+}
+
+struct Measures
+{
+  double area = 0;
+  std::vector<double> angle_sums;
+
+  explicit Measures(const Triangulation& t)
+    : angle_sums(static_cast<std::size_t>(t.number_of_vertices()), 0.0)
+  {
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      if(t.is_border(h))
+        continue;
+      const auto out = t.geometry(h), in = t.geometry(t.previous(h));
+      const double cross = in.x * out.y - in.y * out.x, dot = -(in.x * out.x + in.y * out.y);
+      area += cross / 6; // each face is met three times
+      angle_sums[t.tail(h)] += std::atan2(cross, dot);
+    }
+  }
+};
+
+// ---------------------------------------------------------------- lengths by another route
+
+using Vector = std::complex<long double>;
+
+// The lengths of the sides of the input face left of h, in long double from the coordinates.
+long double input_length(const Mesh& mesh, const Triangulation& t, int h)
+{
+  const Point p = mesh.point(t.vertex(t.input().tail(h))), q = mesh.point(t.vertex(t.input().tail(h ^ 1)));
+  const long double x = (long double)q.x() - p.x(), y = (long double)q.y() - p.y(), z = (long double)q.z() - p.z();
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+// The third point of the input face on the left of h when h leads from a to b in the plane.
+Vector apex(const Mesh& mesh, const Triangulation& t, int h, Vector a, Vector b)
+{
+  const long double c = input_length(mesh, t, h), l = input_length(mesh, t, t.input().next(h)),
+                    r = input_length(mesh, t, t.input().next(t.input().next(h)));
+  const long double x = (c * c + r * r - l * l) / (2 * c), y = std::sqrt((std::max)(r * r - x * x, 0.0L));
+  return a + (b - a) / std::abs(b - a) * Vector(x, y);
+}
+
+struct Unfolded
+{
+  long double length;
+  long double largest_bend; // as the sine of an angle at the nearer end
+};
+
+Unfolded unfold(const Mesh& mesh, const Triangulation& t, const FG::Crossing_word& word)
+{
+  if(word.along != FG::null_index)
+    return {input_length(mesh, t, word.along), 0};
+  // The first crossed edge, from right to left as the traveller sees it, and the tail on its left side.
+  const int first = word.crossed.front();
+  Vector right = 0, left = input_length(mesh, t, first);
+  const Vector tail = apex(mesh, t, first, right, left);
+  std::vector<std::pair<Vector, Vector>> gates;
+  for(std::size_t i = 0;; ++i) {
+    gates.emplace_back(right, left);
+    const int entered = word.crossed[i] ^ 1; // from left to right
+    const Vector next = apex(mesh, t, entered, left, right);
+    if(i + 1 == word.crossed.size()) {
+      Unfolded result = {std::abs(next - tail), 0};
+      const Vector direction = (next - tail) / result.length;
+      for(const auto& [r, l] : gates) {
+        const Vector pr = (r - tail) / direction, pl = (l - tail) / direction;
+        const long double end = result.length;
+        result.largest_bend = (std::max)({result.largest_bend, pr.imag() / (std::min)(std::abs(pr), std::abs(pr - end)),
+                                          -pl.imag() / (std::min)(std::abs(pl), std::abs(pl - end))});
+      }
+      return result;
+    }
+    const int crossed = word.crossed[i + 1];
+    if(crossed == t.input().next(entered)) // starts at the right end
+      left = next;
+    else {
+      BOOST_REQUIRE_EQUAL(crossed, t.input().next(t.input().next(entered)));
+      right = next;
+    }
+  }
+}
+
+// ---------------------------------------------------------------- what occurs in Delta-complexes
+
+struct Oddities
+{
+  long loops = 0, multiple_edges = 0, degree_one = 0, border_edges = 0, self_glued_faces = 0;
+
+  void count(const Triangulation& t)
+  {
+    std::set<std::pair<int, int>> ends;
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      loops += h % 2 == 0 && t.tail(h) == t.head(h) ? 1 : 0;
+      border_edges += t.is_border(h) ? 1 : 0;
+      self_glued_faces += !t.is_border(h) && t.next(h) == (h ^ 1) ? 1 : 0;
+      degree_one += !t.is_border(h ^ 1) && t.clockwise(h) == h ? 1 : 0;
+      if(h % 2 == 0)
+        multiple_edges += ends.insert(std::minmax<int>(t.tail(h), t.head(h))).second ? 0 : 1;
+    }
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(flips_keep_area_and_angle_sums)
+{
+  Random_numbers random(1);
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    const Measures before(t);
+    for(int i = 0; i < 20 * scale; ++i) {
+      flip_at_random(t, 30, random);
+      const Measures after(t);
+      BOOST_TEST(std::abs(after.area - before.area) < 1e-9 * before.area);
+      for(std::size_t v = 0; v < before.angle_sums.size(); ++v)
+        BOOST_TEST(std::abs(after.angle_sums[v] - before.angle_sums[v]) < 1e-8);
+      BOOST_TEST(t.is_valid());
+      t.rollback(t.log_position() * 3 / 4);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(four_flips_are_the_identity)
+{
+  Random_numbers random(2);
+  long tested = 0;
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    for(int i = 0; i < 100 * scale; ++i) {
+      flip_at_random(t, 2, random);
+      const int h = random.below(t.number_of_halfedges());
+      if(!t.is_flippable(h))
+        continue;
+      const std::vector<int> before = connectivity(t);
+      const double length = t.length(h);
+      for(int k = 0; k < 4; ++k)
+        t.flip(h);
+      BOOST_TEST((connectivity(t) == before));
+      BOOST_TEST(std::abs(t.length(h) - length) < 1e-12 * length);
+      ++tested;
+      if(t.log_position() > 200)
+        t.rollback();
+    }
+  }
+  BOOST_TEST(tested > 200);
+}
+
+BOOST_AUTO_TEST_CASE(rollback_restores_every_bit)
+{
+  Random_numbers random(3);
+  std::size_t flips = 0;
+  Oddities odd;
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    const Snapshot input(t);
+    for(int k = 0; k < 5 * scale; ++k) {
+      std::vector<std::pair<Triangulation::Log_position, Snapshot>> places;
+      for(int i = 0; i < 10; ++i) {
+        places.emplace_back(t.log_position(), Snapshot(t));
+        flip_at_random(t, 200, random);
+        odd.count(t);
+      }
+      flips += t.log_position();
+      BOOST_TEST(t.is_valid(1e-3));
+      for(std::size_t i = places.size(); i-- > 0;) {
+        t.rollback(places[i].first);
+        BOOST_TEST(t.log_position() == places[i].first);
+        BOOST_TEST((Snapshot(t) == places[i].second));
+      }
+      BOOST_TEST((Snapshot(t) == input));
+      for(int v = 0; v < t.number_of_vertices(); ++v)
+        BOOST_TEST((t.outgoing(v) == FG::null_index || t.tail(t.outgoing(v)) == v));
+    }
+  }
+  std::cout << flips << " flips rolled back; loops " << odd.loops << ", multiple edges " << odd.multiple_edges
+            << ", vertices of degree 1 " << odd.degree_one << ", faces glued to themselves " << odd.self_glued_faces
+            << ", border edges " << odd.border_edges << '\n';
+  BOOST_TEST(flips > 10000u);
+  BOOST_TEST(odd.loops > 0);
+  BOOST_TEST(odd.multiple_edges > 0);
+  BOOST_TEST(odd.degree_one > 0);
+  BOOST_TEST(odd.self_glued_faces > 0);
+  BOOST_TEST(odd.border_edges > 0);
+}
+
+// A face that is laid out afresh between flips has another frame; flips that are taken back must not mix the two.
+BOOST_AUTO_TEST_CASE(rollback_restores_faces_that_were_laid_out_afresh)
+{
+  const Mesh mesh = to_mesh<Mesh>(shaken(octahedron(2), 0.2, 9));
+  Triangulation t(mesh);
+  const Snapshot input(t);
+  Random_numbers random(11);
+  for(int i = 0; i < 200; ++i) {
+    flip_at_random(t, 3, random);
+    const int h = random.below(t.number_of_halfedges()); // turned by a right angle
+    const auto a = t.geometry(h), b = t.geometry(t.next(h)), c = t.geometry(t.previous(h));
+    t.set_face_geometry(h, {{{-a.y, a.x}, {-b.y, b.x}, {-c.y, c.x}}});
+  }
+  BOOST_TEST(t.is_valid());
+  t.rollback();
+  BOOST_TEST((Snapshot(t) == input));
+  for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    const auto a = t.geometry(h), b = t.geometry(t.next(h)), c = t.geometry(t.previous(h));
+    BOOST_TEST(std::abs(a.x + b.x + c.x) + std::abs(a.y + b.y + c.y) < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_touch_leaves_no_trace)
+{
+  const Mesh mesh = to_mesh<Mesh>(shaken(torus(5, 4, 3, 1), 0.2, 10));
+  const Triangulation forward(mesh), backward(mesh);
+  for(int h = forward.number_of_halfedges(); h-- > 0;)
+    backward.is_border(h);
+  BOOST_TEST((Snapshot(forward) == Snapshot(backward)));
+}
+
+BOOST_AUTO_TEST_CASE(words_are_exact_and_straight)
+{
+  Random_numbers random(4);
+  long words = 0, longest = 0;
+  double worst_length = 0, worst_bend = 0;
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    for(int k = 0; k < 60 * scale; ++k) {
+      Triangulation t(mesh);
+      flip_at_random(t, 10 + random.below(90), random);
+      for(int h = 0; h < t.number_of_halfedges(); ++h) {
+        const FG::Crossing_word word = t.crossing_word(h), back = t.crossing_word(h ^ 1).reversed();
+        BOOST_TEST((word.crossed == back.crossed && word.along == back.along));
+        const int crossings = word.along == FG::null_index ? static_cast<int>(word.crossed.size()) : -1;
+        BOOST_TEST(t.crossings(h / 2) == crossings);
+        BOOST_TEST((crossings != 0));
+        const Unfolded unfolded = unfold(mesh, t, word);
+        const FG::internal::Strip<Triangulation> strip(t, word);
+        worst_length = (std::max)({worst_length, std::abs(double(t.length(h) / unfolded.length - 1)),
+                                   std::abs(double(strip.length() / unfolded.length - 1))});
+        worst_bend = (std::max)({worst_bend, strip.bend(), double(unfolded.largest_bend)});
+        longest = (std::max)(longest, long(crossings));
+        ++words;
+      }
+    }
+  }
+  std::cout << words << " words, the longest crosses " << longest << " edges; largest relative error of a length "
+            << worst_length << ", largest bend " << worst_bend << '\n';
+  BOOST_TEST(longest > 20);
+  BOOST_TEST(worst_length < 1e-9);
+  BOOST_TEST(worst_bend < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(input_edges_are_counted_around_vertices)
+{
+  Random_numbers random(5);
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    for(int k = 0; k < 20 * scale; ++k) {
+      t.rollback();
+      flip_at_random(t, 60, random);
+      for(int h = 0; h < t.number_of_halfedges(); ++h) {
+        const std::vector<int> spokes = spokes_at_tail(t, h);
+        const bool has_border =
+            std::any_of(spokes.begin(), spokes.end(), [&](int g) { return t.clockwise(g) == FG::null_index; });
+        if(has_border)
+          continue;
+        const int along = t.crossings(h / 2) < 0 ? 1 : 0;
+        BOOST_TEST(t.input_edges_in_wedge(h, h) + along == static_cast<int>(mesh.degree(t.vertex(t.tail(h)))));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lengths_alone_give_the_same_triangulation)
+{
+  const Mesh mesh = to_mesh<Mesh>(shaken(torus(5, 4, 3, 1), 0.2, 8));
+  std::map<Edge, double> lengths;
+  for(Edge e : edges(mesh))
+    lengths[e] = std::sqrt(CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh))));
+  Triangulation embedded(mesh);
+  Length_triangulation intrinsic(mesh, Length_metric(mesh, Length_map(lengths)));
+  Random_numbers random(6);
+  for(int i = 0; i < 500; ++i) {
+    const int h = random.below(embedded.number_of_halfedges());
+    BOOST_TEST(embedded.is_flippable(h) == intrinsic.is_flippable(h));
+    if(!embedded.is_flippable(h))
+      continue;
+    embedded.flip(h);
+    intrinsic.flip(h);
+    BOOST_TEST(embedded.length(h) == intrinsic.length(h), boost::test_tools::tolerance(1e-10));
+    BOOST_TEST(embedded.crossings(h / 2) == intrinsic.crossings(h / 2));
+  }
+  BOOST_TEST(intrinsic.is_valid());
+}
+
+BOOST_AUTO_TEST_CASE(isolated_vertices_have_no_spokes)
+{
+  const Mesh mesh = to_mesh<Mesh>(with_isolated_vertices(octahedron(1), 2, 1));
+  const Triangulation t(mesh);
+  BOOST_TEST(t.number_of_vertices() == 9);
+  for(int v = 0; v < 9; ++v)
+    BOOST_TEST((t.outgoing(v) == FG::null_index) == (v < 2 || v == 8));
+}
+
+BOOST_AUTO_TEST_CASE(removed_elements_keep_their_indices)
+{
+  Mesh mesh = to_mesh<Mesh>(disjoint_union(octahedron(1), flat_grid(2, 2, Diagonal_rule::FALLING)));
+  CGAL::Euler::remove_face(mesh.halfedge(*(std::prev(mesh.faces().end()))), mesh);
+  BOOST_REQUIRE(mesh.has_garbage());
+  Triangulation t(mesh);
+  Random_numbers random(7);
+  int flips = 0;
+  for(int i = 0; i < 200; ++i) {
+    const int h = random.below(24); // of the octahedron
+    if(t.is_flippable(h)) {
+      t.flip(h);
+      ++flips;
+    }
+  }
+  BOOST_TEST(flips > 20);
+  BOOST_TEST(t.index(t.vertex(13)) == 13);
+}
+
+BOOST_AUTO_TEST_CASE(moving_keeps_everything)
+{
+  const Mesh mesh = to_mesh<Mesh>(shaken(octahedron(2), 0.2, 9));
+  Triangulation t(mesh);
+  Random_numbers random(8);
+  flip_at_random(t, 300, random);
+  const Snapshot before(t);
+  Triangulation moved(std::move(t));
+  BOOST_TEST((Snapshot(moved) == before));
+  Triangulation assigned(mesh);
+  assigned = std::move(moved);
+  BOOST_TEST((Snapshot(assigned) == before));
+  assigned.rollback();
+  BOOST_TEST((Snapshot(assigned) == Snapshot(Triangulation(mesh))));
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE mesh_types
+
+#include "Mesh_archetype.h"
+#include "generated_curves.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_USE_OPENMESH
+#include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#endif
+
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+
+#include <boost/mpl/list.hpp>
+#include <boost/mpl/push_front.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Simple = CGAL::Simple_cartesian<double>;
+
+namespace {
+
+// How a soup becomes a mesh, and where its points are.
+template <class Mesh_>
+struct Mesh_type
+{
+  using Mesh = Mesh_;
+  static Mesh make(const Mesh_soup& soup) { return to_mesh<Mesh>(soup); }
+  static auto points(const Mesh& mesh) { return get(CGAL::vertex_point, mesh); }
+};
+
+struct Archetype_type
+{
+  using Mesh = Mesh_archetype;
+  static Mesh make(const Mesh_soup& soup) { return Mesh(soup); }
+  static auto points(const Mesh& mesh) { return Archetype_point_map{&mesh}; }
+};
+
+#ifdef CGAL_USE_OPENMESH
+struct Double_traits : OpenMesh::DefaultTraits
+{
+  using Point = OpenMesh::Vec3d;
+};
+#endif
+
+using Meshes_with_points = boost::mpl::list<Mesh_type<CGAL::Surface_mesh<Epick::Point_3>>,
+#ifdef CGAL_USE_OPENMESH
+                                            Mesh_type<OpenMesh::TriMesh_ArrayKernelT<Double_traits>>,
+#endif
+                                            Mesh_type<CGAL::Polyhedron_3<Epick>>>;
+
+using Mesh_types = boost::mpl::push_front<Meshes_with_points, Archetype_type>::type;
+
+// What a curve is, whatever the mesh type: points in space, and figures.
+struct Curve
+{
+  std::vector<Coordinates> points;
+  FG::Curve_report report;
+};
+
+template <class Point>
+Coordinates coordinates(const Point& p)
+{
+  return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+}
+
+template <class Type>
+class Curves_on
+{
+  using Mesh = typename Type::Mesh;
+  using Point_map = decltype(Type::points(std::declval<const Mesh&>()));
+  using Metric = FG::Embedded_metric<Mesh, Point_map>;
+  using Traits = FG::Intrinsic_triangulation_traits<typename Metric::Kernel>;
+  using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits, Metric>;
+  using Network = FG::Edge_path_network<Triangulation>;
+
+public:
+  explicit Curves_on(const Mesh_soup& soup)
+    : m_mesh(Type::make(soup))
+    , m_triangulation(m_mesh, Metric(Type::points(m_mesh)))
+  {
+  }
+
+  const Mesh& mesh() const { return m_mesh; }
+
+  Curve path(int u, int v)
+  {
+    FG::Shortest_edge_path<Triangulation> search(m_triangulation);
+    return pulled(FG::shortest_halfedges_through(search, Vertex_sequence{u, v}), false);
+  }
+
+  Curve loop(const Vertex_sequence& sequence)
+  {
+    return pulled(FG::halfedges_through(m_triangulation, sequence, true), true);
+  }
+
+private:
+  Curve pulled(const std::vector<FG::Index>& halfedges, bool is_closed)
+  {
+    Network network(m_triangulation);
+    network.add_curve(halfedges, is_closed);
+    Curve result;
+    result.report = FG::shorten(network).curves.front();
+    std::vector<typename Metric::Point_3> points;
+    FG::Curve_extractor<Network>(network).points(0, std::back_inserter(points));
+    for(const auto& p : points)
+      result.points.push_back(coordinates(p));
+    network.clear();
+    m_triangulation.rollback();
+    return result;
+  }
+
+  Mesh m_mesh;
+  Triangulation m_triangulation;
+};
+
+void check_equal(const Curve& a, const Curve& b)
+{
+  BOOST_TEST(FG::to_string(a.report.status) == std::string(FG::to_string(b.report.status)));
+  BOOST_TEST(std::abs(a.report.length - b.report.length) <= 1e-11 * b.report.length);
+  BOOST_TEST(std::abs(a.report.initial_length - b.report.initial_length) <= 1e-11 * b.report.initial_length);
+  BOOST_REQUIRE_EQUAL(a.points.size(), b.points.size());
+  for(std::size_t i = 0; i < a.points.size(); ++i)
+    BOOST_TEST(distance(a.points[i], b.points[i]) < 1e-9);
+}
+
+// Without ties, so that the order of edges has no influence. The point map of OpenMesh's meshes rounds what is put into
+// it to float.
+std::vector<Mesh_soup> soups()
+{
+  const auto bent = [](const Coordinates& p) {
+    return Coordinates{p[0] + 0.11 * std::sin(3 * p[1] + p[2]), p[1] + 0.07 * std::sin(5 * p[2] + p[0]),
+                       p[2] + 0.05 * std::sin(7 * p[0] + 2 * p[1])};
+  };
+  std::vector<Mesh_soup> result = {bumpy_sphere(4, 0.2, 1), jittered_grid(7, 6, Diagonal_rule::RANDOM, 0.2, 2),
+                                   mapped(genus_3_plate(2), bent)};
+  for(Mesh_soup& soup : result)
+    soup = mapped(soup, [](const Coordinates& p) { return Coordinates{float(p[0]), float(p[1]), float(p[2])}; });
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_same_geodesics_come_out, Type, Mesh_types)
+{
+  using Reference = Mesh_type<CGAL::Surface_mesh<Simple::Point_3>>;
+  std::size_t points = 0;
+  for(const Mesh_soup& soup : soups()) {
+    Curves_on<Type> curves(soup);
+    Curves_on<Reference> expected(soup);
+    Random_numbers random(1);
+    for(int i = 0; i < 30; ++i) {
+      const int n = static_cast<int>(soup.points.size());
+      const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
+      const Curve curve = curves.path(u, v);
+      check_equal(curve, expected.path(u, v));
+      points += curve.points.size();
+    }
+    const Corners& t = soup.triangles[random.below(static_cast<int>(soup.triangles.size()))];
+    check_equal(curves.loop({t[0], t[1], t[2]}), expected.loop({t[0], t[1], t[2]})); // contracts
+  }
+  std::cout << points << " points compared\n";
+  BOOST_TEST(points > 200u);
+}
+
+// The functions for one curve resolve the mesh's own point map.
+BOOST_AUTO_TEST_CASE_TEMPLATE(one_call_does_the_same, Type, Meshes_with_points)
+{
+  using Mesh = typename Type::Mesh;
+  const Mesh_soup soup = bumpy_sphere(4, 0.2, 3);
+  Curves_on<Type> curves(soup);
+  const Mesh& mesh = curves.mesh();
+  const std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> v(vertices(mesh).begin(),
+                                                                             vertices(mesh).end());
+  std::vector<typename boost::property_traits<decltype(Type::points(mesh))>::value_type> points;
+  const auto result = FG::geodesic_path(mesh, v[3], v[60], std::back_inserter(points));
+  const Curve expected = curves.path(3, 60);
+  BOOST_TEST(result.report.curves.front().length == expected.report.length);
+  BOOST_REQUIRE_EQUAL(points.size(), expected.points.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    BOOST_TEST(distance(coordinates(points[i]), expected.points[i]) == 0);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(loops_around_handles, Type, Mesh_types)
+{
+  const Mesh_soup soup = genus_3_plate(2);
+  Curves_on<Type> curves(soup);
+  for(const Vertex_sequence& loop : genus_3_loops(2)) {
+    const Curve curve = curves.loop(loop);
+    BOOST_TEST(FG::to_string(curve.report.status) == "LOCALLY_SHORTEST");
+    BOOST_TEST(curve.report.length == 8, boost::test_tools::tolerance(1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(errors_have_types, Type, Mesh_types)
+{
+  Curves_on<Type> two(with_isolated_vertices(disjoint_union(octahedron(1), octahedron(1)), 0, 1));
+  BOOST_CHECK_THROW(two.path(0, 6), FG::Disconnected_endpoints_error);
+  BOOST_CHECK_THROW(two.path(3, 3), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(two.loop({0, 2, 1, 6}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(two.path(0, 12), FG::Disconnected_endpoints_error);
+}

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE stop_predicates
+
+#include "Curve_setting.h"
+#include "generated_curves.h"
+#include "generated_meshes.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using FG::Shortening_status;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+#ifdef FLIP_GEODESICS_LONG_TESTS
+constexpr int scale = 50;
+#else
+constexpr int scale = 1;
+#endif
+
+// Sums of lengths in another order.
+constexpr double rounding = 1e-13;
+
+using Setting_ptr = std::unique_ptr<Curve_setting>;
+
+// Random networks: long paths, loops that contract, loops that do not, on a Delta-complex.
+template <class Function>
+void for_random_networks(int number, unsigned seed, const Function& function)
+{
+  const std::vector<Mesh_soup> soups = {shaken(torus(6, 5, 3, 1), 0.2, 1), bumpy_sphere(4, 0.3, 2), genus_3_plate(1),
+                                        jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 3)};
+  Random_numbers random(seed);
+  for(const Mesh_soup& soup : soups) {
+    Curve_setting setting(soup);
+    for(int i = 0; i < number * scale; ++i) {
+      flip_at_random(setting.triangulation, random.below(40), random);
+      for(int k = 0; k < 6; ++k) {
+        const std::vector<int> walk = random_walk(setting.triangulation, 12, random.below(2) == 0, random);
+        if(walk.empty())
+          continue;
+        const bool is_closed = setting.triangulation.head(walk.back()) == setting.triangulation.tail(walk.front());
+        setting.network.add_curve(walk, is_closed);
+        if(!setting.network.is_valid()) {
+          setting.network.clear(); // the first few are as good
+          continue;
+        }
+      }
+      if(setting.network.number_of_curves() > 0)
+        function(setting, random);
+      setting.network.clear();
+      setting.triangulation.rollback();
+    }
+  }
+}
+
+double total(const FG::Shortening_report& report, double FG::Curve_report::*value)
+{
+  double sum = 0;
+  for(const FG::Curve_report& curve : report.curves)
+    sum += curve.*value;
+  return sum;
+}
+
+void check_consistency(const Curve_setting& setting, const FG::Shortening_report& report)
+{
+  BOOST_TEST(report.curves.size() == static_cast<std::size_t>(setting.network.number_of_curves()));
+  bool is_complete = true;
+  for(int c = 0; c < setting.network.number_of_curves(); ++c) {
+    const FG::Curve_report& curve = report.curves[c];
+    BOOST_TEST(curve.initial_length == setting.network.initial_length(c));
+    BOOST_TEST(curve.length == setting.network.length(c));
+    BOOST_TEST(curve.length <= curve.initial_length * (1 + rounding));
+    const bool is_contracted = curve.status == Shortening_status::CONTRACTED;
+    BOOST_TEST(is_contracted == setting.network.is_contracted(c));
+    BOOST_TEST((!is_contracted || (curve.length == 0 && std::isinf(curve.smallest_angle))));
+    BOOST_TEST((curve.status != Shortening_status::LOCALLY_SHORTEST || curve.smallest_angle > pi - 1e-8));
+    is_complete = is_complete && (is_contracted || curve.status == Shortening_status::LOCALLY_SHORTEST);
+  }
+  BOOST_TEST(report.is_complete() == is_complete);
+  BOOST_TEST(setting.network.is_valid());
+  BOOST_TEST(setting.triangulation.is_valid());
+}
+
+int count(const FG::Shortening_report& report, Shortening_status status)
+{
+  int result = 0;
+  for(const FG::Curve_report& curve : report.curves)
+    result += curve.status == status ? 1 : 0;
+  return result;
+}
+
+void print(const char* title, const std::map<std::string, int>& statuses)
+{
+  std::cout << title << ':';
+  for(const auto& [status, number] : statuses)
+    std::cout << ' ' << status << ' ' << number;
+  std::cout << '\n';
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_stops)
+{
+  for_random_networks(300, 1, [](Curve_setting& setting, Random_numbers&) {
+    const FG::Shortening_report report = setting.pull();
+    check_consistency(setting, report);
+    BOOST_TEST(report.is_complete());
+    const FG::Shortening_report again = setting.pull(); // there is nothing left to do
+    BOOST_TEST(again.flips == 0u);
+    BOOST_TEST(again.flip_outs == 0u);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(total_length)
+{
+  std::map<std::string, int> statuses;
+  for_random_networks(300, 2, [&](Curve_setting& setting, Random_numbers& random) {
+    const double ratio = random.uniform(0, 1);
+    const FG::Shortening_report report = setting.pull(FG::Length_ratio_stop_predicate(ratio));
+    check_consistency(setting, report);
+    BOOST_TEST(total(report, &FG::Curve_report::length) >=
+               ratio * total(report, &FG::Curve_report::initial_length) * (1 - rounding));
+    BOOST_TEST(count(report, Shortening_status::LENGTH_LIMIT) + count(report, Shortening_status::LOCALLY_SHORTEST) +
+                   count(report, Shortening_status::CONTRACTED) ==
+               setting.network.number_of_curves());
+    if(!report.is_complete()) // the step that was refused would have led below
+      BOOST_TEST(count(report, Shortening_status::LENGTH_LIMIT) > 0);
+    for(const FG::Curve_report& curve : report.curves)
+      ++statuses[FG::to_string(curve.status)];
+  });
+  print("total length", statuses);
+  BOOST_TEST(statuses["LENGTH_LIMIT"] > 0);
+  BOOST_TEST(statuses["LOCALLY_SHORTEST"] > 0);
+}
+
+BOOST_AUTO_TEST_CASE(length_of_each_curve)
+{
+  std::map<std::string, int> statuses;
+  for_random_networks(300, 3, [&](Curve_setting& setting, Random_numbers& random) {
+    const double ratio = random.uniform(0, 1);
+    const FG::Shortening_report report = setting.pull(FG::Curve_length_ratio_stop_predicate(ratio));
+    check_consistency(setting, report);
+    for(const FG::Curve_report& curve : report.curves) {
+      BOOST_TEST(curve.length >= ratio * curve.initial_length * (1 - rounding));
+      ++statuses[FG::to_string(curve.status)];
+    }
+  });
+  print("length of each curve", statuses);
+  BOOST_TEST(statuses["LENGTH_LIMIT"] > 0);
+  BOOST_TEST(statuses["CONTRACTED"] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(angles)
+{
+  std::map<std::string, int> statuses;
+  for_random_networks(300, 4, [&](Curve_setting& setting, Random_numbers& random) {
+    const double limit = random.uniform(0.1, pi);
+    const FG::Shortening_report report = setting.pull(FG::Angle_stop_predicate(limit));
+    check_consistency(setting, report);
+    for(const FG::Curve_report& curve : report.curves) {
+      BOOST_TEST(curve.smallest_angle >= limit - 1e-8);
+      ++statuses[FG::to_string(curve.status)];
+    }
+  });
+  print("angles", statuses);
+  BOOST_TEST(statuses["ANGLE_LIMIT"] > 0);
+}
+
+BOOST_AUTO_TEST_CASE(iterations)
+{
+  std::map<std::string, int> statuses;
+  for_random_networks(300, 5, [&](Curve_setting& setting, Random_numbers& random) {
+    const std::size_t limit = static_cast<std::size_t>(random.below(6));
+    const FG::Shortening_report report = setting.pull(FG::Iteration_stop_predicate(limit));
+    check_consistency(setting, report);
+    BOOST_TEST(report.flip_outs <= limit);
+    BOOST_TEST((report.is_complete() || report.flip_outs == limit));
+    for(const FG::Curve_report& curve : report.curves)
+      ++statuses[FG::to_string(curve.status)];
+  });
+  print("iterations", statuses);
+  BOOST_TEST(statuses["ITERATION_LIMIT"] > 0);
+}
+
+// One step at a time is the same as all at once, as long as the queue hands out the same joint.
+BOOST_AUTO_TEST_CASE(steps_one_by_one_end_as_well)
+{
+  for_random_networks(100, 6, [](Curve_setting& setting, Random_numbers&) {
+    double length = HUGE_VAL;
+    for(int steps = 0;; ++steps) {
+      BOOST_REQUIRE(steps < 10000);
+      const FG::Shortening_report report = setting.pull(FG::Iteration_stop_predicate(1));
+      check_consistency(setting, report);
+      BOOST_TEST(total(report, &FG::Curve_report::length) <= length * (1 + rounding));
+      length = total(report, &FG::Curve_report::length);
+      if(report.is_complete())
+        return;
+      BOOST_TEST(report.flip_outs == 1u);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(time_that_is_over)
+{
+  for_random_networks(5, 7, [](Curve_setting& setting, Random_numbers&) {
+    const FG::Shortening_report report = setting.pull(FG::Time_stop_predicate(std::chrono::seconds(0)));
+    check_consistency(setting, report);
+    BOOST_TEST(report.flip_outs == 0u);
+    const FG::Shortening_report rest = setting.pull(FG::Time_stop_predicate(std::chrono::hours(1000)));
+    BOOST_TEST(rest.is_complete());
+  });
+}
+
+BOOST_AUTO_TEST_CASE(any_of_several)
+{
+  using Any = FG::Any_stop_predicate<FG::Length_ratio_stop_predicate, FG::Iteration_stop_predicate>;
+  std::map<std::string, int> statuses;
+  for_random_networks(300, 8, [&](Curve_setting& setting, Random_numbers& random) {
+    const double ratio = random.uniform(0.5, 1);
+    const std::size_t limit = static_cast<std::size_t>(random.below(6));
+    const Any any(FG::Length_ratio_stop_predicate{ratio}, FG::Iteration_stop_predicate{limit});
+    const FG::Shortening_report report = setting.pull(any);
+    check_consistency(setting, report);
+    BOOST_TEST(report.flip_outs <= limit);
+    BOOST_TEST(total(report, &FG::Curve_report::length) >=
+               ratio * total(report, &FG::Curve_report::initial_length) * (1 - rounding));
+    for(const FG::Curve_report& curve : report.curves)
+      ++statuses[FG::to_string(curve.status)];
+  });
+  print("any of several", statuses);
+  BOOST_TEST(statuses["ITERATION_LIMIT"] > 0);
+  BOOST_TEST(statuses["LENGTH_LIMIT"] > 0);
+}
+
+// ---------------------------------------------------------------- visitors
+
+namespace {
+
+struct Counting_visitor : FG::Default_shortening_visitor
+{
+  template <class Triangulation>
+  void on_flip(const Triangulation& triangulation, int h)
+  {
+    ++flips;
+    BOOST_TEST(triangulation.label(h / 2) == 0);
+  }
+
+  template <class Network>
+  void after_flip_out(const Network& network, int curve)
+  {
+    ++steps;
+    BOOST_TEST(network.is_valid());
+    BOOST_TEST(curve < network.number_of_curves());
+  }
+
+  bool go_further()
+  {
+    ++questions;
+    return steps < limit;
+  }
+
+  std::size_t limit = static_cast<std::size_t>(-1), flips = 0, steps = 0, questions = 0;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(visitors_see_everything)
+{
+  for_random_networks(100, 9, [](Curve_setting& setting, Random_numbers&) {
+    Counting_visitor visitor;
+    const auto start = setting.triangulation.log_position();
+    const FG::Shortening_report report = FG::shorten(setting.network, FG::Never_stop_predicate(), visitor);
+    BOOST_TEST(visitor.flips == report.flips);
+    BOOST_TEST(visitor.steps == report.flip_outs);
+    BOOST_TEST(visitor.questions >= report.flip_outs);
+    BOOST_TEST(report.flips >= setting.triangulation.log_position() - start);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(visitors_interrupt)
+{
+  std::map<std::string, int> statuses;
+  for_random_networks(300, 10, [&](Curve_setting& setting, Random_numbers& random) {
+    Counting_visitor visitor;
+    visitor.limit = static_cast<std::size_t>(random.below(6));
+    const FG::Shortening_report report = FG::shorten(setting.network, FG::Never_stop_predicate(), visitor);
+    check_consistency(setting, report);
+    BOOST_TEST(report.flip_outs <= visitor.limit);
+    BOOST_TEST((report.is_complete() || report.flip_outs == visitor.limit));
+    for(const FG::Curve_report& curve : report.curves)
+      ++statuses[FG::to_string(curve.status)];
+  });
+  print("interrupted", statuses);
+  BOOST_TEST(statuses["STOPPED_BY_VISITOR"] > 0);
+}
+
+// ---------------------------------------------------------------- small regions
+
+// A limit on the total length lets a speck vanish; a limit on each curve keeps it.
+BOOST_AUTO_TEST_CASE(specks_survive_a_limit_per_curve)
+{
+  const int n = 40;
+  Curve_setting setting(cylinder(n, 6, 1, 3));
+  const Vertex_sequence ring = cylinder_ring(n, 4);
+  const Vertex_sequence speck = {n * 2, n * 2 + 1, n * 3 + 1}; // a triangle
+  for(bool is_per_curve : {false, true}) {
+    setting.add(ring, true);
+    setting.add(speck, true);
+    const FG::Shortening_report report = is_per_curve ? setting.pull(FG::Curve_length_ratio_stop_predicate(0.9))
+                                                      : setting.pull(FG::Length_ratio_stop_predicate(0.5));
+    BOOST_TEST(setting.network.is_contracted(1) == !is_per_curve);
+    BOOST_TEST((FG::to_string(report.curves[1].status) == std::string(is_per_curve ? "LENGTH_LIMIT" : "CONTRACTED")));
+    setting.network.clear();
+    setting.triangulation.rollback();
+  }
+}
