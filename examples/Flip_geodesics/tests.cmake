@@ -9,6 +9,7 @@ foreach(
   example
   conforming_triangulation_example
   edge_length_metric_example
+  exact_number_type_example
   geodesic_loop_example
   geodesic_path_example
   network_early_stop_example

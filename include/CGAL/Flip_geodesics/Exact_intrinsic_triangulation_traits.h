@@ -196,7 +196,13 @@ public:
     {
       if(CGAL::possibly(turn.comparison != SMALLER))
         return; // straight or more already, or unknown for good
-      const typename Geometry::Corner corner = Geometry::corner(in, out, opposite);
+      append(turn, Geometry::corner(in, out, opposite));
+      rescale(turn);
+    }
+
+  private:
+    void append(Turn& turn, const typename Geometry::Corner& corner) const
+    {
       const bool is_half_acute = is_interval && (is_positive(turn.x) || is_positive(corner.x));
       if(turn.is_empty) {
         turn.x = corner.x;
@@ -208,10 +214,8 @@ public:
       }
       turn.is_empty = false;
       turn.comparison = compared(turn, is_half_acute);
-      rescale(turn);
     }
 
-  private:
     static bool is_positive(const NT& x) { return CGAL::certainly(Operations::sign(x) == POSITIVE); }
 
     // The turn was below pi before, and the corner is at most pi: their sum is below 2 pi, and zero means what it says.
@@ -263,6 +267,7 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.comparison.make_certain(); }
   };
 
+  /// For number types with a radicand, equal angles have equal keys.
   class Turn_key
   {
   public:
@@ -273,18 +278,25 @@ public:
 
     double operator()(const Turn& turn) const
     {
-      const double x = Operations::to_double(turn.x), y = m_unit->to_double() * Operations::to_double(turn.y);
-      const double norm = std::abs(x) + std::abs(y);
-      if(norm > 0x1p-900 && norm < 0x1p900)
-        return key(x, y);
-      // Numbers too long for double: the squares of cosine and sine are not.
-      const NT xx = turn.x * turn.x, yy = m_unit->product(turn.y, turn.y), sum = xx + yy;
-      const double cosine = std::sqrt(Operations::to_double(NT(xx / sum)));
-      const bool is_obtuse = CGAL::certainly(Operations::sign(turn.x) == NEGATIVE);
-      return key(is_obtuse ? -cosine : cosine, std::sqrt(Operations::to_double(NT(yy / sum))));
+      if(has_radicand)
+        return key_by_cotangent(turn);
+      const double x = Operations::to_double(turn.x), y = Operations::to_double(turn.y);
+      const double norm = std::abs(x) + y;
+      return is_exact && !(norm > 0x1p-900 && norm < 0x1p900) ? key_by_cotangent(turn) : key(x, y);
     }
 
   private:
+    // Numbers may be too long for double; their quotient has one value, whatever they are.
+    double key_by_cotangent(const Turn& turn) const
+    {
+      if(CGAL::possibly(Operations::sign(turn.y) == ZERO))
+        return CGAL::certainly(Operations::sign(turn.x) == NEGATIVE) ? 2 : 0;
+      const double cotangent = Operations::to_double(NT(turn.x / turn.y));
+      if(!std::isfinite(cotangent))
+        return cotangent > 0 ? 0 : 2;
+      return key(cotangent, m_unit->to_double());
+    }
+
     static double key(double x, double y) { return 1 - x / (std::abs(x) + y); }
 
     const Area_unit* m_unit;

@@ -21,7 +21,8 @@ namespace Flip_geodesics {
 enum class Certificate_verdict {
   PROVEN,       ///< the curve is locally shortest, exactly
   PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ after 290 digits without a difference
-  BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces
+  BENT_SEGMENT, ///< a segment does not run straight through the inside of its strip of input faces; one that touches a
+                ///< vertex of it, as happens between faces without area, is not proven either
   BENT_JOINT    ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
 };
 

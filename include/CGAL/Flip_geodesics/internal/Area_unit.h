@@ -30,7 +30,15 @@ class Area_unit
 public:
   using Radicand = NT;
 
-  NT root(const NT& square) const { return Number_operations<NT>::sqrt(square); }
+  NT root(const NT& square) const
+  {
+    // Below zero is a degenerate triangle seen through rounding.
+    if constexpr(Number_operations<NT>::kind == Number_kind::FLOATING)
+      if(Number_operations<NT>::sign(square) == NEGATIVE)
+        return NT(0);
+    return Number_operations<NT>::sqrt(square);
+  }
+
   NT product(const NT& a, const NT& b) const { return a * b; }
   double to_double() const { return 1; }
 };
