@@ -149,28 +149,19 @@ public:
    */
   int compare_wedge(int from, int to)
   {
-    const Layout a = layout(m_triangulation.crossing_word(from)), b = layout(m_triangulation.crossing_word(to));
     Sum sum;
-    if(!a.is_edge && !b.is_edge && a.right_spoke == b.right_spoke && from != to) {
-      const int order = turning(b.end, a.end); // positive: b comes soon after a
-      if(order == 0)
-        throw No_order("two directions in one corner are equal");
-      if(order > 0)
-        return -1;
-    }
-    if(!a.is_edge)
-      sum.add(a.end); // from the spoke on the right to the end
-    int spoke = a.right_spoke;
-    const bool goes_round = from == to && a.is_edge;
-    for(bool is_first = true; spoke != b.left_spoke || (is_first && goes_round); is_first = false) {
-      const int t = spoke ^ 1;
-      const Real_vector r = ratio(t);
-      sum.add({-r.x, r.y});
-      spoke = next_of(t);
-    }
-    if(!b.is_edge)
-      sum.add(b.left * conjugate(b.end));
+    for(const Real_vector& angle : angles(from, to))
+      sum.add(angle);
     return sum.comparison();
+  }
+
+  /// The same wedge as a rotation, up to a positive factor.
+  Real_vector rotation(int from, int to)
+  {
+    Real_vector result = {1, 0};
+    for(const Real_vector& angle : angles(from, to))
+      result = result * angle;
+    return result;
   }
 
   /// Does the straight line from tail to head of a word pass strictly between the ends of each edge that it crosses?
@@ -191,22 +182,6 @@ public:
     const Layout strip = layout(word);
     return boost::multiprecision::sqrt(squared_norm(strip.end)) *
            m_shape.length(m_triangulation.input_halfedge(strip.right_spoke));
-  }
-
-  /// The turn clockwise from the end of halfedge `from` to that of `to`, up to a positive factor, for a face's corner.
-  Real_vector corner(int from, int to)
-  {
-    const Layout a = layout(m_triangulation.crossing_word(from)), b = layout(m_triangulation.crossing_word(to));
-    Real_vector turn = a.is_edge ? Real_vector{1, 0} : a.end;
-    int spoke = a.right_spoke;
-    if(!a.is_edge && !b.is_edge && a.right_spoke == b.right_spoke)
-      return a.end * conjugate(b.end);
-    while(spoke != b.left_spoke) {
-      const Real_vector r = ratio(spoke ^ 1);
-      turn = turn * Real_vector{-r.x, r.y};
-      spoke = next_of(spoke ^ 1);
-    }
-    return b.is_edge ? turn : turn * b.left * conjugate(b.end);
   }
 
 private:
@@ -250,6 +225,33 @@ private:
     Real_vector m_turn = {1, 0};
     int m_comparison = -1;
   };
+
+  // The wedge in parts of at most pi: up to the first spoke, from spoke to spoke, from the last.
+  std::vector<Real_vector> angles(int from, int to)
+  {
+    const Layout a = layout(m_triangulation.crossing_word(from)), b = layout(m_triangulation.crossing_word(to));
+    if(!a.is_edge && !b.is_edge && a.right_spoke == b.right_spoke && from != to) {
+      const int order = turning(b.end, a.end); // positive: b comes soon after a
+      if(order == 0)
+        throw No_order("two directions in one corner are equal");
+      if(order > 0)
+        return {a.end * conjugate(b.end)};
+    }
+    std::vector<Real_vector> result;
+    if(!a.is_edge)
+      result.push_back(a.end);
+    int spoke = a.right_spoke;
+    const bool goes_round = from == to && a.is_edge;
+    for(bool is_first = true; spoke != b.left_spoke || (is_first && goes_round); is_first = false) {
+      const int t = spoke ^ 1;
+      const Real_vector r = ratio(t);
+      result.push_back({-r.x, r.y});
+      spoke = next_of(t);
+    }
+    if(!b.is_edge)
+      result.push_back(b.left * conjugate(b.end));
+    return result;
+  }
 
   int next_of(int h) const { return m_triangulation.input().next(h); }
 

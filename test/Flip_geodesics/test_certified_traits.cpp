@@ -270,3 +270,81 @@ BOOST_AUTO_TEST_CASE(the_referee_agrees_on_metrics_given_by_lengths)
                 totals);
   BOOST_TEST(totals.ties > 100u);
 }
+
+// The corner from each halfedge of a flipped triangulation to the next, as stored, against 300 digits.
+BOOST_AUTO_TEST_CASE(error_bounds_hold)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface, Certified_traits>;
+  using Shape = Shape_of_points<Surface>;
+  double largest_share = 0, largest_bound = 0;
+  for(const std::vector<Named_soup>& soups : {soups_full_of_ties(), soups_near_ties(), generic_soups()})
+    for(const Named_soup& named : soups) {
+      Surface mesh = to_mesh<Surface>(named.soup);
+      Triangulation triangulation(mesh);
+      Random_numbers random(1);
+      flip_at_random(triangulation, 2000 * scale, random);
+      Referee<Triangulation, Shape> referee(triangulation, Shape(mesh));
+      for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+        if(triangulation.is_border(h))
+          continue;
+        const int hn = triangulation.next(h);
+        const auto in = triangulation.geometry(h), out = triangulation.geometry(hn);
+        const Real length = referee.length(triangulation.crossing_word(h)) *
+                            referee.length(triangulation.crossing_word(hn));
+        Real_vector exact = referee.rotation(h ^ 1, hn);
+        const Real factor = length / boost::multiprecision::sqrt(squared_norm(exact));
+        exact = exact * Real_vector{factor, 0};
+        const Real_vector stored = Real_vector{out.x, -Real(out.y)} * Real_vector{-Real(in.x), -Real(in.y)};
+        const double error = Real(boost::multiprecision::sqrt(squared_norm(stored - exact)) / length).convert_to<double>();
+        const double bound = in.error + out.error + in.error * out.error;
+        largest_share = (std::max)(largest_share, error / bound);
+        largest_bound = (std::max)(largest_bound, bound);
+      }
+    }
+  std::cout << "errors are at most " << largest_share << " of their bounds, which are at most " << largest_bound << "\n";
+  BOOST_TEST(largest_share < 1);
+}
+
+// An edge all but opposite to its reference halfedge had the angle -pi instead of pi by rounding.
+BOOST_AUTO_TEST_CASE(an_angle_that_rounds_to_minus_pi)
+{
+  const Mesh_soup soup = {{{-0x1.413f4c900bf68p-58, -0x1.4d063e0c8fcbp-57, 0x1.ac3a387e75268p-59},
+                           {0x1.eafab5f2e3df9p-3, -0x1.10c42c319b0a7p-1, 0x1.4751cea1ed3fbp-2},
+                           {0x1.eafab5f2e3dfbp-4, -0x1.10c42c319b0a7p-2, 0x1.4751cea1ed3fbp-3},
+                           {-0x1.eafab5f2e3df1p-4, 0x1.10c42c319b0a4p-2, -0x1.4751cea1ed3f8p-3},
+                           {-0x1.eafab5f2e3df7p-3, 0x1.10c42c319b0a7p-1, -0x1.4751cea1ed3fbp-2},
+                           {-0x1.eafab5f2e3dfdp-4, 0x1.10c42c319b0abp-2, -0x1.4751cea1ed4p-3},
+                           {0x1.eafab5f2e3df9p-4, -0x1.10c42c319b0a7p-2, 0x1.4751cea1ed3fbp-3},
+                           {0x1.eafab5f2e3df8p-2, -0x1.10c42c319b0a7p+0, 0x1.4751cea1ed3fbp-1},
+                           {0x1.eafab5f2e3dfbp-3, -0x1.10c42c319b0a7p-1, 0x1.4751cea1ed3fcp-2},
+                           {-0x1.eafab5f2e3df2p-3, 0x1.10c42c319b0a4p-1, -0x1.4751cea1ed3f9p-2},
+                           {-0x1.eafab5f2e3df8p-2, 0x1.10c42c319b0a7p+0, -0x1.4751cea1ed3fbp-1},
+                           {-0x1.eafab5f2e3dffp-3, 0x1.10c42c319b0abp-1, -0x1.4751cea1ed3ffp-2},
+                           {0x1.eafab5f2e3dfap-3, -0x1.10c42c319b0a7p-1, 0x1.4751cea1ed3fcp-2}},
+                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}, {1, 7, 8}, {1, 8, 2},
+                           {2, 8, 9}, {2, 9, 3}, {3, 9, 10}, {3, 10, 4}, {4, 10, 11}, {4, 11, 5}, {5, 11, 12},
+                           {5, 12, 6}, {6, 12, 7}, {6, 7, 1}}};
+  judge_soups({{"all but a segment", soup}}, 40);
+}
+
+// These lengths violate the triangle inequality, but the sum of the short ones rounds to the long one.
+BOOST_AUTO_TEST_CASE(lengths_that_violate_the_triangle_inequality_by_less_than_rounding)
+{
+  const auto has_face = [](double a, double b, double c) {
+    Surface mesh = to_mesh<Surface>(single_triangle());
+    const double lengths[] = {a, b, c};
+    const Lengths map = edge_lengths(mesh, [&](int u, int v) { return lengths[u + v - 1]; });
+    FG::Intrinsic_triangulation<Surface, Certified_traits, Length_metric> triangulation(
+        mesh, Length_metric(mesh, boost::make_assoc_property_map(map)));
+    try {
+      triangulation.outgoing(0);
+      return true;
+    } catch(const FG::Degenerate_face_error&) {
+      return false;
+    }
+  };
+  BOOST_TEST(!has_face(1, 0x1.8p-53, 1 + 0x1p-52));
+  BOOST_TEST(!has_face(0x1.8p-53, 1 + 0x1p-52, 1));
+  BOOST_TEST(has_face(1, 0x1p-52, 1 + 0x1p-52));
+  BOOST_TEST(has_face(1, 0x1.8p-52, 1 + 0x1p-52));
+}

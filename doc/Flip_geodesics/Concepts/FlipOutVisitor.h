@@ -5,7 +5,8 @@
  * \cgalConcept
  *
  * An observer of a shortening, for progress, interruption and animation. `shorten()` calls its members from one
- * thread; an exception that one of them throws passes through `shorten()`.
+ * thread; an exception that one of them throws passes through `shorten()`. If that happens in the middle of the unit that
+ * shortens a loop of one segment, then this curve is longer than before, in its class.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
@@ -20,7 +21,7 @@ public:
   /// shortened have the status `Shortening_status::STOPPED_BY_VISITOR`.
   bool go_further();
 
-  /// Called after the edge of halfedge `h` was flipped, when the curves are not moved yet. There is no call for flips
+  /// Called after the edge of halfedge `h` was flipped, before the step moves its curve. There is no call for flips
   /// that are taken back with a step that is not taken; compare `triangulation.log_position()` to see it.
   template <class Triangulation>
   void on_flip(const Triangulation& triangulation, Index h);

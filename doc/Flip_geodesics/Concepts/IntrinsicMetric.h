@@ -12,13 +12,14 @@
  * `mesh.tail(h)` is the vertex at which `h` starts, `mesh.next(h)` the next halfedge around the face, and `h ^ 1` the
  * twin of `h`.
  *
- * The two models have further members, over types that are not documented, which serve traits that leave decisions to
- * the triangulation, such as `Certified_intrinsic_triangulation_traits`. Any other metric works with traits of which
- * `Has_drift` is `CGAL::Tag_true`.
+ * The last two members are needed only for traits of which `Has_drift` is `CGAL::Tag_false`, which may leave decisions
+ * to the triangulation, and for `certify()`. Their types are not documented: a metric of one's own gets them by deriving
+ * from one of the models, as `CGAL::Flip_geodesics::Mollified_metric` does.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_length_metric<TriangleMesh\,EdgeLengthMap>}
+ * \cgalHasModels{CGAL::Flip_geodesics::Mollified_metric<Metric>}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Flip_geodesics::Intrinsic_triangulation`
@@ -36,9 +37,13 @@ public:
   /// \throws Degenerate_face_error, Invalid_coordinate_error if there is no usable length
   double length(const Mesh& mesh, Index h) const;
 
+  /// The same without a check, for a search of edge paths that only passes by: zero where the edge has no length, and
+  /// whatever there is where it has no usable one.
+  double weight(const Mesh& mesh, Index h) const;
+
   /// A lower bound of the length of all edge paths between two vertices, for the search of a shortest one. It is 0
   /// from a vertex to itself, and from the two ends of an edge to one vertex it differs by no more than the edge's
-  /// length.
+  /// weight.
   double distance_lower_bound(const Mesh& mesh, Index v, Index w) const;
 
   /// The geometry of the face on the left of `h`, from `h` on, made by one of the functors of `traits`.
@@ -46,4 +51,13 @@ public:
   /// \pre `h` is not on the border
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const;
+
+  /// The same face in exact integers: squared lengths, dot products and the square of the area, up to one factor.
+  /// \pre `h` is not on the border
+  unspecified_type exact_face(const Mesh& mesh, Index h) const;
+
+  /// The sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to that of
+  /// word `b`, exactly, if the faces involved lie unfolded in one plane of space.
+  /// \return do they? If not, `sine` is not set; a metric without points answers `false`
+  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const;
 };

@@ -8,8 +8,8 @@
  * compared. The rest of the package computes with nothing else, and so a number type is changed by changing this one
  * template argument.
  *
- * A model is default constructible and copyable. Its functors have no state that matters: the library asks for one,
- * calls it and throws it away.
+ * A model is default constructible and copyable; a triangulation keeps a copy. Functors may refer to the object that they
+ * come from, and have no state of their own that matters: the library asks for one, calls it and throws it away.
  *
  * Throughout, the halfedges of a face are named `h`, `hn`, `hp`: a halfedge, the next and the previous one around the
  * face, counterclockwise. The geometry of a halfedge is given in a frame of its own face; only quantities of one face
@@ -18,6 +18,7 @@
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation_traits<K>}
  * \cgalHasModels{CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits<K>}
+ * \cgalHasModels{CGAL::Flip_geodesics::Exact_intrinsic_triangulation_traits<NT\,K>}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Flip_geodesics::Intrinsic_triangulation`
@@ -28,7 +29,8 @@ public:
   /// \name Types
   /// @{
 
-  /// The number type of lengths. The library itself only names it; lengths leave the traits as `double`.
+  /// The number type of squared lengths. The library computes with none of it: it hands squared lengths out, and takes
+  /// lengths as `double`.
   typedef unspecified_type FT;
 
   /// The point type of the mesh, the argument of `Construct_face_3`.
@@ -71,7 +73,8 @@ public:
 
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose
   /// halfedges have these vectors, pairs x, y in one frame of the face, each with an error of at most `error` times
-  /// its length. Called where a face is laid out afresh from the input, whatever flips led to it.
+  /// its length. Called where a face is laid out afresh from the input, whatever flips led to it: after `Is_inaccurate` has
+  /// asked for it, and if `Has_drift` is `CGAL::Tag_true` where a finished curve is measured to be bent.
   typedef unspecified_type Construct_face_2;
 
   /// @}
@@ -86,7 +89,7 @@ public:
   /// `Uncertain<Comparison_result> operator()(const Turn& turn) const`: the angle of `turn` compared with \f$\pi\f$.
   /// What is not `SMALLER` counts as straight: it is neither shortened nor flipped. If the answer is uncertain and
   /// `Has_drift` is `CGAL::Tag_false`, then the triangulation decides by exact arithmetic on the input; otherwise
-  /// `CGAL::Uncertain_conversion_exception` is thrown. A turn is asked after each corner and never extended once it is
+  /// `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw it itself. A turn is asked after each corner and never extended once it is
   /// not smaller, so that angles above \f$2\pi\f$ need not be told apart from small ones.
   typedef unspecified_type Compare_turn_with_straight;
 
@@ -108,11 +111,11 @@ public:
 
   /// `bool operator()(const Halfedge_geometry& h) const`: has the geometry of a halfedge become so inaccurate that its
   /// face is to be laid out afresh from the input, by `Construct_face_2`? Asked after a flip for the four halfedges
-  /// that it changed. A model without a bound of its error answers `false`.
+  /// that it changed; the log keeps what is replaced. A model without a bound of its error answers `false`.
   typedef unspecified_type Is_inaccurate;
 
-  /// `FT operator()(const Halfedge_geometry& h) const`: the squared length of a halfedge. The library does not call it
-  /// today; it is what an exact model can give of a length without a root.
+  /// `FT operator()(const Halfedge_geometry& h) const`: the squared length of a halfedge, which an exact model can give
+  /// without a root. Called by `Intrinsic_triangulation::squared_length()` and by nothing else.
   typedef unspecified_type Compute_squared_length;
 
   /// `double operator()(const Halfedge_geometry& h) const`: the length of a halfedge, rounded.

@@ -66,7 +66,7 @@ using Default_traits = Intrinsic_triangulation_traits<
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`
- * \tparam Metric_ `Embedded_metric` or `Edge_length_metric`
+ * \tparam Metric_ a model of `IntrinsicMetric`
  */
 template <class TriangleMesh,
           class Traits_ = internal::Default_traits<TriangleMesh>,
@@ -244,7 +244,8 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  // The input face on the left of input halfedge h in exact numbers; kept, since hard decisions come in crowds.
+  /// The input face on the left of input halfedge `h` in exact numbers, of a type that is not documented. Kept, since
+  /// hard decisions come in crowds.
   const internal::Exact_face& exact_input_face(Index h) const
   {
     const auto found = m_exact_faces.find(h);
@@ -310,7 +311,7 @@ public:
     refresh_inaccurate({h, t, tn, tp});
   }
 
-  /// The end of the flip log: the number of flips since the input, and of faces laid out afresh.
+  /// The end of the flip log: the number of flips since the input and of faces laid out afresh.
   Log_position log_position() const { return m_log.size(); }
 
   /// Takes flips back, the last first, until the log has `position` entries; bit for bit. Linear in the flips undone.

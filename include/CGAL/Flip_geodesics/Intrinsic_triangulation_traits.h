@@ -23,7 +23,7 @@ namespace Flip_geodesics {
  * face. A flip costs one complex division and no root.
  *
  * Decisions are taken up to `angle_tolerance()`: a wedge whose angle misses \f$\pi\f$ by less counts as straight, in
- * the wedge test and in the flip test alike. `verify()` checks the finished curves afresh from the input.
+ * the wedge test and in the flip test alike. `shorten()` measures the finished curves afresh from the input.
  *
  * Edge lengths must lie between 1e-70 and 1e70.
  *

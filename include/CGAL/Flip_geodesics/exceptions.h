@@ -15,7 +15,7 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsErrors
  *
- * The base class of everything that this package throws.
+ * The base class of everything that this package throws about its input.
  *
  * It carries the indices of the offending elements, in the order in which the message names them: positions in
  * `vertices(mesh)` for meshes, positions in the input for curves.
@@ -85,7 +85,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Two strands of the input curves cross at the vertex in `elements()`, whatever their order on shared edges.
+/// Strands of the input curves cross at the vertex in `elements()`, whatever their order on shared edges.
 class Crossing_curves_error : public Error
 {
 public:
@@ -93,7 +93,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Overlapping input curves do not determine an order on the shared edge whose vertices are in `elements()`.
+/// The search for an order of overlapping curves was given up; `elements()` are the vertices of a shared edge.
 class Ambiguous_order_error : public Error
 {
 public:

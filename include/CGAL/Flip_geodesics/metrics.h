@@ -31,6 +31,14 @@ inline bool is_usable_length(double length)
   return length > 1e-70 && length < 1e70;
 }
 
+/* Is a > b + c, exactly? By the rounding error of the sum, which is a double [Knuth, TwoSum]. */
+inline bool is_longer_than_sum(double a, double b, double c)
+{
+  const double sum = b + c, rest = sum - b;
+  const double error = (b - (sum - rest)) + (c - rest);
+  return a > sum || (a == sum && error < 0);
+}
+
 [[noreturn]] inline void throw_unusable_length(double length, Index v, Index w)
 {
   const std::string edge = "the edge between vertices " + std::to_string(v) + " and " + std::to_string(w);
@@ -189,7 +197,8 @@ public:
   {
     const Index hn = mesh.next(h), hp = mesh.next(hn);
     const double a = length(mesh, h), b = length(mesh, hn), c = length(mesh, hp);
-    if(a > b + c || b > c + a || c > a + b)
+    if(internal::is_longer_than_sum(a, b, c) || internal::is_longer_than_sum(b, c, a) ||
+       internal::is_longer_than_sum(c, a, b))
       throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(mesh.tail(h)) + ", " +
                                       std::to_string(mesh.tail(hn)) + ", " + std::to_string(mesh.tail(hp)) +
                                       " violate the triangle inequality",

@@ -8,6 +8,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -32,6 +34,14 @@ double input_corner(const Triangulation& triangulation, Index h)
   return std::atan2(face[1].y, -face[1].x); // the layout puts h on the positive real axis
 }
 
+/* The angle of an edge from its reference halfedge: between 0 and pi, up to rounding, which can turn pi into -pi. */
+inline double angle_from_reference(const std::complex<double>& end)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const double angle = std::arg(end);
+  return angle < -pi / 2 ? angle + 2 * pi : angle;
+}
+
 /*
  * The angle clockwise from halfedge a to halfedge b of one vertex, afresh from the input: the input corners between their
  * reference halfedges, corrected by their strips at both ends. a == b means all the way round.
@@ -43,7 +53,7 @@ Wedge_angle wedge_angle(const Triangulation& triangulation, Index a, Index b)
   const Crossing_word word_a = triangulation.crossing_word(a), word_b = triangulation.crossing_word(b);
   const Strip<Triangulation> from(triangulation, word_a), to(triangulation, word_b);
   const Index steps = triangulation.input_edges_in_wedge(a, b) + (word_a.along != null_index ? 1 : 0);
-  double sum = std::arg(from.end()) - std::arg(to.end());
+  double sum = angle_from_reference(from.end()) - angle_from_reference(to.end());
   Index h = from.reference();
   for(Index i = 0; i < steps; ++i) {
     const Index t = Triangulation::twin(h);
