@@ -6,7 +6,7 @@
 /*!
  * \file Flip_geodesics.h
  * \ingroup PkgFlipGeodesicsRef
- * Includes all headers of the package.
+ * Includes all headers of the package but `Exact_intrinsic_triangulation_traits.h`, which is to be included by itself.
  */
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>

@@ -13,8 +13,8 @@
  * twin of `h`.
  *
  * The last two members are needed only for traits of which `Has_drift` is `CGAL::Tag_false`, which may leave decisions
- * to the triangulation, and for `certify()`. Their types are not documented: a metric of one's own gets them by deriving
- * from one of the models, as `CGAL::Flip_geodesics::Mollified_metric` does.
+ * to the triangulation, and for `certify()`. Their types are not documented: a metric of one's own gets them by
+ * deriving from one of the models, as `CGAL::Flip_geodesics::Mollified_metric` does.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}

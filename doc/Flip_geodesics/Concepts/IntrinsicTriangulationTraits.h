@@ -8,8 +8,8 @@
  * compared. The rest of the package computes with nothing else, and so a number type is changed by changing this one
  * template argument.
  *
- * A model is default constructible and copyable; a triangulation keeps a copy. Functors may refer to the object that they
- * come from, and have no state of their own that matters: the library asks for one, calls it and throws it away.
+ * A model is default constructible and copyable; a triangulation keeps a copy. Functors may refer to the object that
+ * they come from, and have no state of their own that matters: the library asks for one, calls it and throws it away.
  *
  * Throughout, the halfedges of a face are named `h`, `hn`, `hp`: a halfedge, the next and the previous one around the
  * face, counterclockwise. The geometry of a halfedge is given in a frame of its own face; only quantities of one face
@@ -72,8 +72,8 @@ public:
   typedef unspecified_type Construct_face_from_lengths;
 
   /// `Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const`: the face whose
-  /// halfedges have these vectors, pairs x, y in one frame of the face, each with an error of at most `error` times
-  /// its length. Called where a face is laid out afresh from the input, whatever flips led to it: after `Is_inaccurate` has
+  /// halfedges have these vectors, pairs x, y in one frame of the face, each with an error of at most `error` times its
+  /// length. Called where a face is laid out afresh from the input, whatever flips led to it: after `Is_inaccurate` has
   /// asked for it, and if `Has_drift` is `CGAL::Tag_true` where a finished curve is measured to be bent.
   typedef unspecified_type Construct_face_2;
 
@@ -89,8 +89,9 @@ public:
   /// `Uncertain<Comparison_result> operator()(const Turn& turn) const`: the angle of `turn` compared with \f$\pi\f$.
   /// What is not `SMALLER` counts as straight: it is neither shortened nor flipped. If the answer is uncertain and
   /// `Has_drift` is `CGAL::Tag_false`, then the triangulation decides by exact arithmetic on the input; otherwise
-  /// `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw it itself. A turn is asked after each corner and never extended once it is
-  /// not smaller, so that angles above \f$2\pi\f$ need not be told apart from small ones.
+  /// `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw it itself. A turn is asked after each
+  /// corner and never extended once it is not smaller, so that angles above \f$2\pi\f$ need not be told apart from
+  /// small ones.
   typedef unspecified_type Compare_turn_with_straight;
 
   /// `double operator()(const Turn& turn) const`: a key that grows with the angle of a turn below \f$\pi\f$, 0 for the

@@ -24,9 +24,12 @@ namespace Flip_geodesics {
  * defines, its coordinates or edge lengths taken as the doubles they are.
  *
  * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. A sign that lies
- * within the bound is left to the triangulation, which unfolds the input faces: in double with an a-priori bound, then
- * by exact predicates of points where the faces lie in one plane, then by exact arithmetic in the field of the roots of
- * the faces' areas. So zeros are proven, and the flips end.
+ * within the bound is left to the triangulation, which unfolds the input faces: in double with an a-priori bound; then
+ * by exact predicates of points where the faces lie in one plane; then with 50 digits and a bound; then by exact
+ * arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
+ *
+ * Where more than 12 of these roots are independent, 290 digits replace the last stage. A number without a sign
+ * then is taken for zero, and counted in `Decision_statistics::unproven_zeros`: `certify()` says `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double
  *

@@ -64,7 +64,8 @@ using Default_traits = Intrinsic_triangulation_traits<
  *
  * Not safe to be used from two threads at once, not even for reading; give each thread a triangulation of its own.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
+ *         `Surface_mesh` without removed elements
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`
  * \tparam Metric_ a model of `IntrinsicMetric`
  */

@@ -88,7 +88,8 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
  * \param out receives the points of the path, from `source` to `target`, as the mesh's points
- * \param np named parameters: `vertex_point_map`, `geom_traits` (a model of `IntrinsicTriangulationTraits`), `visitor`
+ * \param np named parameters: `vertex_point_map`, `geom_traits` (a model of `IntrinsicTriangulationTraits`), `visitor`;
+ *        the mesh must have a vertex point property of its own even if the first is given
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_curve_error if `source == target`,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error

@@ -59,7 +59,8 @@ void shorten_where_drift_hid_it(Network& network, Engine& engine)
  * \ingroup PkgFlipGeodesicsRef
  *
  * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class, and measures the
- * result afresh from the input: a curve is reported `LOCALLY_SHORTEST` only if the measurement says so.
+ * result afresh from the input. With traits of which `Has_drift` is `CGAL::Tag_true`, a curve is reported
+ * `LOCALLY_SHORTEST` only if the measurement says so; `certify()` proves it exactly.
  *
  * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. A flip takes constant
  * time.
@@ -68,7 +69,8 @@ void shorten_where_drift_hid_it(Network& network, Engine& engine)
  * \param stop a model of `FlipOutStopPredicate`
  * \param visitor a model of `FlipOutVisitor`
  * \throws Degenerate_face_error, Invalid_coordinate_error if a face that is touched is no triangle; the network and its
- *         triangulation are then valid, and the curves somewhere on their way
+ *         triangulation are then valid, and the curves somewhere on their way; a loop of one segment may be longer than
+ *         before
  */
 template <class Network, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
 Shortening_report shorten(Network& network, const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())

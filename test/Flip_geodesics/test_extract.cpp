@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What is read off a network, the ways to build one, and the mollified metric.
+
+#include "closed_forms.h"
+
+#include <CGAL/Flip_geodesics.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#define BOOST_TEST_MODULE extract
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <iterator>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+using Location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+
+Point point_at(const Mesh& mesh, const Location& location)
+{
+  double x = 0, y = 0, z = 0;
+  Mesh::Halfedge_index h = mesh.halfedge(location.first);
+  for(double weight : location.second) {
+    const Point& p = mesh.point(mesh.source(h));
+    x += weight * p.x();
+    y += weight * p.y();
+    z += weight * p.z();
+    h = mesh.next(h);
+  }
+  return {x, y, z};
+}
+
+double area(const FG::Intrinsic_face& f)
+{
+  const double a = f.lengths[0], b = f.lengths[1], c = f.lengths[2], s = (a + b + c) / 2;
+  return std::sqrt(s * (s - a) * (s - b) * (s - c));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(points_face_locations_and_crossed_halfedges_agree)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(12, 0.1, 7));
+  Triangulation triangulation(mesh);
+  FG::Shortest_edge_path<Triangulation> search(triangulation);
+  std::mt19937 random(1);
+  int crossings = 0;
+  for(int i = 0; i < 50; ++i) {
+    const FG::Index s = static_cast<FG::Index>(random() % mesh.number_of_vertices());
+    const FG::Index t = static_cast<FG::Index>(random() % mesh.number_of_vertices());
+    if(s == t)
+      continue;
+    Network network(triangulation);
+    network.add_curve(search(s, t), false);
+    const FG::Shortening_report report = FG::shorten(network);
+    FG::Curve_extractor<Network> extractor(network);
+    const std::vector<FG::Surface_point> on_surface = extractor.surface_points(0);
+    std::vector<Point> points;
+    extractor.points(0, std::back_inserter(points));
+    std::vector<Location> locations;
+    extractor.face_locations(0, mesh, std::back_inserter(locations));
+    std::vector<Mesh::Halfedge_index> crossed;
+    extractor.crossed_halfedges(0, std::back_inserter(crossed));
+
+    BOOST_REQUIRE_EQUAL(points.size(), on_surface.size());
+    BOOST_REQUIRE_EQUAL(points.size(), locations.size());
+    BOOST_CHECK(points.front() == mesh.point(triangulation.vertex(s)));
+    BOOST_CHECK(points.back() == mesh.point(triangulation.vertex(t)));
+    double length = 0;
+    std::size_t next_crossed = 0;
+    for(std::size_t k = 0; k < points.size(); ++k) {
+      BOOST_CHECK_SMALL(CGAL::squared_distance(points[k], point_at(mesh, locations[k])), 1e-28);
+      if(k > 0)
+        length += std::sqrt(CGAL::squared_distance(points[k - 1], points[k]));
+      if(!on_surface[k].is_vertex()) {
+        BOOST_CHECK(on_surface[k].t >= 0 && on_surface[k].t <= 0.5);
+        BOOST_REQUIRE(next_crossed < crossed.size());
+        BOOST_CHECK(triangulation.input_halfedge(on_surface[k].halfedge) == crossed[next_crossed++]);
+      }
+    }
+    BOOST_CHECK_EQUAL(next_crossed, crossed.size());
+    BOOST_CHECK_CLOSE_FRACTION(length, report.curves.front().length, 1e-12);
+    crossings += static_cast<int>(crossed.size());
+    network.clear();
+    triangulation.rollback();
+  }
+  BOOST_CHECK_GT(crossings, 500);
+}
+
+BOOST_AUTO_TEST_CASE(the_conforming_triangulation_keeps_euler_characteristic_and_area)
+{
+  const Mesh mesh = to_mesh<Mesh>(genus_3_plate(2));
+  Triangulation triangulation(mesh);
+  std::vector<FG::Intrinsic_face> before, after;
+  FG::intrinsic_faces(triangulation, std::back_inserter(before));
+  Network network(triangulation);
+  const Mesh_soup soup = genus_3_plate(2);
+  const Vertex_sequence loop = with_detours(soup, genus_3_loops(2).front(), true);
+  network.add_curve(FG::halfedges_through(triangulation, loop, true), true);
+  const FG::Shortening_report report = FG::shorten(network);
+  BOOST_CHECK_GT(report.flips, 0u);
+  FG::intrinsic_faces(triangulation, std::back_inserter(after));
+
+  BOOST_CHECK_EQUAL(after.size(), mesh.number_of_faces());
+  double area_before = 0, area_after = 0;
+  std::vector<char> is_side(mesh.number_of_halfedges(), 0);
+  for(const FG::Intrinsic_face& f : before)
+    area_before += area(f);
+  for(const FG::Intrinsic_face& f : after) {
+    area_after += area(f);
+    for(FG::Index h : f.halfedges)
+      is_side[h] = 1;
+  }
+  BOOST_CHECK_CLOSE_FRACTION(area_before, area_after, 1e-10);
+  for(FG::Index h : network.halfedges(0))
+    BOOST_CHECK(is_side[h] != 0);
+}
+
+BOOST_AUTO_TEST_CASE(marked_edges_become_curves_between_junctions)
+{
+  const int n = 8;
+  Mesh mesh = to_mesh<Mesh>(flat_grid(n, n, Diagonal_rule::RISING));
+  auto is_marked = mesh.add_property_map<Mesh::Edge_index, bool>("e:marked", false).first;
+  Triangulation triangulation(mesh);
+  const auto mark = [&](const Vertex_sequence& path) {
+    for(auto h : halfedges_along(mesh, path, false))
+      is_marked[mesh.edge(h)] = true;
+  };
+  mark(vertex_path_on_grid(n, {{{1, 1}, {1, 7}}})); // a T of three paths: the junction is (1, 4)
+  mark(vertex_path_on_grid(n, {{{1, 4}, {4, 4}}}));
+  mark(vertex_path_on_grid(n, {{{6, 2}, {7, 2}, {7, 3}, {6, 3}, {6, 2}}})); // a loop without a junction
+  Network network(triangulation);
+  BOOST_CHECK_EQUAL(FG::add_marked_edges(network, mesh, is_marked), 4);
+  BOOST_CHECK(network.is_valid());
+  int closed = 0, segments = 0;
+  for(FG::Index c = 0; c < network.number_of_curves(); ++c) {
+    closed += network.is_closed(c) ? 1 : 0;
+    segments += static_cast<int>(network.halfedges(c).size());
+  }
+  BOOST_CHECK_EQUAL(closed, 1);
+  BOOST_CHECK_EQUAL(segments, 6 + 3 + 4);
+}
+
+BOOST_AUTO_TEST_CASE(way_points_are_passed_in_order)
+{
+  const int n = 10;
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(n, n, Diagonal_rule::RISING));
+  Triangulation triangulation(mesh);
+  FG::Shortest_edge_path<Triangulation> search(triangulation), dijkstra(triangulation, FG::Search_method::DIJKSTRA);
+  const std::vector<FG::Index> way_points = {grid_vertex(n, 0, 0), grid_vertex(n, 3, 9), grid_vertex(n, 9, 2)};
+  const std::vector<FG::Index> path = FG::shortest_halfedges_through(search, way_points);
+  std::size_t next = 1;
+  for(FG::Index h : path)
+    next += next < way_points.size() && triangulation.head(h) == way_points[next] ? 1 : 0;
+  BOOST_CHECK_EQUAL(next, way_points.size());
+  double a_star_length = 0, dijkstra_length = 0;
+  for(FG::Index h : path)
+    a_star_length += triangulation.length(h);
+  for(FG::Index h : FG::shortest_halfedges_through(dijkstra, way_points))
+    dijkstra_length += triangulation.length(h);
+  BOOST_CHECK_CLOSE_FRACTION(a_star_length, dijkstra_length, 1e-14);
+  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, std::vector<FG::Index>{1, 1}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, std::vector<FG::Index>{1}), FG::Invalid_curve_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
+{
+  Mesh_soup soup = flat_grid(6, 6, Diagonal_rule::RISING);
+  soup.points[grid_vertex(6, 3, 3)] = soup.points[grid_vertex(6, 3, 2)];
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  using Embedded = Triangulation::Metric;
+  using Mollified = FG::Mollified_metric<Embedded>;
+  using Mollified_triangulation = FG::Intrinsic_triangulation<Mesh, Triangulation::Traits, Mollified>;
+  const Embedded embedded(mesh.points());
+  const std::vector<FG::Index> over = {grid_vertex(6, 3, 1), grid_vertex(6, 3, 2), grid_vertex(6, 3, 3)};
+
+  Triangulation plain(mesh, embedded);
+  BOOST_CHECK_THROW(FG::halfedges_through(plain, over, false), FG::Degenerate_face_error);
+
+  const Mollified metric(mesh, embedded, 1e-4);
+  BOOST_CHECK_GT(metric.added_length(), 0);
+  Mollified_triangulation triangulation(mesh, metric);
+  FG::Edge_path_network<Mollified_triangulation> network(triangulation);
+  network.add_curve(FG::halfedges_through(triangulation, over, false), false);
+  BOOST_CHECK(FG::shorten(network).is_complete());
+  BOOST_CHECK(FG::certify(network).is_locally_shortest());
+  const Mesh regular = to_mesh<Mesh>(flat_grid(6, 6, Diagonal_rule::RISING));
+  BOOST_CHECK_EQUAL(Mollified(regular, Embedded(regular.points()), 1e-4).added_length(), 0); // nothing to mend
+}
