@@ -211,7 +211,8 @@ void write_header()
         std::cout << ',' << who << '_' << name;
     std::cout << ',' << who << "_uncertified," << who << "_flips," << who << "_shorten_s," << who << "_certify_s";
   }
-  std::cout << ",by_strip,by_plane,zeros_by_plane,by_precision,unproven_zeros,by_roots,zeros_by_roots,most_roots,note\n";
+  std::cout
+      << ",by_strip,by_plane,zeros_by_plane,by_precision,unproven_zeros,by_roots,zeros_by_roots,most_roots,note\n";
 }
 
 void write(const Tally& tally)

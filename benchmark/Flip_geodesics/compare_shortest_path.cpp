@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Compares geodesics with the shortest paths of CGAL::Surface_mesh_shortest_path between random vertices, and writes a
-// row of CSV for each mesh. FlipOut starts twice: from the shortest edge path, whence it reaches a locally shortest path
-// that may be longer than the shortest; and from the vertices on either side of the faces that the shortest path crosses.
-// In the strip of these faces, the shortest path is what they tighten to; but FlipOut may shorten them to the outside
-// first, and then find another path.
+// row of CSV for each mesh. FlipOut starts twice: from the shortest edge path, whence it reaches a locally shortest
+// path that may be longer than the shortest; and from the vertices on either side of the faces that the shortest path
+// crosses. In the strip of these faces, the shortest path is what they tighten to; but FlipOut may shorten them to the
+// outside first, and then find another path.
 //
 // Exit status: 0, 1 if a path is shorter than the shortest by more than rounding, 2 on bad usage.
 
@@ -58,8 +58,8 @@ struct Row
   int pairs = 0, uncertified = 0;
   int shorter = 0, equal = 0; // than the shortest path, and to it
   double largest_excess = 0, mean_excess = 0, largest_deficit = 0;
-  int strips = 0;                                         // that could be followed
-  int from_left = 0, from_right = 0, from_either = 0;     // the shortest path itself was reached
+  int strips = 0;                                     // that could be followed
+  int from_left = 0, from_right = 0, from_either = 0; // the shortest path itself was reached
   double shortest_path_time = 0, flip_time = 0;
   std::string note;
 };
@@ -298,8 +298,8 @@ void write(const std::string& name, std::size_t faces, const Row& row)
 {
   std::cout << name << ',' << faces << ',' << row.pairs << ',' << row.uncertified << ',' << row.shorter << ','
             << row.largest_deficit << ',' << row.equal << ',' << row.mean_excess << ',' << row.largest_excess << ','
-            << row.strips << ',' << row.from_left << ',' << row.from_right << ',' << row.from_either << ',' << row.shortest_path_time << ','
-            << row.flip_time << ",\"" << row.note << "\"" << std::endl;
+            << row.strips << ',' << row.from_left << ',' << row.from_right << ',' << row.from_either << ','
+            << row.shortest_path_time << ',' << row.flip_time << ",\"" << row.note << "\"" << std::endl;
 }
 
 void add(Row& total, const Row& row)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What each number type costs: the same paths, pulled tight by every kind of traits in turn, on generated meshes. Writes
-// CSV, a row for each mesh and number type.
+// What each number type costs: the same paths, pulled tight by every kind of traits in turn, on generated meshes.
+// Writes CSV, a row for each mesh and number type.
 //
 //   number_types [SIZE [ROUNDS]]
 //
-// `first_ms` is the first round, in which the input's faces are laid out; `median_ms` the median of the others. Both are
-// processor time of shorten() alone. A path that throws, because an interval is undecided, or that takes longer than its
-// time, is not counted among the `done`. A number type that a mesh does not suit has no row; nor have expressions where
-// ties meet many roots, as they take a time that is exponential in the number of roots.
+// `first_ms` is the first round, in which the input's faces are laid out; `median_ms` the median of the others. Both
+// are processor time of shorten() alone. A path that throws, because an interval is undecided, or that takes longer
+// than its time, is not counted among the `done`. A number type that a mesh does not suit has no row; nor have
+// expressions where ties meet many roots, as they take a time that is exponential in the number of roots.
 
 #include "../../test/Flip_geodesics/generated_meshes.h"
 #include "../../test/Flip_geodesics/random_curves.h"
@@ -151,9 +151,9 @@ std::unique_ptr<Contestant> contestant_with_radicand(const Mesh& mesh)
   return contestant(mesh, Traits(FG::common_radicand<typename Traits::Radicand>(mesh)));
 }
 
-using Entry = std::pair<const char*, std::function<std::unique_ptr<Contestant>(const Mesh&)>>;
+using Entry = std::pair<std::string, std::function<std::unique_ptr<Contestant>(const Mesh&)>>;
 
-constexpr const char* expressions = "EPECK_with_sqrt::FT";
+const std::string expressions = "EPECK_with_sqrt::FT";
 
 const std::vector<Entry>& entries()
 {
@@ -181,7 +181,8 @@ std::vector<Chain> random_paths(const Mesh& mesh, int count)
   Random_numbers random(1);
   std::vector<Chain> paths;
   while(static_cast<int>(paths.size()) < count) {
-    const FG::Index u = random.below(triangulation.number_of_vertices()), v = random.below(triangulation.number_of_vertices());
+    const FG::Index u = random.below(triangulation.number_of_vertices()),
+                    v = random.below(triangulation.number_of_vertices());
     if(u != v)
       paths.push_back(search(u, v));
   }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Has a referee, which computes with 300 digits and shares no code with the library, judge every decision that the
-// certified traits take on the meshes given: paths, loops and networks are pulled tight and random edges flipped. Writes
-// a row of CSV for each mesh.
+// certified traits take on the meshes given: paths, loops and networks are pulled tight and random edges flipped.
+// Writes a row of CSV for each mesh.
 //
 // Exit status: 0 if the referee agrees with all, 1 if not, 2 on bad usage.
 
-#include "../../test/Flip_geodesics/Recording_traits.h"
 #include "../../test/Flip_geodesics/Referee.h"
+
+#include "../../test/Flip_geodesics/Recording_traits.h"
 #include "sample_curves.h"
 
 #include <CGAL/Flip_geodesics.h>
@@ -157,8 +158,8 @@ void judge(const std::string& file, const Options& options, Row& row)
 
 void write(const std::string& name, const Row& row)
 {
-  std::cout << name << ',' << row.decisions << ',' << row.filtered << ',' << row.ties << ',' << row.unproven_zeros << ','
-            << row.disagreements << ',' << row.bent_edges << ',' << row.unordered << ",\"" << row.note << "\""
+  std::cout << name << ',' << row.decisions << ',' << row.filtered << ',' << row.ties << ',' << row.unproven_zeros
+            << ',' << row.disagreements << ',' << row.bent_edges << ',' << row.unordered << ",\"" << row.note << "\""
             << std::endl;
 }
 

@@ -36,7 +36,8 @@ inline std::vector<std::string> mesh_files(const std::vector<std::string>& paths
   const auto is_mesh = [](const fs::path& p) {
     static const std::set<std::string> extensions = {".off", ".obj", ".ply", ".stl"};
     std::string extension = p.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
     return extensions.count(extension) != 0;
   };
   for(const std::string& path : paths) {

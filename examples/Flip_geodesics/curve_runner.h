@@ -44,7 +44,7 @@ struct Curve_result
   std::size_t flips = 0, flip_outs = 0; ///< of the whole run if it is a network
   double smallest_angle = std::numeric_limits<double>::quiet_NaN();
   std::string status = "ERROR";
-  std::string certificate = "none"; ///< the verdict of `certify()`, if it was asked for
+  std::string certificate = "none";                  ///< the verdict of `certify()`, if it was asked for
   double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
   std::string error;                                 ///< why the status is ERROR
   std::vector<Curve_point> points;

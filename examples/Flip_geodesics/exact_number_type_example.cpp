@@ -37,10 +37,13 @@ using Network = FG::Edge_path_network<Triangulation>;
 bool make_folded_sheet(Mesh& mesh)
 {
   const int fold = 5;
-  CGAL::make_grid(12, 7, mesh, [fold](std::size_t i, std::size_t j) {
-    const int x = static_cast<int>(i), y = static_cast<int>(j);
-    return Kernel::Point_3((std::min)(x, fold), y, (std::max)(x - fold, 0));
-  }, true);
+  CGAL::make_grid(
+      12, 7, mesh,
+      [fold](std::size_t i, std::size_t j) {
+        const int x = static_cast<int>(i), y = static_cast<int>(j);
+        return Kernel::Point_3((std::min)(x, fold), y, (std::max)(x - fold, 0));
+      },
+      true);
   return true;
 }
 

@@ -93,8 +93,8 @@ public:
       return;
     m_file.stream() << curve << ',' << r.source << ',' << r.target << ',' << r.initial_segments << ','
                     << r.initial_length << ',' << r.length << ',' << r.flips << ',' << r.flip_outs << ','
-                    << r.smallest_angle << ',' << r.status << ',' << r.certificate << ',' << r.search_s << ',' << r.shorten_s << ','
-                    << r.extract_s << '\n';
+                    << r.smallest_angle << ',' << r.status << ',' << r.certificate << ',' << r.search_s << ','
+                    << r.shorten_s << ',' << r.extract_s << '\n';
   }
 
   void close() { m_file.close(); }

@@ -65,7 +65,10 @@ public:
     Decision_observer* m_observer;
   };
 
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return Compare_turn_with_straight(m_observer); }
+  Compare_turn_with_straight compare_turn_with_straight_object() const
+  {
+    return Compare_turn_with_straight(m_observer);
+  }
   Decision_observer& observer() const { return *m_observer; }
 
 private:

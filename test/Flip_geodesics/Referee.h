@@ -15,13 +15,14 @@
 
 /*
  * Decides what the certified traits decide, by another route: it unfolds input faces in floats of 300 digits, as
- * positions of points, and walks around a vertex from corner to corner. It takes from the library the input mesh and the
- * crossing words, which are integers, and no number.
+ * positions of points, and walks around a vertex from corner to corner. It takes from the library the input mesh and
+ * the crossing words, which are integers, and no number.
  */
 namespace Flip_geodesics_test {
 
-using Real = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<300, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<300, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 struct Real_vector
 {
@@ -70,7 +71,8 @@ public:
     const Vector u = difference(p, q), v = difference(q, r);
     const Real x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
     const Real base = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-    return {(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base, boost::multiprecision::sqrt(x * x + y * y + z * z) / base};
+    return {(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / base,
+            boost::multiprecision::sqrt(x * x + y * y + z * z) / base};
   }
 
   template <class Halfedge>

@@ -55,8 +55,8 @@ inline Mesh_soup jittered_cube(int n, unsigned seed)
   });
 }
 
-/// The same plane mesh in the plane x + y + z = 0, its coordinates multiples of 2^-20: areas are rational multiples of the
-/// root of 3.
+/// The same plane mesh in the plane x + y + z = 0, its coordinates multiples of 2^-20: areas are rational multiples of
+/// the root of 3.
 inline Mesh_soup oblique(const Mesh_soup& plane)
 {
   return mapped(plane, [](const Coordinates& p) {

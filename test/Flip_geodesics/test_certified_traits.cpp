@@ -264,7 +264,8 @@ BOOST_AUTO_TEST_CASE(the_referee_agrees_on_metrics_given_by_lengths)
   Totals totals;
   judge_lengths("random lengths", octahedron(4), Random_metric{1}, 20, totals);
   judge_lengths("lengths of few values", octahedron(4), Random_metric{2, 4}, 20, totals);
-  judge_lengths("equal lengths", octahedron(4), [](int, int) { return 1.0; }, 20, totals);
+  judge_lengths(
+      "equal lengths", octahedron(4), [](int, int) { return 1.0; }, 20, totals);
   judge_lengths("flat torus", torus(10, 8, 3, 1), Flat_torus_metric{10, 8, 10, 8}, 20, totals);
   judge_lengths("flat torus of irrational sides", torus(10, 8, 3, 1), Flat_torus_metric{10, 8, std::sqrt(2.0), pi}, 20,
                 totals);
@@ -289,19 +290,21 @@ BOOST_AUTO_TEST_CASE(error_bounds_hold)
           continue;
         const int hn = triangulation.next(h);
         const auto in = triangulation.geometry(h), out = triangulation.geometry(hn);
-        const Real length = referee.length(triangulation.crossing_word(h)) *
-                            referee.length(triangulation.crossing_word(hn));
+        const Real length =
+            referee.length(triangulation.crossing_word(h)) * referee.length(triangulation.crossing_word(hn));
         Real_vector exact = referee.rotation(h ^ 1, hn);
         const Real factor = length / boost::multiprecision::sqrt(squared_norm(exact));
         exact = exact * Real_vector{factor, 0};
         const Real_vector stored = Real_vector{out.x, -Real(out.y)} * Real_vector{-Real(in.x), -Real(in.y)};
-        const double error = Real(boost::multiprecision::sqrt(squared_norm(stored - exact)) / length).convert_to<double>();
+        const double error =
+            Real(boost::multiprecision::sqrt(squared_norm(stored - exact)) / length).convert_to<double>();
         const double bound = in.error + out.error + in.error * out.error;
         largest_share = (std::max)(largest_share, error / bound);
         largest_bound = (std::max)(largest_bound, bound);
       }
     }
-  std::cout << "errors are at most " << largest_share << " of their bounds, which are at most " << largest_bound << "\n";
+  std::cout << "errors are at most " << largest_share << " of their bounds, which are at most " << largest_bound
+            << "\n";
   BOOST_TEST(largest_share < 1);
 }
 
@@ -321,9 +324,24 @@ BOOST_AUTO_TEST_CASE(an_angle_that_rounds_to_minus_pi)
                            {-0x1.eafab5f2e3df8p-2, 0x1.10c42c319b0a7p+0, -0x1.4751cea1ed3fbp-1},
                            {-0x1.eafab5f2e3dffp-3, 0x1.10c42c319b0abp-1, -0x1.4751cea1ed3ffp-2},
                            {0x1.eafab5f2e3dfap-3, -0x1.10c42c319b0a7p-1, 0x1.4751cea1ed3fcp-2}},
-                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}, {1, 7, 8}, {1, 8, 2},
-                           {2, 8, 9}, {2, 9, 3}, {3, 9, 10}, {3, 10, 4}, {4, 10, 11}, {4, 11, 5}, {5, 11, 12},
-                           {5, 12, 6}, {6, 12, 7}, {6, 7, 1}}};
+                          {{0, 1, 2},
+                           {0, 2, 3},
+                           {0, 3, 4},
+                           {0, 4, 5},
+                           {0, 5, 6},
+                           {0, 6, 1},
+                           {1, 7, 8},
+                           {1, 8, 2},
+                           {2, 8, 9},
+                           {2, 9, 3},
+                           {3, 9, 10},
+                           {3, 10, 4},
+                           {4, 10, 11},
+                           {4, 11, 5},
+                           {5, 11, 12},
+                           {5, 12, 6},
+                           {6, 12, 7},
+                           {6, 7, 1}}};
   judge_soups({{"all but a segment", soup}}, 40);
 }
 

@@ -28,8 +28,8 @@ using namespace Flip_geodesics_test;
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using Certified_setting = Basic_curve_setting<
-    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Kernel>>>;
+using Certified_setting =
+    Basic_curve_setting<FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Kernel>>>;
 using Settings = boost::mpl::list<Curve_setting, Certified_setting>;
 
 std::vector<Mesh_soup> soups()
@@ -306,8 +306,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_contracted_curve_is_proven, Setting, Settings)
 BOOST_AUTO_TEST_CASE_TEMPLATE(angles_of_exactly_pi_are_proven, Setting, Settings)
 {
   Setting hexagon(octahedron(6));
-  hexagon.add(vertices_on_polyline(octahedron(6), {{3, -3, 0}, {3, 0, -3}, {0, 3, -3}, {-3, 3, 0}, {-3, 0, 3}, {0, -3, 3}},
-                                   true),
+  hexagon.add(vertices_on_polyline(octahedron(6),
+                                   {{3, -3, 0}, {3, 0, -3}, {0, 3, -3}, {-3, 3, 0}, {-3, 0, 3}, {0, -3, 3}}, true),
               true);
   BOOST_TEST((checked_certificate(hexagon).curves[0].verdict == FG::Certificate_verdict::PROVEN));
 

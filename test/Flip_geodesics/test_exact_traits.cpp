@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(flips_are_exact, NT, Number_types)
   check_flips(tetrahedron(2), traits_with_radicand<NT>(3), unit_radicand<NT>(3), 200);
 }
 
-// The field with the root itself in it, and rationals that count in its unit, are two implementations of one thing: they
-// agree step by step, even among equal angles.
+// The field with the root itself in it, and rationals that count in its unit, are two implementations of one thing:
+// they agree step by step, even among equal angles.
 BOOST_AUTO_TEST_CASE(number_types_agree)
 {
   for(const Mesh_soup& soup : {octahedron(4), tetrahedron(5)}) {
@@ -209,7 +209,8 @@ BOOST_AUTO_TEST_CASE(coordinates_need_not_be_doubles)
     mesh.point(v) = Kernel::Point_3(mesh.point(v).x() / 3, mesh.point(v).y() / 7, 0);
   Triangulation triangulation(mesh);
   FG::Edge_path_network<Triangulation> network(triangulation);
-  network.add_curve(FG::halfedges_through(triangulation, vertex_path_on_grid(5, {{0, 0}, {4, 0}, {4, 5}}), false), false);
+  network.add_curve(FG::halfedges_through(triangulation, vertex_path_on_grid(5, {{0, 0}, {4, 0}, {4, 5}}), false),
+                    false);
   FG::shorten(network);
   BOOST_TEST(network.halfedges(0).size() == 1u);
   BOOST_TEST((triangulation.squared_length(network.halfedges(0).front()) == Gmpq(16, 9) + Gmpq(25, 49)));

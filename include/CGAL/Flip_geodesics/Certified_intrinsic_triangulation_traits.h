@@ -189,8 +189,8 @@ public:
     {
       const double error = a.error * std::sqrt(a.x * a.x + a.y * a.y) + b.error * std::sqrt(b.x * b.x + b.y * b.y);
       const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y);
-      return {sum.x, sum.y, error < length ? error / (length - error) + product_error
-                                           : std::numeric_limits<double>::infinity()};
+      return {sum.x, sum.y,
+              error < length ? error / (length - error) + product_error : std::numeric_limits<double>::infinity()};
     }
   };
 

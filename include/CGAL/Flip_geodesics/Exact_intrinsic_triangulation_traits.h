@@ -59,8 +59,8 @@ namespace Flip_geodesics {
  * \tparam NT a field number type: a model of `RealEmbeddable` and `FieldWithSqrt`, or of `Field` with the functor
  *         `Is_square`, `Sqrt_extension`, `Interval_nt<>`, a rational or floating point number of
  *         Boost.Multiprecision, or `double`; doubles convert to it without loss
- * \tparam K a kernel with `Point_3` and `FT`; coordinates are taken as they are if `FT` is `NT`, otherwise as the doubles
- *         they round to
+ * \tparam K a kernel with `Point_3` and `FT`; coordinates are taken as they are if `FT` is `NT`, otherwise as the
+ * doubles they round to
  *
  * \cgalModels{IntrinsicTriangulationTraits}
  */
@@ -73,11 +73,10 @@ class Exact_intrinsic_triangulation_traits
   static constexpr bool is_exact = internal::is_exact_number<NT>();
   static constexpr bool is_interval = Operations::kind == internal::Number_kind::INTERVAL;
   static constexpr bool is_rounded = Operations::kind == internal::Number_kind::FLOATING;
-  static constexpr bool has_radicand = Operations::kind == internal::Number_kind::RATIONAL ||
-                                       Operations::kind == internal::Number_kind::EXTENSION;
+  static constexpr bool has_radicand =
+      Operations::kind == internal::Number_kind::RATIONAL || Operations::kind == internal::Number_kind::EXTENSION;
 
-  using Geometry =
-      std::conditional_t<is_exact, internal::Squared_length_geometry<NT>, internal::Vector_geometry<NT>>;
+  using Geometry = std::conditional_t<is_exact, internal::Squared_length_geometry<NT>, internal::Vector_geometry<NT>>;
 
 public:
   using FT = NT;
@@ -109,8 +108,8 @@ public:
     static_assert(has_radicand, "the number type has roots, and needs no radicand");
   }
 
-  /// An angle, in radians, by which a straight angle may be missed and still count as straight. Zero unless `NT` rounds;
-  /// then half of its digits are left for errors: about 1e-9 for `double` and 1e-51 for 100 digits.
+  /// An angle, in radians, by which a straight angle may be missed and still count as straight. Zero unless `NT`
+  /// rounds; then half of its digits are left for errors: about 1e-9 for `double` and 1e-51 for 100 digits.
   static double angle_tolerance() { return internal::sign_tolerance<NT>(); }
 
   /// \throws Inexact_root_error
@@ -227,9 +226,12 @@ public:
         return is_half_acute && is_positive(turn.x) ? Uncertain<Comparison_result>(SMALLER)
                                                     : Uncertain<Comparison_result>(SMALLER, LARGER);
       switch(sine.make_certain()) {
-      case POSITIVE: return SMALLER;
-      case ZERO: return CGAL::certainly(Operations::sign(turn.x) == POSITIVE) ? SMALLER : EQUAL;
-      case NEGATIVE: return LARGER;
+      case POSITIVE:
+        return SMALLER;
+      case ZERO:
+        return CGAL::certainly(Operations::sign(turn.x) == POSITIVE) ? SMALLER : EQUAL;
+      case NEGATIVE:
+        return LARGER;
       }
       return LARGER;
     }
@@ -369,8 +371,8 @@ private:
  * \ingroup PkgFlipGeodesicsTraits
  *
  * The number \f$d\f$ for which the area of every face of a mesh is a rational multiple of \f$\sqrt d\f$, for
- * `Exact_intrinsic_triangulation_traits` over a number type without roots. Squares of primes below 1000 are taken out of
- * it.
+ * `Exact_intrinsic_triangulation_traits` over a number type without roots. Squares of primes below 1000 are taken out
+ * of it.
  *
  * Reads the whole mesh; linear but for the arithmetic, on integers of some hundred bits.
  *
@@ -408,8 +410,7 @@ template <class Radicand, class TriangleMesh>
 Radicand common_radicand(const TriangleMesh& mesh)
 {
   using Point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type;
-  return common_radicand<Radicand>(mesh,
-                                   Embedded_metric<TriangleMesh, Point_map>(get(CGAL::vertex_point, mesh)));
+  return common_radicand<Radicand>(mesh, Embedded_metric<TriangleMesh, Point_map>(get(CGAL::vertex_point, mesh)));
 }
 
 } // namespace Flip_geodesics

@@ -35,8 +35,7 @@ namespace Flip_geodesics {
 namespace internal {
 
 template <class TriangleMesh>
-using Default_point_map =
-    typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type;
+using Default_point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type;
 
 template <class TriangleMesh>
 using Default_traits = Intrinsic_triangulation_traits<
@@ -69,8 +68,7 @@ using Default_traits = Intrinsic_triangulation_traits<
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`
  * \tparam Metric_ a model of `IntrinsicMetric`
  */
-template <class TriangleMesh,
-          class Traits_ = internal::Default_traits<TriangleMesh>,
+template <class TriangleMesh, class Traits_ = internal::Default_traits<TriangleMesh>,
           class Metric_ = Embedded_metric<TriangleMesh, internal::Default_point_map<TriangleMesh>>>
 class Intrinsic_triangulation
 {
@@ -89,10 +87,10 @@ public:
   /// `null_index`, nothing was flipped, but the face of `h` laid out afresh; the first three vectors are its old ones.
   struct Flip_record
   {
-    Index h;                         ///< the flipped halfedge, i->j before and l->k after
-    Index hp, tn;                    ///< k->i and i->l
-    Index version_hp, version_tn;    ///< their versions at the time
-    Index rotation;                  ///< how many input edges a turn about i from ik to il crosses
+    Index h;                      ///< the flipped halfedge, i->j before and l->k after
+    Index hp, tn;                 ///< k->i and i->l
+    Index version_hp, version_tn; ///< their versions at the time
+    Index rotation;               ///< how many input edges a turn about i from ik to il crosses
     Index old_version, old_crossings;
     Halfedge_geometry old_h, old_t, old_tn, old_tp;
   };
@@ -207,7 +205,8 @@ public:
   /// What the traits keep of a halfedge, in the frame of its face. \pre `h` is not on the border
   const Halfedge_geometry& geometry(Index h) const { return record(h).geometry; }
 
-  /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones. The log keeps the old ones.
+  /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones. The log keeps the old
+  /// ones.
   void set_face_geometry(Index h, const typename Traits::Face_geometry& geometry)
   {
     const Index hn = next(h), hp = next(hn);
@@ -292,13 +291,13 @@ public:
     const Index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
     CGAL_precondition_msg(hn != t && tn != h, "an edge at a vertex of degree 1 cannot be flipped");
 
-    const auto flipped = m_traits.flip_object()(geometry(h), geometry(hn), geometry(hp), geometry(t), geometry(tn),
-                                                geometry(tp));
+    const auto flipped =
+        m_traits.flip_object()(geometry(h), geometry(hn), geometry(hp), geometry(t), geometry(tn), geometry(tp));
     const internal::Quad_crossings crossing = {crossings(edge(h)), crossings(edge(hn)), crossings(edge(hp)),
                                                crossings(edge(tn)), crossings(edge(tp))};
     Edge_record& e = m_edges[edge(h)];
-    m_log.push_back({h, hp, tn, m_edges[edge(hp)].version, m_edges[edge(tn)].version, crossing.rotation_at_i(), e.version,
-                     e.crossings_plus_one, geometry(h), geometry(t), geometry(tn), geometry(tp)});
+    m_log.push_back({h, hp, tn, m_edges[edge(hp)].version, m_edges[edge(tn)].version, crossing.rotation_at_i(),
+                     e.version, e.crossings_plus_one, geometry(h), geometry(t), geometry(tn), geometry(tp)});
 
     move_outgoing(tail(h), h, tn);
     move_outgoing(tail(t), t, hn);
@@ -335,8 +334,8 @@ public:
   Index crossings(Index e) const { return m_edges[e].crossings_plus_one - 1; }
 
   /*!
-   * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone. Derived from the
-   * flip log when it is first asked for, and kept: in total about as many words as the edge's history has joints.
+   * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone. Derived from
+   * the flip log when it is first asked for, and kept: in total about as many words as the edge's history has joints.
    */
   Crossing_word crossing_word(Index h) const { return m_words(*this, h); }
 

@@ -124,7 +124,8 @@ public:
     static Face_geometry on_longest(double a, double b, double c)
     {
       const double height = doubled_area(a, b, c) / a;
-      return {{{a, 0}, {((c - a) * (c + a) - b * b) / (2 * a), height}, {((b - a) * (b + a) - c * c) / (2 * a), -height}}};
+      return {
+          {{a, 0}, {((c - a) * (c + a) - b * b) / (2 * a), height}, {((b - a) * (b + a) - c * c) / (2 * a), -height}}};
     }
 
     static Face_geometry turned_to_first(const Face_geometry& face, double length)
@@ -173,8 +174,8 @@ public:
       const double product_x = turn.x * x - turn.y * y;
       const double product_y = turn.x * y + turn.y * x;
       // Two angles below pi: past pi the product lies below the axis, and near it on the axis' negative half.
-      turn.is_straight = turn.is_straight || product_y < 0 ||
-                         (product_x < 0 && product_y <= -angle_tolerance() * product_x);
+      turn.is_straight =
+          turn.is_straight || product_y < 0 || (product_x < 0 && product_y <= -angle_tolerance() * product_x);
       turn.x = product_x;
       turn.y = product_y;
       rescale(turn);

@@ -40,11 +40,11 @@ struct Strand_end
 /// \ingroup PkgFlipGeodesicsRef
 /// What stands in the wedge at one side of a joint.
 enum class Wedge_state {
-  FREE,    ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
+  FREE,     ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
   STRAIGHT, ///< the angle is \f$\pi\f$ or more
-  BLOCKED, ///< another strand is in the wedge, whose angle up to there is below \f$\pi\f$
-  BORDER,  ///< the border of the surface is in the wedge, whose angle is infinite
-  FIXED    ///< the node is fixed: the wedge is not looked at
+  BLOCKED,  ///< another strand is in the wedge, whose angle up to there is below \f$\pi\f$
+  BORDER,   ///< the border of the surface is in the wedge, whose angle is infinite
+  FIXED     ///< the node is fixed: the wedge is not looked at
 };
 
 } // namespace Flip_geodesics

@@ -26,13 +26,20 @@ enum class Shortening_status {
 inline const char* to_string(Shortening_status status)
 {
   switch(status) {
-  case Shortening_status::LOCALLY_SHORTEST: return "LOCALLY_SHORTEST";
-  case Shortening_status::CONTRACTED: return "CONTRACTED";
-  case Shortening_status::LENGTH_LIMIT: return "LENGTH_LIMIT";
-  case Shortening_status::ANGLE_LIMIT: return "ANGLE_LIMIT";
-  case Shortening_status::ITERATION_LIMIT: return "ITERATION_LIMIT";
-  case Shortening_status::STOPPED_BY_VISITOR: return "STOPPED_BY_VISITOR";
-  case Shortening_status::PRECISION_LIMIT: return "PRECISION_LIMIT";
+  case Shortening_status::LOCALLY_SHORTEST:
+    return "LOCALLY_SHORTEST";
+  case Shortening_status::CONTRACTED:
+    return "CONTRACTED";
+  case Shortening_status::LENGTH_LIMIT:
+    return "LENGTH_LIMIT";
+  case Shortening_status::ANGLE_LIMIT:
+    return "ANGLE_LIMIT";
+  case Shortening_status::ITERATION_LIMIT:
+    return "ITERATION_LIMIT";
+  case Shortening_status::STOPPED_BY_VISITOR:
+    return "STOPPED_BY_VISITOR";
+  case Shortening_status::PRECISION_LIMIT:
+    return "PRECISION_LIMIT";
   }
   return "";
 }

@@ -30,10 +30,14 @@ enum class Certificate_verdict {
 inline const char* to_string(Certificate_verdict verdict)
 {
   switch(verdict) {
-  case Certificate_verdict::PROVEN: return "PROVEN";
-  case Certificate_verdict::PROBABLE: return "PROBABLE";
-  case Certificate_verdict::BENT_SEGMENT: return "BENT_SEGMENT";
-  case Certificate_verdict::BENT_JOINT: return "BENT_JOINT";
+  case Certificate_verdict::PROVEN:
+    return "PROVEN";
+  case Certificate_verdict::PROBABLE:
+    return "PROBABLE";
+  case Certificate_verdict::BENT_SEGMENT:
+    return "BENT_SEGMENT";
+  case Certificate_verdict::BENT_JOINT:
+    return "BENT_JOINT";
   }
   return "";
 }
@@ -105,8 +109,8 @@ public:
 private:
   bool is_straight(Index s)
   {
-    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(
-        m_triangulation.crossing_word(m_network.halfedge(s)));
+    return Straight_strip<Triangulation>(m_triangulation,
+                                         m_statistics)(m_triangulation.crossing_word(m_network.halfedge(s)));
   }
 
   // Below pi, with nothing in the way?

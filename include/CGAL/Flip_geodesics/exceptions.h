@@ -101,8 +101,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A number type without square roots meets an area that is not rational in the unit of areas chosen for it; `elements()`
-/// are the vertices of the face, if they are known.
+/// A number type without square roots meets an area that is not rational in the unit of areas chosen for it;
+/// `elements()` are the vertices of the face, if they are known.
 class Inexact_root_error : public Error
 {
 public:

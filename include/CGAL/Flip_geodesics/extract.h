@@ -60,8 +60,8 @@ public:
   }
 
   /*!
-   * Writes the `Surface_point`s of a curve, from its start to its end; a closed curve repeats its first point. Nothing is
-   * written for a curve that has contracted. Linear in the crossed edges.
+   * Writes the `Surface_point`s of a curve, from its start to its end; a closed curve repeats its first point. Nothing
+   * is written for a curve that has contracted. Linear in the crossed edges.
    */
   template <class OutputIterator>
   OutputIterator surface_points(Index curve, OutputIterator out)
@@ -148,7 +148,8 @@ private:
     return {left, right, 1 - from_right, crossed};
   }
 
-  std::pair<face_descriptor, std::array<double, 3>> face_location(const Surface_point& p, const Triangle_mesh& mesh) const
+  std::pair<face_descriptor, std::array<double, 3>> face_location(const Surface_point& p,
+                                                                  const Triangle_mesh& mesh) const
   {
     const auto& input = m_triangulation.input();
     Index h = p.is_vertex() ? input.outgoing(p.a) : p.halfedge;

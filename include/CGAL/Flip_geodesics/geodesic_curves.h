@@ -38,8 +38,9 @@ struct Curve_types
 {
   using Point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
   using Metric = Embedded_metric<TriangleMesh, Point_map>;
-  using Traits = typename internal_np::Lookup_named_param_def<
-      internal_np::geom_traits_t, NamedParameters, Intrinsic_triangulation_traits<typename Metric::Kernel>>::type;
+  using Traits =
+      typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                   Intrinsic_triangulation_traits<typename Metric::Kernel>>::type;
   using Triangulation = Intrinsic_triangulation<TriangleMesh, Traits, Metric>;
   using Network = Edge_path_network<Triangulation>;
 };
@@ -50,8 +51,8 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np)
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(CGAL::vertex_point, mesh));
-  const auto traits = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits),
-                                                   typename Types::Traits());
+  const auto traits =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
   return typename Types::Triangulation(mesh, typename Types::Metric(points), traits);
 }
 
@@ -152,12 +153,10 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * Pulls several curves tight at once, so that they come to lie side by side and never across one another.
  *
  * \param mesh a triangle mesh
- * \param curves a range of ranges of vertices, each two in a row sharing an edge; a curve whose last vertex is its first
- *        is a closed loop
- * \param out receives one `std::vector` of points per curve, in order
- * \param np as for `geodesic_path()`
- * \return the end of the output, and the report, with one entry per curve
- * \throws as `geodesic_loop()`
+ * \param curves a range of ranges of vertices, each two in a row sharing an edge; a curve whose last vertex is its
+ * first is a closed loop \param out receives one `std::vector` of points per curve, in order \param np as for
+ * `geodesic_path()` \return the end of the output, and the report, with one entry per curve \throws as
+ * `geodesic_loop()`
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

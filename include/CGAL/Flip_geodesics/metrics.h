@@ -26,10 +26,7 @@ namespace Flip_geodesics {
 namespace internal {
 
 /* Lengths whose squares and products of squares stay normal doubles. */
-inline bool is_usable_length(double length)
-{
-  return length > 1e-70 && length < 1e70;
-}
+inline bool is_usable_length(double length) { return length > 1e-70 && length < 1e70; }
 
 /* Is a > b + c, exactly? By the rounding error of the sum, which is a double [Knuth, TwoSum]. */
 inline bool is_longer_than_sum(double a, double b, double c)
@@ -47,9 +44,8 @@ inline bool is_longer_than_sum(double a, double b, double c)
     throw Degenerate_face_error(edge + " has length zero", elements);
   std::ostringstream number;
   number << length;
-  throw Invalid_coordinate_error(edge + " has the length " + number.str() +
-                                     ", which is not a number between 1e-70 and 1e70",
-                                 elements);
+  throw Invalid_coordinate_error(
+      edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
 }
 
 } // namespace internal

@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
-
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
@@ -134,8 +133,8 @@ std::vector<Index> shortest_halfedges_through(Search& search, const VertexRange&
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Adds the network formed by the marked edges of the input mesh: a curve for each chain between vertices where other
- * than two marked edges meet, which are its fixed ends, and a closed one for each loop without such a vertex. Curves are
- * numbered by their smallest edge. Linear in the mesh.
+ * than two marked edges meet, which are its fixed ends, and a closed one for each loop without such a vertex. Curves
+ * are numbered by their smallest edge. Linear in the mesh.
  *
  * \param mesh the triangulation's mesh
  * \param is_marked a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as values

@@ -15,8 +15,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Joints of a curve that are bent although the triangulation's vectors say otherwise: lays out the faces in their wedges
- * afresh and queues the curve again. Returns whether there were any.
+ * Joints of a curve that are bent although the triangulation's vectors say otherwise: lays out the faces in their
+ * wedges afresh and queues the curve again. Returns whether there were any.
  */
 template <class Network, class Engine>
 bool refresh_bent_joints(Network& network, Engine& engine, Index curve)
@@ -58,12 +58,12 @@ void shorten_where_drift_hid_it(Network& network, Engine& engine)
 /*!
  * \ingroup PkgFlipGeodesicsRef
  *
- * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class, and measures the
- * result afresh from the input. With traits of which `Has_drift` is `CGAL::Tag_true`, a curve is reported
+ * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class, and measures
+ * the result afresh from the input. With traits of which `Has_drift` is `CGAL::Tag_true`, a curve is reported
  * `LOCALLY_SHORTEST` only if the measurement says so; `certify()` proves it exactly.
  *
- * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. A flip takes constant
- * time.
+ * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. A flip takes
+ * constant time.
  *
  * \param network the curves; they are moved, and the edges around them flipped
  * \param stop a model of `FlipOutStopPredicate`

@@ -30,8 +30,8 @@ enum class Search_method {
  * Searches shortest paths along the edges of the input mesh, which is where curves usually start from. It reads the
  * input alone and touches no triangulation.
  *
- * The labels are made once and told apart by epoch, so that a search costs what it visits: \f$O(k \log k)\f$ for \f$k\f$
- * vertices visited. Of equally long paths the same one is found each time.
+ * The labels are made once and told apart by epoch, so that a search costs what it visits: \f$O(k \log k)\f$ for
+ * \f$k\f$ vertices visited. Of equally long paths the same one is found each time.
  *
  * \tparam Triangulation an `Intrinsic_triangulation`
  */
@@ -164,8 +164,7 @@ private:
   std::vector<Index> path_to(Index target) const
   {
     std::vector<Index> path;
-    for(Index h = m_labels[target].incoming; h != null_index;
-        h = m_labels[m_triangulation->input().tail(h)].incoming)
+    for(Index h = m_labels[target].incoming; h != null_index; h = m_labels[m_triangulation->input().tail(h)].incoming)
       path.push_back(h);
     std::reverse(path.begin(), path.end());
     return path;

@@ -18,11 +18,11 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsStop
 /// What a stop predicate says of a step that is about to be taken.
 enum class Stop_decision {
-  CONTINUE,            ///< take it
-  CURVE_LENGTH_LIMIT,  ///< do not take it, and leave its curve as it is; go on with the others
-  LENGTH_LIMIT,        ///< do not take it, and end
-  ANGLE_LIMIT,         ///< do not take it, and end
-  ITERATION_LIMIT      ///< do not take it, and end
+  CONTINUE,           ///< take it
+  CURVE_LENGTH_LIMIT, ///< do not take it, and leave its curve as it is; go on with the others
+  LENGTH_LIMIT,       ///< do not take it, and end
+  ANGLE_LIMIT,        ///< do not take it, and end
+  ITERATION_LIMIT     ///< do not take it, and end
 };
 
 /// \ingroup PkgFlipGeodesicsStop

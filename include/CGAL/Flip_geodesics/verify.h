@@ -65,7 +65,8 @@ public:
   {
     Straightness result;
     m_network.for_each_segment(curve, [&](Index s) {
-      result.largest_bend = (std::max)(result.largest_bend, Strip(m_triangulation, m_triangulation.crossing_word(m_network.halfedge(s))).bend());
+      result.largest_bend = (std::max)(
+          result.largest_bend, Strip(m_triangulation, m_triangulation.crossing_word(m_network.halfedge(s))).bend());
       if(m_network.next(s) != null_index)
         result.smallest_angle = (std::min)({result.smallest_angle, angle({s, Side::LEFT}), angle({s, Side::RIGHT})});
     });

@@ -19,8 +19,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Floating-point arithmetic of a fixed number of decimal digits, with a bound of the error carried along. Strips are not
- * scaled: numbers stay as large as the ratios of edge lengths, so that doubles can hold the bounds.
+ * Floating-point arithmetic of a fixed number of decimal digits, with a bound of the error carried along. Strips are
+ * not scaled: numbers stay as large as the ratios of edge lengths, so that doubles can hold the bounds.
  */
 template <unsigned Digits>
 class Ball_ring

@@ -18,10 +18,10 @@ namespace internal {
  * The crossing words of an intrinsic triangulation's edges, derived from its flip log by combinatorics alone, so that
  * they are exact whatever the numbers do.
  *
- * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the free
- * reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what touches k or
- * l at the ends. Only the edges that the asked ones descend from are visited, and each once: about as many as the curve
- * had segments, not as there were flips. Words are kept until the flip that made their edge is taken back.
+ * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the
+ * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
+ * touches k or l at the ends. Only the edges that the asked ones descend from are visited, and each once: about as many
+ * as the curve had segments, not as there were flips. Words are kept until the flip that made their edge is taken back.
  */
 template <class Triangulation>
 class Crossing_words
@@ -73,8 +73,8 @@ private:
         continue;
       }
       // The flip leaves h = l->k and its twin k->l.
-      Crossing_word word_of_kl = join(triangulation.input(), word(flip.hp, flip.version_hp), flip.rotation,
-                                        word(flip.tn, flip.version_tn));
+      Crossing_word word_of_kl =
+          join(triangulation.input(), word(flip.hp, flip.version_hp), flip.rotation, word(flip.tn, flip.version_tn));
       m_words.emplace(version, (flip.h & 1) == 1 ? std::move(word_of_kl) : word_of_kl.reversed());
       pending.pop_back();
     }
@@ -110,8 +110,7 @@ private:
   // The first input halfedge at i that a clockwise turn from ik meets, strictly.
   static Index first_spoke(const Input_mesh& input, const Crossing_word& ki)
   {
-    return ki.along != null_index ? input.next(ki.along)
-                                  : previous(input, Triangulation::twin(ki.crossed.back()));
+    return ki.along != null_index ? input.next(ki.along) : previous(input, Triangulation::twin(ki.crossed.back()));
   }
 
   // The path leaves k in an input face; the halfedge of that face that starts at k. It keeps j, hence the face, on its
@@ -124,8 +123,7 @@ private:
   // The path reaches l in an input face, the halfedge of that face that starts at l. It keeps j on its left as well.
   static Index last_corner(const Input_mesh& input, const Crossing_word& il)
   {
-    return il.along != null_index ? input.next(il.along)
-                                  : previous(input, Triangulation::twin(il.crossed.back()));
+    return il.along != null_index ? input.next(il.along) : previous(input, Triangulation::twin(il.crossed.back()));
   }
 
   // The face on the other side of a spoke `side` of the face of `corner`: its corner at the same vertex.

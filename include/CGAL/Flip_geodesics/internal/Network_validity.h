@@ -32,7 +32,7 @@ public:
         return false;
     for(Index s = 1; s < m_network.end_of_segment_ids(); ++s)
       if(m_network.is_alive(s) && !(is_valid_stack(s) && is_non_crossing_at({m_network.halfedge(s), s}) &&
-                          is_non_crossing_at({Triangulation::twin(m_network.halfedge(s)), s})))
+                                    is_non_crossing_at({Triangulation::twin(m_network.halfedge(s)), s})))
         return false;
     return true;
   }
@@ -59,8 +59,9 @@ private:
     m_network.for_each_segment(curve, [&](Index s) {
       is_chain = is_chain && m_network.is_alive(s) && m_network.curve(s) == curve;
       const Index t = m_network.next(s);
-      is_chain = is_chain && (t == null_index || (m_network.previous(t) == s && m_triangulation.head(m_network.halfedge(s)) ==
-                                                                          m_triangulation.tail(m_network.halfedge(t))));
+      is_chain = is_chain &&
+                 (t == null_index || (m_network.previous(t) == s && m_triangulation.head(m_network.halfedge(s)) ==
+                                                                        m_triangulation.tail(m_network.halfedge(t))));
       last = s;
     });
     return is_chain && last == m_network.last_segment(curve) &&
@@ -85,9 +86,11 @@ private:
     const Index s = end.segment;
     if(end.halfedge == m_network.halfedge(s)) {
       const Index p = m_network.previous(s);
-      return p == null_index || m_network.is_head_fixed(p) ? Strand_end{} : Strand_end{Triangulation::twin(m_network.halfedge(p)), p};
+      return p == null_index || m_network.is_head_fixed(p) ? Strand_end{}
+                                                           : Strand_end{Triangulation::twin(m_network.halfedge(p)), p};
     }
-    return m_network.is_head_fixed(s) ? Strand_end{} : Strand_end{m_network.halfedge(m_network.next(s)), m_network.next(s)};
+    return m_network.is_head_fixed(s) ? Strand_end{}
+                                      : Strand_end{m_network.halfedge(m_network.next(s)), m_network.next(s)};
   }
 
   // Clockwise from an end, which comes first after the border if there is one: matched ends nest like brackets, and

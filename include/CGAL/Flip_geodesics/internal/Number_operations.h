@@ -125,8 +125,8 @@ double sign_tolerance()
 {
   if(Number_operations<NT>::kind != Number_kind::FLOATING)
     return 0;
-  constexpr int digits = std::numeric_limits<NT>::is_specialized ? std::numeric_limits<NT>::digits
-                                                                 : std::numeric_limits<double>::digits;
+  constexpr int digits =
+      std::numeric_limits<NT>::is_specialized ? std::numeric_limits<NT>::digits : std::numeric_limits<double>::digits;
   return std::ldexp(1.0, (std::max)(-digits / 2 - 4, -1000));
 }
 

@@ -77,8 +77,8 @@ public:
     const NT along = x_k - x_l, across = area * half;
     const NT diagonal = (NT(along * along) + unit.product(across, across)) / l;
     const NT at_i = (x_k * area_t + x_l * area_h) / l, at_j = area - at_i;
-    const int generation = 1 + (std::max)({h.generation, hn.generation, hp.generation, t.generation, tn.generation,
-                                           tp.generation});
+    const int generation =
+        1 + (std::max)({h.generation, hn.generation, hp.generation, t.generation, tn.generation, tp.generation});
     return {{diagonal, at_i, generation},
             {diagonal, at_j, generation},
             {tn.squared_length, at_i, generation},

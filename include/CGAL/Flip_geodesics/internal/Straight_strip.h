@@ -38,9 +38,14 @@ public:
     if(word.along != null_index)
       return true;
     switch(in_double(Strip<Triangulation>(m_triangulation, word))) {
-    case POSITIVE: ++m_statistics.by_strip; return true;
-    case NEGATIVE: ++m_statistics.by_strip; return false;
-    case ZERO: break;
+    case POSITIVE:
+      ++m_statistics.by_strip;
+      return true;
+    case NEGATIVE:
+      ++m_statistics.by_strip;
+      return false;
+    case ZERO:
+      break;
     }
     return exactly(word);
   }
@@ -99,8 +104,7 @@ private:
 
   std::vector<Integer> squared_areas(const Crossing_word& word) const
   {
-    std::vector<Integer> result = {
-        m_triangulation.exact_input_face(word.crossed.front()).doubled_area_squared};
+    std::vector<Integer> result = {m_triangulation.exact_input_face(word.crossed.front()).doubled_area_squared};
     for(Index h : word.crossed)
       result.push_back(m_triangulation.exact_input_face(Triangulation::twin(h)).doubled_area_squared);
     std::sort(result.begin(), result.end());

@@ -126,16 +126,16 @@ private:
     m_gates.reserve(crossed.size());
     for(std::size_t i = 0;; ++i) {
       m_gates.push_back({crossed[i], right, left, right_error, left_error});
-      // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never differences
-      // of positions, which would magnify the error wherever a gate is short.
+      // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never
+      // differences of positions, which would magnify the error wherever a gate is short.
       const Index entered = Triangulation::twin(crossed[i]);
       const Face_vectors face = face_along(entered, gate);
       const bool is_near_right = std::abs(face[1]) < std::abs(face[2]);
       const Vector apex = is_near_right ? right + face[1] : left - face[2];
       const double turn_error = static_cast<double>(i + 2) * ratio_error;
-      const double apex_error = (is_near_right ? right_error + turn_error * std::abs(face[1])
-                                               : left_error + turn_error * std::abs(face[2])) +
-                                ratio_error * std::abs(apex);
+      const double apex_error =
+          (is_near_right ? right_error + turn_error * std::abs(face[1]) : left_error + turn_error * std::abs(face[2])) +
+          ratio_error * std::abs(apex);
       if(i + 1 == crossed.size()) {
         m_end = apex;
         m_error = apex_error;

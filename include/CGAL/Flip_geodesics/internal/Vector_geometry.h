@@ -14,9 +14,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Vectors in a frame of the face, as in Intrinsic_triangulation_traits, for numbers that round: errors grow linearly with
- * flips. A frame has the length of an input halfedge as its unit, whose square, the scale, is stored as well, so that
- * faces are laid out with one root, that of the area, and no length.
+ * Vectors in a frame of the face, as in Intrinsic_triangulation_traits, for numbers that round: errors grow linearly
+ * with flips. A frame has the length of an input halfedge as its unit, whose square, the scale, is stored as well, so
+ * that faces are laid out with one root, that of the area, and no length.
  */
 template <class NT>
 class Vector_geometry
@@ -76,7 +76,8 @@ public:
                                const Halfedge_geometry& tp)
   {
     const NT norm = -(t.x * t.x + t.y * t.y);
-    const Halfedge_geometry rotation = {NT((h.x * t.x + h.y * t.y) / norm), NT((h.y * t.x - h.x * t.y) / norm), h.scale};
+    const Halfedge_geometry rotation = {NT((h.x * t.x + h.y * t.y) / norm), NT((h.y * t.x - h.x * t.y) / norm),
+                                        h.scale};
     const Halfedge_geometry moved_tn = product(rotation, tn), moved_tp = product(rotation, tp);
     return {opposite_sum(hp, moved_tn), opposite_sum(hn, moved_tp), moved_tn, moved_tp};
   }

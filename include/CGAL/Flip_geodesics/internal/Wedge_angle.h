@@ -43,8 +43,8 @@ inline double angle_from_reference(const std::complex<double>& end)
 }
 
 /*
- * The angle clockwise from halfedge a to halfedge b of one vertex, afresh from the input: the input corners between their
- * reference halfedges, corrected by their strips at both ends. a == b means all the way round.
+ * The angle clockwise from halfedge a to halfedge b of one vertex, afresh from the input: the input corners between
+ * their reference halfedges, corrected by their strips at both ends. a == b means all the way round.
  */
 template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, Index a, Index b)

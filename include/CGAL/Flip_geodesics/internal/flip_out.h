@@ -267,7 +267,8 @@ private:
     perturb_and_flip_out({s, candidate.joint.side});
     std::size_t patience = can_err ? 10000 : (std::numeric_limits<std::size_t>::max)();
     while(!m_network.is_contracted(curve) && patience-- > 0 &&
-          shorten_somewhere(curve, opposite_side(candidate.joint.side))) {
+          shorten_somewhere(curve, opposite_side(candidate.joint.side)))
+    {
     }
 
     const double change = m_curves[curve].length - length_before;
@@ -322,18 +323,24 @@ private:
 
   Stop_decision ask(double key, Index curve, double change) const
   {
-    return m_stop(Shortening_step{curve, key, m_steps, m_network.initial_length(curve),
-                                  m_curves[curve].length + change, m_initial_length, m_length + change});
+    return m_stop(Shortening_step{curve, key, m_steps, m_network.initial_length(curve), m_curves[curve].length + change,
+                                  m_initial_length, m_length + change});
   }
 
   void obey(Stop_decision decision, Index curve)
   {
     switch(decision) {
-    case Stop_decision::CONTINUE: return;
-    case Stop_decision::CURVE_LENGTH_LIMIT: m_curves[curve].status = Shortening_status::LENGTH_LIMIT; return;
-    case Stop_decision::LENGTH_LIMIT: return end(Shortening_status::LENGTH_LIMIT);
-    case Stop_decision::ANGLE_LIMIT: return end(Shortening_status::ANGLE_LIMIT);
-    case Stop_decision::ITERATION_LIMIT: return end(Shortening_status::ITERATION_LIMIT);
+    case Stop_decision::CONTINUE:
+      return;
+    case Stop_decision::CURVE_LENGTH_LIMIT:
+      m_curves[curve].status = Shortening_status::LENGTH_LIMIT;
+      return;
+    case Stop_decision::LENGTH_LIMIT:
+      return end(Shortening_status::LENGTH_LIMIT);
+    case Stop_decision::ANGLE_LIMIT:
+      return end(Shortening_status::ANGLE_LIMIT);
+    case Stop_decision::ITERATION_LIMIT:
+      return end(Shortening_status::ITERATION_LIMIT);
     }
   }
 

@@ -43,9 +43,9 @@ struct Quad_crossings
   /*
    * The crossings of the other diagonal, kl.
    *
-   * Input edges that do not reach ij cross kl once, unless they cut i or j off. Along ij, from i to j, the triangle of k
-   * sends first those that cut i, then those that emanate from k, then those that cut j; so does the triangle of l. One
-   * that cuts i on one side and j on the other crosses kl; one that emanates from k and ends at l lies along it.
+   * Input edges that do not reach ij cross kl once, unless they cut i or j off. Along ij, from i to j, the triangle of
+   * k sends first those that cut i, then those that emanate from k, then those that cut j; so does the triangle of l.
+   * One that cuts i on one side and j on the other crosses kl; one that emanates from k and ends at l lies along it.
    */
   Index other_diagonal() const
   {

@@ -49,9 +49,11 @@ public:
         return false;
       h = m_mesh.next(twin_index(h));
     }
-    const Point_3 node = m_point_of(m_mesh.tail(reference(a))), end_a = m_point_of(head(a)), end_b = m_point_of(head(b));
+    const Point_3 node = m_point_of(m_mesh.tail(reference(a))), end_a = m_point_of(head(a)),
+                  end_b = m_point_of(head(b));
     for(int axis = 0; axis < 3; ++axis) {
-      const Orientation face = orientation_along(axis, corner(some_face, 0), corner(some_face, 1), corner(some_face, 2));
+      const Orientation face =
+          orientation_along(axis, corner(some_face, 0), corner(some_face, 1), corner(some_face, 2));
       if(face == ZERO)
         continue;
       sine = face * orientation_along(axis, node, end_b, end_a);

@@ -17,8 +17,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Lays out the face on the left of h afresh: lengths from the strips of its edges, angles from its corners at the ends of
- * h. Returns false, and changes nothing, if the corners are not between 0 and pi: then flips were wrong already.
+ * Lays out the face on the left of h afresh: lengths from the strips of its edges, angles from its corners at the ends
+ * of h. Returns false, and changes nothing, if the corners are not between 0 and pi: then flips were wrong already.
  */
 template <class Triangulation>
 bool refresh_face(Triangulation& triangulation, Index h)
@@ -39,9 +39,9 @@ bool refresh_face(Triangulation& triangulation, Index h)
   const double error = (std::max)({first.relative_error(), second.relative_error() + at_head.error,
                                    third.relative_error() + at_tail.error}) +
                        8 * std::numeric_limits<double>::epsilon();
-  triangulation.set_face_geometry(
-      h, triangulation.traits().construct_face_2_object()(
-             {{{first.length(), 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}, error));
+  triangulation.set_face_geometry(h,
+                                  triangulation.traits().construct_face_2_object()(
+                                      {{{first.length(), 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}, error));
   return true;
 }
 
