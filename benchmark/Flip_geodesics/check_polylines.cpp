@@ -20,6 +20,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,39 @@ void add_options(CLI::App& app, Options& options)
   app.add_flag("--quiet", options.quiet, "No summary on standard error");
 }
 
+// The vertices and faces of an OBJ file, whatever else is in it; `v/t/n` and indices from the end are understood.
+checker::Mesh read_obj(const std::string& file)
+{
+  std::ifstream in(file);
+  std::vector<checker::Mesh::Point> points;
+  std::vector<checker::Mesh::Face> faces;
+  for(std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string keyword;
+    words >> keyword;
+    if(keyword == "v") {
+      points.emplace_back();
+      words >> points.back()[0] >> points.back()[1] >> points.back()[2];
+    } else if(keyword == "f") {
+      std::vector<checker::Index> corners;
+      for(std::string corner; words >> corner;) {
+        const long long i = std::stoll(corner);
+        corners.push_back(static_cast<checker::Index>(i < 0 ? static_cast<long long>(points.size()) + i : i - 1));
+      }
+      if(corners.size() != 3)
+        throw Bad_input("face " + std::to_string(faces.size()) + " is not a triangle");
+      faces.push_back({corners[0], corners[1], corners[2]});
+    }
+  }
+  if(faces.empty())
+    throw Bad_input("it cannot be read, or has no faces");
+  return checker::Mesh(std::move(points), faces);
+}
+
 checker::Mesh read_mesh(const std::string& file)
 {
+  if(file.size() > 4 && file.compare(file.size() - 4, 4, ".obj") == 0)
+    return read_obj(file);
   using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   Surface_mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh) || mesh.number_of_faces() == 0)
