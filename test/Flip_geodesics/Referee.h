@@ -3,11 +3,14 @@
 #ifndef FLIP_GEODESICS_TEST_REFEREE_H
 #define FLIP_GEODESICS_TEST_REFEREE_H
 
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/boost_mp.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/multiprecision/mpfr.hpp>
 
+#include <array>
+#include <cstddef>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
