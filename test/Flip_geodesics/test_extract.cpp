@@ -100,6 +100,37 @@ BOOST_AUTO_TEST_CASE(points_face_locations_and_crossed_halfedges_agree)
   BOOST_CHECK_GT(crossings, 500);
 }
 
+BOOST_AUTO_TEST_CASE(edges_of_a_flipped_triangulation_are_as_long_on_the_input_as_they_say)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(10, 0.1, 3));
+  Triangulation triangulation(mesh);
+  std::mt19937 random(2);
+  for(int i = 0; i < 3 * triangulation.number_of_edges(); ++i) {
+    const FG::Index h = static_cast<FG::Index>(random() % triangulation.number_of_halfedges());
+    if(triangulation.is_flippable(h))
+      triangulation.flip(h);
+  }
+  std::size_t crossings = 0;
+  for(FG::Index h = 0; h < triangulation.number_of_halfedges(); h += 2) {
+    std::vector<FG::Surface_point> there, back;
+    FG::edge_surface_points(triangulation, h, std::back_inserter(there));
+    FG::edge_surface_points(triangulation, h + 1, std::back_inserter(back));
+    BOOST_REQUIRE_EQUAL(there.size(), back.size());
+    BOOST_CHECK_EQUAL(there.front().a, triangulation.tail(h));
+    BOOST_CHECK_EQUAL(there.back().a, triangulation.head(h));
+    double length = 0;
+    for(std::size_t k = 0; k < there.size(); ++k) {
+      const Point p = FG::point_in_space(triangulation, there[k]);
+      BOOST_CHECK_SMALL(CGAL::squared_distance(p, FG::point_in_space(triangulation, back[back.size() - 1 - k])), 1e-24);
+      if(k > 0)
+        length += std::sqrt(CGAL::squared_distance(FG::point_in_space(triangulation, there[k - 1]), p));
+    }
+    BOOST_CHECK_CLOSE_FRACTION(length, triangulation.length(h), 1e-11);
+    crossings += there.size() - 2;
+  }
+  BOOST_CHECK_GT(crossings, 500);
+}
+
 BOOST_AUTO_TEST_CASE(the_conforming_triangulation_keeps_euler_characteristic_and_area)
 {
   const Mesh mesh = to_mesh<Mesh>(genus_3_plate(2));

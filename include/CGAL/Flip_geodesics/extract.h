@@ -9,8 +9,10 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,57 @@ struct Surface_point
   bool is_vertex() const { return a == b; }
 };
 
+namespace internal {
+
+inline Surface_point surface_point_at_vertex(Index v) { return {v, v, 0, null_index}; }
+
+/* The point where a curve crosses an input edge, `from_right` of the edge's length away from its right end. */
+template <class Triangulation>
+Surface_point surface_point_on_edge(const Triangulation& triangulation, Index crossed, double from_right)
+{
+  const Index right = triangulation.input().tail(crossed);
+  const Index left = triangulation.input().tail(Triangulation::twin(crossed));
+  if(from_right <= 0.5)
+    return {right, left, from_right, crossed};
+  return {left, right, 1 - from_right, crossed};
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsExtraction
+ *
+ * Writes the `Surface_point`s of an edge of a triangulation, from the tail of halfedge `h` to its head, both included:
+ * where the edge runs on the input mesh. Linear in the crossed edges.
+ */
+template <class Triangulation, class OutputIterator>
+OutputIterator edge_surface_points(const Triangulation& triangulation, Index h, OutputIterator out)
+{
+  *out++ = internal::surface_point_at_vertex(triangulation.tail(h));
+  const internal::Strip<Triangulation> strip(triangulation, triangulation.crossing_word(h));
+  for(std::size_t i = 0; i < strip.gates().size(); ++i)
+    *out++ = internal::surface_point_on_edge(triangulation, strip.gates()[i].crossed, strip.crossing(i));
+  *out++ = internal::surface_point_at_vertex(triangulation.head(h));
+  return out;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsExtraction
+ *
+ * The point of a surface point in space: \f$(1-t)\,a + t\,b\f$. Only with a metric that has points.
+ */
+template <class Triangulation>
+auto point_in_space(const Triangulation& triangulation, const Surface_point& p)
+{
+  using Point = typename Triangulation::Metric::Point_3;
+  const auto& input = triangulation.input();
+  const Point a = triangulation.metric().point(input, p.a);
+  if(p.is_vertex())
+    return a;
+  const Point b = triangulation.metric().point(input, p.b);
+  return Point(a.x() + p.t * (b.x() - a.x()), a.y() + p.t * (b.y() - a.y()), a.z() + p.t * (b.z() - a.z()));
+}
+
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
@@ -48,7 +101,6 @@ class Curve_extractor
 {
   using Triangulation = typename Network::Triangulation;
   using Triangle_mesh = typename Triangulation::Triangle_mesh;
-  using Strip = internal::Strip<Triangulation>;
 
 public:
   using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor;
@@ -66,17 +118,14 @@ public:
   template <class OutputIterator>
   OutputIterator surface_points(Index curve, OutputIterator out)
   {
-    Index last = null_index;
+    std::vector<Surface_point> segment;
+    bool is_first = true;
     m_network.for_each_segment(curve, [&](Index s) {
-      const Index h = m_network.halfedge(s);
-      *out++ = vertex_point(m_triangulation.tail(h));
-      const Strip strip(m_triangulation, m_triangulation.crossing_word(h));
-      for(std::size_t i = 0; i < strip.gates().size(); ++i)
-        *out++ = edge_point(strip.gates()[i].crossed, strip.crossing(i));
-      last = h;
+      segment.clear();
+      edge_surface_points(m_triangulation, m_network.halfedge(s), std::back_inserter(segment));
+      out = std::copy(segment.begin() + (is_first ? 0 : 1), segment.end(), out); // its start is the end before
+      is_first = false;
     });
-    if(last != null_index)
-      *out++ = vertex_point(m_triangulation.head(last));
     return out;
   }
 
@@ -122,32 +171,12 @@ public:
   }
 
   /// The point in space. Only with `Embedded_metric`.
-  auto point(const Surface_point& p) const
-  {
-    using Point = typename Triangulation::Metric::Point_3;
-    const auto& input = m_triangulation.input();
-    const Point a = m_triangulation.metric().point(input, p.a);
-    if(p.is_vertex())
-      return a;
-    const Point b = m_triangulation.metric().point(input, p.b);
-    return Point(a.x() + p.t * (b.x() - a.x()), a.y() + p.t * (b.y() - a.y()), a.z() + p.t * (b.z() - a.z()));
-  }
+  auto point(const Surface_point& p) const { return point_in_space(m_triangulation, p); }
 
   /// The word of a segment of the network.
   Crossing_word word(Index segment) { return m_triangulation.crossing_word(m_network.halfedge(segment)); }
 
 private:
-  static Surface_point vertex_point(Index v) { return {v, v, 0, null_index}; }
-
-  Surface_point edge_point(Index crossed, double from_right) const
-  {
-    const Index right = m_triangulation.input().tail(crossed);
-    const Index left = m_triangulation.input().tail(Triangulation::twin(crossed));
-    if(from_right <= 0.5)
-      return {right, left, from_right, crossed};
-    return {left, right, 1 - from_right, crossed};
-  }
-
   std::pair<face_descriptor, std::array<double, 3>> face_location(const Surface_point& p,
                                                                   const Triangle_mesh& mesh) const
   {
