@@ -166,6 +166,16 @@ public:
     }
   };
 
+  struct Is_locally_delaunay
+  {
+    CGAL::Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn,
+                                     const Halfedge_geometry& hp, const Halfedge_geometry& t,
+                                     const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
+    {
+      return angle(hn.length(), hp.length(), h.length()) + angle(tn.length(), tp.length(), t.length()) <= pi() + 1e-9L;
+    }
+  };
+
   struct Compute_squared_length
   {
     FT operator()(const Halfedge_geometry& h) const { return FT(h.length() * h.length()); }
@@ -184,6 +194,7 @@ public:
   Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
   Turn_key turn_key_object() const { return {}; }
   Flip flip_object() const { return {}; }
+  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }
   Compute_squared_length compute_squared_length_object() const { return {}; }
   Compute_length compute_length_object() const { return {}; }
 

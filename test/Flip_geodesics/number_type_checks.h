@@ -6,6 +6,7 @@
 #include "Curve_setting.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
+#include "lawson.h"
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -305,6 +306,30 @@ void check_flips(const Mesh_soup& soup, const Traits& traits, const typename Tra
   const Vertex_turns<Triangulation> again(triangulation, radicand);
   BOOST_TEST(again.is_consistent());
   BOOST_TEST(again.have_the_same_angles(before));
+}
+
+// ---------------------------------------------------------------- Delaunay
+
+/// The same edges are Delaunay as by the certified traits, and flips end.
+template <class Traits>
+void check_delaunay(const Mesh_soup& soup, const Traits& traits, int attempts)
+{
+  const Surface mesh = to_mesh<Surface>(soup);
+  CGAL::Flip_geodesics::Intrinsic_triangulation<Surface, Traits> triangulation(mesh, traits);
+  typename Certified_setting::Triangulation reference(mesh);
+  const auto check = [&] {
+    for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
+      BOOST_TEST(triangulation.is_locally_delaunay(h) == reference.is_locally_delaunay(h));
+  };
+  check();
+  Random_numbers random(1), same_random(1);
+  flip_at_random(triangulation, attempts, random);
+  flip_at_random(reference, attempts, same_random);
+  check();
+  const int flips = flip_to_delaunay(reference, 100000);
+  BOOST_TEST(flips > 0);
+  BOOST_TEST(flip_to_delaunay(triangulation, 100000) == flips);
+  BOOST_TEST(is_delaunay(triangulation));
 }
 
 // ---------------------------------------------------------------- lengths instead of points

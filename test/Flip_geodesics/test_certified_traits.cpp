@@ -7,6 +7,7 @@
 #include "Referee.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
+#include "lawson.h"
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -270,6 +271,60 @@ BOOST_AUTO_TEST_CASE(the_referee_agrees_on_metrics_given_by_lengths)
   judge_lengths("flat torus of irrational sides", torus(10, 8, 3, 1), Flat_torus_metric{10, 8, std::sqrt(2.0), pi}, 20,
                 totals);
   BOOST_TEST(totals.ties > 100u);
+}
+
+namespace {
+
+// -1, 0 or 1: the angles opposite to an edge, compared with pi by 300 digits.
+template <class Triangulation, class Shape>
+int compare_opposite_angles(Referee<Triangulation, Shape>& referee, const Triangulation& t, int h)
+{
+  const Real_vector k = referee.rotation(t.next(h) ^ 1, t.previous(h)),
+                    l = referee.rotation(t.next(h ^ 1) ^ 1, t.previous(h ^ 1));
+  const int at_k = sign_beside(k.x, boost::multiprecision::sqrt(squared_norm(k))),
+            at_l = sign_beside(l.x, boost::multiprecision::sqrt(squared_norm(l)));
+  if(at_k == at_l)
+    return -at_k;
+  const Real_vector sum = k * l;
+  return -sign_beside(sum.y, boost::multiprecision::sqrt(squared_norm(sum)));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_referee_agrees_on_what_is_delaunay)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface, Certified_traits>;
+  using Shape = Shape_of_points<Surface>;
+  int decisions = 0, ties = 0, disagreements = 0;
+  for(const std::vector<Named_soup>& soups : {soups_full_of_ties(), soups_near_ties(), generic_soups()})
+    for(const Named_soup& named : soups) {
+      const Surface mesh = to_mesh<Surface>(named.soup);
+      Triangulation t(mesh);
+      Random_numbers random(1);
+      for(int round = 0; round < 2; ++round) {
+        Referee<Triangulation, Shape> referee(t, Shape(mesh));
+        for(int h = 0; h < t.number_of_halfedges(); h += 2) {
+          if(t.is_border(h) || t.is_border(h ^ 1))
+            continue;
+          try {
+            const int comparison = compare_opposite_angles(referee, t, h);
+            disagreements += t.is_locally_delaunay(h) == (comparison <= 0) ? 0 : 1;
+            ties += comparison == 0 ? 1 : 0;
+            ++decisions;
+          } catch(const No_order&) {
+          }
+        }
+        flip_at_random(t, 150 * scale, random);
+      }
+      BOOST_TEST_CONTEXT(named.name)
+      {
+        BOOST_TEST(flip_to_delaunay(t, 100000) >= 0);
+        BOOST_TEST(is_delaunay(t));
+      }
+    }
+  std::cout << decisions << " edges, " << ties << " with cocircular points\n";
+  BOOST_TEST(disagreements == 0);
+  BOOST_TEST(ties > 1000);
 }
 
 // The corner from each halfedge of a flipped triangulation to the next, as stored, against 300 digits.

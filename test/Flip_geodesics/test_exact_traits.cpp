@@ -101,6 +101,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(flips_are_exact, NT, Number_types)
   check_flips(tetrahedron(2), traits_with_radicand<NT>(3), unit_radicand<NT>(3), 200);
 }
 
+BOOST_AUTO_TEST_CASE_TEMPLATE(delaunay_edges_are_told_exactly, NT, Number_types)
+{
+  check_delaunay(flat_grid(5, 5, Diagonal_rule::RANDOM), Exact_traits<NT>(), 60);
+  check_delaunay(jittered_cube(3, 2), Exact_traits<NT>(), 60);
+  check_delaunay(octahedron(3), traits_with_radicand<NT>(3), 60);
+}
+
 // The field with the root itself in it, and rationals that count in its unit, are two implementations of one thing:
 // they agree step by step, even among equal angles.
 BOOST_AUTO_TEST_CASE(number_types_agree)

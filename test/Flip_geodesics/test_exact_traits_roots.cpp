@@ -136,6 +136,14 @@ BOOST_AUTO_TEST_CASE(intervals_give_the_same_words_as_certified)
   check_same_curves_as_certified(shaken(torus(8, 6, 3, 1), 0.2, 3), traits, 60 * scale);
 }
 
+BOOST_AUTO_TEST_CASE(delaunay_edges_are_told)
+{
+  check_delaunay(bumpy_sphere(4, 0.3, 1), Exact_traits<Interval>(), 200);
+  check_delaunay(bumpy_sphere(4, 0.3, 1), Exact_traits<Long_float>(), 200);
+  check_delaunay(octahedron(3), Exact_traits<Long_float>(), 60);
+  check_delaunay(octahedron(3), Exact_traits<Expression>(), 40);
+}
+
 // A long path goes through, since faces whose intervals have grown are laid out afresh.
 BOOST_AUTO_TEST_CASE(intervals_are_narrowed)
 {

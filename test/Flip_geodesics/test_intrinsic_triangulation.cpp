@@ -4,6 +4,7 @@
 
 #include "generated_curves.h"
 #include "generated_meshes.h"
+#include "lawson.h"
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
@@ -390,6 +391,66 @@ BOOST_AUTO_TEST_CASE(lengths_alone_give_the_same_triangulation)
     BOOST_TEST(embedded.crossings(h / 2) == intrinsic.crossings(h / 2));
   }
   BOOST_TEST(intrinsic.is_valid());
+}
+
+namespace {
+
+// The angle between sides a and b of a face, opposite to c, by lengths alone.
+double law_of_cosines(double a, double b, double c)
+{
+  return std::acos((std::max)(-1.0, (std::min)(1.0, (a * a + b * b - c * c) / (2 * a * b))));
+}
+
+double opposite_angle(const Triangulation& t, int h)
+{
+  return law_of_cosines(t.length(t.next(h)), t.length(t.previous(h)), t.length(h));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(flips_lead_to_a_delaunay_triangulation)
+{
+  int flips = 0;
+  std::vector<Mesh_soup> all = soups();
+  all.push_back(jittered_grid(12, 12, Diagonal_rule::RANDOM, 0.24, 1));
+  all.push_back(bumpy_sphere(6, 0.3, 1));
+  all.push_back(mapped(jittered_grid(12, 12, Diagonal_rule::RANDOM, 0.24, 2), [](const Coordinates& p) {
+    return Coordinates{p[0], p[1] / 50, p[2]};
+  }));
+  for(const Mesh_soup& soup : all) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    Random_numbers random(1);
+    for(int round = 0; round < 3 * scale; ++round) {
+      flip_at_random(t, round * 300, random);
+      const int count = flip_to_delaunay(t, 100000);
+      BOOST_TEST(count >= 0);
+      flips += count;
+      BOOST_TEST(is_delaunay(t));
+      BOOST_TEST(t.is_valid());
+      for(int h = 0; h < t.number_of_halfedges(); ++h)
+        if(!t.is_border(h) && !t.is_border(h ^ 1))
+          BOOST_TEST(opposite_angle(t, h) + opposite_angle(t, h ^ 1) < pi + 1e-6);
+    }
+  }
+  std::cout << flips << " flips to Delaunay triangulations\n";
+  BOOST_TEST(flips > 1000);
+}
+
+BOOST_AUTO_TEST_CASE(cocircular_points_are_delaunay)
+{
+  for(const Mesh_soup& soup : {flat_grid(8, 8, Diagonal_rule::RANDOM), cube(4), box(3, 5, 7, 4)}) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    BOOST_TEST(is_delaunay(t));
+  }
+  // By more than the tolerance outside of the circle, and inside.
+  for(double x : {1 + 1e-7, 1 - 1e-7}) {
+    const Mesh mesh = to_mesh<Mesh>(Mesh_soup{{{-1, 0, 0}, {0, -1, 0}, {x, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+    Triangulation t(mesh);
+    BOOST_TEST(is_delaunay(t) == (x < 1));
+    BOOST_TEST(flip_to_delaunay(t, 10) == (x < 1 ? 0 : 1));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(isolated_vertices_have_no_spokes)

@@ -6,6 +6,7 @@
 #include "Traits_archetype.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
+#include "lawson.h"
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/extract.h>
@@ -116,4 +117,15 @@ BOOST_AUTO_TEST_CASE(extraction_needs_no_more)
   std::vector<FG::Intrinsic_face> faces;
   FG::intrinsic_faces(setting.triangulation, std::back_inserter(faces));
   BOOST_TEST(faces.size() == soup.triangles.size());
+}
+
+BOOST_AUTO_TEST_CASE(the_same_edges_are_delaunay)
+{
+  const Mesh_soup soup = jittered_grid(8, 8, Diagonal_rule::RANDOM, 0.2, 6);
+  Archetype_setting archetype(soup);
+  Curve_setting usual(soup);
+  const int flips = flip_to_delaunay(usual.triangulation, 10000);
+  BOOST_TEST(flips > 10);
+  BOOST_TEST(flip_to_delaunay(archetype.triangulation, 10000) == flips);
+  BOOST_TEST(is_delaunay(archetype.triangulation));
 }

@@ -110,6 +110,14 @@ public:
   /// frame of the old face of `h`. \pre the quad is convex, its angles at both ends of the old edge below \f$\pi\f$
   typedef unspecified_type Flip;
 
+  /// `Uncertain<bool> operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: are the angles
+  /// opposite to the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`, at the heads of `hn` and `tn`, together at
+  /// most \f$\pi\f$? Equality, four points on a circle, counts as Delaunay. A model that rounds counts an excess below
+  /// a tolerance as equality, the tolerance well above its errors, so that Lawson's algorithm ends. If the answer is
+  /// uncertain and `Has_drift` is `CGAL::Tag_false`, then the triangulation decides by exact arithmetic on the input.
+  /// Called by `Intrinsic_triangulation::is_locally_delaunay()` and by nothing else.
+  typedef unspecified_type Is_locally_delaunay;
+
   /// `bool operator()(const Halfedge_geometry& h) const`: has the geometry of a halfedge become so inaccurate that its
   /// face is to be laid out afresh from the input, by `Construct_face_2`? Asked after a flip for the four halfedges
   /// that it changed; the log keeps what is replaced. A model without a bound of its error answers `false`.
@@ -141,6 +149,8 @@ public:
   Turn_key turn_key_object() const;
   /// A functor of type `Flip`.
   Flip flip_object() const;
+  /// A functor of type `Is_locally_delaunay`.
+  Is_locally_delaunay is_locally_delaunay_object() const;
   /// A functor of type `Is_inaccurate`.
   Is_inaccurate is_inaccurate_object() const;
   /// A functor of type `Compute_squared_length`.

@@ -194,6 +194,34 @@ public:
     }
   };
 
+  /// Are the angles opposite to the edge of `h` and `t` together at most \f$\pi\f$? Decides only what it can.
+  class Is_locally_delaunay
+  {
+  public:
+    Uncertain<bool> operator()(const Halfedge_geometry& /* h */, const Halfedge_geometry& hn,
+                               const Halfedge_geometry& hp, const Halfedge_geometry& /* t */,
+                               const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
+    {
+      const Halfedge_geometry k = corner(hn, hp), l = corner(tn, tp);
+      const double radius_k = k.error * norm_bound(k.x, k.y), radius_l = l.error * norm_bound(l.x, l.y);
+      if(k.x > radius_k && l.x > radius_l)
+        return true;
+      if(k.x < -radius_k && l.x < -radius_l)
+        return false;
+      const double x = k.x * l.x - k.y * l.y, y = k.x * l.y + k.y * l.x;
+      const double radius = (k.error + l.error + product_error) * norm_bound(x, y);
+      if(std::abs(y) > radius)
+        return y > 0;
+      return Uncertain<bool>::indeterminate();
+    }
+
+  private:
+    static Halfedge_geometry corner(const Halfedge_geometry& in, const Halfedge_geometry& out)
+    {
+      return {-(out.x * in.x + out.y * in.y), out.y * in.x - out.x * in.y, in.error + out.error + product_error};
+    }
+  };
+
   class Is_inaccurate
   {
   public:
@@ -219,6 +247,7 @@ public:
   Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
   Turn_key turn_key_object() const { return {}; }
   Flip flip_object() const { return {}; }
+  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }
   Is_inaccurate is_inaccurate_object() const { return {}; }
   Compute_squared_length compute_squared_length_object() const { return {}; }
   Compute_length compute_length_object() const { return {}; }

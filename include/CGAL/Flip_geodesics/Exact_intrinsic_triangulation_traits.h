@@ -324,6 +324,43 @@ public:
     const Area_unit* m_unit;
   };
 
+  /*!
+   * Are the angles opposite to the edge of `h` and `t` together at most \f$\pi\f$, or `angle_tolerance()` above?
+   * \throws Uncertain_conversion_exception if intervals leave the sign open
+   */
+  class Is_locally_delaunay
+  {
+  public:
+    explicit Is_locally_delaunay(const Area_unit& unit)
+      : m_unit(&unit)
+    {
+    }
+
+    Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
+                               const Halfedge_geometry& t, const Halfedge_geometry& tn,
+                               const Halfedge_geometry& tp) const
+    {
+      const auto k = Geometry::corner(hn, hp, h), l = Geometry::corner(tn, tp, t);
+      const NT y = NT(k.x * l.y + k.y * l.x);
+      if constexpr(is_rounded) {
+        const NT x = NT(k.x * l.x) - m_unit->product(k.y, l.y);
+        const bool is_past_three_halves = k.x < 0 && l.x < 0 && x > 0;
+        return !is_past_three_halves && -y <= NT(angle_tolerance()) * (x < 0 ? NT(-x) : x);
+      } else {
+        const Uncertain<Sign> at_k = Operations::sign(k.x), at_l = Operations::sign(l.x);
+        if(CGAL::certainly((at_k != NEGATIVE) & (at_l != NEGATIVE)))
+          return true;
+        if(CGAL::certainly((at_k == NEGATIVE) & (at_l == NEGATIVE)))
+          return false;
+        const Uncertain<Sign> sine = Operations::sign(y);
+        return (sine != NEGATIVE).make_certain();
+      }
+    }
+
+  private:
+    const Area_unit* m_unit;
+  };
+
   /// Intervals grow, and say so.
   class Is_inaccurate
   {
@@ -359,6 +396,7 @@ public:
   Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
   Turn_key turn_key_object() const { return Turn_key(m_unit); }
   Flip flip_object() const { return Flip(m_unit); }
+  Is_locally_delaunay is_locally_delaunay_object() const { return Is_locally_delaunay(m_unit); }
   Is_inaccurate is_inaccurate_object() const { return {}; }
   Compute_squared_length compute_squared_length_object() const { return {}; }
   Compute_length compute_length_object() const { return {}; }

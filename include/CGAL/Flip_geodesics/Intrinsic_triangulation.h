@@ -267,6 +267,28 @@ public:
     return is_straight(turn, twin(tp), next(h));
   }
 
+  /*!
+   * Is the edge of `h` locally Delaunay: on the border, or the two angles opposite to it together at most \f$\pi\f$? An
+   * edge that is not can be flipped, and is locally Delaunay afterwards.
+   *
+   * Exact where the traits are. Otherwise four points count as cocircular up to the traits' tolerance, and Delaunay
+   * then; so flipping what is not Delaunay, in any order, ends as long as drift stays below the tolerance.
+   */
+  bool is_locally_delaunay(Index h) const
+  {
+    const Index t = twin(h);
+    if(is_border(h) || is_border(t) || next(h) == t || next(t) == h)
+      return true; // at a vertex of degree 1, opposite are the base angles of an isosceles face
+    const Index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
+    const Uncertain<bool> result = m_traits.is_locally_delaunay_object()(geometry(h), geometry(hn), geometry(hp),
+                                                                         geometry(t), geometry(tn), geometry(tp));
+    if constexpr(!Traits::Has_drift::value)
+      if(!result.is_certain())
+        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics)
+                   .compare_sum({twin(hn), hp}, {twin(tn), tp}) != LARGER;
+    return result.make_certain();
+  }
+
   /// @}
   /// \name Flips
   /// @{

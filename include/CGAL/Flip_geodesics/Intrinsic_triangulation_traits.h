@@ -249,6 +249,32 @@ public:
     }
   };
 
+  /*!
+   * Are the angles opposite to the edge of `h` and `t` together at most \f$\pi\f$, up to `angle_tolerance()`? A flip
+   * turns the sum into \f$2 \pi\f$ less the sum; so an edge that is not Delaunay is flipped into one that is, by the
+   * tolerance as well, and Lawson's algorithm ends as long as drift stays below the tolerance.
+   */
+  class Is_locally_delaunay
+  {
+  public:
+    Uncertain<bool> operator()(const Halfedge_geometry& /* h */, const Halfedge_geometry& hn,
+                               const Halfedge_geometry& hp, const Halfedge_geometry& /* t */,
+                               const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
+    {
+      const Halfedge_geometry k = corner(hn, hp), l = corner(tn, tp);
+      const double x = k.x * l.x - k.y * l.y, y = k.x * l.y + k.y * l.x;
+      const bool is_past_three_halves = k.x < 0 && l.x < 0 && x > 0;
+      return !is_past_three_halves && y >= -angle_tolerance() * std::abs(x);
+    }
+
+  private:
+    // As in Extend_turn; areas are not negative, whatever rounding makes of them.
+    static Halfedge_geometry corner(const Halfedge_geometry& in, const Halfedge_geometry& out)
+    {
+      return {-(out.x * in.x + out.y * in.y), (std::max)(out.y * in.x - out.x * in.y, 0.0)};
+    }
+  };
+
   /// Is a vector so inaccurate that its faces should be laid out afresh? Drift is looked for only in finished curves.
   class Is_inaccurate
   {
@@ -275,6 +301,7 @@ public:
   Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
   Turn_key turn_key_object() const { return {}; }
   Flip flip_object() const { return {}; }
+  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }
   Is_inaccurate is_inaccurate_object() const { return {}; }
   Compute_squared_length compute_squared_length_object() const { return {}; }
   Compute_length compute_length_object() const { return {}; }

@@ -95,6 +95,12 @@ public:
     return result;
   }
 
+  Complex multiply(const Complex& a, const Complex& b) const
+  {
+    return {m_ring.add(m_ring.multiply(a.re, b.re), m_ring.negate(m_ring.multiply(a.im, b.im))),
+            m_ring.add(m_ring.multiply(a.re, b.im), m_ring.multiply(a.im, b.re))};
+  }
+
   /* The sine of the angle from u to v, up to a positive factor. */
   Number cross(const Complex& u, const Complex& v) const
   {
@@ -130,11 +136,6 @@ private:
   Complex rescale(const Complex& a, const Integer& n) const
   {
     return {m_ring.rescale(a.re, n), m_ring.rescale(a.im, n)};
-  }
-  Complex multiply(const Complex& a, const Complex& b) const
-  {
-    return {m_ring.add(m_ring.multiply(a.re, b.re), m_ring.negate(m_ring.multiply(a.im, b.im))),
-            m_ring.add(m_ring.multiply(a.re, b.im), m_ring.multiply(a.im, b.re))};
   }
 
   const Triangulation& m_triangulation;
