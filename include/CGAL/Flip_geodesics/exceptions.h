@@ -109,6 +109,24 @@ public:
   using Error::Error;
 };
 
+/// \ingroup PkgFlipGeodesicsErrors
+/// A linear system has no unique solution: a component of the surface has no given value, or the numbers of its faces
+/// are beyond double.
+class Singular_problem_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// A surface that is to be flattened is no topological disk, or a conformal factor makes a face violate the triangle
+/// inequality.
+class Flattening_error : public Error
+{
+public:
+  using Error::Error;
+};
+
 } // namespace Flip_geodesics
 } // namespace CGAL
 

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_CONFORMAL_FLATTENING_H
+#define CGAL_FLIP_GEODESICS_CONFORMAL_FLATTENING_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/Cut_surface.h>
+#include <CGAL/Flip_geodesics/internal/Plane_triangle.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <queue>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsOperators
+ *
+ * The discretely conformal flattening [SSP08] of a surface that is cut open along the curves of a
+ * network [SC20, section 6.1, Figure 22]. Each vertex gets a scale factor \f$e^{u}\f$, edges the lengths
+ * \f$e^{(u_i+u_j)/2}\,l_{ij}\f$, such that the faces fit together in the plane. At the border of the cut surface
+ * \f$u = 0\f$: lengths are kept there, so that both sides of a seam are of one length. Corners of vertices where the
+ * cut ends, such as cone points, are free.
+ *
+ * The factors are the minimum of a convex function, found by Newton's method with the cotangent Laplacian; a few
+ * sparse factorisations. Faces that violate the triangle inequality on the way are degenerate ones, as in the paper; if
+ * one is left at the end, this is an error: flip the triangulation to Delaunay, or refine it, first.
+ *
+ * \tparam Triangulation an `Intrinsic_triangulation`
+ */
+template <class Triangulation>
+class Conformal_flattening
+{
+public:
+  using Point = std::array<double, 2>;
+
+  /*!
+   * Cuts and flattens.
+   * \param network the finished curves, in a triangulation of a connected surface
+   * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians
+   * \throws Flattening_error if the cut surface is no disk; if a face stays degenerate; if the angle sums stay off
+   * \throws Degenerate_face_error if a face has no area to begin with
+   */
+  template <class Network>
+  explicit Conformal_flattening(const Network& network, double tolerance = 1e-10)
+    : m_faces(all_faces(network.triangulation()))
+    , m_surface(network.triangulation(), m_faces, [&network](Index h) { return network.is_occupied(h); })
+    , m_log_scales(static_cast<std::size_t>(m_surface.number_of_copies()), 0.0)
+  {
+    check_disk(network);
+    number_free_copies();
+    minimize(tolerance);
+    lay_out(network);
+  }
+
+  /// The number of vertices of the cut surface; one of the triangulation has several where the cut passes.
+  Index number_of_copies() const { return m_surface.number_of_copies(); }
+  /// The vertex of the triangulation that a vertex of the cut surface is a copy of.
+  Index vertex(Index copy) const { return m_surface.vertices()[copy]; }
+  /// The copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
+  Index copy_at(Index h) const { return m_surface.copy_at(h); }
+  /// The position of a copy in the plane.
+  const Point& point(Index copy) const { return m_points[copy]; }
+  /// The logarithm \f$u\f$ of a copy's scale factor.
+  double log_scale(Index copy) const { return m_log_scales[copy]; }
+
+  /// The largest deviation of an angle sum inside the surface from \f$2\pi\f$, in radians.
+  double angle_error() const { return m_angle_error; }
+  /// The largest difference between two positions of one copy, from different faces, over the size of the result.
+  double layout_error() const { return m_layout_error; }
+  /// The number of Newton steps.
+  int iterations() const { return m_iterations; }
+
+private:
+  using Vector = Eigen::VectorXd;
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  static std::vector<Intrinsic_face> all_faces(const Triangulation& triangulation)
+  {
+    std::vector<Intrinsic_face> result;
+    intrinsic_faces(triangulation, std::back_inserter(result));
+    return result;
+  }
+
+  template <class Network>
+  void check_disk(const Network& network) const
+  {
+    std::vector<char> is_reached(m_faces.size(), 0);
+    const std::size_t reached =
+        m_faces.empty() ? 0 : spread(network, 0, is_reached, [](std::size_t, int, std::size_t) {});
+    if(m_faces.empty() || reached != m_faces.size())
+      throw Flattening_error("the cut surface is not connected: " + std::to_string(reached) + " of " +
+                             std::to_string(m_faces.size()) + " faces hang together");
+    if(m_surface.euler_characteristic() != 1)
+      throw Flattening_error("the cut surface is no disk; its Euler characteristic is " +
+                             std::to_string(m_surface.euler_characteristic()));
+    for(const Intrinsic_face& face : m_faces)
+      if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())
+        throw Degenerate_face_error("an intrinsic face at vertex " + std::to_string(face.vertices[0]) + " has no area",
+                                    {static_cast<std::size_t>(face.vertices[0])});
+  }
+
+  // Breadth first over faces, not across cuts; calls visit(face, side, next face). Returns how many were reached.
+  template <class Network, class Visit>
+  std::size_t spread(const Network& network, std::size_t start, std::vector<char>& is_reached, const Visit& visit) const
+  {
+    const Triangulation& triangulation = network.triangulation();
+    std::vector<std::size_t> face_of(static_cast<std::size_t>(triangulation.number_of_halfedges()), m_faces.size());
+    for(std::size_t f = 0; f < m_faces.size(); ++f)
+      for(Index h : m_faces[f].halfedges)
+        face_of[h] = f;
+    std::queue<std::size_t> queue;
+    queue.push(start);
+    is_reached[start] = 1;
+    std::size_t count = 0;
+    for(; !queue.empty(); queue.pop(), ++count) {
+      const std::size_t f = queue.front();
+      for(int i = 0; i < 3; ++i) {
+        const Index h = m_faces[f].halfedges[i];
+        const std::size_t next = face_of[Triangulation::twin(h)];
+        if(next == m_faces.size() || network.is_occupied(h) || is_reached[next] != 0)
+          continue;
+        is_reached[next] = 1;
+        visit(f, i, next);
+        queue.push(next);
+      }
+    }
+    return count;
+  }
+
+  void number_free_copies()
+  {
+    m_free.assign(m_log_scales.size(), null_index);
+    for(Index copy = 0; copy < number_of_copies(); ++copy)
+      if(!m_surface.is_on_border(copy))
+        m_free[copy] = m_number_of_free++;
+  }
+
+  Index copy(const Intrinsic_face& face, int corner) const { return m_surface.copy_at(face.halfedges[corner]); }
+
+  internal::Plane_triangle scaled(const Intrinsic_face& face, const std::vector<double>& u) const
+  {
+    std::array<double, 3> lengths;
+    // A common factor does not change angles, and keeps large scales from overflowing.
+    const double largest = (std::max)({u[copy(face, 0)], u[copy(face, 1)], u[copy(face, 2)]});
+    for(int i = 0; i < 3; ++i)
+      lengths[i] = face.lengths[i] * std::exp((u[copy(face, i)] - largest + u[copy(face, (i + 1) % 3)] - largest) / 2);
+    return internal::Plane_triangle(lengths);
+  }
+
+  // 2 pi less the angles about each free copy: the gradient of the convex function.
+  Vector defects(const std::vector<double>& u) const
+  {
+    Vector result = Vector::Constant(m_number_of_free, boost::math::constants::two_pi<double>());
+    for(const Intrinsic_face& face : m_faces) {
+      const internal::Plane_triangle triangle = scaled(face, u);
+      for(int i = 0; i < 3; ++i)
+        if(m_free[copy(face, i)] != null_index)
+          result[m_free[copy(face, i)]] -= triangle.angle(i);
+    }
+    return result;
+  }
+
+  Matrix hessian(const std::vector<double>& u) const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(12 * m_faces.size());
+    for(const Intrinsic_face& face : m_faces) {
+      const internal::Plane_triangle triangle = scaled(face, u);
+      if(!triangle.has_finite_cotangents())
+        continue; // its angles do not change
+      for(int i = 0; i < 3; ++i) {
+        const double weight = triangle.cotangents[(i + 2) % 3] / 2;
+        const Index a = m_free[copy(face, i)], b = m_free[copy(face, (i + 1) % 3)];
+        if(a != null_index)
+          entries.emplace_back(a, a, weight);
+        if(b != null_index)
+          entries.emplace_back(b, b, weight);
+        if(a != null_index && b != null_index) {
+          entries.emplace_back(a, b, -weight);
+          entries.emplace_back(b, a, -weight);
+        }
+      }
+    }
+    Matrix result(m_number_of_free, m_number_of_free);
+    result.setFromTriplets(entries.begin(), entries.end());
+    for(Index i = 0; i < m_number_of_free; ++i) // keeps rows of nothing but degenerate faces regular
+      result.coeffRef(i, i) += 1e-12;
+    return result;
+  }
+
+  void minimize(double tolerance)
+  {
+    constexpr int most_iterations = 200;
+    if(m_number_of_free == 0)
+      return;
+    Vector gradient = defects(m_log_scales);
+    Eigen::SimplicialLDLT<Matrix> solver;
+    for(; m_iterations < most_iterations && gradient.lpNorm<Eigen::Infinity>() > tolerance; ++m_iterations) {
+      const Matrix matrix = hessian(m_log_scales);
+      solver.compute(matrix);
+      if(solver.info() != Eigen::Success)
+        break;
+      const Vector step = solver.solve(-gradient);
+      if(!step.allFinite() || !move_along(step, gradient))
+        break;
+    }
+    m_angle_error = gradient.lpNorm<Eigen::Infinity>();
+    for(const Intrinsic_face& face : m_faces)
+      if(!(scaled(face, m_log_scales).area > 0))
+        throw Flattening_error("the conformal factors violate the triangle inequality in the face at vertex " +
+                                   std::to_string(face.vertices[0]) +
+                                   "; flip the triangulation to Delaunay or refine it",
+                               {static_cast<std::size_t>(face.vertices[0])});
+    if(!(m_angle_error <= tolerance))
+      throw Flattening_error("the angle sums miss 2 pi by " + std::to_string(m_angle_error) +
+                             " still; the triangulation has faces too thin for double");
+  }
+
+  // Halves the step until the convex function falls along all of it: until the slope at its end is not positive, or
+  // much smaller than it was. Returns false if the step has become nothing.
+  bool move_along(const Vector& step, Vector& gradient)
+  {
+    const double slope = gradient.dot(step);
+    if(!(slope < 0))
+      return false;
+    for(double t = 1; t > 1e-10; t /= 2) {
+      std::vector<double> u = m_log_scales;
+      for(std::size_t copy = 0; copy < u.size(); ++copy)
+        if(m_free[copy] != null_index)
+          u[copy] += t * step[m_free[copy]];
+      Vector next = defects(u);
+      if(next.dot(step) <= -0.9 * slope) {
+        m_log_scales = std::move(u);
+        gradient = std::move(next);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  template <class Network>
+  void lay_out(const Network& network)
+  {
+    m_points.assign(m_log_scales.size(), {0, 0});
+    std::vector<char> is_placed(m_log_scales.size(), 0);
+    std::size_t largest = 0;
+    for(std::size_t f = 1; f < m_faces.size(); ++f)
+      if(true_lengths(f).area > true_lengths(largest).area)
+        largest = f;
+    const internal::Plane_triangle first = true_lengths(largest);
+    m_points[copy(m_faces[largest], 1)] = {first.lengths[0], 0};
+    m_points[copy(m_faces[largest], 2)] = first.apex();
+    for(int i = 0; i < 3; ++i)
+      is_placed[copy(m_faces[largest], i)] = 1;
+
+    double error = 0;
+    std::vector<char> is_reached(m_faces.size(), 0);
+    spread(network, largest, is_reached, [&](std::size_t f, int side, std::size_t next) {
+      const Index h = Triangulation::twin(m_faces[f].halfedges[side]);
+      int i = 0;
+      while(m_faces[next].halfedges[i] != h)
+        ++i;
+      const Point apex = place(next, i);
+      const Index c = copy(m_faces[next], (i + 2) % 3);
+      if(is_placed[c] == 0)
+        m_points[c] = apex;
+      else
+        error = (std::max)(error, std::hypot(apex[0] - m_points[c][0], apex[1] - m_points[c][1]));
+      is_placed[c] = 1;
+    });
+    double size = 0;
+    for(const Point& p : m_points)
+      size = (std::max)(size, std::hypot(p[0], p[1]));
+    m_layout_error = error / size;
+  }
+
+  internal::Plane_triangle true_lengths(std::size_t f) const
+  {
+    const Intrinsic_face& face = m_faces[f];
+    std::array<double, 3> lengths;
+    for(int i = 0; i < 3; ++i)
+      lengths[i] =
+          face.lengths[i] * std::exp((m_log_scales[copy(face, i)] + m_log_scales[copy(face, (i + 1) % 3)]) / 2);
+    return internal::Plane_triangle(lengths);
+  }
+
+  // Where the corner opposite to side i of a face comes to lie, the ends of the side being placed.
+  Point place(std::size_t f, int i) const
+  {
+    const internal::Plane_triangle face = true_lengths(f);
+    const internal::Plane_triangle turned({face.lengths[i], face.lengths[(i + 1) % 3], face.lengths[(i + 2) % 3]});
+    const Point a = m_points[copy(m_faces[f], i)], b = m_points[copy(m_faces[f], (i + 1) % 3)];
+    const Point apex = turned.apex();
+    const double x = (b[0] - a[0]) / turned.lengths[0], y = (b[1] - a[1]) / turned.lengths[0];
+    return {a[0] + x * apex[0] - y * apex[1], a[1] + y * apex[0] + x * apex[1]};
+  }
+
+  std::vector<Intrinsic_face> m_faces;
+  internal::Cut_surface<Triangulation> m_surface;
+  std::vector<double> m_log_scales; // by copy
+  std::vector<Index> m_free;        // by copy: its number among those that are not on the border
+  std::vector<Point> m_points;
+  Index m_number_of_free = 0;
+  double m_angle_error = 0, m_layout_error = 0;
+  int m_iterations = 0;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_CONFORMAL_FLATTENING_H

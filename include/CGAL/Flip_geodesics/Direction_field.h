@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_DIRECTION_FIELD_H
+#define CGAL_FLIP_GEODESICS_DIRECTION_FIELD_H
+
+#include <CGAL/Flip_geodesics/Operators.h>
+#include <CGAL/Flip_geodesics/Tangent_spaces.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Constrained_system.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsOperators
+ *
+ * The smoothest field of directions on an intrinsic triangulation [KCPS13]: of crosses with symmetry 4,
+ * lines with 2, vectors with 1. The field is stored at vertices, as the `symmetry`-th power of a complex number in the
+ * vertex's tangent space (`Tangent_spaces`). It minimises \f$\sum_{ij} w_{ij} |u_j - r_{ij} u_i|^2\f$ with the
+ * cotangent weights \f$w\f$ and the transport \f$r\f$ along edges: among fields of unit norm, or among those that are
+ * aligned to curves where such were given [SC20, section 6.4, Figure 26]. Weights below zero, of edges that are not
+ * Delaunay, can make the least energy meaningless: flip to Delaunay first.
+ *
+ * \tparam Triangulation an `Intrinsic_triangulation`
+ */
+template <class Triangulation>
+class Direction_field
+{
+  using Complex = std::complex<double>;
+  using Matrix = Eigen::SparseMatrix<Complex>;
+  using Solver = Eigen::SimplicialLDLT<Matrix>;
+
+public:
+  using Vector = Eigen::VectorXcd;
+
+  /// A face about which the field turns: `index` is in units of `1/symmetry` turns.
+  struct Singularity
+  {
+    std::size_t face; ///< its number in `operators().faces()`
+    int index;
+  };
+
+  /*!
+   * \param symmetry the number of directions at a point, at least 1
+   * \throws what `Operators` throws
+   */
+  explicit Direction_field(const Triangulation& triangulation, int symmetry = 4)
+    : m_triangulation(triangulation)
+    , m_symmetry(symmetry)
+    , m_operators(triangulation)
+    , m_spaces(triangulation, m_operators.faces())
+    , m_aligned(Vector::Zero(static_cast<Eigen::Index>(m_operators.number_of_vertices())))
+    , m_values(m_aligned)
+  {
+    CGAL_precondition(symmetry >= 1);
+  }
+
+  /// The finite elements used, with the numbers of the faces.
+  const Operators<Triangulation>& operators() const { return m_operators; }
+  /// The tangent spaces used.
+  const Tangent_spaces<Triangulation>& tangent_spaces() const { return m_spaces; }
+
+  /// \name Alignment
+  /// Directions that are asked for at one vertex are averaged; where they cancel out, the vertex is free.
+  /// @{
+
+  /// Asks for a direction at vertex `v`, an angle in its tangent space. \throws Vertex_out_of_range_error
+  void align(Index v, double angle)
+  {
+    internal::marked_vertices(m_operators.number_of_vertices(), {v});
+    m_aligned[v] += power(angle);
+  }
+
+  /// Asks for the tangents of all curves of a network, at every vertex that they pass or end at.
+  template <class Network>
+  void align(const Network& network)
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    for(Index c = 0; c < network.number_of_curves(); ++c)
+      network.for_each_segment(c, [&](Index s) {
+        const Index h = network.halfedge(s), t = Triangulation::twin(h);
+        align(m_triangulation.tail(h), m_spaces.angle(h));
+        align(m_triangulation.tail(t), m_spaces.angle(t) + pi);
+      });
+  }
+
+  /// @}
+
+  /*!
+   * Computes the field: one sparse Cholesky factorisation, and without alignment some ten or hundred solves, until the
+   * energy changes by less than 1e-12 of itself.
+   * \throws Singular_problem_error if curves are given, but none in a component with faces, or the matrix cannot be
+   *         factored
+   */
+  void compute()
+  {
+    const std::size_t n = m_operators.number_of_vertices();
+    std::vector<char> is_given(n, 0);
+    bool is_aligned = false;
+    for(std::size_t v = 0; v < n; ++v)
+      if(std::abs(m_aligned[v]) > 1e-6) { // opposite directions cancel out but for rounding
+        is_given[v] = 1;
+        is_aligned = true;
+      }
+    const std::vector<char> is_isolated = internal::isolated_vertices(n, m_operators.faces());
+    m_values.setZero();
+    if(is_aligned)
+      solve_aligned(is_given, is_isolated);
+    else
+      find_smoothest(is_given, is_isolated);
+  }
+
+  /// The powers of the field, not normalised; 0 at isolated vertices.
+  const Vector& values() const { return m_values; }
+
+  /// One of the directions at vertex `v`, an angle in its tangent space; the others follow in steps of \f$2\pi\f$ over
+  /// the symmetry.
+  double angle(Index v) const { return std::arg(m_values[v]) / m_symmetry; }
+
+  /*!
+   * The faces about which the field turns. On a closed surface the indices sum up to `symmetry` times the Euler
+   * characteristic. Linear in the mesh.
+   */
+  std::vector<Singularity> singularities() const
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    std::vector<Singularity> result;
+    const std::vector<Intrinsic_face>& faces = m_operators.faces();
+    for(std::size_t f = 0; f < faces.size(); ++f) {
+      double turn = -pi * m_symmetry;
+      for(Index h : faces[f].halfedges)
+        turn += rotation(h) + m_symmetry * m_spaces.corner(h);
+      const int index = static_cast<int>(std::lround(turn / (2 * pi)));
+      if(index != 0)
+        result.push_back({f, index});
+    }
+    return result;
+  }
+
+  /// The energy of the field: the sum that is minimised.
+  double energy() const { return std::real(m_values.dot(connection_laplacian() * m_values)); }
+
+private:
+  Complex power(double angle) const { return std::polar(1.0, m_symmetry * angle); }
+
+  Complex carried(Index h) const { return power(m_spaces.transport(h)); }
+
+  // How far the field turns along h against parallel transport, between -pi and pi; the other way along the twin.
+  double rotation(Index h) const
+  {
+    const bool is_first = (h & 1) == 0;
+    const Index g = is_first ? h : Triangulation::twin(h);
+    const double angle =
+        std::arg(m_values[m_triangulation.head(g)] * std::conj(carried(g) * m_values[m_triangulation.tail(g)]));
+    return is_first ? angle : -angle;
+  }
+
+  Matrix connection_laplacian() const
+  {
+    std::vector<Eigen::Triplet<Complex>> entries;
+    entries.reserve(12 * m_operators.faces().size());
+    for(const Intrinsic_face& face : m_operators.faces()) {
+      const internal::Plane_triangle triangle(face.lengths);
+      for(int i = 0; i < 3; ++i) {
+        const double weight = triangle.cotangents[(i + 2) % 3] / 2; // the corner opposite to side i
+        const Index tail = face.vertices[i], head = face.vertices[(i + 1) % 3];
+        const Complex r = carried(face.halfedges[i]);
+        entries.emplace_back(tail, tail, weight);
+        entries.emplace_back(head, head, weight);
+        entries.emplace_back(head, tail, -weight * r);
+        entries.emplace_back(tail, head, -weight * std::conj(r));
+      }
+    }
+    Matrix result(m_values.size(), m_values.size());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  static void factor(Solver& solver, const Matrix& matrix)
+  {
+    solver.compute(matrix);
+    if(solver.info() != Eigen::Success)
+      throw Singular_problem_error("the matrix of the direction field cannot be factored; flip the triangulation to "
+                                   "Delaunay or refine it first");
+  }
+
+  void solve_aligned(const std::vector<char>& is_given, const std::vector<char>& is_isolated)
+  {
+    const std::vector<Index> component = internal::components(is_given.size(), m_operators.faces());
+    internal::check_every_component(component, is_given, is_isolated);
+    for(std::size_t v = 0; v < is_given.size(); ++v)
+      if(is_given[v] != 0)
+        m_values[v] = m_aligned[v] / std::abs(m_aligned[v]);
+    const internal::Constrained_system<Complex> system(connection_laplacian(), is_given, is_isolated);
+    if(system.inner().rows() == 0)
+      return;
+    Solver solver;
+    factor(solver, system.inner());
+    const Vector load = Vector::Zero(m_values.size());
+    system.insert(solver.solve(system.right_hand_side(load, m_values)), m_values);
+  }
+
+  // Inverse iteration; the components of the surface do not know of each other, so each is normalised by itself.
+  void find_smoothest(const std::vector<char>& none, const std::vector<char>& is_isolated)
+  {
+    constexpr int most_iterations = 1000;
+    const internal::Constrained_system<Complex> system(connection_laplacian(), none, is_isolated);
+    if(system.inner().rows() == 0)
+      return;
+    const std::vector<Index> component = internal::components(none.size(), m_operators.faces());
+    const Vector mass = system.restricted(m_operators.vertex_areas().template cast<Complex>());
+    // Eigenvalues are of the order of 1/area: this shift makes the matrix definite and changes nothing else.
+    const double shift = 1e-6 / mass.real().sum();
+    Matrix shifted = system.inner();
+    for(Eigen::Index i = 0; i < mass.size(); ++i)
+      shifted.coeffRef(i, i) += shift * mass[i];
+    Solver solver;
+    factor(solver, shifted);
+
+    Vector u(mass.size());
+    for(Eigen::Index i = 0; i < u.size(); ++i) // arbitrary, and the same everywhere
+      u[i] = std::polar(1.0, 2.399963229728653 * static_cast<double>(i));
+    double energy = 0;
+    for(int iteration = 0; iteration < most_iterations; ++iteration) {
+      u = solver.solve(mass.cwiseProduct(u)).eval();
+      normalize(u, mass, system.free_vertices(), component);
+      const double next = std::real(u.dot(system.inner() * u));
+      const bool has_converged = iteration > 0 && std::abs(next - energy) <= 1e-12 * std::abs(energy);
+      energy = next;
+      if(has_converged)
+        break;
+    }
+    system.insert(u, m_values);
+  }
+
+  static void normalize(Vector& u, const Vector& mass, const std::vector<Index>& vertices,
+                        const std::vector<Index>& component)
+  {
+    std::vector<double> sum(component.size(), 0), area(component.size(), 0);
+    for(Eigen::Index i = 0; i < u.size(); ++i) {
+      sum[component[vertices[i]]] += std::norm(u[i]) * mass[i].real();
+      area[component[vertices[i]]] += mass[i].real();
+    }
+    for(Eigen::Index i = 0; i < u.size(); ++i)
+      u[i] *= std::sqrt(area[component[vertices[i]]] / sum[component[vertices[i]]]);
+  }
+
+  const Triangulation& m_triangulation;
+  int m_symmetry;
+  Operators<Triangulation> m_operators;
+  Tangent_spaces<Triangulation> m_spaces;
+  Vector m_aligned; // the sum of what was asked for
+  Vector m_values;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_DIRECTION_FIELD_H

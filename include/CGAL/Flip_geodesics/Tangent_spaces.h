@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_TANGENT_SPACES_H
+#define CGAL_FLIP_GEODESICS_TANGENT_SPACES_H
+
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/Plane_triangle.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsOperators
+ *
+ * Directions at the vertices of an intrinsic triangulation: the angle of each halfedge counterclockwise from the
+ * reference direction at its tail, in radians. About a vertex inside the surface the angles are scaled to sum up to
+ * \f$2\pi\f$ [KCPS13]; at the border they are left as they are, and the reference is the first halfedge
+ * counterclockwise from the border. A snapshot: flips of the triangulation do not reach it. Linear in the mesh.
+ *
+ * \tparam Triangulation an `Intrinsic_triangulation`
+ */
+template <class Triangulation>
+class Tangent_spaces
+{
+public:
+  /// \param faces all faces, from `intrinsic_faces()`
+  Tangent_spaces(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces)
+    : m_angles(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)
+    , m_corners(m_angles.size(), 0)
+    , m_references(static_cast<std::size_t>(triangulation.number_of_vertices()), null_index)
+  {
+    for(const Intrinsic_face& face : faces) {
+      const internal::Plane_triangle triangle(face.lengths);
+      for(int i = 0; i < 3; ++i)
+        m_corners[face.halfedges[i]] = triangle.angle(i);
+    }
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      lay_out(triangulation, v);
+  }
+
+  /// The halfedge in the reference direction of vertex `v`, `null_index` if it is isolated.
+  Index reference(Index v) const { return m_references[v]; }
+
+  /// The angle of halfedge `h` at its tail.
+  double angle(Index h) const { return m_angles[h]; }
+
+  /// The corner at the tail of `h` in the face on its left, scaled as the angles are.
+  double corner(Index h) const { return m_corners[h]; }
+
+  /// By how much a direction turns when it is carried along `h`, from the reference of the tail to that of the head.
+  double transport(Index h) const
+  {
+    return m_angles[Triangulation::twin(h)] + boost::math::constants::pi<double>() - m_angles[h];
+  }
+
+private:
+  void lay_out(const Triangulation& triangulation, Index v)
+  {
+    const Index some = triangulation.outgoing(v);
+    if(some == null_index)
+      return;
+    Index first = some;
+    bool is_border = false;
+    for(Index h = triangulation.clockwise(first); h != some; h = triangulation.clockwise(h)) {
+      if(h == null_index) {
+        is_border = true;
+        break;
+      }
+      first = h;
+    }
+    if(!is_border)
+      first = some;
+    m_references[v] = first;
+
+    double sum = 0;
+    Index h = first;
+    do {
+      m_angles[h] = sum;
+      sum += triangulation.is_border(h) ? 0 : m_corners[h];
+      h = triangulation.counterclockwise(h);
+    } while(h != first && h != null_index);
+    if(is_border)
+      return;
+    const double scale = boost::math::constants::two_pi<double>() / sum;
+    do {
+      m_angles[h] *= scale;
+      m_corners[h] *= scale;
+      h = triangulation.counterclockwise(h);
+    } while(h != first);
+  }
+
+  std::vector<double> m_angles, m_corners; // by halfedge
+  std::vector<Index> m_references;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_TANGENT_SPACES_H

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Flattening along cuts: developable surfaces come out with their lengths, curved ones with their angle sums.
+
+#include "generated_curves.h"
+#include "generated_meshes.h"
+#include "mesh_soup.h"
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include <CGAL/Flip_geodesics.h>
+#include <CGAL/Flip_geodesics/Conformal_flattening.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#endif
+
+#define BOOST_TEST_MODULE conformal_flattening
+#include <boost/test/unit_test.hpp>
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+using Flattening = FG::Conformal_flattening<Triangulation>;
+
+double flat_length(const Flattening& flattening, const Triangulation& triangulation, FG::Index h)
+{
+  const auto& p = flattening.point(flattening.copy_at(h));
+  const auto& q = flattening.point(flattening.copy_at(triangulation.next(h)));
+  return std::hypot(q[0] - p[0], q[1] - p[1]);
+}
+
+// By how much an edge's length in the plane misses its scaled length, relative to it, at most; every face must keep its
+// orientation.
+double largest_length_error(const Flattening& flattening, const Triangulation& triangulation)
+{
+  double error = 0;
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(triangulation, std::back_inserter(faces));
+  for(const FG::Intrinsic_face& face : faces) {
+    FG::Index copies[3];
+    for(int i = 0; i < 3; ++i)
+      copies[i] = flattening.copy_at(face.halfedges[i]);
+    for(int i = 0; i < 3; ++i) {
+      const double scale = std::exp((flattening.log_scale(copies[i]) + flattening.log_scale(copies[(i + 1) % 3])) / 2);
+      const double expected = scale * face.lengths[i];
+      error =
+          std::max(error, std::abs(flat_length(flattening, triangulation, face.halfedges[i]) - expected) / expected);
+    }
+    const auto &p = flattening.point(copies[0]), &q = flattening.point(copies[1]), &r = flattening.point(copies[2]);
+    BOOST_TEST((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]) > 0);
+  }
+  return error;
+}
+
+double largest_scale(const Flattening& flattening)
+{
+  double result = 0;
+  for(FG::Index copy = 0; copy < flattening.number_of_copies(); ++copy)
+    result = std::max(result, std::abs(flattening.log_scale(copy)));
+  return result;
+}
+
+FG::Index add_path(Network& network, FG::Index s, FG::Index t)
+{
+  FG::Shortest_edge_path<Triangulation> search(network.triangulation());
+  return network.add_curve(FG::shortest_halfedges_through(search, std::vector<FG::Index>{s, t}), false);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_cylinder_cut_from_border_to_border_rolls_out_to_a_strip)
+{
+  const int n = 12, m = 6;
+  const Mesh mesh = to_mesh<Mesh>(cylinder(n, m, 1, 3));
+  Triangulation triangulation(mesh);
+  Network network(triangulation);
+  add_path(network, 0, 3 + n * m);
+  FG::shorten(network);
+  const Flattening flattening(network);
+  BOOST_TEST(largest_scale(flattening) < 1e-12);
+  BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-11);
+  BOOST_TEST(flattening.layout_error() < 1e-11);
+
+  // The two sides of the cut are parallel, one circumference apart.
+  const FG::Index h = network.halfedge(network.first_segment(0));
+  const auto& left = flattening.point(flattening.copy_at(h));
+  const auto& right = flattening.point(flattening.copy_at(triangulation.next(h ^ 1)));
+  BOOST_TEST(std::abs(std::hypot(left[0] - right[0], left[1] - right[1]) - n * polygon_side(n, 1)) < 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(a_cone_cut_to_its_apex_rolls_out_to_a_sector)
+{
+  const int n = 10, m = 5;
+  const Mesh mesh = to_mesh<Mesh>(cone(n, m, 2, 3));
+  Triangulation triangulation(mesh);
+  Network network(triangulation);
+  add_path(network, 0, disk_vertex(n, m, 4));
+  FG::shorten(network);
+  const Flattening flattening(network);
+  BOOST_TEST(largest_scale(flattening) < 1e-12);
+  BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(curved_surfaces_are_flattened_conformally)
+{
+  // A star of four cuts, to corners of the octahedron that the sphere comes from.
+  const int n = 10;
+  const Mesh_soup soup = bumpy_sphere(n, 0.1, 4);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  Triangulation triangulation(mesh);
+  Network network(triangulation);
+  FG::Index top = 0;
+  std::vector<FG::Index> ends;
+  for(std::size_t v = 0; v < soup.points.size(); ++v) {
+    const Coordinates p = normalized(soup.points[v]);
+    if(p[2] > 1 - 1e-9)
+      top = static_cast<FG::Index>(v);
+    if(std::abs(p[0]) > 1 - 1e-9 || std::abs(p[1]) > 1 - 1e-9)
+      ends.push_back(static_cast<FG::Index>(v));
+  }
+  BOOST_TEST(ends.size() == 4u);
+  for(FG::Index end : ends)
+    add_path(network, top, end);
+  const Flattening flattening(network);
+  BOOST_TEST(flattening.angle_error() <= 1e-10);
+  BOOST_TEST(flattening.iterations() > 0);
+  BOOST_TEST(largest_scale(flattening) > 0.1);
+  BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-7);
+  BOOST_TEST(flattening.layout_error() < 1e-7);
+  // Both sides of the seam are as long as the curve was on the surface.
+  network.for_each_segment(0, [&](FG::Index s) {
+    const FG::Index h = network.halfedge(s);
+    const double expected = triangulation.length(h);
+    BOOST_TEST(std::abs(flat_length(flattening, triangulation, h) - expected) < 1e-7 * expected);
+    BOOST_TEST(std::abs(flat_length(flattening, triangulation, h ^ 1) - expected) < 1e-7 * expected);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(a_torus_is_flattened_along_two_loops)
+{
+  const int n = 14, m = 8;
+  const Mesh mesh = to_mesh<Mesh>(torus(n, m, 3, 1));
+  Triangulation triangulation(mesh);
+  Network network(triangulation);
+  std::vector<FG::Index> along, around;
+  for(int i = 0; i < n; ++i)
+    along.push_back(i);
+  for(int j = 0; j < m; ++j)
+    around.push_back(n * j);
+  network.add_curve(FG::halfedges_through(triangulation, along, true), true);
+  BOOST_CHECK_THROW(Flattening{network}, FG::Flattening_error); // an annulus
+  network.add_curve(FG::halfedges_through(triangulation, around, true), true);
+  const Flattening flattening(network); // as drawn: crossing curves are no obstacle to cutting
+  BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-7);
+  BOOST_TEST(flattening.layout_error() < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_disk_is_refused)
+{
+  const Mesh closed = to_mesh<Mesh>(sphere(3));
+  Triangulation sphere_triangulation(closed);
+  Network nothing(sphere_triangulation);
+  BOOST_CHECK_THROW(Flattening{nothing}, FG::Flattening_error);
+
+  const Mesh two =
+      to_mesh<Mesh>(disjoint_union(flat_grid(2, 2, Diagonal_rule::RISING), flat_grid(2, 2, Diagonal_rule::RISING)));
+  Triangulation two_triangulation(two);
+  Network no_curves(two_triangulation);
+  BOOST_CHECK_THROW(Flattening{no_curves}, FG::Flattening_error);
+
+  const Mesh disk = to_mesh<Mesh>(jittered_grid(5, 5, Diagonal_rule::RISING, 0.2, 1));
+  Triangulation disk_triangulation(disk);
+  Network uncut(disk_triangulation);
+  const Flattening flattening(uncut);
+  BOOST_TEST(largest_length_error(flattening, disk_triangulation) < 1e-11);
+}
+
+#else
+
+BOOST_AUTO_TEST_CASE(conformal_flattening_needs_eigen)
+{
+  BOOST_TEST_MESSAGE("SKIPPED: Eigen is not installed");
+  BOOST_TEST(!Flip_geodesics_test::sphere(2).points.empty());
+}
+
+#endif // CGAL_EIGEN3_ENABLED

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Finite elements on intrinsic triangulations: identities between the operators, and problems with known solutions,
+// each also after random flips, which must not change what the operators mean. Without Eigen there is nothing to test.
+
+#include "generated_meshes.h"
+#include "mesh_soup.h"
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include <CGAL/Flip_geodesics/Dirichlet_problem.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Operators.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+#endif
+
+#define BOOST_TEST_MODULE operators
+#include <boost/test/unit_test.hpp>
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Operators = FG::Operators<Triangulation>;
+using Vector = Eigen::VectorXd;
+using Function = std::function<double(const Point&)>;
+
+void flip_at_random(Triangulation& triangulation, int flips, unsigned seed)
+{
+  std::mt19937 random(seed);
+  for(int i = 0; i < flips; ++i) {
+    const FG::Index h = static_cast<FG::Index>(random() % static_cast<unsigned>(triangulation.number_of_halfedges()));
+    if(triangulation.is_flippable(h))
+      triangulation.flip(h);
+  }
+}
+
+Vector sampled(const Mesh& mesh, const Function& f)
+{
+  Vector result(static_cast<Eigen::Index>(mesh.number_of_vertices()));
+  for(Mesh::Vertex_index v : mesh.vertices())
+    result[static_cast<Eigen::Index>(v)] = f(mesh.point(v));
+  return result;
+}
+
+std::vector<FG::Index> border_vertices(const Mesh& mesh)
+{
+  std::vector<FG::Index> result;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    if(mesh.is_border(v))
+      result.push_back(static_cast<FG::Index>(v));
+  return result;
+}
+
+double largest(const Vector& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
+
+double total_area(const Mesh& mesh)
+{
+  double sum = 0;
+  for(Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                &c = mesh.point(mesh.target(mesh.next(h)));
+    sum += std::sqrt(CGAL::squared_area(a, b, c));
+  }
+  return sum;
+}
+
+void check_identities(const Mesh& mesh, const Triangulation& triangulation)
+{
+  const Operators operators(triangulation);
+  const Eigen::Index n = static_cast<Eigen::Index>(mesh.number_of_vertices());
+  const Operators::Matrix weak = operators.weak_laplacian(), gradient = operators.gradient();
+  const double scale = weak.coeffs().abs().maxCoeff();
+  BOOST_TEST(largest(weak * Vector::Ones(n)) < 1e-11 * scale);
+  BOOST_TEST(Operators::Matrix(weak - Operators::Matrix(weak.transpose())).norm() < 1e-12 * weak.norm());
+  BOOST_TEST(Operators::Matrix(weak + operators.divergence() * gradient).norm() < 1e-10 * weak.norm());
+
+  const double area = total_area(mesh);
+  BOOST_TEST(std::abs(operators.face_areas().sum() - area) < 1e-11 * area);
+  BOOST_TEST(std::abs(operators.vertex_areas().sum() - area) < 1e-11 * area);
+  BOOST_TEST(std::abs(operators.lumped_mass().sum() - area) < 1e-11 * area);
+  BOOST_TEST(largest(operators.consistent_mass() * Vector::Ones(n) - operators.vertex_areas()) < 1e-12 * area);
+
+  std::mt19937 random(3);
+  Vector u(n);
+  for(Eigen::Index i = 0; i < n; ++i)
+    u[i] = static_cast<double>(random() % 1000);
+  const Vector strong = operators.laplacian() * u,
+               integrated = operators.vertex_areas().cwiseProduct(strong) + weak * u;
+  BOOST_TEST(largest(integrated) < 1e-10 * largest(weak * u));
+  BOOST_TEST(u.dot(weak * u) > 0);
+}
+
+// -div grad u = density with u given at the border: the largest error against the solution.
+double poisson_error(const Mesh& mesh, const Triangulation& triangulation, const Function& solution,
+                     const Function& density)
+{
+  const FG::Dirichlet_problem<Operators> problem(Operators(triangulation), border_vertices(mesh));
+  const Vector expected = sampled(mesh, solution);
+  return largest(problem.solve(sampled(mesh, density), expected) - expected);
+}
+
+Mesh unit_square(int n) { return to_mesh<Mesh>(scaled(flat_grid(n, n, Diagonal_rule::RISING), 1.0 / n)); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(operators_satisfy_their_identities_whatever_is_flipped)
+{
+  for(const Mesh_soup& soup :
+      {bumpy_sphere(8, 0.2, 1), torus(12, 8, 3, 1), jittered_grid(9, 7, Diagonal_rule::RISING, 0.2, 5),
+       disjoint_union(cube(2), cone(9, 3, 1, 2))})
+  {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation triangulation(mesh);
+    check_identities(mesh, triangulation);
+    flip_at_random(triangulation, 40, 7);
+    BOOST_TEST(triangulation.log_position() > 0);
+    check_identities(mesh, triangulation);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(linear_functions_in_the_plane_are_differentiated_exactly)
+{
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(8, 8, Diagonal_rule::RISING, 0.2, 2));
+  Triangulation triangulation(mesh);
+  flip_at_random(triangulation, 60, 1);
+  const Operators operators(triangulation);
+  const Vector u = sampled(mesh, [](const Point& p) { return 3 * p.x() - 2 * p.y() + 7; });
+  const Vector g = operators.gradient() * u;
+  for(std::size_t f = 0; f < operators.faces().size(); ++f) {
+    const FG::Intrinsic_face& face = operators.faces()[f];
+    const Point p = mesh.point(Mesh::Vertex_index(static_cast<unsigned>(face.vertices[0])));
+    const Point q = mesh.point(Mesh::Vertex_index(static_cast<unsigned>(face.vertices[1])));
+    // In a plane an intrinsic edge is straight in space, so that the frame is known.
+    const double x = (q.x() - p.x()) / face.lengths[0], y = (q.y() - p.y()) / face.lengths[0];
+    const double a = g[static_cast<Eigen::Index>(2 * f)], b = g[static_cast<Eigen::Index>(2 * f + 1)];
+    BOOST_TEST(std::hypot(a * x - b * y - 3, a * y + b * x + 2) < 1e-9);
+  }
+  const Vector weak = operators.weak_laplacian() * u;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    if(!mesh.is_border(v))
+      BOOST_TEST(std::abs(weak[static_cast<Eigen::Index>(v)]) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(poisson_problems_in_the_plane_converge_with_the_square_of_the_edge_length)
+{
+  const Function solution = [](const Point& p) { return std::sin(pi * p.x()) * std::exp(p.y()); };
+  const Function density = [&](const Point& p) { return (pi * pi - 1) * solution(p); };
+  double previous = 0;
+  for(int n : {8, 16, 32}) {
+    const Mesh mesh = unit_square(n);
+    const double error = poisson_error(mesh, Triangulation(mesh), solution, density);
+    if(previous > 0)
+      BOOST_TEST(error < previous / 3.5);
+    previous = error;
+  }
+  BOOST_TEST(previous < 2e-3);
+}
+
+BOOST_AUTO_TEST_CASE(linear_functions_solve_their_poisson_problem_exactly_on_any_triangulation)
+{
+  const Mesh mesh = unit_square(12);
+  Triangulation triangulation(mesh);
+  flip_at_random(triangulation, 200, 4);
+  const Function linear = [](const Point& p) { return 2 * p.x() - 5 * p.y() + 1; };
+  BOOST_TEST(poisson_error(mesh, triangulation, linear, [](const Point&) { return 0.0; }) < 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_are_eigenfunctions_of_the_sphere)
+{
+  const Mesh mesh = to_mesh<Mesh>(sphere(24));
+  const Operators operators{Triangulation(mesh)};
+  const Vector z = sampled(mesh, [](const Point& p) { return p.z(); });
+  const double eigenvalue = z.dot(operators.weak_laplacian() * z) / z.dot(operators.consistent_mass() * z);
+  BOOST_TEST(std::abs(eigenvalue - 2) < 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(problems_without_a_solution_and_bad_input_are_refused)
+{
+  const Mesh two = to_mesh<Mesh>(with_isolated_vertices(disjoint_union(sphere(2), sphere(2)), 0, 1));
+  const Triangulation triangulation(two);
+  const Operators operators(triangulation);
+  using Problem = FG::Dirichlet_problem<Operators>;
+  BOOST_CHECK_THROW(Problem(operators, {0}), FG::Singular_problem_error);
+  BOOST_CHECK_THROW(Problem(operators, {0, -1}), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(Problem(operators, {0, 1000}), FG::Vertex_out_of_range_error);
+
+  const FG::Index last = triangulation.number_of_vertices() - 1, other = last - 1;
+  const Problem problem(operators, {0, other});
+  Vector values = Vector::Constant(triangulation.number_of_vertices(), 4.0);
+  const Vector solution = problem.solve(Vector(), values);
+  for(FG::Index v = 0; v < last; ++v)
+    BOOST_TEST(std::abs(solution[v] - 4) < 1e-12);
+  BOOST_TEST(std::isnan(solution[last]));
+  values[other] = std::numeric_limits<double>::infinity();
+  BOOST_CHECK_THROW(problem.solve(Vector(), values), FG::Invalid_coordinate_error);
+
+  Mesh_soup flat = flat_grid(2, 2, Diagonal_rule::RISING);
+  flat.points[4] = flat.points[0]; // may be refused by the metric or for its area
+  BOOST_CHECK_THROW(Operators{Triangulation(to_mesh<Mesh>(flat))}, FG::Degenerate_face_error);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+BOOST_AUTO_TEST_CASE(parallel_assembly_gives_the_same_bits)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(20, 0.2, 1));
+  const Triangulation triangulation(mesh);
+  const Operators sequential(triangulation);
+  const FG::Operators<Triangulation, CGAL::Parallel_tag> parallel(triangulation);
+  BOOST_TEST(Operators::Matrix(sequential.weak_laplacian() - parallel.weak_laplacian()).norm() == 0);
+  BOOST_TEST(Operators::Matrix(sequential.gradient() - parallel.gradient()).norm() == 0);
+}
+#endif
+
+#else
+
+BOOST_AUTO_TEST_CASE(operators_need_eigen)
+{
+  BOOST_TEST_MESSAGE("SKIPPED: Eigen is not installed");
+  BOOST_TEST(!Flip_geodesics_test::sphere(2).points.empty());
+}
+
+#endif // CGAL_EIGEN3_ENABLED
