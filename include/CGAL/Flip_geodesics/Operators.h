@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/Matrix_pattern.h>
 #include <CGAL/Flip_geodesics/internal/Plane_triangle.h>
 #include <CGAL/Flip_geodesics/internal/for_each_index.h>
 
@@ -57,6 +58,7 @@ public:
     intrinsic_faces(triangulation, std::back_inserter(m_faces));
     m_triangles.resize(m_faces.size());
     internal::for_each_index<ConcurrencyTag>(m_faces.size(), [this](std::size_t f) { lay_out(f); });
+    m_pattern = internal::Matrix_pattern<ConcurrencyTag>(m_number_of_vertices, m_faces);
   }
 
   /// The number of vertices, \f$n\f$.
@@ -81,7 +83,7 @@ public:
    */
   Matrix weak_laplacian() const
   {
-    return assemble([this](std::size_t f, int i, int j) {
+    return m_pattern.vertex_matrix(m_faces, [this](std::size_t f, int i, int j) {
       const auto& cotangents = m_triangles[f].cotangents; // [i]: at corner i, opposite to the side from i+1 to i+2
       if(i == j)
         return (cotangents[(i + 1) % 3] + cotangents[(i + 2) % 3]) / 2;
@@ -128,21 +130,14 @@ public:
   /// The consistent mass matrix, \f$n \times n\f$: \f$u^T M w\f$ is \f$\int u\,w\f$ of the piecewise linear functions.
   Matrix consistent_mass() const
   {
-    return assemble([this](std::size_t f, int i, int j) { return m_triangles[f].area / (i == j ? 6 : 12); });
+    return m_pattern.vertex_matrix(
+        m_faces, [this](std::size_t f, int i, int j) { return m_triangles[f].area / (i == j ? 6 : 12); });
   }
 
   /// The gradient of a piecewise linear function, \f$2m \times n\f$.
   Matrix gradient() const
   {
-    std::vector<Eigen::Triplet<double>> entries(6 * m_faces.size());
-    internal::for_each_index<ConcurrencyTag>(m_faces.size(), [&](std::size_t f) {
-      for(int i = 0; i < 3; ++i) {
-        const auto g = m_triangles[f].hat_gradient(i);
-        for(int axis = 0; axis < 2; ++axis)
-          entries[6 * f + 2 * i + axis] = {static_cast<int>(2 * f + axis), m_faces[f].vertices[i], g[axis]};
-      }
-    });
-    return from_entries(entries, 2 * m_faces.size(), m_number_of_vertices);
+    return m_pattern.face_matrix([this](std::size_t f, int i) { return m_triangles[f].hat_gradient(i); });
   }
 
   /*!
@@ -171,29 +166,10 @@ private:
            static_cast<std::size_t>(m_faces[f].vertices[2])});
   }
 
-  // The sum over faces of 3 x 3 matrices, entry(f, i, j) for corners i and j of face f.
-  template <class Entry>
-  Matrix assemble(const Entry& entry) const
-  {
-    std::vector<Eigen::Triplet<double>> entries(9 * m_faces.size());
-    internal::for_each_index<ConcurrencyTag>(m_faces.size(), [&](std::size_t f) {
-      for(int i = 0; i < 3; ++i)
-        for(int j = 0; j < 3; ++j)
-          entries[9 * f + 3 * i + j] = {m_faces[f].vertices[i], m_faces[f].vertices[j], entry(f, i, j)};
-    });
-    return from_entries(entries, m_number_of_vertices, m_number_of_vertices);
-  }
-
-  static Matrix from_entries(const std::vector<Eigen::Triplet<double>>& entries, std::size_t rows, std::size_t columns)
-  {
-    Matrix result(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-  }
-
   std::size_t m_number_of_vertices;
   std::vector<Intrinsic_face> m_faces;
   std::vector<internal::Plane_triangle> m_triangles;
+  internal::Matrix_pattern<ConcurrencyTag> m_pattern;
 };
 
 } // namespace Flip_geodesics
