@@ -19,6 +19,7 @@
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/Surface_subdivision.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
@@ -29,6 +30,7 @@
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/verify.h>
 
 #endif // CGAL_FLIP_GEODESICS_H

@@ -81,6 +81,14 @@ public:
     return right + left > 0 ? right / (right + left) : 0.5;
   }
 
+  /* Where gate i crosses the straight line, from 0 at the tail to 1 at the head. */
+  double crossing_along(std::size_t i) const
+  {
+    const Vector right = m_gates[i].right, gate = m_gates[i].left - right;
+    const double whole = cross(m_end, gate);
+    return whole > 0 ? (std::min)((std::max)(cross(right, gate) / whole, 0.0), 1.0) : 0.5;
+  }
+
 private:
   using Face_vectors = std::array<Vector, 3>;
 

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H
+#define CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H
+
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/Overlay.h>
+#include <CGAL/Flip_geodesics/internal/Overlay_layout.h>
+#include <CGAL/Flip_geodesics/internal/Polygon_triangulator.h>
+#include <CGAL/Flip_geodesics/internal/overlay_to_mesh.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+template <class Metric, class = void>
+struct Has_points : std::false_type
+{
+};
+
+template <class Metric>
+struct Has_points<Metric, std::void_t<typename Metric::Point_3>> : std::true_type
+{
+};
+
+} // namespace internal
+
+/// \ingroup PkgFlipGeodesicsSubdivision
+/// Where a vertex of a `Surface_subdivision` comes from.
+struct Subdivision_vertex
+{
+  Surface_point on_input;                ///< its place on the input mesh
+  Index intrinsic_vertex = null_index;   ///< the triangulation's vertex; or else:
+  Index intrinsic_halfedge = null_index; ///< the first halfedge of the intrinsic edge that crosses the input edge here,
+  double intrinsic_t = 0;                ///< and where on it, from 0 at its tail to 1 at its head
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsSubdivision
+ *
+ * A triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation, with maps back to both.
+ * Made by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
+ *
+ * Each face lies in one face of the input. Vertices are those of the triangulation, in its order, then crossings of
+ * intrinsic with input edges (after a cut, also copies of vertices). Connectivity is exact, whatever the rounding of
+ * positions; the mesh is oriented and manifold, with the components, borders and genus of the input unless it is cut
+ * open. Positions are rounded, and faces that are thinner than rounding may be degenerate in them.
+ *
+ * \tparam Triangulation an `Intrinsic_triangulation`; must outlive the subdivision, and not be flipped meanwhile
+ * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
+ *         `CGAL::Surface_mesh<Point_3>`
+ */
+template <class Triangulation, class OutputMesh>
+class Surface_subdivision
+{
+  using Graph = boost::graph_traits<OutputMesh>;
+  template <class Tag>
+  using Map = typename boost::property_map<OutputMesh, Tag>::type;
+
+public:
+  using vertex_descriptor = typename Graph::vertex_descriptor;
+  using halfedge_descriptor = typename Graph::halfedge_descriptor;
+  using edge_descriptor = typename Graph::edge_descriptor;
+  using face_descriptor = typename Graph::face_descriptor;
+  using Input_face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
+  /// A model of `ReadablePropertyMap`, for the parameter `edge_is_constrained_map` of \cgal's functions.
+  using Edge_is_constrained_map = Map<CGAL::dynamic_edge_property_t<bool>>;
+
+  /// \name Elements
+  /// @{
+
+  /// The mesh.
+  const OutputMesh& mesh() const { return m_mesh; }
+  /// The mesh, to be moved out or refined further; the maps back hold for its elements as long as they exist.
+  OutputMesh& mesh() { return m_mesh; }
+
+  /// Where a vertex comes from.
+  Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
+
+  /// The smallest halfedge of the input face that a face lies in.
+  Index input_face(face_descriptor f) const { return get(m_faces, f).input; }
+
+  /// The smallest halfedge of the intrinsic face that a face lies in; `null_index` if not all intrinsic edges are in
+  /// the mesh.
+  Index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
+
+  /// The area of a face, measured in the input face's plane.
+  double area(face_descriptor f) const { return get(m_faces, f).area; }
+
+  /// The barycentric coordinates of a face's corners in its input face: of the source, the target and the third vertex
+  /// of `halfedge(f, mesh())`, each by the tails of `input_face(f)` and the two halfedges after it.
+  const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
+
+  /// The input halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
+  Index input_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).input; }
+
+  /// The intrinsic halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
+  Index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
+
+  /// The mesh's halfedges along intrinsic halfedge `h`, in its direction; empty if the edge is not in the mesh. Where
+  /// the mesh is cut open along it: the border of the side on the left of `h`, as seen from its faces.
+  std::vector<halfedge_descriptor> halfedges_along(Index h) const
+  {
+    const std::size_t i = static_cast<std::size_t>(h);
+    return {m_along.begin() + m_first_along[i], m_along.begin() + m_first_along[i + 1]};
+  }
+
+  /// Marks the edges that lie on curves; none in a common subdivision.
+  const Edge_is_constrained_map& edge_is_constrained_map() const { return m_is_constrained; }
+
+  /// @}
+  /// \name Carrying Data
+  /// Values need sums and products with `double`. Maps are property maps, `in` readable and `out` writable.
+  /// Intrinsic vertices and faces are keys of type `Index`, faces by their smallest halfedge.
+  /// Linear time, with a logarithm where values are averaged.
+  /// @{
+
+  /// Vertex values of the input, keys of type `vertex_descriptor` of the input mesh, interpolated linearly in its
+  /// faces. \pre the triangulation has no inserted vertices
+  template <class InputMap, class VertexMap>
+  void interpolate_from_input(InputMap in, VertexMap out) const
+  {
+    for(vertex_descriptor v : vertices(m_mesh)) {
+      const Surface_point p = vertex_origin(v).on_input;
+      const auto a = get(in, m_triangulation->vertex(p.a));
+      put(out, v, p.is_vertex() ? a : mixed(a, get(in, m_triangulation->vertex(p.b)), p.t));
+    }
+  }
+
+  /// Values of intrinsic vertices, interpolated linearly in the intrinsic faces, which are flat.
+  /// \pre all intrinsic edges are in the mesh
+  template <class IntrinsicMap, class VertexMap>
+  void interpolate_from_intrinsic(IntrinsicMap in, VertexMap out) const
+  {
+    for(vertex_descriptor v : vertices(m_mesh)) {
+      const Subdivision_vertex origin = vertex_origin(v);
+      if(origin.intrinsic_vertex != null_index)
+        put(out, v, get(in, origin.intrinsic_vertex));
+      else
+        put(out, v,
+            mixed(get(in, m_triangulation->tail(origin.intrinsic_halfedge)),
+                  get(in, m_triangulation->head(origin.intrinsic_halfedge)), origin.intrinsic_t));
+    }
+  }
+
+  /// Vertex values of the mesh at the triangulation's vertices, which are all vertices of the mesh.
+  template <class VertexMap, class IntrinsicMap>
+  void restrict_to_intrinsic(VertexMap in, IntrinsicMap out) const
+  {
+    for(vertex_descriptor v : vertices(m_mesh))
+      if(vertex_origin(v).intrinsic_vertex != null_index)
+        put(out, vertex_origin(v).intrinsic_vertex, get(in, v));
+  }
+
+  /// Face values of the input mesh, keys of type `Input_face`, to the faces that lie in each.
+  template <class InputMap, class FaceMap>
+  void spread_from_input(InputMap in, FaceMap out) const
+  {
+    for(face_descriptor f : faces(m_mesh))
+      put(out, f, get(in, input_face_descriptor(f)));
+  }
+
+  /// Values of intrinsic faces, to the faces that lie in each. \pre all intrinsic edges are in the mesh
+  template <class IntrinsicMap, class FaceMap>
+  void spread_from_intrinsic(IntrinsicMap in, FaceMap out) const
+  {
+    for(face_descriptor f : faces(m_mesh))
+      put(out, f, get(in, intrinsic_face(f)));
+  }
+
+  /// For each face of the input mesh, the mean of the values of the faces in it, weighted by area.
+  template <class FaceMap, class InputMap>
+  void average_to_input(FaceMap in, InputMap out) const
+  {
+    average(
+        in, [this](face_descriptor f) { return input_face(f); },
+        [&](Index h, const auto& value) {
+          put(out, internal::graph_face(m_triangulation->input_halfedge(h), *m_input_mesh), value);
+        });
+  }
+
+  /// For each intrinsic face, the mean of the values of the faces in it, weighted by area.
+  /// \pre all intrinsic edges are in the mesh
+  template <class FaceMap, class IntrinsicMap>
+  void average_to_intrinsic(FaceMap in, IntrinsicMap out) const
+  {
+    average(
+        in, [this](face_descriptor f) { return intrinsic_face(f); },
+        [&](Index h, const auto& value) { put(out, h, value); });
+  }
+
+  /// The face of the input mesh that a face lies in.
+  Input_face input_face_descriptor(face_descriptor f) const
+  {
+    return internal::graph_face(m_triangulation->input_halfedge(input_face(f)), *m_input_mesh);
+  }
+
+  /// @}
+
+  /// Takes over a finished overlay; `original[v]` is the overlay vertex that vertex `v` is a copy of. For the functions
+  /// that make subdivisions.
+  template <class IsConstrained>
+  Surface_subdivision(const internal::Overlay<Triangulation>& overlay,
+                      const internal::Overlay_layout<Triangulation>& layout, const std::vector<Index>& original,
+                      const typename Triangulation::Triangle_mesh& input_mesh, IsConstrained is_constrained)
+    : m_triangulation(&overlay.triangulation())
+    , m_input_mesh(&input_mesh)
+  {
+    const internal::Overlay_to_mesh<Triangulation, OutputMesh> built(overlay, m_mesh);
+    make_maps();
+    for(Index v = 0; v < overlay.number_of_vertices(); ++v)
+      if(built.vertex(v) != Graph::null_vertex())
+        set_vertex(built.vertex(v), overlay, layout, original[v]);
+    for(Index h = 0; h < overlay.number_of_halfedges(); ++h)
+      if(overlay.is_alive(h))
+        put(m_halfedges, built.halfedge(h), Lines{overlay.input_halfedge(h), overlay.intrinsic_halfedge(h)});
+    for(Index h = 0; h < overlay.number_of_halfedges(); h += 2)
+      if(overlay.is_alive(h))
+        put(m_is_constrained, edge(built.halfedge(h), m_mesh), is_constrained(overlay.intrinsic_halfedge(h)));
+    overlay.for_each_polygon([&](Index h) { set_face(overlay, layout, h, built); });
+    list_halfedges_along(overlay, built);
+  }
+
+private:
+  struct Lines
+  {
+    Index input = null_index, intrinsic = null_index;
+  };
+
+  struct Face
+  {
+    Index input = null_index, intrinsic = null_index;
+    double area = 0;
+    std::array<std::array<double, 3>, 3> corners;
+  };
+
+  using Overlay = internal::Overlay<Triangulation>;
+  using Layout = internal::Overlay_layout<Triangulation>;
+  using Built = internal::Overlay_to_mesh<Triangulation, OutputMesh>;
+
+  void make_maps()
+  {
+    m_vertex_origin = get(CGAL::dynamic_vertex_property_t<Subdivision_vertex>(), m_mesh);
+    m_halfedges = get(CGAL::dynamic_halfedge_property_t<Lines>(), m_mesh);
+    m_faces = get(CGAL::dynamic_face_property_t<Face>(), m_mesh);
+    m_is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), m_mesh);
+  }
+
+  void set_vertex(vertex_descriptor to, const Overlay& overlay, const Layout& layout, Index v)
+  {
+    Subdivision_vertex origin;
+    if(overlay.is_crossing(v)) {
+      origin.on_input =
+          internal::surface_point_on_edge(*m_triangulation, overlay.crossed_halfedge(v), layout.on_input(v));
+      origin.intrinsic_halfedge = layout.intrinsic_halfedge(v);
+      origin.intrinsic_t = layout.on_intrinsic(v);
+    } else {
+      origin.on_input = internal::surface_point_at_vertex(v);
+      origin.intrinsic_vertex = v;
+    }
+    put(m_vertex_origin, to, origin);
+    if constexpr(internal::Has_points<typename Triangulation::Metric>::value)
+      put(get(CGAL::vertex_point, m_mesh), to, point_in_space(*m_triangulation, origin.on_input));
+  }
+
+  void set_face(const Overlay& overlay, const Layout& layout, Index h, const Built& built)
+  {
+    Face face;
+    face.input = layout.face(h);
+    face.intrinsic = layout.intrinsic_face(h);
+    const auto corners = layout.corners(face.input);
+    std::array<typename Layout::Point_2, 3> p;
+    Index side = h;
+    for(int i = 0; i < 3; ++i, side = overlay.next(side)) {
+      face.corners[i] = layout.weights(side);
+      p[i] = Layout::point(corners, face.corners[i]);
+    }
+    face.area = 0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+    put(m_faces, internal::graph_face(built.halfedge(h), m_mesh), face);
+  }
+
+  void list_halfedges_along(const Overlay& overlay, const Built& built)
+  {
+    for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) {
+      m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
+      for(Index i = 0; i <= overlay.crossings(Triangulation::edge(h)); ++i) {
+        const Index piece = overlay.piece_with_face(h, i);
+        if(overlay.is_alive(piece))
+          m_along.push_back(built.halfedge(piece));
+      }
+    }
+    m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
+  }
+
+  template <class Value>
+  static Value mixed(const Value& a, const Value& b, double t)
+  {
+    return a * (1 - t) + b * t;
+  }
+
+  template <class FaceMap, class KeyOf, class Put>
+  void average(FaceMap in, KeyOf key_of, Put put_value) const
+  {
+    using Value = std::decay_t<decltype(get(in, face_descriptor()) * 1.0)>;
+    struct Sum
+    {
+      Value weighted, plain;
+      double area;
+      int count;
+    };
+    std::map<Index, Sum> sums;
+    for(face_descriptor f : faces(m_mesh)) {
+      const double weight = (std::max)(area(f), 0.0);
+      const Value value = get(in, f) * 1.0;
+      const auto [found, is_new] = sums.emplace(key_of(f), Sum{value * weight, value, weight, 1});
+      Sum& sum = found->second;
+      if(!is_new)
+        sum = {sum.weighted + value * weight, sum.plain + value, sum.area + weight, sum.count + 1};
+    }
+    for(const auto& [key, sum] : sums)
+      put_value(key, sum.area > 0 ? sum.weighted * (1 / sum.area) : sum.plain * (1.0 / sum.count));
+  }
+
+  const Triangulation* m_triangulation;
+  const typename Triangulation::Triangle_mesh* m_input_mesh;
+  OutputMesh m_mesh;
+  Map<CGAL::dynamic_vertex_property_t<Subdivision_vertex>> m_vertex_origin;
+  Map<CGAL::dynamic_halfedge_property_t<Lines>> m_halfedges;
+  Map<CGAL::dynamic_face_property_t<Face>> m_faces;
+  Edge_is_constrained_map m_is_constrained;
+  std::vector<halfedge_descriptor> m_along;
+  std::vector<std::ptrdiff_t> m_first_along;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_LAYOUT_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_LAYOUT_H
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/internal/Overlay.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Where the vertices of an overlay lie, rounded: crossings along their two edges, and the corners of polygons in their
+ * input faces.
+ *
+ * Crossings are measured in the strip of their intrinsic edge, each for itself, so that rounding may exchange two that
+ * lie close together on one edge of the input. The overlay knows their order, and the positions are raised to it.
+ */
+template <class Triangulation>
+class Overlay_layout
+{
+public:
+  using Overlay = internal::Overlay<Triangulation>;
+  using Weights = std::array<double, 3>;
+  using Point_2 = std::array<double, 2>;
+
+  /* Measures an overlay from which nothing is dissolved yet. */
+  explicit Overlay_layout(const Overlay& overlay)
+    : m_overlay(&overlay)
+    , m_faces(overlay.input_faces())
+  {
+    measure_crossings();
+    raise_to_order();
+    find_intrinsic_faces();
+    m_weights.resize(m_faces.size());
+    for(Index h = 0; h < overlay.number_of_halfedges(); ++h)
+      if(!overlay.is_border(h))
+        m_weights[h] = measure_corner(h);
+  }
+
+  /* The position of a crossing on its input edge, from 0 at the tail of `crossed_halfedge(v)` to 1 at the head. */
+  double on_input(Index v) const { return m_crossings[number(v)].on_input; }
+  /* The position of a crossing on its intrinsic edge, from 0 at the tail of the first halfedge to 1 at the head. */
+  double on_intrinsic(Index v) const { return m_crossings[number(v)].on_intrinsic; }
+
+  /* The first halfedge of that intrinsic edge. */
+  Index intrinsic_halfedge(Index v) const { return m_crossings[number(v)].intrinsic_halfedge; }
+
+  /* The smallest halfedge of the intrinsic face that the polygon of h lies in, null_index if polygons were merged. */
+  Index intrinsic_face(Index h) const { return m_intrinsic_faces.empty() ? null_index : m_intrinsic_faces[h]; }
+  /* To be called when polygons of different intrinsic faces are merged. */
+  void forget_intrinsic_faces() { m_intrinsic_faces.clear(); }
+
+  /* The smallest halfedge of the input face that the polygon of h lies in. */
+  Index face(Index h) const { return m_faces[h]; }
+  /* The origin of h in that face: barycentric coordinates for the tails of that halfedge and the next two. */
+  const Weights& weights(Index h) const { return m_weights[h]; }
+
+  /* Takes notice of a diagonal that was added to the overlay from the origin of a to that of b. */
+  void add_diagonal(Index a, Index b)
+  {
+    m_faces.insert(m_faces.end(), 2, m_faces[a]);
+    if(!m_intrinsic_faces.empty())
+      m_intrinsic_faces.insert(m_intrinsic_faces.end(), 2, m_intrinsic_faces[a]);
+    const Weights from = m_weights[a], to = m_weights[b];
+    m_weights.insert(m_weights.end(), {from, to});
+  }
+
+  /* Takes notice of an edge that was cut: the new edge stands for t, the twin of h. */
+  void add_cut(Index t)
+  {
+    m_faces.insert(m_faces.end(), {m_faces[t], null_index});
+    if(!m_intrinsic_faces.empty())
+      m_intrinsic_faces.insert(m_intrinsic_faces.end(), {m_intrinsic_faces[t], null_index});
+    const Weights weights = m_weights[t];
+    m_weights.insert(m_weights.end(), {weights, weights});
+  }
+
+  /* The corners of an input face in the plane, the tail of f at the origin. */
+  std::array<Point_2, 3> corners(Index f) const
+  {
+    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+    const auto vectors = triangulation().metric().face_geometry(triangulation().input(), f, Double_traits());
+    return {{{0, 0}, {vectors[0].x, vectors[0].y}, {-vectors[2].x, -vectors[2].y}}};
+  }
+
+  static Point_2 point(const std::array<Point_2, 3>& corners, const Weights& w)
+  {
+    return {w[1] * corners[1][0] + w[2] * corners[2][0], w[1] * corners[1][1] + w[2] * corners[2][1]};
+  }
+
+private:
+  struct Crossing
+  {
+    double on_input, on_intrinsic;
+    Index intrinsic_halfedge;
+  };
+
+  const Triangulation& triangulation() const { return m_overlay->triangulation(); }
+
+  std::size_t number(Index v) const { return static_cast<std::size_t>(v - triangulation().number_of_vertices()); }
+
+  // Each polygon has a piece of an intrinsic edge among its sides.
+  void find_intrinsic_faces()
+  {
+    m_intrinsic_faces.assign(m_faces.size(), null_index);
+    m_overlay->for_each_polygon([&](Index h) {
+      Index piece = h;
+      while(m_overlay->intrinsic_halfedge(piece) == null_index)
+        piece = m_overlay->next(piece);
+      const Index side = m_overlay->intrinsic_halfedge(piece), after = triangulation().next(side);
+      const Index face = (std::min)({side, after, triangulation().next(after)});
+      m_overlay->for_each_side(h, [&](Index s) { m_intrinsic_faces[s] = face; });
+    });
+  }
+
+  void measure_crossings()
+  {
+    for(Index e = 0; e < triangulation().number_of_edges(); ++e) {
+      if(m_overlay->crossings(e) == 0)
+        continue;
+      const Strip<Triangulation> strip(triangulation(), triangulation().crossing_word(2 * e));
+      double along = 0;
+      for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+        along = (std::max)(along, strip.crossing_along(i));
+        m_crossings.push_back({strip.crossing(i), along, 2 * e});
+      }
+    }
+  }
+
+  void raise_to_order()
+  {
+    for(Index h = 0; h < m_overlay->number_of_halfedges(); ++h) {
+      const Index c = m_overlay->input_halfedge(h);
+      if(c == null_index || (c & 1) != 0 || m_overlay->is_crossing(m_overlay->origin(h)))
+        continue;
+      double reached = 0;
+      for(Index arc = h; m_overlay->is_crossing(m_overlay->target(arc)); arc = m_overlay->next_arc(arc)) {
+        const Index v = m_overlay->target(arc);
+        const bool is_along = m_overlay->crossed_halfedge(v) == c;
+        double& t = m_crossings[number(v)].on_input;
+        reached = (std::max)(reached, is_along ? t : 1 - t);
+        if(reached > (is_along ? t : 1 - t))
+          t = is_along ? reached : 1 - reached;
+      }
+    }
+  }
+
+  // The origin of h lies on a side of the input face; which one follows from what h runs along.
+  Weights measure_corner(Index h) const
+  {
+    const auto& input = triangulation().input();
+    const Index v = m_overlay->origin(h), along = m_overlay->input_halfedge(h);
+    if(!m_overlay->is_crossing(v)) {
+      const Index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
+      return on_side(m_faces[h], corner, 0);
+    }
+    const Index crossed = m_overlay->crossed_halfedge(v);
+    const double t = on_input(v);
+    if(along != null_index)
+      return on_side(m_faces[h], along, along == crossed ? t : 1 - t);
+    const bool is_entering = (m_overlay->intrinsic_halfedge(h) & 1) == 0; // the face beyond crossed
+    return on_side(m_faces[h], is_entering ? Triangulation::twin(crossed) : crossed, is_entering ? 1 - t : t);
+  }
+
+  // The side of the face through which an intrinsic edge that starts at a corner leaves it.
+  Index leaving_through(Index h) const
+  {
+    const Index crossed = m_overlay->crossed_halfedge(m_overlay->target(h));
+    return (m_overlay->intrinsic_halfedge(h) & 1) == 0 ? crossed : Triangulation::twin(crossed);
+  }
+
+  Weights on_side(Index f, Index side, double t) const
+  {
+    const auto& input = triangulation().input();
+    Weights weights = {0, 0, 0};
+    for(int i = 0; i < 3; ++i, f = input.next(f))
+      if(f == side) {
+        weights[i] = 1 - t;
+        weights[(i + 1) % 3] = t;
+      }
+    return weights;
+  }
+
+  const Overlay* m_overlay;
+  std::vector<Index> m_faces, m_intrinsic_faces;
+  std::vector<Weights> m_weights;
+  std::vector<Crossing> m_crossings;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_LAYOUT_H

@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Common subdivisions, curves inserted into the mesh, and meshes cut open along curves: connectivity by counting, areas
+// and lengths against the two meshes that were laid over each other, data carried across against linear functions.
+
+#include "Curve_setting.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#define BOOST_TEST_MODULE subdivide
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Triangulation = Curve_setting::Triangulation;
+using Subdivision = FG::Surface_subdivision<Triangulation, Surface>;
+using Input_values = std::vector<double>;
+
+template <class Mesh>
+int euler_characteristic(const Mesh& mesh)
+{
+  return static_cast<int>(mesh.number_of_vertices()) - static_cast<int>(mesh.number_of_edges()) +
+         static_cast<int>(mesh.number_of_faces());
+}
+
+template <class Mesh>
+int number_of_borders(const Mesh& mesh)
+{
+  std::vector<bool> is_seen(mesh.number_of_halfedges(), false);
+  int count = 0;
+  for(auto h : mesh.halfedges()) {
+    if(!mesh.is_border(h) || is_seen[h])
+      continue;
+    ++count;
+    for(auto g : CGAL::halfedges_around_face(h, mesh))
+      is_seen[g] = true;
+  }
+  return count;
+}
+
+// Each vertex but isolated ones has one fan, and a halfedge on the border if it has any.
+bool has_manifold_vertices(const Surface& mesh)
+{
+  std::size_t reached = 0;
+  for(auto v : mesh.vertices()) {
+    const auto h = mesh.halfedge(v);
+    if(h == Surface::null_halfedge())
+      continue;
+    int border = 0;
+    for(auto g : CGAL::halfedges_around_target(h, mesh)) {
+      ++reached;
+      border += mesh.is_border(g) ? 1 : 0;
+    }
+    if(border > 1 || (border == 1) != mesh.is_border(h))
+      return false;
+  }
+  return reached == mesh.number_of_halfedges();
+}
+
+double distance(const Surface& mesh, Surface::Halfedge_index h)
+{
+  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+}
+
+void check_mesh(const Subdivision& subdivision)
+{
+  const Surface& mesh = subdivision.mesh();
+  BOOST_REQUIRE(mesh.is_valid(false));
+  BOOST_CHECK(CGAL::is_triangle_mesh(mesh));
+  BOOST_CHECK(has_manifold_vertices(mesh));
+}
+
+// Areas of input and intrinsic faces are those of their parts; chains of edges have the lengths of the whole ones.
+void check_against_both(const Subdivision& subdivision, const Surface& input, const Triangulation& triangulation)
+{
+  check_mesh(subdivision);
+  const Surface& mesh = subdivision.mesh();
+  BOOST_CHECK_EQUAL(euler_characteristic(mesh), euler_characteristic(input));
+  BOOST_CHECK_EQUAL(number_of_borders(mesh), number_of_borders(input));
+
+  std::vector<double> input_area(input.number_of_halfedges(), 0), intrinsic_area(input.number_of_halfedges(), 0);
+  for(auto f : mesh.faces()) {
+    BOOST_CHECK_GT(subdivision.area(f), -1e-12);
+    input_area[subdivision.input_face(f)] += subdivision.area(f);
+    intrinsic_area[subdivision.intrinsic_face(f)] += subdivision.area(f);
+  }
+  std::vector<FG::Intrinsic_face> faces;
+  Triangulation untouched(input);
+  FG::intrinsic_faces(untouched, std::back_inserter(faces));
+  const auto area = [](const FG::Intrinsic_face& f) {
+    const double a = f.lengths[0], b = f.lengths[1], c = f.lengths[2];
+    return std::sqrt((std::max)((a + b + c) * (b + c - a) * (c + a - b) * (a + b - c), 0.0)) / 4;
+  };
+  for(const FG::Intrinsic_face& f : faces)
+    BOOST_CHECK_SMALL(area(f) - input_area[f.halfedges[0]], 1e-6 * f.lengths[0]);
+  faces.clear();
+  FG::intrinsic_faces(triangulation, std::back_inserter(faces));
+  for(const FG::Intrinsic_face& f : faces)
+    BOOST_CHECK_SMALL(area(f) - intrinsic_area[f.halfedges[0]], 1e-6 * f.lengths[0]);
+
+  std::vector<double> input_length(input.number_of_halfedges(), 0);
+  for(auto h : mesh.halfedges())
+    if(subdivision.input_halfedge(h) != FG::null_index)
+      input_length[subdivision.input_halfedge(h)] += distance(mesh, h);
+  for(auto h : input.halfedges()) {
+    BOOST_CHECK_CLOSE_FRACTION(input_length[h], distance(input, h), 1e-10);
+    double length = 0;
+    Surface::Vertex_index reached(static_cast<unsigned>(triangulation.tail(static_cast<int>(h))));
+    for(auto along : subdivision.halfedges_along(static_cast<int>(h))) {
+      BOOST_CHECK_EQUAL(mesh.source(along), reached);
+      BOOST_CHECK_EQUAL(subdivision.intrinsic_halfedge(along), static_cast<int>(h));
+      reached = mesh.target(along);
+      length += distance(mesh, along);
+    }
+    BOOST_CHECK_EQUAL(reached, Surface::Vertex_index(triangulation.head(static_cast<int>(h))));
+    BOOST_CHECK_CLOSE_FRACTION(length, triangulation.length(static_cast<int>(h)), 1e-9);
+  }
+}
+
+std::vector<Mesh_soup> various_meshes()
+{
+  return {shaken(torus(8, 5, 3, 1), 0.05, 3),
+          cube(3),
+          genus_3_plate(),
+          shaken(flat_grid(6, 6, Diagonal_rule::RANDOM), 0.1, 5),
+          grid_with_hole(7, 7, 2, 5, 3, 4),
+          tetrahedron(1),
+          cone_disk(7, 2, 3)};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_input_is_its_own_subdivision)
+{
+  for(const Mesh_soup& soup : various_meshes()) {
+    Curve_setting s(soup);
+    const Subdivision subdivision = FG::common_subdivision(s.triangulation, s.mesh);
+    check_against_both(subdivision, s.mesh, s.triangulation);
+    BOOST_CHECK_EQUAL(subdivision.mesh().number_of_vertices(), s.mesh.number_of_vertices());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(common_subdivisions_with_random_delta_complexes)
+{
+  Random_numbers random(11);
+  std::size_t crossings = 0;
+  for(const Mesh_soup& soup : various_meshes())
+    for(int attempts : {5, 50, 400}) {
+      Curve_setting s(soup);
+      flip_at_random(s.triangulation, attempts, random);
+      const Subdivision subdivision = FG::common_subdivision(s.triangulation, s.mesh);
+      check_against_both(subdivision, s.mesh, s.triangulation);
+      crossings += subdivision.mesh().number_of_vertices() - s.mesh.number_of_vertices();
+    }
+  BOOST_CHECK_GT(crossings, 2000u);
+}
+
+BOOST_AUTO_TEST_CASE(data_is_carried_across)
+{
+  Random_numbers random(3);
+  Curve_setting flat(jittered_grid(7, 6, Diagonal_rule::RANDOM, 0.2, 4));
+  flip_at_random(flat.triangulation, 300, random);
+  const Subdivision subdivision = FG::common_subdivision(flat.triangulation, flat.mesh);
+  const Surface& mesh = subdivision.mesh();
+
+  // A function that is linear in the plane is linear in every face of every triangulation of it.
+  const auto linear = [](const Surface::Point& p) { return 1 + 2 * p.x() - 3 * p.y(); };
+  Input_values at_input(flat.mesh.number_of_vertices()), result(mesh.number_of_vertices());
+  for(auto v : flat.mesh.vertices())
+    at_input[v] = linear(flat.mesh.point(v));
+  const auto on_mesh = boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh));
+  subdivision.interpolate_from_input(
+      boost::make_iterator_property_map(at_input.begin(), get(boost::vertex_index, flat.mesh)), on_mesh);
+  for(auto v : mesh.vertices())
+    BOOST_CHECK_SMALL(result[v] - linear(mesh.point(v)), 1e-12);
+  result.assign(result.size(), 0);
+  subdivision.interpolate_from_intrinsic(
+      boost::make_iterator_property_map(at_input.begin(), boost::typed_identity_property_map<FG::Index>()), on_mesh);
+  for(auto v : mesh.vertices())
+    BOOST_CHECK_SMALL(result[v] - linear(mesh.point(v)), 1e-12);
+  Input_values back(at_input.size(), 0);
+  subdivision.restrict_to_intrinsic(
+      on_mesh, boost::make_iterator_property_map(back.begin(), boost::typed_identity_property_map<FG::Index>()));
+  BOOST_CHECK(back == at_input);
+
+  // The integral of a face function is kept on the way from the input to the subdivision and to the intrinsic faces.
+  Input_values of_input(flat.mesh.number_of_faces()), of_mesh(mesh.number_of_faces());
+  Input_values of_intrinsic(flat.mesh.number_of_halfedges(), 0), of_input_again(of_input.size(), 0);
+  for(double& value : of_input)
+    value = random.uniform(0, 1);
+  const auto face_map = boost::make_iterator_property_map(of_mesh.begin(), get(boost::face_index, mesh));
+  const auto intrinsic_map =
+      boost::make_iterator_property_map(of_intrinsic.begin(), boost::typed_identity_property_map<FG::Index>());
+  subdivision.spread_from_input(boost::make_iterator_property_map(of_input.begin(), get(boost::face_index, flat.mesh)),
+                                face_map);
+  double integral = 0, after = 0;
+  for(auto f : mesh.faces())
+    integral += of_mesh[f] * subdivision.area(f);
+  subdivision.average_to_input(
+      face_map, boost::make_iterator_property_map(of_input_again.begin(), get(boost::face_index, flat.mesh)));
+  for(std::size_t f = 0; f < of_input.size(); ++f)
+    BOOST_CHECK_CLOSE_FRACTION(of_input[f], of_input_again[f], 1e-12);
+  subdivision.average_to_intrinsic(face_map, intrinsic_map);
+  subdivision.spread_from_intrinsic(intrinsic_map, face_map);
+  for(auto f : mesh.faces())
+    after += of_mesh[f] * subdivision.area(f);
+  BOOST_CHECK_GT(integral, 1);
+  BOOST_CHECK_CLOSE_FRACTION(integral, after, 1e-12);
+}
+
+namespace {
+
+// Euler's characteristic after a cut: every vertex of the cut's graph is multiplied by its degree, on the border by one
+// more, and every edge is doubled.
+int euler_characteristic_after_cut(Curve_setting& s)
+{
+  int result = euler_characteristic(s.mesh);
+  std::vector<int> degree(s.mesh.number_of_vertices(), 0);
+  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e) {
+    const bool is_border = s.triangulation.is_border(2 * e) || s.triangulation.is_border(2 * e + 1);
+    if(!s.network.is_occupied(2 * e) || is_border)
+      continue;
+    --result;
+    ++degree[s.triangulation.tail(2 * e)];
+    ++degree[s.triangulation.head(2 * e)];
+  }
+  for(auto v : s.mesh.vertices())
+    result += (std::max)(degree[v] - (s.mesh.is_border(v) ? 0 : 1), 0);
+  return result;
+}
+
+double total_area(const Subdivision& subdivision)
+{
+  double sum = 0;
+  for(auto f : subdivision.mesh().faces())
+    sum += subdivision.area(f);
+  return sum;
+}
+
+// The curves are chains of marked edges and nothing else is marked; faces that no curve crosses are as they were.
+void check_inserted(Curve_setting& s)
+{
+  const Subdivision subdivision = FG::insert_curves(s.network, s.mesh);
+  check_mesh(subdivision);
+  const Surface& mesh = subdivision.mesh();
+  BOOST_CHECK_EQUAL(euler_characteristic(mesh), euler_characteristic(s.mesh));
+  BOOST_CHECK_EQUAL(number_of_borders(mesh), number_of_borders(s.mesh));
+  double marked = 0, occupied = 0;
+  std::size_t crossings = 0;
+  for(auto e : mesh.edges())
+    if(get(subdivision.edge_is_constrained_map(), e))
+      marked += distance(mesh, mesh.halfedge(e));
+  std::vector<bool> is_split(s.mesh.number_of_halfedges(), false); // by smallest halfedge of the face
+  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e) {
+    if(!s.network.is_occupied(2 * e))
+      continue;
+    occupied += s.triangulation.length(2 * e);
+    crossings += static_cast<std::size_t>((std::max)(s.triangulation.crossings(e), 0));
+    for(auto h : subdivision.halfedges_along(2 * e))
+      if(!mesh.is_border(h))
+        is_split[subdivision.input_face(mesh.face(h))] = true;
+  }
+  BOOST_CHECK_CLOSE_FRACTION(marked, occupied, 1e-9);
+  BOOST_CHECK_EQUAL(mesh.number_of_vertices(), s.mesh.number_of_vertices() + crossings);
+  std::vector<int> parts(s.mesh.number_of_halfedges(), 0);
+  for(auto f : mesh.faces())
+    ++parts[subdivision.input_face(f)];
+  for(std::size_t h = 0; h < parts.size(); ++h)
+    BOOST_CHECK(parts[h] <= 1 || is_split[h]);
+}
+
+Subdivision cut_open(Curve_setting& s)
+{
+  Subdivision subdivision = FG::cut_along_curves(s.network, s.mesh);
+  check_mesh(subdivision);
+  BOOST_CHECK_EQUAL(euler_characteristic(subdivision.mesh()), euler_characteristic_after_cut(s));
+  BOOST_CHECK_CLOSE_FRACTION(total_area(subdivision), total_area(FG::insert_curves(s.network, s.mesh)), 1e-12);
+  for(auto e : subdivision.mesh().edges()) {
+    const bool is_marked = get(subdivision.edge_is_constrained_map(), e);
+    BOOST_CHECK(!is_marked || subdivision.mesh().is_border(e));
+  }
+  return subdivision;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_path_cuts_a_slit)
+{
+  Curve_setting s(sphere(6));
+  s.add_path(0, static_cast<int>(s.mesh.number_of_vertices()) - 1);
+  s.pull();
+  check_inserted(s);
+  const Subdivision slit = cut_open(s);
+  BOOST_CHECK_EQUAL(euler_characteristic(slit.mesh()), 1);
+  BOOST_CHECK_EQUAL(number_of_borders(slit.mesh()), 1);
+}
+
+BOOST_AUTO_TEST_CASE(loops_cut_a_torus_into_a_cylinder_and_a_square)
+{
+  const int n = 12, m = 8;
+  Curve_setting s(shaken(torus(n, m, 3, 1), 0.02, 1));
+  Vertex_sequence around, along;
+  for(int j = 0; j <= m; ++j)
+    around.push_back(n * (j % m));
+  for(int i = 0; i <= n; ++i)
+    along.push_back(i % n);
+  s.add(around, false);
+  s.pull();
+  check_inserted(s);
+  const Subdivision cylinder = cut_open(s);
+  BOOST_CHECK_EQUAL(euler_characteristic(cylinder.mesh()), 0);
+  BOOST_CHECK_EQUAL(number_of_borders(cylinder.mesh()), 2);
+
+  s.network.clear();
+  s.triangulation.rollback();
+  s.add(around, false);
+  s.add(along, false);
+  s.pull();
+  check_inserted(s);
+  const Subdivision square = cut_open(s);
+  BOOST_CHECK_EQUAL(euler_characteristic(square.mesh()), 1);
+  BOOST_CHECK_EQUAL(number_of_borders(square.mesh()), 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_path_from_border_to_border_separates)
+{
+  const int n = 9;
+  Curve_setting s(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 9));
+  s.add_path(grid_vertex(n, 0, 2), grid_vertex(n, n, 7));
+  s.pull();
+  check_inserted(s);
+  const Subdivision halves = cut_open(s);
+  BOOST_CHECK_EQUAL(euler_characteristic(halves.mesh()), 2);
+  BOOST_CHECK_EQUAL(number_of_borders(halves.mesh()), 2);
+}
+
+BOOST_AUTO_TEST_CASE(stacked_curves_are_cut_once)
+{
+  const Mesh_soup soup = grid_with_hole(12, 12, 4, 8, 4, 8); // paths round the hole's corner run along one another
+  const auto vertex = [&](double x, double y) { return index_of(soup, {x, y, 0}); };
+  Curve_setting s(soup);
+  s.add_path_through({vertex(0, 6), vertex(6, 12)});
+  s.add_path_through({vertex(0, 6), vertex(6, 12)});
+  s.add_path_through({vertex(0, 7), vertex(0, 9)}); // along the border
+  s.add_path_through({vertex(5, 2), vertex(8, 2)});
+  s.add_path_through({vertex(5, 2), vertex(8, 2)});
+  FG::order_overlapping_curves(s.network);
+  s.pull();
+  std::size_t highest = 0;
+  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
+    highest = (std::max)(highest, s.network.stack(e).size());
+  BOOST_CHECK_EQUAL(highest, 2u);
+  check_inserted(s);
+  cut_open(s);
+}
+
+BOOST_AUTO_TEST_CASE(many_curves_on_meshes_with_ties_and_without)
+{
+  Random_numbers random(23);
+  int networks = 0;
+  for(const Mesh_soup& soup : {cube(4), genus_3_plate(2), shaken(torus(14, 9, 3, 1), 0.03, 2), tetrahedron(4),
+                               grid_with_hole(9, 9, 3, 5, 3, 6)})
+    for(int round = 0; round < 4; ++round) {
+      Curve_setting s(soup);
+      const int source = random.below(static_cast<int>(s.mesh.number_of_vertices()));
+      for(int i = 0; i < 8; ++i) {
+        const int target = random.below(static_cast<int>(s.mesh.number_of_vertices()));
+        if(target != source)
+          s.add_path(source, target);
+      }
+      try {
+        FG::order_overlapping_curves(s.network);
+      } catch(const FG::Crossing_curves_error&) { // one passes the end of another on the wrong side
+        continue;
+      }
+      ++networks;
+      s.pull();
+      check_inserted(s);
+      cut_open(s);
+    }
+  BOOST_CHECK_GE(networks, 10);
+}
+
+BOOST_AUTO_TEST_CASE(stacks_of_unfinished_curves_on_delta_complexes)
+{
+  Random_numbers random(31);
+  for(int round = 0; round < 20; ++round) {
+    Curve_setting s(shaken(tetrahedron(2), 0.05, 7));
+    flip_at_random(s.triangulation, 60, random);
+    s.network.add_curve(random_walk(s.triangulation, 6, false, random), false);
+    check_inserted(s);
+    cut_open(s);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(crossings_closer_than_rounding_do_no_harm)
+{
+  // Geodesics through one point of a fine grid's lines, from a mesh that is scaled by 2^-40 across.
+  for(double squeeze : {0x1p-20, 0x1p-40}) {
+    const int n = 10;
+    const Mesh_soup soup = mapped(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 3), [&](const Coordinates& p) {
+      return Coordinates{p[0], p[1] * squeeze, 0};
+    });
+    Curve_setting s(soup);
+    for(int i : {1, 4, 9})
+      s.add_path(grid_vertex(n, 0, 0), grid_vertex(n, n, i));
+    FG::order_overlapping_curves(s.network);
+    s.pull();
+    check_inserted(s);
+    cut_open(s);
+    check_mesh(FG::common_subdivision(s.triangulation, s.mesh));
+  }
+}
