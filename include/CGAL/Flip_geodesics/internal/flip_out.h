@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <cmath>
@@ -144,7 +145,7 @@ private:
   {
     const Index curve = m_network.curve(candidate.joint.incoming);
     const auto start = m_triangulation.log_position();
-    const double change = flip_out_wedge(candidate.joint);
+    const double change = flip_out(candidate.joint);
     const bool is_longer = can_err && is_visible(change, curve) && change > 0;
     const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key, curve, change);
     if(is_longer || decision != Stop_decision::CONTINUE) {
@@ -155,46 +156,15 @@ private:
     finish_step(curve);
   }
 
-  /*
-   * [SC20, Algorithm 1]: flips the edges out of a free wedge, the first with beta < pi first, and walks along its outer
-   * arc into m_arc. Returns by how much the curve becomes longer.
-   *
-   *            n_1 ------ n_2          spokes b -> a, n_1, ..., c are passed clockwise
-   *           /   .     .   .
-   *          /  beta  .      .         beta_j: the angle at n_j, inside the wedge
-   *         a      . .        c
-   *          .     .        .
-   *            x    .    .  y
-   *               .  . .
-   *                  b
-   */
-  double flip_out_wedge(const Joint& joint)
+  // Flips out a free wedge, whose outer arc goes to m_arc. Returns by how much the curve becomes longer.
+  double flip_out(const Joint& joint)
   {
     m_arc.clear();
     const auto [a, c] = m_network.ends(joint);
-    double change = -m_triangulation.length(a.halfedge) - m_triangulation.length(c.halfedge);
+    const double change = -m_triangulation.length(a.halfedge) - m_triangulation.length(c.halfedge);
     if(m_network.is_turning_back(joint))
       return change;
-
-    Index spoke = m_triangulation.clockwise(a.halfedge);
-    while(spoke != c.halfedge) {
-      if(m_triangulation.is_reflex_at_head(spoke)) {
-        spoke = m_triangulation.clockwise(spoke);
-        continue;
-      }
-      const Index before = m_triangulation.counterclockwise(spoke), after = m_triangulation.clockwise(spoke);
-      flip(spoke);
-      spoke = before == a.halfedge ? after : before;
-    }
-
-    spoke = a.halfedge;
-    do {
-      const Index t = Triangulation::twin(spoke);
-      m_arc.push_back(Triangulation::twin(m_triangulation.previous(t)));
-      change += m_triangulation.length(m_arc.back());
-      spoke = m_triangulation.next(t);
-    } while(spoke != c.halfedge);
-    return change;
+    return change + flip_out_wedge(m_triangulation, a.halfedge, c.halfedge, m_arc, [&](Index h) { flip(h); });
   }
 
   void flip(Index h)
@@ -292,7 +262,7 @@ private:
     const Index arriving = m_network.perturb_loop(loop.incoming, loop.side == Side::LEFT ? h : Triangulation::twin(h));
     add_length(curve, m_network.length(curve) - m_curves[curve].length);
     const Joint old_node = {arriving, loop.side};
-    apply(old_node, flip_out_wedge(old_node));
+    apply(old_node, flip_out(old_node));
   }
 
   // One step at the first joint of a curve whose wedge on a side is free; false if there is none.
@@ -306,7 +276,7 @@ private:
     if(found == null_index)
       return false;
     const auto start = m_triangulation.log_position();
-    const double change = flip_out_wedge({found, side});
+    const double change = flip_out({found, side});
     if(can_err && change >= 0) {
       m_triangulation.rollback(start);
       return false;

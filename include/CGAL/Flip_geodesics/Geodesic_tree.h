@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_GEODESIC_TREE_H
+#define CGAL_FLIP_GEODESICS_GEODESIC_TREE_H
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsTree
+/// What growing a tree did.
+struct Geodesic_tree_report
+{
+  /// `LOCALLY_SHORTEST`, `STOPPED_BY_VISITOR`, or `PRECISION_LIMIT` if paths are bent and doubles cannot mend it.
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
+  std::size_t flips = 0;     ///< edge flips
+  std::size_t flip_outs = 0; ///< wedges flipped out [SC20, Algorithm 1]
+  std::size_t reopened = 0;  ///< vertices that were reached, and then reached by a shorter path
+  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input; infinite where
+  /// there is none, and with traits without drift, whose decisions need no measuring.
+  double smallest_angle = std::numeric_limits<double>::infinity();
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsTree
+ *
+ * The tree of geodesics from a source vertex to all others, or to those within a distance: every path runs along edges
+ * of one intrinsic triangulation [SC20, section 6.5].
+ *
+ * It is grown as Dijkstra's algorithm grows a tree, in the triangulation as it is at the moment. A vertex is accepted
+ * only if the path to it is straight where it leaves the tree, or has at least \f$\pi\f$ on either side; otherwise that
+ * wedge is flipped out, which makes room for a shorter path, and the search goes on. No edge of the tree is ever in
+ * such a wedge, since the paths through its apex are straight. Departing from [SC20], an accepted vertex is opened
+ * again if a new edge leads to it by a shorter way, so that the finished tree is a shortest path tree of the finished
+ * triangulation's edges.
+ *
+ * The paths are locally shortest, and most are shortest.
+ * They do not cross.
+ *
+ * The invariant, once grown: the distance of a reached vertex is that of its parent and the length of the edge between
+ * them, and no edge between reached vertices offers a shorter way (`is_valid()`).
+ *
+ * \tparam Triangulation_ an `Intrinsic_triangulation`; a network in it must be empty while the tree is grown
+ */
+template <class Triangulation_>
+class Geodesic_tree
+{
+public:
+  using Triangulation = Triangulation_;
+
+  /// A tree without a source. Constant time; the triangulation must outlive the tree.
+  explicit Geodesic_tree(Triangulation& triangulation)
+    : m_triangulation(&triangulation)
+    , m_labels(static_cast<std::size_t>(triangulation.number_of_vertices()))
+  {
+  }
+
+  /*!
+   * Grows the tree from a source, after forgetting the one before. The triangulation may have been flipped already.
+   *
+   * Deterministic: the nearest vertex first, then the one with the smaller index. About \f$O(n \log n)\f$ for the
+   * \f$n\f$ vertices within `max_distance`, and a flip takes constant time.
+   *
+   * \param source a vertex
+   * \param max_distance no path longer than this is wanted. Vertices that are nearer, but of which the search meets
+   * only neighbors that are farther, are not found; so give a little more to have all. \param visitor a model of
+   * `FlipOutVisitor`, of which `on_flip()` and `go_further()` are called \throws Vertex_out_of_range_error,
+   * Degenerate_face_error, Invalid_coordinate_error
+   */
+  template <class Visitor = Default_shortening_visitor>
+  Geodesic_tree_report grow(Index source, double max_distance = std::numeric_limits<double>::infinity(),
+                            Visitor&& visitor = Visitor())
+  {
+    internal::check_vertex_index(*m_triangulation, source, 0);
+    start(source, max_distance);
+    run(visitor);
+    if constexpr(Triangulation::Traits::Has_drift::value)
+      measure(visitor);
+    return m_report;
+  }
+
+  /// The triangulation whose edges the paths are.
+  Triangulation& triangulation() const { return *m_triangulation; }
+
+  /// The source of the tree, `null_index` before `grow()`.
+  Index source() const { return m_source; }
+
+  /// No path longer than this was wanted.
+  double max_distance() const { return m_max_distance; }
+
+  /// Has the tree a path to vertex `v`?
+  bool is_reached(Index v) const { return state(v) == SETTLED; }
+
+  /// The length of the path to `v`; infinite if there is none.
+  double distance(Index v) const
+  {
+    return is_reached(v) ? m_labels[v].distance : std::numeric_limits<double>::infinity();
+  }
+
+  /// The last halfedge of the path to `v`, which ends there; `null_index` at the source and where there is no path.
+  Index incoming(Index v) const { return is_reached(v) ? m_labels[v].incoming : null_index; }
+
+  /// The halfedges of the path from the source to `v`; none at the source and where there is no path.
+  std::vector<Index> path(Index v) const
+  {
+    std::vector<Index> result;
+    for(Index h = incoming(v); h != null_index; h = incoming(m_triangulation->tail(h)))
+      result.push_back(h);
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+  /*!
+   * Hangs vertex `v` on another halfedge, at the distance of its tail and that halfedge's length. For algorithms that
+   * improve the tree; they restore the invariant.
+   * \pre `head(h) == v`, and the tail of `h` is reached by a path that does not pass `v`
+   */
+  void set_incoming(Index v, Index h)
+  {
+    CGAL_precondition(m_triangulation->head(h) == v && is_reached(m_triangulation->tail(h)));
+    m_labels[v] = {m_labels[m_triangulation->tail(h)].distance + m_triangulation->length(h), h, m_epoch + SETTLED};
+  }
+
+  /// Checks the invariant, lengths up to a relative `tolerance`. Linear in the mesh.
+  bool is_valid(double tolerance = 1e-10) const
+  {
+    for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) {
+      const Index u = m_triangulation->tail(h), v = m_triangulation->head(h);
+      if(!is_reached(u) || !is_reached(v))
+        continue;
+      const double way = distance(u) + m_triangulation->length(h);
+      if(way < distance(v) * (1 - tolerance) || (incoming(v) == h && way > distance(v) * (1 + tolerance)))
+        return false;
+    }
+    for(Index v = 0; v < m_triangulation->number_of_vertices(); ++v)
+      if(is_reached(v) && v != m_source && (incoming(v) == null_index || m_triangulation->head(incoming(v)) != v))
+        return false;
+    return true;
+  }
+
+private:
+  enum State : Index { UNKNOWN = 0, REACHED = 1, SETTLED = 2 };
+
+  struct Label
+  {
+    double distance;
+    Index incoming;
+    Index stamp; // the epoch, a multiple of 4, plus the state
+  };
+
+  struct Entry
+  {
+    double distance;
+    Index vertex;
+
+    // std heaps hand out the largest.
+    bool operator<(const Entry& other) const
+    {
+      return distance != other.distance ? distance > other.distance : vertex > other.vertex;
+    }
+  };
+
+  Index state(Index v) const
+  {
+    const Index stamp = m_labels[v].stamp - m_epoch;
+    return m_epoch == 0 || stamp < 0 ? static_cast<Index>(UNKNOWN) : stamp;
+  }
+
+  void start(Index source, double max_distance)
+  {
+    m_epoch += 4;
+    m_source = source;
+    m_max_distance = max_distance;
+    m_report = Geodesic_tree_report();
+    m_heap.clear();
+    m_settled.clear();
+    offer(source, 0, null_index);
+  }
+
+  template <class Visitor>
+  void run(Visitor& visitor)
+  {
+    while(!m_heap.empty()) {
+      if(!visitor.go_further()) {
+        m_report.status = Shortening_status::STOPPED_BY_VISITOR;
+        return;
+      }
+      std::pop_heap(m_heap.begin(), m_heap.end());
+      const Entry entry = m_heap.back();
+      m_heap.pop_back();
+      if(state(entry.vertex) == REACHED && m_labels[entry.vertex].distance == entry.distance)
+        accept_or_straighten(entry.vertex, visitor);
+    }
+  }
+
+  template <class Visitor>
+  void accept_or_straighten(Index v, Visitor& visitor)
+  {
+    const Index h = m_labels[v].incoming;
+    if(h != null_index && m_triangulation->tail(h) != m_source) {
+      const Index back = Triangulation::twin(m_labels[m_triangulation->tail(h)].incoming);
+      const double left = key(back, h), right = key(h, back);
+      if(left < straight || right < straight)
+        return left <= right ? flip_out(v, back, h, visitor) : flip_out(v, h, back, visitor);
+    }
+    if(m_labels[v].distance > m_max_distance)
+      return;
+    m_labels[v].stamp = m_epoch + SETTLED;
+    m_settled.push_back(v);
+    for(Index spoke : internal::spokes(*m_triangulation, v))
+      relax(spoke);
+  }
+
+  // The key of the angle clockwise from a to c, if it is below pi and holds no edge of the tree.
+  double key(Index a, Index c) const
+  {
+    typename Triangulation::Turn turn;
+    for(Index h = a;;) {
+      const Index t = Triangulation::twin(h);
+      if(m_triangulation->is_border(t))
+        return straight;
+      m_triangulation->extend_turn(turn, t);
+      h = m_triangulation->next(t);
+      if(m_triangulation->is_straight(turn, a, h))
+        return straight;
+      if(h == c)
+        return m_triangulation->traits().turn_key_object()(turn);
+      if(incoming(m_triangulation->head(h)) == h) // only where rounding hides that the path to there is bent
+        return straight;
+    }
+  }
+
+  // Makes room for a shorter path to v, which arrives along a or c. The path along the outer arc is shorter, but its
+  // vertices need not be accepted yet; v waits for them.
+  template <class Visitor>
+  void flip_out(Index v, Index a, Index c, Visitor& visitor)
+  {
+    m_orphans = {v};
+    m_flipped.clear();
+    internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Index spoke) {
+      const Index w = m_triangulation->head(spoke);
+      if(state(w) == REACHED && m_labels[w].incoming == spoke)
+        m_orphans.push_back(w);
+      m_flipped.push_back(spoke);
+      m_triangulation->flip(spoke);
+      ++m_report.flips;
+      visitor.on_flip(*m_triangulation, spoke);
+    });
+    ++m_report.flip_outs;
+    adopt_orphans(Triangulation::edge(m_labels[v].incoming));
+    for(Index h : m_flipped) {
+      relax(h);
+      relax(Triangulation::twin(h));
+    }
+  }
+
+  // Looks for new ways to vertices that have lost theirs, but not along `edge`.
+  void adopt_orphans(Index edge)
+  {
+    for(Index v : m_orphans)
+      m_labels[v].stamp = m_epoch;
+    for(Index v : m_orphans)
+      for(Index spoke : internal::spokes(*m_triangulation, v))
+        if(Triangulation::edge(spoke) != edge)
+          relax(Triangulation::twin(spoke));
+  }
+
+  // Looks at the way along h from a vertex that is accepted.
+  void relax(Index h)
+  {
+    const Index u = m_triangulation->tail(h), v = m_triangulation->head(h);
+    if(state(u) != SETTLED || u == v || v == m_source)
+      return;
+    const double distance = m_labels[u].distance + m_triangulation->length(h);
+    if(state(v) == SETTLED) {
+      constexpr double rounding = 1e-12;
+      if(distance >= m_labels[v].distance * (1 - rounding))
+        return;
+      reopen(v);
+      if(state(u) != SETTLED) // it hung on v
+        return;
+    }
+    if(state(v) == UNKNOWN || distance < m_labels[v].distance)
+      offer(v, distance, h);
+  }
+
+  void offer(Index v, double distance, Index h)
+  {
+    m_labels[v] = {distance, h, m_epoch + REACHED};
+    m_heap.push_back({distance, v});
+    std::push_heap(m_heap.begin(), m_heap.end());
+  }
+
+  // Takes back the acceptance of v and of all whose paths pass it, and looks for other ways to them.
+  void reopen(Index v)
+  {
+    std::vector<Index> subtree = {v};
+    m_labels[v].stamp = m_epoch;
+    for(std::size_t i = 0; i < subtree.size(); ++i)
+      for(Index spoke : internal::spokes(*m_triangulation, subtree[i])) {
+        const Index w = m_triangulation->head(spoke);
+        if(state(w) == UNKNOWN || m_labels[w].incoming != spoke)
+          continue;
+        m_report.reopened += state(w) == SETTLED ? 1 : 0;
+        m_labels[w].stamp = m_epoch;
+        subtree.push_back(w);
+      }
+    ++m_report.reopened;
+    for(Index w : subtree)
+      for(Index spoke : internal::spokes(*m_triangulation, w))
+        relax_forward(Triangulation::twin(spoke));
+  }
+
+  // As relax(), to a vertex that is not accepted.
+  void relax_forward(Index h)
+  {
+    const Index v = m_triangulation->head(h);
+    if(state(v) != SETTLED)
+      relax(h);
+  }
+
+  /*
+   * Measures the finished paths afresh from the input. Where drift has hidden that they are bent, the faces there are
+   * laid out afresh and the search goes on.
+   */
+  template <class Visitor>
+  void measure(Visitor& visitor)
+  {
+    constexpr int most_rounds = 50;
+    internal::Tree_straightness<Geodesic_tree> straightness(*this);
+    for(int round = 0;; ++round) {
+      std::vector<Index> bent;
+      m_report.smallest_angle = straightness(settled_vertices(), std::back_inserter(bent));
+      if(bent.empty() || m_report.status != Shortening_status::LOCALLY_SHORTEST)
+        return;
+      bool has_refreshed = false;
+      if(round < most_rounds)
+        for(Index v : bent)
+          has_refreshed = is_reached(v) && refresh(v, straightness) ? true : has_refreshed;
+      if(!has_refreshed) {
+        m_report.status = Shortening_status::PRECISION_LIMIT;
+        return;
+      }
+      run(visitor);
+    }
+  }
+
+  bool refresh(Index v, internal::Tree_straightness<Geodesic_tree>& straightness)
+  {
+    if(!straightness.refresh(v))
+      return false;
+    reopen(v);
+    return true;
+  }
+
+  // Those accepted now, without those opened again, each once.
+  const std::vector<Index>& settled_vertices()
+  {
+    std::sort(m_settled.begin(), m_settled.end());
+    m_settled.erase(std::unique(m_settled.begin(), m_settled.end()), m_settled.end());
+    m_settled.erase(std::remove_if(m_settled.begin(), m_settled.end(), [this](Index v) { return !is_reached(v); }),
+                    m_settled.end());
+    return m_settled;
+  }
+
+  static constexpr double straight = 2; // above all keys
+
+  Triangulation* m_triangulation;
+  internal::Lazy_array<Label> m_labels;
+  std::vector<Entry> m_heap;
+  std::vector<Index> m_settled;
+  Index m_epoch = 0;
+  Index m_source = null_index;
+  double m_max_distance = std::numeric_limits<double>::infinity();
+  Geodesic_tree_report m_report;
+  std::vector<Index> m_arc, m_flipped, m_orphans;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_GEODESIC_TREE_H

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TREE_STRAIGHTNESS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TREE_STRAIGHTNESS_H
+
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/verify.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Measures the paths of a geodesic tree afresh from the input, as `Straightness_meter` measures the curves of a
+ * network.
+ */
+template <class Tree>
+class Tree_straightness
+{
+  using Triangulation = typename Tree::Triangulation;
+
+public:
+  explicit Tree_straightness(const Tree& tree)
+    : m_tree(tree)
+    , m_triangulation(tree.triangulation())
+  {
+  }
+
+  /* The smallest angle where paths to the given vertices leave their parents; writes the vertices whose are bent. */
+  template <class OutputIterator>
+  double operator()(const std::vector<Index>& vertices, OutputIterator bent) const
+  {
+    std::vector<std::pair<Index, Index>> edges; // parent and child
+    for(Index v : vertices)
+      if(m_tree.incoming(v) != null_index)
+        edges.emplace_back(m_triangulation.tail(m_tree.incoming(v)), v);
+    std::sort(edges.begin(), edges.end());
+
+    double smallest = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i < edges.size();) {
+      const Index u = edges[i].first;
+      const Vertex_directions<Triangulation> directions(m_triangulation, u);
+      const Index before = m_tree.incoming(u);
+      const double back = before == null_index ? 0 : directions(Triangulation::twin(before));
+      for(; i < edges.size() && edges[i].first == u; ++i) {
+        const Index h = m_tree.incoming(edges[i].second);
+        const Strip<Triangulation> strip(m_triangulation, m_triangulation.crossing_word(h));
+        const double angle = before == null_index ? std::numeric_limits<double>::infinity()
+                                                  : directions.smaller_wedge(back, directions(strip));
+        smallest = (std::min)(smallest, angle);
+        if(angle < Straightness::straight_angle() || strip.bend() > Straightness::tolerance())
+          *bent++ = edges[i].second;
+      }
+    }
+    return smallest;
+  }
+
+  /* Lays the faces afresh in the bent wedge before v; false if flips were wrong already. */
+  bool refresh(Index v)
+  {
+    const Index h = m_tree.incoming(v), u = m_triangulation.tail(h);
+    if(m_tree.incoming(u) == null_index)
+      return false;
+    const Index back = Triangulation::twin(m_tree.incoming(u));
+    const Vertex_directions<Triangulation> directions(m_triangulation, u);
+    if(directions.counterclockwise(directions(h), directions(back)) < Straightness::straight_angle())
+      return refresh_wedge(back, h);
+    return refresh_wedge(h, back);
+  }
+
+private:
+  // Clockwise from a to c.
+  bool refresh_wedge(Index a, Index c)
+  {
+    Index h = a;
+    do {
+      const Index t = Triangulation::twin(h);
+      if(m_triangulation.is_border(t) || !refresh_face(m_triangulation, t))
+        return false;
+      h = m_triangulation.next(t);
+    } while(h != c);
+    return true;
+  }
+
+  const Tree& m_tree;
+  Triangulation& m_triangulation;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TREE_STRAIGHTNESS_H

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_VERTEX_DIRECTIONS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_VERTEX_DIRECTIONS_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The directions at a vertex as angles, in radians, counterclockwise from an input halfedge, measured from the input:
+ * what flips computed does not enter. On the border the angles start at the border.
+ */
+template <class Triangulation>
+class Vertex_directions
+{
+public:
+  Vertex_directions(const Triangulation& triangulation, Index vertex)
+    : m_triangulation(triangulation)
+  {
+    const auto& input = triangulation.input();
+    const Index start = input.outgoing(vertex);
+    if(start == null_index)
+      return;
+    Index first = start;
+    do { // clockwise up to the border, if there is one
+      const Index t = Triangulation::twin(first);
+      m_has_border = input.is_border(t);
+      first = m_has_border ? first : input.next(t);
+    } while(!m_has_border && first != start);
+
+    Index h = first;
+    do {
+      m_spokes.push_back(h);
+      m_angles.push_back(m_total);
+      if(input.is_border(h))
+        break;
+      const Index before = input.next(input.next(h));
+      m_total += input_corner(triangulation, before);
+      h = Triangulation::twin(before);
+    } while(h != first);
+  }
+
+  /* The sum of the input angles at the vertex. */
+  double total() const { return m_total; }
+  bool has_border() const { return m_has_border; }
+
+  /* The angle at which an input halfedge starts at the vertex. */
+  double of_input(Index h) const
+  {
+    const auto found = std::find(m_spokes.begin(), m_spokes.end(), h);
+    CGAL_assertion(found != m_spokes.end());
+    return m_angles[static_cast<std::size_t>(found - m_spokes.begin())];
+  }
+
+  /* The angle of a strip that starts at the vertex. */
+  double operator()(const Strip<Triangulation>& strip) const
+  {
+    return of_input(strip.reference()) + angle_from_reference(strip.end());
+  }
+
+  /* The angle of a halfedge of the triangulation that starts at the vertex. */
+  double operator()(Index h) const
+  {
+    return (*this)(Strip<Triangulation>(m_triangulation, m_triangulation.crossing_word(h)));
+  }
+
+  /* The smaller of the angles between two directions on their two sides; a side that holds the border is infinite. */
+  double smaller_wedge(double a, double b) const
+  {
+    const double wedge = a < b ? b - a : a - b;
+    return m_has_border ? wedge : (std::min)(wedge, m_total - wedge);
+  }
+
+  /* The angle counterclockwise from one direction to another; infinite if the border intervenes. */
+  double counterclockwise(double from, double to) const
+  {
+    if(from <= to)
+      return to - from;
+    return m_has_border ? std::numeric_limits<double>::infinity() : to - from + m_total;
+  }
+
+private:
+  const Triangulation& m_triangulation;
+  std::vector<Index> m_spokes;
+  std::vector<double> m_angles;
+  double m_total = 0;
+  bool m_has_border = false;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_VERTEX_DIRECTIONS_H

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_LOGARITHMIC_MAP_H
+#define CGAL_FLIP_GEODESICS_LOGARITHMIC_MAP_H
+
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsTree
+/// Where a vertex lies as seen from the source of a tree.
+struct Polar_coordinates
+{
+  double radius = std::numeric_limits<double>::infinity(); ///< the length of the path; infinite if there is none
+  double angle = std::numeric_limits<double>::quiet_NaN(); ///< in radians; NaN at the source, and without a path
+};
+
+/// \ingroup PkgFlipGeodesicsTree
+/// The coordinates of all vertices, and what the angles add up to.
+struct Logarithmic_map
+{
+  std::vector<Polar_coordinates> vertices; ///< by index
+  double total_angle = 0;    ///< the sum of the angles of the faces about the source, \f$2\pi\f$ where it is flat
+  bool is_on_border = false; ///< does the source lie on the border?
+
+  /*!
+   * The coordinates of vertex `v` in the plane, with the angles about an inner source stretched evenly to \f$2\pi\f$,
+   * as is usual; those about a source on the border stay. The origin for the source, NaN where there is no path.
+   */
+  std::array<double, 2> in_plane(Index v) const
+  {
+    const Polar_coordinates& p = vertices[v];
+    if(p.radius == 0)
+      return {0, 0};
+    const double stretch = is_on_border ? 1 : boost::math::constants::two_pi<double>() / total_angle;
+    return {p.radius * std::cos(stretch * p.angle), p.radius * std::sin(stretch * p.angle)};
+  }
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsTree
+ *
+ * The logarithmic map of a tree's source [SC20, section 6.5]: for each vertex the length of its path, and the direction
+ * in which the path starts. The directions are angles in the surface, counterclockwise from an input edge, in
+ * \f$[0, \mathtt{total\_angle})\f$; measured from the input's coordinates, so that errors do not add up over flips.
+ *
+ * Where paths pass a vertex with more than \f$2\pi\f$, all vertices in its shadow have the angle of that path. So the
+ * map is continuous but for the places that shortest paths reach from two sides, the cut locus; and for paths of the
+ * tree that are not shortest.
+ *
+ * Linear in the reached vertices and in the crossings of the edges at the source; and \f$O(n)\f$ for the result.
+ *
+ * \param tree a tree that has been grown
+ * \param zero the input halfedge whose direction is 0; it starts at the source. By default that of the input's first
+ *        halfedge of the vertex; ignored on the border, where the angles start at the border.
+ */
+template <class Triangulation>
+Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Index zero = null_index)
+{
+  const Triangulation& triangulation = tree.triangulation();
+  CGAL_precondition(tree.source() != null_index);
+  CGAL_precondition(zero == null_index || triangulation.input().tail(zero) == tree.source());
+  const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
+  Logarithmic_map map;
+  map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
+  map.vertices[tree.source()].radius = 0;
+  map.total_angle = directions.total();
+  map.is_on_border = directions.has_border();
+  const double start = zero == null_index || map.is_on_border ? 0 : directions.of_input(zero);
+
+  std::vector<Index> way; // from a vertex back to one whose angle is known
+  for(Index v = 0; v < triangulation.number_of_vertices(); ++v) {
+    if(!tree.is_reached(v) || v == tree.source())
+      continue;
+    way.clear();
+    for(Index w = v; w != tree.source() && std::isnan(map.vertices[w].angle); w = triangulation.tail(tree.incoming(w)))
+      way.push_back(w);
+    for(std::size_t i = way.size(); i-- > 0;) {
+      const Index w = way[i], h = tree.incoming(w), parent = triangulation.tail(h);
+      Polar_coordinates& p = map.vertices[w];
+      p.radius = tree.distance(w);
+      p.angle = map.vertices[parent].angle;
+      if(parent == tree.source()) {
+        p.angle = directions(h) - start;
+        p.angle += !map.is_on_border && p.angle < 0 ? map.total_angle : 0;
+      }
+    }
+  }
+  return map;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_LOGARITHMIC_MAP_H

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE geodesic_tree
+
+#include "Curve_setting.h"
+#include "closed_forms.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/logarithmic_map.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using FG::Index;
+using namespace Flip_geodesics_test;
+
+using Certified_setting = Basic_curve_setting<
+    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>>;
+
+namespace {
+
+constexpr double tolerance = 1e-10;
+
+bool is_close(double a, double b, double scale = 1) { return std::abs(a - b) <= tolerance * scale; }
+
+template <class Setting>
+struct Tree_setting : Setting
+{
+  using Tree = FG::Geodesic_tree<typename Setting::Triangulation>;
+
+  explicit Tree_setting(const Mesh_soup& soup)
+    : Setting(soup)
+    , tree(this->triangulation)
+  {
+  }
+
+  Index size() const { return this->triangulation.number_of_vertices(); }
+
+  Tree tree;
+};
+
+using Double_tree_setting = Tree_setting<Curve_setting>;
+
+// What must hold of any tree: the invariant, a locally shortest path to every vertex, and no crossing among them, which
+// putting them all into one network shows.
+template <class Setting>
+void check_tree(Setting& setting, const FG::Geodesic_tree_report& report)
+{
+  BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
+  BOOST_TEST(report.smallest_angle >= FG::Straightness::straight_angle());
+  BOOST_TEST(setting.tree.is_valid());
+  BOOST_TEST(setting.triangulation.is_valid());
+  for(Index v = 0; v < setting.size(); ++v) {
+    const std::vector<Index> path = setting.tree.path(v);
+    if(path.empty())
+      continue;
+    BOOST_TEST(setting.triangulation.tail(path.front()) == setting.tree.source());
+    BOOST_TEST(setting.triangulation.head(path.back()) == v);
+    const Index curve = setting.network.add_curve(path, false);
+    BOOST_TEST(is_close(setting.network.length(curve), setting.tree.distance(v), setting.tree.distance(v)));
+  }
+  const auto pulled = setting.pull();
+  BOOST_TEST(pulled.flip_outs == 0u);
+  BOOST_TEST(pulled.is_complete());
+  setting.network.clear();
+}
+
+// The angle from the ray of direction 0 to a point of the plane, in [0, 2 pi).
+double plane_angle(double x, double y)
+{
+  const double angle = std::atan2(y, x);
+  return angle < 0 ? angle + 2 * pi : angle;
+}
+
+// Angles that differ by a full turn are the same.
+bool is_same_angle(double a, double b, double total)
+{
+  const double difference = std::remainder(a - b, total);
+  return std::abs(difference) <= 1e-9;
+}
+
+struct Impatient : FG::Default_shortening_visitor
+{
+  int steps = 0, flips = 0;
+  template <class Triangulation>
+  void on_flip(const Triangulation&, Index)
+  {
+    ++flips;
+  }
+  bool go_further() { return ++steps <= 100; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(plane)
+{
+  constexpr int n = 12, m = 9;
+  for(const Mesh_soup& soup : {flat_grid(n, m, Diagonal_rule::RISING), flat_grid(n, m, Diagonal_rule::RANDOM),
+                               jittered_grid(n, m, Diagonal_rule::RANDOM, 0.24, 3), needle_strip(n, m, 1e-4)})
+  {
+    for(Index source : {grid_vertex(n, 5, 4), grid_vertex(n, 0, 0), grid_vertex(n, n, 3)}) {
+      Double_tree_setting setting(soup);
+      check_tree(setting, setting.tree.grow(source));
+      const Coordinates& s = soup.points[source];
+      const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
+      // Any vertex fixes the rotation; the others must agree.
+      const auto plane_angle_of = [&](Index v) {
+        return plane_angle(soup.points[v][0] - s[0], soup.points[v][1] - s[1]);
+      };
+      const Index other = source == 0 ? 1 : 0;
+      const double turn = plane_angle_of(other) - map.vertices[other].angle;
+      for(Index v = 0; v < setting.size(); ++v) {
+        if(v == source)
+          continue;
+        BOOST_TEST(is_close(map.vertices[v].radius, distance(s, soup.points[v]), n));
+        BOOST_TEST(is_same_angle(map.vertices[v].angle + turn, plane_angle_of(v), 2 * pi));
+        BOOST_TEST(map.vertices[v].angle >= 0);
+        BOOST_TEST(map.vertices[v].angle <= map.total_angle + tolerance);
+      }
+      BOOST_TEST(map.vertices[source].radius == 0);
+      BOOST_TEST(std::isnan(map.vertices[source].angle));
+      BOOST_TEST(map.is_on_border == (source != grid_vertex(n, 5, 4)));
+      if(!map.is_on_border)
+        BOOST_TEST(is_close(map.total_angle, 2 * pi));
+    }
+  }
+}
+
+// The zero direction is that of an edge of the caller's choice, and the map in the plane is an isometry there.
+BOOST_AUTO_TEST_CASE(plane_coordinates)
+{
+  constexpr int n = 8;
+  const Mesh_soup soup = jittered_grid(n, n, Diagonal_rule::RISING, 0.2, 5);
+  Double_tree_setting setting(soup);
+  const Index source = grid_vertex(n, 4, 4), right = grid_vertex(n, 5, 4);
+  const Index zero = FG::halfedges_through(setting.triangulation, std::vector<Index>{source, right}, false).front();
+  setting.tree.grow(source);
+  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
+  const Coordinates &s = soup.points[source], &r = soup.points[right];
+  const double length = distance(s, r), c = (r[0] - s[0]) / length, d = (r[1] - s[1]) / length;
+  for(Index v = 0; v < setting.size(); ++v) {
+    const double x = soup.points[v][0] - s[0], y = soup.points[v][1] - s[1];
+    BOOST_TEST(is_close(map.in_plane(v)[0], c * x + d * y, n));
+    BOOST_TEST(is_close(map.in_plane(v)[1], c * y - d * x, n));
+  }
+}
+
+// The map of a cylinder unrolls it: each vertex comes to lie over one of the places that it has in the unrolled plane.
+BOOST_AUTO_TEST_CASE(cylinder_unrolls)
+{
+  constexpr int n = 9, m = 7;
+  constexpr double radius = 1.25, height = 8;
+  const double side = polygon_side(n, radius);
+  Double_tree_setting setting(cylinder(n, m, radius, height));
+  const Index source = 4 + n * 3;
+  const Index zero =
+      FG::halfedges_through(setting.triangulation, std::vector<Index>{source, source + 1}, false).front();
+  check_tree(setting, setting.tree.grow(source));
+  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
+  int minimal = 0;
+  for(Index v = 0; v < setting.size(); ++v) {
+    const auto [x, y] = map.in_plane(v);
+    const double turns = (x / side - (v % n - source % n)) / n;
+    BOOST_TEST(is_close(turns, std::round(turns)), "vertex " << v);
+    BOOST_TEST(is_close(y, height * (v / n - source / n) / m, height));
+    const double shortest = cylinder_distance(n, m, radius, height, source, v);
+    BOOST_TEST(map.vertices[v].radius >= shortest * (1 - tolerance));
+    minimal += is_close(map.vertices[v].radius, shortest, height) ? 1 : 0;
+  }
+  BOOST_TEST(minimal >= setting.size() * 9 / 10);
+}
+
+BOOST_AUTO_TEST_CASE(cone_from_the_apex_and_from_elsewhere)
+{
+  constexpr int n = 10, m = 6;
+  constexpr double total = 4.5;
+  Double_tree_setting setting(cone_disk(n, m, total));
+  check_tree(setting, setting.tree.grow(0));
+  const FG::Logarithmic_map from_apex = FG::logarithmic_map(setting.tree);
+  BOOST_TEST(is_close(from_apex.total_angle, total));
+  const double first = from_apex.vertices[disk_vertex(n, 1, 0)].angle;
+  for(int r = 1; r <= m; ++r)
+    for(int i = 0; i < n; ++i) {
+      const FG::Polar_coordinates& p = from_apex.vertices[disk_vertex(n, r, i)];
+      BOOST_TEST(is_close(p.radius, r, m));
+      BOOST_TEST(is_same_angle(p.angle - first, i * total / n, total));
+    }
+
+  setting.triangulation.rollback();
+  const Index source = disk_vertex(n, 4, 0);
+  check_tree(setting, setting.tree.grow(source));
+  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
+  const double to_apex = map.vertices[0].angle;
+  for(int r = 1; r <= m; ++r)
+    for(int i = 1; i < n; ++i) {
+      // Beside the apex on one side or the other, a triangle with it and the source.
+      const FG::Polar_coordinates& p = map.vertices[disk_vertex(n, r, i)];
+      const bool is_on_left = is_close(p.radius, cone_distance(4, r, i * total / n), m);
+      const double around = is_on_left ? i * total / n : (n - i) * total / n;
+      BOOST_TEST(is_close(p.radius, cone_distance(4, r, around), m));
+      if(around < pi) {
+        const double at_source = std::atan2(r * std::sin(around), 4 - r * std::cos(around));
+        BOOST_TEST((is_same_angle(p.angle, to_apex + at_source, map.total_angle) ||
+                    is_same_angle(p.angle, to_apex - at_source, map.total_angle)));
+      }
+    }
+}
+
+// Behind a saddle all paths pass it, and start in its direction.
+BOOST_AUTO_TEST_CASE(shadow_of_a_saddle)
+{
+  constexpr int k = 12, m = 5;
+  constexpr double total = 9;
+  Double_tree_setting setting(saddle_disk(k, m, total));
+  const Index source = disk_vertex(k, 3, 0);
+  check_tree(setting, setting.tree.grow(source));
+  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
+  int in_shadow = 0;
+  for(int r = 1; r <= m; ++r)
+    for(int i = 1; i < k; ++i) {
+      const Index v = disk_vertex(k, r, i);
+      const double around = (std::min)(i, k - i) * total / k;
+      BOOST_TEST(is_close(map.vertices[v].radius, cone_distance(3, r, around), m));
+      if(around < pi)
+        continue;
+      ++in_shadow;
+      BOOST_TEST(is_same_angle(map.vertices[v].angle, map.vertices[0].angle, map.total_angle));
+    }
+  BOOST_TEST(in_shadow > 0);
+}
+
+BOOST_AUTO_TEST_CASE(curved_meshes)
+{
+  for(const Mesh_soup& soup : {sphere(8), bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), genus_3_plate(2), cube(4),
+                               tetrahedron(5), random_convex_polyhedron(60, 2), grid_with_hole(9, 9, 3, 6, 3, 6)})
+  {
+    for(Index source : {0, 7, 40}) {
+      Double_tree_setting setting(soup);
+      check_tree(setting, setting.tree.grow(source));
+      for(Index v = 0; v < setting.size(); ++v)
+        BOOST_TEST(setting.tree.is_reached(v));
+    }
+  }
+}
+
+// Decided exactly, ties and all.
+BOOST_AUTO_TEST_CASE(certified)
+{
+  for(const Mesh_soup& soup : {cube(3), tetrahedron(4), flat_grid(6, 6, Diagonal_rule::RANDOM)}) {
+    Tree_setting<Certified_setting> setting(soup);
+    const FG::Geodesic_tree_report report = setting.tree.grow(5);
+    check_tree(setting, report);
+    BOOST_TEST(std::isinf(report.smallest_angle));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(on_tetrahedron_never_too_short)
+{
+  constexpr int n = 6;
+  const Mesh_soup soup = tetrahedron(n);
+  Double_tree_setting setting(soup);
+  setting.tree.grow(10);
+  int minimal = 0;
+  for(Index v = 0; v < setting.size(); ++v) {
+    const double shortest = tetrahedron_distance(n, soup.points[10], soup.points[v]);
+    BOOST_TEST(setting.tree.distance(v) >= shortest - tolerance * n);
+    minimal += is_close(setting.tree.distance(v), shortest, n) ? 1 : 0;
+  }
+  BOOST_TEST(minimal >= setting.size() * 8 / 10);
+}
+
+BOOST_AUTO_TEST_CASE(within_a_distance)
+{
+  const Mesh_soup soup = jittered_grid(40, 40, Diagonal_rule::RANDOM, 0.2, 2);
+  Double_tree_setting setting(soup);
+  const Index source = grid_vertex(40, 20, 20);
+  const FG::Geodesic_tree_report report = setting.tree.grow(source, 5);
+  check_tree(setting, report);
+  for(Index v = 0; v < setting.size(); ++v)
+    BOOST_TEST(setting.tree.is_reached(v) == (distance(soup.points[v], soup.points[source]) <= 5));
+  BOOST_TEST(report.flips < 1000u); // of about 4800 edges; nothing far away is touched
+}
+
+BOOST_AUTO_TEST_CASE(other_components_are_not_reached)
+{
+  Double_tree_setting setting(with_isolated_vertices(disjoint_union(sphere(3), sphere(3)), 1, 1));
+  check_tree(setting, setting.tree.grow(5));
+  const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
+  const Index last = setting.size() - 1, other = setting.size() / 2 + 5;
+  for(Index v : {Index(0), last, other}) {
+    BOOST_TEST(!setting.tree.is_reached(v));
+    BOOST_TEST(setting.tree.path(v).empty());
+    BOOST_TEST(std::isinf(map.vertices[v].radius));
+    BOOST_TEST(std::isnan(map.vertices[v].angle));
+  }
+  // From an isolated vertex there is nowhere to go.
+  setting.triangulation.rollback();
+  setting.tree.grow(0);
+  BOOST_TEST(setting.tree.is_reached(0));
+  BOOST_TEST(!setting.tree.is_reached(5));
+  BOOST_TEST(std::isinf(FG::logarithmic_map(setting.tree).vertices[5].radius));
+}
+
+// A tree grown anew, in a flipped triangulation or in one rolled back, is a tree; rolled back it is the same.
+BOOST_AUTO_TEST_CASE(grown_again)
+{
+  Double_tree_setting setting(bumpy_sphere(6, 0.2, 4));
+  setting.tree.grow(3);
+  std::vector<double> distances;
+  for(Index v = 0; v < setting.size(); ++v)
+    distances.push_back(setting.tree.distance(v));
+  const std::vector<int> flips = setting.flips();
+  check_tree(setting, setting.tree.grow(17));
+  setting.triangulation.rollback();
+  check_tree(setting, setting.tree.grow(3));
+  for(Index v = 0; v < setting.size(); ++v)
+    BOOST_TEST(setting.tree.distance(v) == distances[v]);
+  BOOST_TEST(setting.flips() == flips);
+}
+
+BOOST_AUTO_TEST_CASE(bad_sources_and_degenerate_faces)
+{
+  Double_tree_setting setting(sphere(3));
+  BOOST_CHECK_THROW(setting.tree.grow(-1), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(setting.tree.grow(setting.size()), FG::Vertex_out_of_range_error);
+
+  Mesh_soup soup = flat_grid(4, 4, Diagonal_rule::RISING);
+  soup.points[grid_vertex(4, 2, 2)] = soup.points[grid_vertex(4, 2, 3)];
+  Double_tree_setting degenerate(soup);
+  BOOST_CHECK_THROW(degenerate.tree.grow(0), FG::Degenerate_face_error);
+  BOOST_TEST(degenerate.triangulation.is_valid());
+  soup.points[grid_vertex(4, 2, 2)][0] = std::numeric_limits<double>::quiet_NaN();
+  Double_tree_setting invalid(soup);
+  BOOST_CHECK_THROW(invalid.tree.grow(0), FG::Invalid_coordinate_error);
+}
+
+BOOST_AUTO_TEST_CASE(interrupted)
+{
+  Double_tree_setting setting(bumpy_sphere(8, 0.2, 4));
+  Impatient visitor;
+  const auto report = setting.tree.grow(0, std::numeric_limits<double>::infinity(), visitor);
+  BOOST_TEST(FG::to_string(report.status) == "STOPPED_BY_VISITOR");
+  BOOST_TEST(static_cast<std::size_t>(visitor.flips) == report.flips);
+  BOOST_TEST(visitor.steps == 101);
+  BOOST_TEST(setting.tree.is_valid());
+  BOOST_TEST(report.smallest_angle >= FG::Straightness::straight_angle());
+}
