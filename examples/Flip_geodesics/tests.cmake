@@ -8,13 +8,15 @@ file(MAKE_DIRECTORY ${example_dir})
 foreach(
   example
   conforming_triangulation_example
+  cross_field_example
   edge_length_metric_example
   exact_number_type_example
   geodesic_loop_example
   geodesic_path_example
   geodesic_tree_example
   network_early_stop_example
-  own_mesh_and_kernel_example)
+  own_mesh_and_kernel_example
+  poisson_example)
   if(TARGET ${example})
     add_test(NAME ${example} COMMAND ${example} WORKING_DIRECTORY ${example_dir})
     add_test(NAME ${example}_bad_input COMMAND ${example} no_such_mesh.off WORKING_DIRECTORY ${example_dir})

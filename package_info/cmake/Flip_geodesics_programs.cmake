@@ -34,7 +34,8 @@ target_compile_options(
 # programs do not pay for it. `flip_geodesics_optional_libraries` holds triples: pattern, target, and what happens
 # without it: GUARDED (the source has an #ifdef) or REQUIRED (the program is left out).
 set(flip_geodesics_optional_libraries
-    "CGAL_EIGEN3_ENABLED|<Eigen/" CGAL::Eigen3_support GUARDED
+    "CGAL_EIGEN3_ENABLED" CGAL::Eigen3_support GUARDED
+    "#include <Eigen/" CGAL::Eigen3_support REQUIRED
     "CGAL_LINKED_WITH_TBB|CGAL::Parallel_tag" CGAL::TBB_support GUARDED
     "CGAL_USE_OPENMESH" Flip_geodesics_OpenMesh GUARDED
     "<CLI/CLI.hpp>" CLI11::CLI11 REQUIRED

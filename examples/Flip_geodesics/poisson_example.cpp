@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A partial differential equation with its boundary on a geodesic: the temperature of a surface that is heated evenly and
+// kept at zero along a geodesic path. The path is made of edges of the triangulation, so that the values on it are met
+// exactly; the unknowns are the vertices of the mesh.
+//
+//   poisson_example [MESH SOURCE TARGET]
+//
+// Writes poisson.ply, the mesh with the property `u` at its vertices.
+
+#include "torus.h"
+
+#include <CGAL/Flip_geodesics.h>
+#include <CGAL/Flip_geodesics/Dirichlet_problem.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <Eigen/Core>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+using Operators = FG::Operators<Triangulation>;
+
+namespace {
+
+std::vector<FG::Index> vertices_on(const Network& network)
+{
+  const Triangulation& triangulation = network.triangulation();
+  std::vector<FG::Index> result;
+  for(FG::Index c = 0; c < network.number_of_curves(); ++c)
+    for(FG::Index h : network.halfedges(c)) {
+      result.push_back(triangulation.tail(h));
+      result.push_back(triangulation.head(h));
+    }
+  return result;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  const bool has_mesh = argc == 4 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : argc == 1 && make_torus(mesh) > 0;
+  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
+    std::cerr << "This is not a triangle mesh.\n";
+    return EXIT_FAILURE;
+  }
+
+  auto temperature = mesh.add_property_map<Mesh::Vertex_index, double>("v:u", 0).first;
+  try {
+    Triangulation triangulation(mesh);
+    const FG::Index source = argc == 4 ? std::stoi(argv[2]) : 0;
+    const FG::Index target = argc == 4 ? std::stoi(argv[3]) : triangulation.number_of_vertices() / 2;
+    FG::Shortest_edge_path<Triangulation> search(triangulation);
+    Network network(triangulation);
+    network.add_curve(search(source, target), false);
+    FG::shorten(network);
+
+    const FG::Dirichlet_problem<Operators> problem(Operators(triangulation), vertices_on(network));
+    const Eigen::VectorXd heat = Eigen::VectorXd::Ones(triangulation.number_of_vertices());
+    const Eigen::VectorXd u = problem.solve(heat, Eigen::VectorXd::Zero(triangulation.number_of_vertices()));
+    for(Mesh::Vertex_index v : mesh.vertices())
+      temperature[v] = u[triangulation.index(v)];
+    std::cout << "Kept at 0 at " << network.halfedges(0).size() + 1 << " vertices on a geodesic; largest value "
+              << u.maxCoeff() << ".\n";
+  } catch(const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+
+  std::ofstream out("poisson.ply");
+  out.precision(17);
+  return CGAL::IO::write_PLY(out, mesh) && out.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
