@@ -165,6 +165,10 @@ cat "$results/table.txt"
 echo
 echo "Surfaces with curves to look at, for example with MeshLab or ParaView:"
 ls "$results"/*.ply "$results"/*.obj "$results"/*.vtp
+"$program" "$scan" --random 8 --seed 1 --quiet --page "$results/scan.html"
+"$program" "$torus" --loop "$results/torus_loops.txt" --quiet --page "$results/torus_loops.html"
+echo "Pages for a browser, with the curves and the flips step by step:"
+ls "$results"/*.html
 if [ ${#faults[@]} -ne 0 ]; then
   fail "the checker finds fault with curves, see ${faults[*]}"
 fi

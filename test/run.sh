@@ -15,7 +15,7 @@ set -euo pipefail
 smoke_tests=(test_checker test_edge_path_graph)
 
 packages=(g++ clang cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev libeigen3-dev
-          libtbb-dev libcli11-dev)
+          libtbb-dev libcli11-dev python3)
 # Some 250 packages come along with this one, therefore not for everybody.
 full_packages=(libopenmesh-dev)
 

@@ -5,6 +5,8 @@
 
 #include "curve_input.h"
 #include "progress.h"
+#include "scene.h"
+#include "shortening_recorder.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -59,6 +61,27 @@ struct Run_options
   std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
 };
 
+/// Passes flips on to the progress, and steps to a recorder if there is one.
+template <class Network>
+class Recording_visitor : public Progress_visitor
+{
+public:
+  Recording_visitor(Progress& progress, std::optional<Shortening_recorder<Network>>& recorder)
+    : Progress_visitor(progress)
+    , m_recorder(recorder)
+  {
+  }
+
+  void after_flip_out(const Network&, Index curve)
+  {
+    if(m_recorder)
+      m_recorder->add_step(curve);
+  }
+
+private:
+  std::optional<Shortening_recorder<Network>>& m_recorder;
+};
+
 /// The mesh's own metric.
 using Metric = CGAL::Flip_geodesics::Embedded_metric<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point_3>>;
 
@@ -92,6 +115,7 @@ public:
     std::vector<Curve_result> results;
     for(const Curve_request& curve : request.curves)
       results.push_back(make_result(curve));
+    m_record.reset();
     try {
       Network network(m_triangulation);
       build(network, request, results);
@@ -101,12 +125,19 @@ public:
       network.clear();
       m_triangulation.rollback();
     } catch(const std::exception& error) {
+      m_record.reset();
       for(Curve_result& result : results)
         fail(result, error.what());
       m_triangulation = Triangulation(m_mesh, m_metric); // whatever state the failure left
     }
     return results;
   }
+
+  /// Has the steps of the next runs recorded, in up to so many points per run; 0 is none.
+  void set_most_recorded_points(std::size_t count) { m_most_recorded_points = count; }
+
+  /// The record of the last run, if it was wanted and has not failed.
+  const std::optional<Shortening_record>& record() const { return m_record; }
 
   /// Looks for curves that cross, which no order of their strands can mend. \throws Bad_input
   void check(const Network_request& request)
@@ -173,11 +204,15 @@ private:
   void shorten(Network& network, std::vector<Curve_result>& results)
   {
     namespace FG = CGAL::Flip_geodesics;
+    std::optional<Shortening_recorder<Network>> recorder;
+    if(m_most_recorded_points > 0)
+      recorder.emplace(network, m_most_recorded_points);
     const Stopwatch stopwatch;
-    Progress_visitor visitor(m_progress);
+    Recording_visitor<Network> visitor(m_progress, recorder);
     const FG::Shortening_report report =
         m_options.stop_length ? FG::shorten(network, FG::Length_ratio_stop_predicate(*m_options.stop_length), visitor)
                               : FG::shorten(network, FG::Never_stop_predicate(), visitor);
+    const double seconds = stopwatch.seconds();
     for(std::size_t c = 0; c < results.size(); ++c) {
       const FG::Curve_report& curve = report.curves[c];
       results[c].initial_length = curve.initial_length;
@@ -186,8 +221,10 @@ private:
       results[c].flip_outs = report.flip_outs;
       results[c].smallest_angle = curve.smallest_angle;
       results[c].status = to_string(curve.status);
-      results[c].shorten_s = stopwatch.seconds();
+      results[c].shorten_s = seconds;
     }
+    if(recorder)
+      m_record = recorder->finish();
   }
 
   void extract(Network& network, std::vector<Curve_result>& results)
@@ -215,6 +252,8 @@ private:
   Metric_ m_metric;
   Run_options m_options;
   Progress& m_progress;
+  std::size_t m_most_recorded_points = 0;
+  std::optional<Shortening_record> m_record;
   Triangulation m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
 };

@@ -7,6 +7,7 @@
 #include "curve_input.h"
 #include "curve_runner.h"
 #include "mesh_input.h"
+#include "page_file.h"
 #include "progress.h"
 #include "result_files.h"
 #include "run_summary.h"
@@ -20,6 +21,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <iostream>
 #include <optional>
@@ -42,7 +44,7 @@ struct Options
   std::uint64_t seed = 1;
   std::string kernel = "double", search = "astar";
   std::optional<double> stop_length, mollify;
-  std::string polylines, stats, viewer;
+  std::string polylines, stats, viewer, page;
   bool is_quiet = false;
 };
 
@@ -67,7 +69,9 @@ void add_options(CLI::App& app, Options& options)
                  "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
   app.add_option("--polylines", options.polylines, "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
   app.add_option("--stats", options.stats, "Write a line per curve, comma-separated, with a header");
-  app.add_option("--mesh", options.viewer, "Write surface and curves for a viewer: .obj, .ply or .vtp");
+  app.add_option("--mesh", options.viewer,
+                 "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
+  app.add_option("--page", options.page, "Write a page for a browser: surface, curves, and the flips step by step");
   app.add_flag("--quiet", options.is_quiet, "No table and no progress");
 }
 
@@ -116,36 +120,68 @@ public:
     : m_polylines(options.polylines)
     , m_stats(options.stats)
     , m_viewer(options.viewer)
+    , m_page(options.page)
   {
+    m_scene.title = options.mesh.substr(options.mesh.find_last_of("/\\") + 1);
   }
 
-  void write(const std::vector<Curve_result>& run)
+  /// How many points of the next run are to be recorded for the page.
+  std::size_t most_recorded_points() const { return m_page.is_wanted() ? m_most_recorded_points : 0; }
+
+  void write(const std::vector<Curve_result>& run, const std::optional<Shortening_record>& record)
   {
     for(std::size_t i = 0; i < run.size(); ++i, ++m_curve) {
       m_polylines.write(m_curve, run[i]);
       m_stats.write(m_curve, run[i]);
-      m_viewer.add(m_curve, run[i]);
       m_summary.add(m_curve, run[i], i > 0);
+      if(m_viewer.is_wanted() || m_page.is_wanted())
+        m_scene.curves.push_back(scene_curve(run[i]));
       if(run[i].is_error())
         std::cerr << "flip_geodesics: curve " << m_curve << " (" << run[i].name << "): " << run[i].error << '\n';
       m_has_failed = m_has_failed || run[i].is_error();
     }
+    ++m_run;
+    if(!m_page.is_wanted())
+      return;
+    m_scene.records.push_back(record.value_or(Shortening_record()));
+    m_most_recorded_points -= (std::min)(m_most_recorded_points, number_of_points(m_scene.records.back()));
   }
 
   void close(const Mesh& mesh)
   {
     m_polylines.close();
     m_stats.close();
-    m_viewer.write(mesh);
+    m_viewer.write(mesh, m_scene);
+    m_page.write(mesh, m_scene);
   }
 
   const Run_summary& summary() const { return m_summary; }
   bool has_failed() const { return m_has_failed; }
 
 private:
+  Scene_curve scene_curve(const Curve_result& r) const
+  {
+    Scene_curve curve = {m_curve,
+                         r.name,
+                         r.status,
+                         r.certificate,
+                         r.initial_length,
+                         r.length,
+                         r.flips,
+                         r.source == CGAL::Flip_geodesics::null_index,
+                         m_run,
+                         {}};
+    for(const Curve_point& p : r.points)
+      curve.points.push_back(p.in_space);
+    return curve;
+  }
+
   Polylines_file m_polylines;
   Stats_file m_stats;
   Viewer_file m_viewer;
+  Page_file m_page;
+  Scene m_scene;
+  std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
   Run_summary m_summary;
   std::size_t m_curve = 0;
   bool m_has_failed = false;
@@ -171,7 +207,9 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
 
   Outputs outputs(options);
   for(const Network_request& request : requests) {
-    outputs.write(runner.run(request));
+    runner.set_most_recorded_points(outputs.most_recorded_points());
+    const std::vector<Curve_result> results = runner.run(request);
+    outputs.write(results, runner.record());
     progress.add_curves(request.curves.size());
   }
   outputs.close(mesh);

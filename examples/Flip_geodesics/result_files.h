@@ -23,7 +23,7 @@ public:
   {
     if(m_name.empty())
       return;
-    m_out.open(m_name);
+    m_out.open(m_name, std::ios::binary);
     m_out.precision(std::numeric_limits<double>::max_digits10);
     if(!m_out)
       throw Bad_input(m_name + ": cannot be written; choose another place");

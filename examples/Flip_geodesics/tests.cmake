@@ -89,6 +89,42 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
                                   zero_length.txt)
 
+  # What is written for viewers is read back by readers that share nothing with the program.
+  find_package(Python3 COMPONENTS Interpreter QUIET)
+  find_program(FLIP_GEODESICS_CHROMIUM NAMES chromium chromium-browser google-chrome
+               DOC "A browser to load pages of flip_geodesics with; none if it is not found")
+  mark_as_advanced(FLIP_GEODESICS_CHROMIUM)
+  if(NOT Python3_Interpreter_FOUND)
+    message(STATUS "Flip_geodesics: files for viewers are NOT checked, because there is no Python 3")
+  elseif(NOT FLIP_GEODESICS_CHROMIUM)
+    message(STATUS "Flip_geodesics: pages are not loaded by a browser in tests, because there is no Chromium")
+  endif()
+  # flip_geodesics_add_viewer_test(name arguments...)
+  function(flip_geodesics_add_viewer_test name)
+    if(Python3_Interpreter_FOUND)
+      add_test(
+        NAME viewer_files_${name}
+        COMMAND
+          ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_viewer_files.py --program
+          $<TARGET_FILE:flip_geodesics> --mesh torus.off -- ${ARGN}
+        WORKING_DIRECTORY ${example_dir})
+      set_tests_properties(viewer_files_${name} PROPERTIES FIXTURES_REQUIRED program_input)
+    endif()
+  endfunction()
+  flip_geodesics_add_viewer_test(pairs --random 8)
+  flip_geodesics_add_viewer_test(network --network network.txt)
+  flip_geodesics_add_viewer_test(contracted --loop trivial_loop.txt)
+  if(Python3_Interpreter_FOUND AND FLIP_GEODESICS_CHROMIUM)
+    add_test(
+      NAME page_in_browser
+      COMMAND
+        ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_viewer_files.py --program
+        $<TARGET_FILE:flip_geodesics> --mesh torus.off --chromium ${FLIP_GEODESICS_CHROMIUM} -- --random 3
+      WORKING_DIRECTORY ${example_dir})
+    set_tests_properties(page_in_browser PROPERTIES FIXTURES_REQUIRED program_input)
+  endif()
+  add_test(NAME page_is_built COMMAND ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/page/check_sources.cmake)
+
   flip_geodesics_add_program_test(unknown_option 2 "--wrong" torus.off --wrong)
   flip_geodesics_add_program_test(no_curves 2 "--random" torus.off)
   flip_geodesics_add_program_test(two_sets_of_curves 2 "one of" torus.off --random 2 --pairs pairs.txt)
@@ -100,6 +136,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(unknown_search 2 "--search best" torus.off --random 2 --search best)
   flip_geodesics_add_program_test(bad_stop_length 2 "--stop-length" torus.off --random 2 --stop-length 2)
   flip_geodesics_add_program_test(unwritable 2 "no_such_folder/x" torus.off --random 2 --stats no_such_folder/x)
+  flip_geodesics_add_program_test(unwritable_page 2 "no_such_folder/x" torus.off --random 2 --page no_such_folder/x)
   flip_geodesics_add_program_test(viewer_format 2 "x.xyz" torus.off --random 2 --mesh x.xyz)
   flip_geodesics_add_program_test(out_of_range 2 "vertex 288" torus.off --from 0 --to 288)
   flip_geodesics_add_program_test(out_of_range_in_file 2 "far.txt line 2: vertex 400" torus.off --pairs far.txt)

@@ -3,12 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H
 
+#include "gltf_file.h"
 #include "result_files.h"
+#include "scene.h"
 
 #include <algorithm>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 // The surface and the curves in one file for a viewer: first the surface's vertices, then the curves' points.
@@ -18,33 +19,32 @@ namespace program {
 class Viewer_file
 {
 public:
-  /// The format follows from the extension: .obj, .ply or .vtp. An empty name means that nothing is to be written.
+  /// The format follows from the extension, see `write()`. An empty name means that nothing is to be written.
   explicit Viewer_file(const std::string& name)
-    : m_format(extension(name))
-    , m_file(check_format(name))
+    : m_format(check_format(name))
+    , m_file(name)
   {
   }
 
-  void add(std::size_t curve, const Curve_result& result)
-  {
-    if(!m_file.is_wanted() || result.points.empty())
-      return;
-    m_curves.push_back({curve, {}});
-    for(const Curve_point& p : result.points)
-      m_curves.back().points.push_back(p.in_space);
-    m_number_of_points += result.points.size();
-  }
+  bool is_wanted() const { return m_file.is_wanted(); }
 
-  void write(const Mesh& mesh)
+  void write(const Mesh& mesh, const Scene& scene)
   {
-    if(!m_file.is_wanted())
+    if(!is_wanted())
       return;
+    for(const Scene_curve& curve : scene.curves)
+      if(!curve.points.empty())
+        add(curve);
     if(m_format == "obj")
       write_obj(mesh);
     else if(m_format == "ply")
       write_ply(mesh);
-    else
+    else if(m_format == "vtp")
       write_vtp(mesh);
+    else if(m_format == "glb")
+      Gltf_writer(mesh, scene).write(out());
+    else
+      write_polylines();
     m_file.close();
   }
 
@@ -57,10 +57,20 @@ private:
 
   static std::string check_format(const std::string& name)
   {
-    const std::vector<std::string> known = {"obj", "ply", "vtp"};
+    const std::string polylines = ".polylines.txt";
+    if(name.size() > polylines.size() && name.compare(name.size() - polylines.size(), polylines.size(), polylines) == 0)
+      return "polylines";
+    const std::vector<std::string> known = {"obj", "ply", "vtp", "glb"};
     if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
-      throw Bad_input(name + ": the extension of --mesh tells the format; use .obj, .ply or .vtp");
-    return name;
+      throw Bad_input(name + ": the extension of --mesh tells the format; use .obj, .ply, .vtp, .glb or "
+                             ".polylines.txt");
+    return extension(name);
+  }
+
+  void add(const Scene_curve& curve)
+  {
+    m_curves.push_back({curve.number, curve.points});
+    m_number_of_points += curve.points.size();
   }
 
   std::ostream& out() { return m_file.stream(); }
@@ -175,6 +185,17 @@ private:
       out() << 3 * f << '\n';
     end_vtp_array();
     out() << "</Polys>\n";
+  }
+
+  // The polylines alone, as CGAL's demo reads them: a line each, the number of points and the points.
+  void write_polylines()
+  {
+    for(const Polyline& curve : m_curves) {
+      out() << curve.points.size();
+      for(const Point_3& p : curve.points)
+        out() << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
+      out() << '\n';
+    }
   }
 
   std::string m_format;

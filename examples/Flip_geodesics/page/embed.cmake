@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# flip_geodesics_embed_page(page header): writes a C++ header with the text of `page` in pieces that every compiler
+# takes, the mark @SCENE@ as one of its own.
+
+function(flip_geodesics_embed_page page header)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
+  file(READ "${page}" text)
+  string(FIND "${text}" "@SCENE@" mark)
+  if(mark EQUAL -1)
+    message(FATAL_ERROR "${page} has no mark @SCENE@")
+  endif()
+  math(EXPR behind_mark "${mark} + 7")
+  string(SUBSTRING "${text}" 0 ${mark} before)
+  string(SUBSTRING "${text}" ${behind_mark} -1 behind)
+  set(code "// Generated from ${page}\n#include <string_view>\n\nnamespace program {\n\n")
+  string(APPEND code "inline constexpr std::string_view page_template[] = {\n")
+  foreach(part IN ITEMS before mark behind)
+    if(part STREQUAL "mark")
+      string(APPEND code "\"@SCENE@\",\n")
+      continue()
+    endif()
+    string(LENGTH "${${part}}" length)
+    set(start 0)
+    while(start LESS length)
+      string(SUBSTRING "${${part}}" ${start} 15000 piece)
+      string(APPEND code "R\"~page~(${piece})~page~\",\n")
+      math(EXPR start "${start} + 15000")
+    endwhile()
+  endforeach()
+  string(APPEND code "};\n\n} // namespace program\n")
+  file(CONFIGURE OUTPUT "${header}" CONTENT "@code@" @ONLY)
+endfunction()

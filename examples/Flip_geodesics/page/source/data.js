@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The scene of the page: what is in the JSON, with its arrays decoded.
+
+function bytes(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const binary = atob(text);
+  const result = new Uint8Array(binary.length);
+  for (let i = 0; i < result.length; ++i) result[i] = binary.charCodeAt(i);
+  return result;
+}
+
+// Numbers of four bytes, the lowest first, on any machine.
+function numbers(text, ArrayType) {
+  const data = bytes(text);
+  if (new Uint8Array(new Uint32Array([1]).buffer)[0] !== 1)
+    for (let i = 0; i < data.length; i += 4) data.subarray(i, i + 4).reverse();
+  return new ArrayType(data.buffer, data.byteOffset, data.byteLength / 4);
+}
+
+const floats = (text) => numbers(text, Float32Array);
+const integers = (text) => numbers(text, Uint32Array);
+
+function readLists(array) {
+  const lists = [];
+  for (let i = 0; i < array.length; i += array[i] + 1) lists.push(Array.from(array.subarray(i + 1, i + 1 + array[i])));
+  return lists;
+}
+
+function readSteps(array) {
+  const steps = [];
+  for (let i = 0; i < array.length; ) {
+    const flips = [];
+    for (let n = array[i++]; n > 0; --n, i += 2) flips.push([array[i], array[i + 1]]);
+    const [curve, keptInFront, keptAtEnd, count] = array.subarray(i, i + 4);
+    i += 4;
+    steps.push({ flips, curve, keptInFront, keptAtEnd, inserted: Array.from(array.subarray(i, i + count)) });
+    i += count;
+  }
+  return steps;
+}
+
+function readRun(run) {
+  return {
+    points: floats(run.edgePoints),
+    starts: integers(run.edgeStarts),
+    inputEdges: integers(run.inputEdges),
+    curves: readLists(integers(run.curves)),
+    steps: readSteps(integers(run.steps)),
+    hasAllSteps: run.hasAllSteps,
+  };
+}
+
+export function readScene(text) {
+  const scene = JSON.parse(text);
+  return {
+    ...scene,
+    positions: floats(scene.positions),
+    corners: integers(scene.corners),
+    curvePoints: floats(scene.curvePoints),
+    curveStarts: integers(scene.curveStarts),
+    runs: scene.runs.map(readRun),
+  };
+}

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Puts the parts together: the scene of the page, the stage that draws it, and the panel.
+
+import { Color } from 'three';
+import { readScene } from './data.js';
+import { Playback } from './playback.js';
+import { Stage } from './stage.js';
+
+const palettes = {
+  light: ['#c2121b', '#0b4fb3', '#0a7a3d', '#b35900', '#7a1fa2', '#00788a', '#a8136f', '#5b5f00'],
+  dark: ['#ff6b6b', '#6fb1ff', '#5fd38d', '#ffb057', '#c792ea', '#4dd0e1', '#ff7ac6', '#d4d45a'],
+};
+const mostRows = 300; // of the legend
+const at = (id) => document.getElementById(id);
+const format = (x) => (x === null ? '?' : Number(x).toPrecision(6));
+const plural = (n, word) => `${n.toLocaleString('en')} ${word}${n === 1 ? '' : 's'}`;
+
+class Page {
+  constructor(scene) {
+    this.scene = scene;
+    this.stage = new Stage(at('view'), scene);
+    this.stage.controls.addEventListener('start', () => (this.stage.isMoved = true));
+    this.shown = scene.curves.map(() => true);
+    this.chooseTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+    at('title').textContent = scene.title;
+    document.title = `${scene.title} - geodesic curves`;
+    at('facts').textContent = `${plural(scene.vertices, 'vertex').replace('vertexs', 'vertices')}, ${plural(scene.triangles, 'triangle')}`;
+    this.fillLegend();
+    this.stage.setShowsHidden(at('show-hidden').checked);
+    at('smooth').checked = this.stage.isSmooth();
+    this.stage.setSmooth(at('smooth').checked);
+    this.chooseRun(scene.curves.length > 0 ? scene.curves[0].run : 0, 0);
+    this.stage.findHome();
+    this.listen();
+  }
+
+  color(i) {
+    const palette = palettes[this.theme];
+    return palette[i % palette.length];
+  }
+
+  chooseTheme(theme) {
+    this.theme = theme;
+    document.documentElement.dataset.theme = theme;
+    this.stage.setTheme(theme);
+    document.querySelectorAll('#curves .swatch').forEach((swatch, i) => (swatch.style.background = this.color(i)));
+  }
+
+  fillLegend() {
+    const { curves } = this.scene;
+    at('legend-title').textContent = plural(curves.length, 'curve');
+    curves.slice(0, mostRows).forEach((curve, i) => at('curves').append(this.legendRow(curve, i)));
+    if (curves.length > mostRows) at('more').textContent = `and ${curves.length - mostRows} more, all drawn`;
+  }
+
+  legendRow(curve, i) {
+    const row = document.createElement('li');
+    const box = document.createElement('input');
+    box.type = 'checkbox';
+    box.checked = true;
+    box.setAttribute('aria-label', `Show curve ${curve.number}`);
+    box.addEventListener('change', () => {
+      this.shown[i] = box.checked;
+      this.drawCurves();
+    });
+    const button = document.createElement('button');
+    const swatch = document.createElement('span');
+    swatch.className = 'swatch';
+    swatch.style.background = this.color(i);
+    const numbers = document.createElement('span');
+    numbers.className = 'numbers';
+    const share = curve.initialLength > 0 ? `${((100 * curve.length) / curve.initialLength).toFixed(2)} % of its edge path, ` : '';
+    const status = document.createElement('span');
+    status.textContent = curve.status + (curve.certificate === 'none' ? '' : `, ${curve.certificate}`);
+    if (curve.status !== 'LOCALLY_SHORTEST') status.className = 'other';
+    numbers.append(share, status);
+    const length = document.createElement('span');
+    length.className = 'length';
+    length.textContent = format(curve.length);
+    button.append(swatch, `curve ${curve.number}${curve.closed ? ', closed' : ''}`, length, numbers);
+    button.title = curve.name;
+    button.addEventListener('click', () => this.chooseRun(curve.run, i));
+    row.append(box, button);
+    return row;
+  }
+
+  // The run whose steps are played and whose triangulation is shown.
+  chooseRun(run, curve) {
+    this.pause();
+    this.runNumber = run;
+    this.run = this.scene.runs[run];
+    this.firstOfRun = this.scene.curves.findIndex((c) => c.run === run);
+    this.playback = this.run && this.run.steps.length + this.run.inputEdges.length > 0 ? new Playback(this.run) : null;
+    this.quietRun = undefined;
+    document.querySelectorAll('#curves button').forEach((b, i) => b.setAttribute('aria-pressed', String(i === curve)));
+    const together = this.scene.curves.filter((c) => c.run === run).length > 1;
+    this.curve = curve;
+    at('run-name').textContent = together ? 'the curves were' : `curve ${this.scene.curves[curve]?.number ?? ''}`;
+    at('player').hidden = !this.playback || this.playback.length === 0;
+    at('show-intrinsic').disabled = !this.playback;
+    at('step').max = this.playback ? this.playback.length : 0;
+    this.goTo(this.playback ? this.playback.length : 0);
+  }
+
+  goTo(step) {
+    if (this.playback) {
+      this.playback.goTo(Math.max(0, Math.min(step, this.playback.length)));
+      at('step').value = this.playback.step;
+      at('step-text').textContent = this.describeStep();
+      document.documentElement.dataset.step = this.playback.step;
+    }
+    this.drawCurves();
+    this.drawEdges();
+  }
+
+  describeStep() {
+    const { step, length, flips } = this.playback;
+    const merged = !this.run.hasAllSteps && step === length ? ' (the last ones in one)' : '';
+    const curves = this.playback.curves.map((_, k) => this.playback.curveLength(k));
+    const sum = curves.reduce((a, b) => a + b, 0) * this.scene.radius;
+    return `step ${step} of ${length}${merged}, ${plural(flips, 'flip')}, length ${format(sum)}`;
+  }
+
+  // The finished curve, or where it is at the step that is shown.
+  curvePieces(i) {
+    const { curves, curveStarts, curvePoints } = this.scene;
+    if (this.playback && curves[i].run === this.runNumber && this.playback.step < this.playback.length)
+      return this.playback.curvePieces(i - this.firstOfRun);
+    const pieces = [];
+    for (let k = curveStarts[i]; k + 1 < curveStarts[i + 1]; ++k)
+      pieces.push(...curvePoints.subarray(3 * k, 3 * k + 6));
+    return pieces;
+  }
+
+  curveEnds(i) {
+    const { curves, curveStarts, curvePoints } = this.scene;
+    const [first, end] = [curveStarts[i], curveStarts[i + 1]];
+    if (curves[i].closed || first === end) return [];
+    return [...curvePoints.subarray(3 * first, 3 * first + 3), ...curvePoints.subarray(3 * end - 3, 3 * end)];
+  }
+
+  drawCurves() {
+    const curves = [];
+    this.scene.curves.forEach((_, i) => {
+      if (!this.shown[i]) return;
+      curves.push({ pieces: this.curvePieces(i), ends: this.curveEnds(i), color: new Color(this.color(i)) });
+    });
+    document.documentElement.dataset.curvePieces = this.stage.setCurves(curves);
+  }
+
+  drawEdges() {
+    const shows = at('show-intrinsic').checked && this.playback !== null;
+    if (shows && this.quietRun !== this.runNumber) {
+      this.quietRun = this.runNumber;
+      const touched = [];
+      for (let i = 0; i < this.run.inputEdges.length; i += 3) touched.push(this.run.inputEdges[i + 1], this.run.inputEdges[i + 2]);
+      this.stage.setQuietEdges(touched);
+    }
+    const pieces = shows ? this.playback.piecesOf(this.playback.edges) : [];
+    const fresh = shows ? this.playback.piecesOf(this.playback.fresh) : [];
+    document.documentElement.dataset.edgePieces = this.stage.setEdges(pieces, fresh, shows);
+  }
+
+  play() {
+    if (!this.playback || this.playback.length === 0) return;
+    if (this.playback.step === this.playback.length) this.goTo(0);
+    at('show-intrinsic').checked = true;
+    at('play').textContent = '||';
+    at('play').setAttribute('aria-label', 'Pause');
+    // A short record takes half a second per step, a long one twenty seconds in all.
+    const period = Math.max(16, Math.min(500, 20000 / this.playback.length));
+    const stride = Math.max(1, Math.ceil((16 * this.playback.length) / 20000));
+    this.timer = setInterval(() => {
+      this.goTo(this.playback.step + stride);
+      if (this.playback.step === this.playback.length) this.pause();
+    }, period);
+  }
+
+  pause() {
+    clearInterval(this.timer);
+    this.timer = undefined;
+    at('play').textContent = '\u25B6';
+    at('play').setAttribute('aria-label', 'Play');
+  }
+
+  togglePlay() {
+    if (this.timer) this.pause();
+    else this.play();
+  }
+
+  stepBy(count) {
+    this.pause();
+    if (this.playback) this.goTo(this.playback.step + count);
+  }
+
+  toggle(id) {
+    if (at(id).disabled) return;
+    at(id).checked = !at(id).checked;
+    at(id).dispatchEvent(new Event('change'));
+  }
+
+  listen() {
+    const actions = {
+      'to-start': () => this.stepBy(-Infinity), 'step-back': () => this.stepBy(-1), play: () => this.togglePlay(),
+      'step-on': () => this.stepBy(1), 'to-end': () => this.stepBy(Infinity), reset: () => this.stage.reset(),
+      theme: () => this.switchTheme(), focus: () => this.focus(),
+    };
+    for (const [id, action] of Object.entries(actions)) at(id).addEventListener('click', action);
+    at('step').addEventListener('input', () => this.stepBy(Number(at('step').value) - this.playback.step));
+    at('show-intrinsic').addEventListener('change', () => this.drawEdges());
+    at('show-mesh').addEventListener('change', () => this.stage.showMeshEdges(at('show-mesh').checked));
+    at('show-hidden').addEventListener('change', () => this.stage.setShowsHidden(at('show-hidden').checked));
+    at('smooth').addEventListener('change', () => this.stage.setSmooth(at('smooth').checked));
+    addEventListener('keydown', (event) => this.onKey(event));
+  }
+
+  switchTheme() {
+    this.chooseTheme(this.theme === 'dark' ? 'light' : 'dark');
+    this.drawCurves();
+  }
+
+  focus() {
+    if (this.curve < this.scene.curves.length) this.stage.goTo(this.curvePieces(this.curve));
+  }
+
+  onKey(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const angle = Math.PI / 24;
+    const keys = {
+      ArrowLeft: () => this.stage.turn(-angle, 0), ArrowRight: () => this.stage.turn(angle, 0),
+      ArrowUp: () => this.stage.turn(0, -angle), ArrowDown: () => this.stage.turn(0, angle),
+      '+': () => this.stage.zoom(1 / 1.15), '=': () => this.stage.zoom(1 / 1.15), '-': () => this.stage.zoom(1.15),
+      ',': () => this.stepBy(-1), '.': () => this.stepBy(1), Home: () => this.stepBy(-Infinity),
+      End: () => this.stepBy(Infinity), ' ': () => this.togglePlay(), e: () => this.toggle('show-intrinsic'),
+      m: () => this.toggle('show-mesh'), h: () => this.toggle('show-hidden'), s: () => this.toggle('smooth'),
+      r: () => this.stage.reset(), t: () => this.switchTheme(), f: () => this.focus(),
+    };
+    const action = keys[event.key];
+    // The slider has its own arrows, and a button or a box its own space.
+    const { target } = event;
+    const isOwn = target.tagName === 'INPUT' ? (target.type === 'range' ? /Arrow|Home|End/ : / /) : target.tagName === 'BUTTON' ? / / : /$^/;
+    if (!action || isOwn.test(event.key)) return;
+    event.preventDefault();
+    action();
+  }
+}
+
+function start() {
+  try {
+    const page = new Page(readScene(at('scene').textContent));
+    at('scene').textContent = ''; // free the text of large meshes
+    at('message').textContent = '';
+    page.stage.draw();
+    document.documentElement.dataset.state = 'ready';
+  } catch (error) {
+    document.documentElement.dataset.state = 'failed';
+    at('message').textContent = `This page needs WebGL 2, and something went wrong: ${error.message}`;
+  }
+}
+
+// The browser paints the message first: decoding a large mesh takes a moment.
+requestAnimationFrame(() => setTimeout(start, 0));

@@ -1,0 +1,311 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Reads back what flip_geodesics writes for viewers, without any code of the program, and compares it with the mesh,
+the points of --polylines and the lengths of --stats.
+
+    check_viewer_files.py --program flip_geodesics --mesh FILE.off [--chromium BROWSER] -- ARGUMENTS OF THE PROGRAM
+"""
+
+import argparse
+import base64
+import csv
+import json
+import math
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+from pathlib import Path
+
+
+def check(condition, message):
+    if not condition:
+        raise SystemExit(f'check_viewer_files: {message}')
+
+
+def read_off(path):
+    words = iter(path.read_text().split())
+    check(next(words) == 'OFF', f'{path} is no OFF file')
+    vertices, faces, _ = (int(next(words)) for _ in range(3))
+    points = [tuple(float(next(words)) for _ in range(3)) for _ in range(vertices)]
+    return points, [tuple(int(next(words)) for _ in range(int(next(words)))) for _ in range(faces)]
+
+
+def read_polylines(path):
+    curves = {}
+    for line in path.read_text().splitlines():
+        words = line.split()
+        curves.setdefault(int(words[0]), []).append(tuple(map(float, words[4:7])))
+    return curves
+
+
+def read_obj(path):
+    points, faces, curves, curve = [], [], {}, None
+    for line in path.read_text().splitlines():
+        word, *rest = line.split()
+        if word == 'v':
+            points.append(tuple(map(float, rest)))
+        elif word == 'f':
+            faces.append(tuple(int(i) - 1 for i in rest))
+        elif word == 'o' and rest[0].startswith('curve_'):
+            curve = int(rest[0][len('curve_'):])
+        elif word == 'l':
+            curves[curve] = [int(i) - 1 for i in rest]
+    return points, faces, {c: [points[i] for i in line] for c, line in curves.items()}
+
+
+def read_ply(path):
+    lines = iter(path.read_text().splitlines())
+    counts = {}
+    for line in lines:
+        words = line.split()
+        if words[0] == 'element':
+            counts[words[1]] = int(words[2])
+        if words[0] == 'end_header':
+            break
+    points = [tuple(map(float, next(lines).split())) for _ in range(counts['vertex'])]
+    faces = [tuple(map(int, next(lines).split()))[1:] for _ in range(counts['face'])]
+    curves = {}
+    for _ in range(counts['edge']):
+        a, b, curve = map(int, next(lines).split())
+        line = curves.setdefault(curve, [a])
+        check(line[-1] == a, f'{path}: the edges of curve {curve} are no chain')
+        line.append(b)
+    check(next(lines, None) is None, f'{path}: there is more in it than the header says')
+    return points, faces, {c: [points[i] for i in line] for c, line in curves.items()}
+
+
+def read_vtp(path):
+    piece = xml.etree.ElementTree.parse(path).getroot().find('PolyData/Piece')
+    numbers = [float(x) for x in piece.find('Points/DataArray').text.split()]
+    points = list(zip(numbers[0::3], numbers[1::3], numbers[2::3]))
+    check(len(points) == int(piece.get('NumberOfPoints')), f'{path}: another number of points than announced')
+
+    def cells(kind):
+        arrays = {a.get('Name'): [int(x) for x in a.text.split()] for a in piece.find(kind)}
+        starts = [0] + arrays['offsets']
+        check(len(arrays['offsets']) == int(piece.get(f'NumberOf{kind}')), f'{path}: another number of {kind}')
+        check(starts[-1] == len(arrays['connectivity']), f'{path}: the offsets of {kind} do not end at their end')
+        return [tuple(arrays['connectivity'][a:b]) for a, b in zip(starts, starts[1:])]
+
+    lines, faces = cells('Lines'), cells('Polys')
+    numbers = [int(x) for x in piece.find('CellData/DataArray').text.split()]
+    check(numbers[len(lines):] == [-1] * len(faces), f'{path}: faces belong to curve -1')
+    return points, faces, {c: [points[i] for i in line] for c, line in zip(numbers, lines)}
+
+
+def read_polylines_txt(path):
+    lines = []
+    for line in path.read_text().splitlines():
+        count, *rest = line.split()
+        numbers = [float(x) for x in rest]
+        check(len(numbers) == 3 * int(count), f'{path}: a line has another number of points than it says')
+        lines.append(list(zip(numbers[0::3], numbers[1::3], numbers[2::3])))
+    return lines
+
+
+def read_glb(path):
+    data = path.read_bytes()
+    magic, version, total = struct.unpack('<4sII', data[:12])
+    check((magic, version, total) == (b'glTF', 2, len(data)), f'{path}: not a header of glTF 2')
+    chunks, at = [], 12
+    while at < len(data):
+        size, kind = struct.unpack('<I4s', data[at:at + 8])
+        check(size % 4 == 0 and at + 8 + size <= len(data), f'{path}: a chunk of {size} bytes')
+        chunks.append((kind, data[at + 8:at + 8 + size]))
+        at += 8 + size
+    check([kind for kind, _ in chunks] == [b'JSON', b'BIN\0'], f'{path}: not one JSON and one BIN chunk')
+    scene, binary = json.loads(chunks[0][1]), chunks[1][1]
+    (root,) = scene['scenes'][scene['scene']]['nodes']
+    move = scene['nodes'][root]['translation']
+
+    def values(index):
+        accessor = scene['accessors'][index]
+        view = scene['bufferViews'][accessor['bufferView']]
+        width = {'SCALAR': 1, 'VEC3': 3}[accessor['type']]
+        check(view['byteLength'] == 4 * width * accessor['count'], f'{path}: accessor {index} does not fill its view')
+        check(view['byteOffset'] + view['byteLength'] <= scene['buffers'][0]['byteLength'] <= len(binary),
+              f'{path}: view of accessor {index} is outside the buffer')
+        code = {5126: 'f', 5125: 'I'}[accessor['componentType']]
+        numbers = struct.unpack_from(f'<{width * accessor["count"]}{code}', binary, view['byteOffset'])
+        if width == 1:
+            return numbers
+        for i in range(3):
+            check((min(numbers[i::3]), max(numbers[i::3])) == (accessor['min'][i], accessor['max'][i]),
+                  f'{path}: the bounds of accessor {index} are not those of its points')
+        return [tuple(x + m for x, m in zip(numbers[k:k + 3], move)) for k in range(0, len(numbers), 3)]
+
+    points, faces, curves = [], [], {}
+    for i in scene['nodes'][root]['children']:
+        node = scene['nodes'][i]
+        (primitive,) = scene['meshes'][node['mesh']]['primitives']
+        positions = values(primitive['attributes']['POSITION'])
+        if node['name'] == 'surface':
+            check(primitive['mode'] == 4, f'{path}: the surface has mode {primitive["mode"]}')
+            corners = values(primitive['indices'])
+            points, faces = positions, [tuple(corners[k:k + 3]) for k in range(0, len(corners), 3)]
+        else:
+            check(primitive['mode'] == 3, f'{path}: a curve has mode {primitive["mode"]}')
+            curves[int(node['name'][len('curve_'):])] = positions
+    return points, faces, curves
+
+
+class Page:
+    """The scene in a page: its data are checked by themselves, and replayed."""
+
+    def __init__(self, path):
+        text = path.read_text()
+        self.path = path
+        found = re.findall(r'<script type="application/json" id="scene">(.*?)</script>', text, re.S)
+        check(len(found) == 1, f'{path}: not one scene')
+        check(not re.search(r'<(script|link|img|iframe)[^>]*\b(src|href)=', text), f'{path}: loads another file')
+        check('three.js' in text[:2000] and 'MIT License' in text[:2000], f'{path}: the library has no licence')
+        self.scene = json.loads(found[0])
+        self.points = self.to_points(self.scene['positions'])
+        corners = self.integers(self.scene['corners'])
+        self.faces = [tuple(corners[k:k + 3]) for k in range(0, len(corners), 3)]
+        lines = self.polylines(self.scene['curvePoints'], self.scene['curveStarts'])
+        self.curves = {c['number']: line for c, line in zip(self.scene['curves'], lines) if line}
+
+    @staticmethod
+    def integers(text):
+        data = base64.b64decode(text, validate=True)
+        return struct.unpack(f'<{len(data) // 4}I', data)
+
+    def to_points(self, text):
+        data = base64.b64decode(text, validate=True)
+        numbers = struct.unpack(f'<{len(data) // 4}f', data)
+        center, radius = self.scene['center'], self.scene['radius']
+        return [tuple(c + radius * x for c, x in zip(center, numbers[k:k + 3])) for k in range(0, len(numbers), 3)]
+
+    def polylines(self, points, starts):
+        points, starts = self.to_points(points), self.integers(starts)
+        check(starts[0] == 0 and starts[-1] == len(points), f'{self.path}: polylines do not fill their points')
+        return [points[a:b] for a, b in zip(starts, starts[1:])]
+
+    def replay(self, number, run, statistics):
+        """Takes the steps of a run, from the path of edges to the finished curves. Returns how many there are."""
+        edges = self.polylines(run['edgePoints'], run['edgeStarts'])
+        inputs = self.integers(run['inputEdges'])
+        present = set(inputs[0::3])
+        sides = {tuple(sorted((f[i], f[(i + 1) % 3]))) for f in self.faces for i in range(3)}
+        for edge, a, b in zip(inputs[0::3], inputs[1::3], inputs[2::3]):
+            check(tuple(sorted((a, b))) in sides, f'{self.path}: {a} and {b} share no edge of the mesh')
+            check(edges[edge] == [self.points[a], self.points[b]], f'{self.path}: edge {edge} lies elsewhere')
+        lists, curves, numbers = list(self.integers(run['curves'])), [], iter(self.integers(run['steps']))
+        while lists:
+            curves.append(lists[1:1 + lists[0]])
+            del lists[:1 + lists[0]]
+        members = [c for c in self.scene['curves'] if c['run'] == number]
+        check(len(curves) == len(members), f'{self.path}: run {number} has {len(curves)} curves')
+        tolerance = 1e-5 * self.scene['radius']
+
+        def line(curve):
+            result = []
+            for segment in curves[curve]:
+                check(segment // 2 in present, f'{self.path}: a segment runs along an edge that is not there')
+                piece = edges[segment // 2][::-1 if segment % 2 else 1]
+                check(not result or result[-1] == piece[0], f'{self.path}: segments of a curve do not meet')
+                result += piece if not result else piece[1:]
+            return result
+
+        for k, curve in enumerate(members):
+            check(abs(length(line(k)) - float(statistics[curve['number']]['initial_length'])) < tolerance,
+                  f'{self.path}: curve {curve["number"]} does not start as its edge path')
+        steps = flips = 0
+        for count in numbers:
+            before = sum(length(line(k)) for k in range(len(curves)))
+            for _ in range(count):
+                old, new = next(numbers), next(numbers)
+                check(old in present and new not in present, f'{self.path}: a flip from edge {old} to edge {new}')
+                present.remove(old)
+                present.add(new)
+            curve, front, end, inserted = (next(numbers) for _ in range(4))
+            curves[curve][front:len(curves[curve]) - end] = [next(numbers) for _ in range(inserted)]
+            after = sum(length(line(k)) for k in range(len(curves)))
+            check(after <= before + tolerance, f'{self.path}: step {steps} makes a curve longer')
+            steps, flips = steps + 1, flips + count
+        for k, curve in enumerate(members):
+            compare_lines(self.path, line(k), self.curves.get(curve['number'], []), tolerance)
+        check(flips <= int(statistics[members[0]['number']]['flips']), f'{self.path}: more flips than there were')
+        return steps
+
+
+def length(points):
+    return sum(math.dist(p, q) for p, q in zip(points, points[1:]))
+
+
+def compare_lines(path, found, expected, tolerance):
+    check(len(found) == len(expected), f'{path}: {len(found)} points instead of {len(expected)}')
+    for p, q in zip(found, expected):
+        check(math.dist(p, q) <= tolerance, f'{path}: a point at {p} instead of {q}')
+
+
+def compare(path, points, faces, curves, mesh, expected, tolerance):
+    compare_lines(path, points[:len(mesh[0])], mesh[0], tolerance)
+    check(faces == mesh[1], f'{path}: other faces than the mesh')
+    check(sorted(curves) == sorted(expected), f'{path}: curves {sorted(curves)} instead of {sorted(expected)}')
+    for curve, line in expected.items():
+        compare_lines(path, curves[curve], line, tolerance)
+
+
+def run_in_browser(browser, page):
+    with tempfile.TemporaryDirectory() as profile:
+        command = [browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+                   '--no-first-run', '--disable-background-networking', '--disable-component-update',
+                   '--disable-sync', f'--user-data-dir={profile}', '--virtual-time-budget=20000', '--dump-dom',
+                   page.path.resolve().as_uri()]
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=120, check=False)
+    element = re.search(r'<html[^>]*>', done.stdout.decode())
+    check(element is not None, f'{browser} did not load the page')
+    data = dict(re.findall(r'data-([a-z-]+)="([^"]*)"', element.group()))
+    check(data.get('state') == 'ready', f'the page in the browser: {data}')
+    pieces = sum(len(line) - 1 for line in page.curves.values())
+    check(int(data['curve-pieces']) == pieces, f'the browser draws {data["curve-pieces"]} pieces, not {pieces}')
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--program', required=True)
+    parser.add_argument('--mesh', required=True, type=Path)
+    parser.add_argument('--chromium')
+    parser.add_argument('arguments', nargs='+')
+    options = parser.parse_args()
+    mesh = read_off(options.mesh)
+    readers = {'obj': read_obj, 'ply': read_ply, 'vtp': read_vtp, 'glb': read_glb}
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        for kind in [*readers, 'polylines.txt']:
+            subprocess.run([options.program, options.mesh, *options.arguments, '--quiet',
+                            '--polylines', folder / 'points', '--stats', folder / 'stats.csv',
+                            '--page', folder / 'page.html', '--mesh', folder / f'viewer.{kind}'], check=True)
+        expected = read_polylines(folder / 'points')
+        with open(folder / 'stats.csv', encoding='ascii') as file:
+            statistics = {int(row['curve']): row for row in csv.DictReader(file)}
+        for curve, line in expected.items():
+            check(abs(length(line) - float(statistics[curve]['length'])) <= 1e-9 * length(line),
+                  f'curve {curve} has another length than its points')
+        size = max(math.dist(p, mesh[0][0]) for p in mesh[0])
+        for kind, read in readers.items():
+            tolerance = 1e-6 * size if kind == 'glb' else 0
+            compare(kind, *read(folder / f'viewer.{kind}'), mesh, expected, tolerance)
+        check(read_polylines_txt(folder / 'viewer.polylines.txt') == list(expected.values()),
+              'the polylines of CGAL are not the curves')
+        page = Page(folder / 'page.html')
+        compare('the page', page.points, page.faces, page.curves, mesh, expected, 1e-6 * size)
+        for curve in page.scene['curves']:
+            row = statistics[curve['number']]
+            check((curve['status'], curve['length']) == (row['status'], float(row['length'])),
+                  f'the page says something else of curve {curve["number"]} than the statistics')
+        steps = [page.replay(i, run, statistics) for i, run in enumerate(page.scene['runs'])]
+        check(sum(steps) > 0, 'the page has no steps')
+        if options.chromium:
+            run_in_browser(options.chromium, page)
+        print(f'{len(expected)} curves and {sum(steps)} steps read back from {len(readers) + 2} formats'
+              + (' and a browser' if options.chromium else ''))
+
+
+if __name__ == '__main__':
+    sys.exit(main())
