@@ -22,6 +22,7 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
 #include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_DELAUNAY_H
+#define CGAL_FLIP_GEODESICS_DELAUNAY_H
+
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Lawson_flips.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsDelaunay
+/// What `flip_to_delaunay()` did.
+struct Delaunay_report
+{
+  std::size_t flips = 0;
+  std::size_t constrained = 0; ///< edges that are not locally Delaunay, and that a curve holds
+  std::size_t remaining = 0;   ///< others of the edges in question; not zero only if a limit ended the process
+  bool is_complete() const { return remaining == 0; }
+};
+
+/// \ingroup PkgFlipGeodesicsDelaunay
+/// What the parameter `maximum_flips` of `flip_to_delaunay()` is if it is not given: a guard of the memory that the
+/// flip log takes. Ten flips an edge are much, unless faces are extremely thin.
+inline std::size_t default_maximum_of_flips(Index number_of_edges)
+{
+  return 1000000 + 1000 * static_cast<std::size_t>(number_of_edges);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsDelaunay
+ *
+ * Flips given edges of a triangulation until each is locally Delaunay, by Lawson's algorithm [Bobenko and Springborn
+ * 2007]; other edges stay. So, given all edges, the triangulation becomes an intrinsic Delaunay triangulation.
+ *
+ * Edges that are tied, since four points lie on one circle, are Delaunay both ways and are not flipped. With exact
+ * traits the process ends on every input: each flip lowers a function of the triangulation, of which there are finitely
+ * many below a given value. With `Intrinsic_triangulation_traits` ties have the width of its tolerance, and faces whose
+ * edges are flipped again and again are laid out afresh from the input, so that errors do not add up; `maximum_flips`
+ * is a guard. How many flips are needed depends on the shapes of faces: about one an edge on ordinary meshes, as many
+ * as the aspect ratio where a long thin cylinder is twisted.
+ *
+ * \param triangulation an `Intrinsic_triangulation`; edges under curves of its network are constrained, and stay
+ * \param edges a range of edge indices
+ * \param maximum_flips ends the process early; `Delaunay_report::is_complete()` tells
+ * \throws what is thrown when faces are first touched
+ *
+ * Complexity: linear in the flips and the edges given.
+ */
+template <class Triangulation, class EdgeRange>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, std::size_t maximum_flips)
+{
+  internal::Lawson_flips<Triangulation> lawson(triangulation);
+  for(Index e : edges)
+    lawson.allow(e);
+  Delaunay_report report;
+  report.flips = lawson.flip(maximum_flips);
+  for(Index e : edges)
+    if(!triangulation.is_locally_delaunay(2 * e))
+      ++(triangulation.label(e) != 0 ? report.constrained : report.remaining);
+  return report;
+}
+
+/// \ingroup PkgFlipGeodesicsDelaunay
+/// The same with the default limit.
+template <class Triangulation, class EdgeRange>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges)
+{
+  return flip_to_delaunay(triangulation, edges, default_maximum_of_flips(triangulation.number_of_edges()));
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsDelaunay
+ *
+ * The same for all edges: the result is the intrinsic Delaunay triangulation or, if a network lives in the
+ * triangulation, the intrinsic constrained Delaunay triangulation of its curves, the iCDT [SC20, section 6.3].
+ */
+template <class Triangulation>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation)
+{
+  return flip_to_delaunay(triangulation, internal::Index_range{0, triangulation.number_of_edges()});
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsDelaunay
+ *
+ * The edges near the curves of a network, in increasing order: of the faces that touch a vertex which a curve passes,
+ * and so on for `rings` rings of vertices. For local use of `flip_to_delaunay()`, at a cost that does not depend on the
+ * mesh.
+ */
+template <class Network>
+std::vector<Index> edges_near_curves(const Network& network, int rings = 1)
+{
+  const auto& triangulation = network.triangulation();
+  std::vector<Index> front, edges;
+  for(Index c = 0; c < network.number_of_curves(); ++c)
+    network.for_each_segment(c, [&](Index s) {
+      front.push_back(triangulation.tail(network.halfedge(s)));
+      front.push_back(triangulation.head(network.halfedge(s)));
+    });
+  const auto make_unique = [](std::vector<Index>& indices) {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  };
+  for(int ring = 0; ring < rings; ++ring) {
+    make_unique(front);
+    std::vector<Index> next_front = front;
+    for(Index v : front)
+      internal::for_each_edge_in_star(triangulation, v, [&](Index h) {
+        edges.push_back(h >> 1);
+        next_front.push_back(triangulation.tail(h));
+        next_front.push_back(triangulation.head(h));
+      });
+    front.swap(next_front);
+  }
+  make_unique(edges);
+  return edges;
+}
+
+/// \ingroup PkgFlipGeodesicsDelaunay
+/// Are all edges locally Delaunay, those under curves excepted? Exact where the traits are. Linear in the mesh.
+template <class Triangulation>
+bool is_delaunay(const Triangulation& triangulation)
+{
+  for(Index e = 0; e < triangulation.number_of_edges(); ++e)
+    if(triangulation.label(e) == 0 && !triangulation.is_locally_delaunay(2 * e))
+      return false;
+  return true;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_DELAUNAY_H

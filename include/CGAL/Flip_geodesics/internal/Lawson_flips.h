@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_LAWSON_FLIPS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_LAWSON_FLIPS_H
+
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+
+#include <cstddef>
+#include <deque>
+#include <unordered_map>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The integers from `first` to before `last`. */
+struct Index_range
+{
+  struct iterator
+  {
+    Index value;
+    Index operator*() const { return value; }
+    iterator& operator++()
+    {
+      ++value;
+      return *this;
+    }
+    bool operator!=(const iterator& other) const { return value != other.value; }
+  };
+
+  Index first, last;
+  iterator begin() const { return {first}; }
+  iterator end() const { return {last}; }
+};
+
+/* Calls function(h) for each edge of the faces around v. */
+template <class Triangulation, class Function>
+void for_each_edge_in_star(const Triangulation& triangulation, Index v, Function function)
+{
+  Index start = triangulation.outgoing(v);
+  if(start == null_index)
+    return;
+  for(Index h = triangulation.clockwise(start); h != null_index && h != triangulation.outgoing(v);
+      h = triangulation.clockwise(h))
+    start = h; // the last one before the border
+  if(triangulation.clockwise(start) != null_index)
+    start = triangulation.outgoing(v);
+  Index h = start;
+  do {
+    function(h);
+    if(!triangulation.is_border(h))
+      function(triangulation.next(h));
+    h = triangulation.counterclockwise(h);
+  } while(h != null_index && h != start);
+}
+
+/*
+ * Lawson's algorithm on a set of edges: flips those that are not locally Delaunay, first come, first served, and looks
+ * again at the four edges around. Edges with a label, under curves, stay.
+ */
+template <class Triangulation>
+class Lawson_flips
+{
+public:
+  explicit Lawson_flips(Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  /* Admits an edge to the set and queues it. */
+  void allow(Index e)
+  {
+    if(m_edges.emplace(e, Edge{true, 0}).second)
+      m_queue.push_back(e);
+  }
+
+  /* Queues an edge of the set again. */
+  void look_at(Index e)
+  {
+    const auto found = m_edges.find(e);
+    if(found == m_edges.end() || found->second.is_queued)
+      return;
+    found->second.is_queued = true;
+    m_queue.push_back(e);
+  }
+
+  /* Flips until nothing is left to flip, or so many flips are done. Returns how many were. */
+  std::size_t flip(std::size_t maximum)
+  {
+    std::size_t flips = 0;
+    while(!m_queue.empty() && flips < maximum) {
+      const Index e = m_queue.front(), h = 2 * e;
+      m_queue.pop_front();
+      Edge& edge = m_edges.at(e);
+      edge.is_queued = false;
+      if(m_triangulation.label(e) != 0 || m_triangulation.is_locally_delaunay(h) || !is_still_to_flip(edge, h))
+        continue;
+      m_triangulation.flip(h);
+      ++flips;
+      ++edge.flips;
+      for(Index side : {h, Triangulation::twin(h)}) {
+        look_at(Triangulation::edge(m_triangulation.next(side)));
+        look_at(Triangulation::edge(m_triangulation.previous(side)));
+      }
+    }
+    return flips;
+  }
+
+private:
+  struct Edge
+  {
+    bool is_queued;
+    unsigned flips;
+  };
+
+  // An edge that was flipped 32, 64, ... times is decided from the input, before drift can make it go round in circles.
+  bool is_still_to_flip(const Edge& edge, Index h)
+  {
+    if constexpr(Triangulation::Traits::Has_drift::value)
+      if(edge.flips >= 32 && (edge.flips & (edge.flips - 1)) == 0) {
+        refresh_face(m_triangulation, h);
+        refresh_face(m_triangulation, Triangulation::twin(h));
+        return !m_triangulation.is_locally_delaunay(h);
+      }
+    return true;
+  }
+
+  Triangulation& m_triangulation;
+  std::unordered_map<Index, Edge> m_edges;
+  std::deque<Index> m_queue;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_LAWSON_FLIPS_H

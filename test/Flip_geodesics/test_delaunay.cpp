@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Intrinsic Delaunay and constrained Delaunay triangulations: in the plane against CGAL's own, elsewhere by properties.
+
+#include "Curve_setting.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#define BOOST_TEST_MODULE delaunay
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Certified_traits = FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
+using Certified_setting = Basic_curve_setting<FG::Intrinsic_triangulation<Surface, Certified_traits>>;
+using Edge_set = std::set<std::pair<int, int>>;
+
+using Kernel_2 = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel_2>;
+using Structure =
+    CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel_2>>;
+using Planar_cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel_2, Structure>;
+
+// The constrained Delaunay triangulation of the mesh's points with its border and the given segments.
+Edge_set planar_cdt(const Surface& mesh, const Edge_set& segments)
+{
+  Planar_cdt cdt;
+  std::vector<Planar_cdt::Vertex_handle> handles;
+  for(auto v : mesh.vertices()) {
+    handles.push_back(cdt.insert({mesh.point(v).x(), mesh.point(v).y()}));
+    handles.back()->info() = static_cast<int>(v);
+  }
+  for(const auto& [a, b] : segments)
+    cdt.insert_constraint(handles[a], handles[b]);
+  for(auto e : mesh.edges())
+    if(mesh.is_border(e))
+      cdt.insert_constraint(handles[mesh.vertex(e, 0)], handles[mesh.vertex(e, 1)]);
+  Edge_set result;
+  for(const auto& e : cdt.finite_edges()) {
+    const int a = e.first->vertex(Planar_cdt::cw(e.second))->info();
+    const int b = e.first->vertex(Planar_cdt::ccw(e.second))->info();
+    result.insert(std::minmax(a, b));
+  }
+  return result;
+}
+
+template <class Setting>
+Edge_set edges_of(const Setting& s, bool only_curves)
+{
+  Edge_set result;
+  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
+    if(!only_curves || s.network.is_occupied(2 * e))
+      result.insert(std::minmax(s.triangulation.tail(2 * e), s.triangulation.head(2 * e)));
+  return result;
+}
+
+// Geodesics to random vertices from one, which do not cross, in the plane.
+template <class Setting>
+void add_star(Setting& s, int curves, Random_numbers& random)
+{
+  const int n = static_cast<int>(s.mesh.number_of_vertices()), source = random.below(n);
+  for(int i = 0; i < curves; ++i) {
+    const int target = random.below(n);
+    if(target == source)
+      continue;
+    s.add_path(source, target);
+    try {
+      FG::order_overlapping_curves(s.network);
+    } catch(const FG::Crossing_curves_error&) { // past the end of another one
+      s.network.clear();
+    }
+  }
+}
+
+template <class Setting>
+void check_planar(const Mesh_soup& soup, Random_numbers& random, int& curves)
+{
+  Setting s(soup);
+  add_star(s, 5, random);
+  curves += s.network.number_of_curves();
+  s.pull();
+  const Edge_set segments = edges_of(s, true);
+  const FG::Delaunay_report report = FG::flip_to_delaunay(s.triangulation);
+  BOOST_CHECK(report.is_complete());
+  BOOST_CHECK(FG::is_delaunay(s.triangulation));
+  BOOST_CHECK(s.network.is_valid());
+  BOOST_CHECK(edges_of(s, true) == segments);
+  BOOST_CHECK(edges_of(s, false) == planar_cdt(s.mesh, segments));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(planar_straight_line_graphs_as_by_the_2d_package)
+{
+  Random_numbers random(5);
+  int curves = 0;
+  for(unsigned seed = 1; seed <= 10; ++seed) {
+    check_planar<Curve_setting>(jittered_grid(9, 7, Diagonal_rule::RANDOM, 0.2, seed), random, curves);
+    check_planar<Certified_setting>(jittered_grid(9, 7, Diagonal_rule::RANDOM, 0.2, seed), random, curves);
+  }
+  BOOST_CHECK_GT(curves, 40);
+}
+
+BOOST_AUTO_TEST_CASE(ties_are_delaunay_both_ways)
+{
+  Random_numbers random(7);
+  for(const Mesh_soup& soup : {flat_grid(8, 8, Diagonal_rule::RANDOM), cube(4), genus_3_plate(2)}) {
+    Certified_setting s(soup);
+    BOOST_CHECK(FG::is_delaunay(s.triangulation));
+    BOOST_CHECK_EQUAL(FG::flip_to_delaunay(s.triangulation).flips, 0u);
+    BOOST_CHECK_GT(flip_at_random(s.triangulation, 500, random), 100);
+    BOOST_CHECK(FG::flip_to_delaunay(s.triangulation).is_complete());
+    BOOST_CHECK(FG::is_delaunay(s.triangulation));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(from_any_triangulation_to_one)
+{
+  // Without ties the Delaunay triangulation is unique, whatever the flips before; the double and the exact traits
+  // agree.
+  Random_numbers random(9);
+  for(const Mesh_soup& soup :
+      {shaken(torus(10, 6, 3, 1), 0.05, 3), bumpy_sphere(6, 0.2, 4), shaken(cone_disk(9, 4, 3), 0.05, 6)})
+  {
+    Edge_set expected;
+    for(int attempts : {0, 30, 300}) {
+      Curve_setting s(soup);
+      Certified_setting exact(soup);
+      flip_at_random(s.triangulation, attempts, random);
+      flip_at_random(exact.triangulation, attempts, random);
+      BOOST_CHECK(FG::flip_to_delaunay(s.triangulation).is_complete());
+      BOOST_CHECK(FG::flip_to_delaunay(exact.triangulation).is_complete());
+      if(attempts == 0)
+        expected = edges_of(s, false);
+      BOOST_CHECK(edges_of(s, false) == expected);
+      BOOST_CHECK(edges_of(exact, false) == expected);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(needles_end)
+{
+  for(const double aspect : {1e2, 1e6}) {
+    Curve_setting s(needle_strip(12, 12, aspect));
+    const FG::Delaunay_report report = FG::flip_to_delaunay(s.triangulation);
+    BOOST_CHECK(report.is_complete());
+    BOOST_CHECK(FG::is_delaunay(s.triangulation));
+  }
+  // A long thin cylinder, flipped at random: edges wind round it many times.
+  const int n = 5, m = 3;
+  Curve_setting s(cylinder(n, m, 1e-2, 10));
+  Random_numbers random(2);
+  flip_at_random(s.triangulation, 2000, random);
+  const FG::Delaunay_report report = FG::flip_to_delaunay(s.triangulation);
+  BOOST_CHECK(report.is_complete());
+  BOOST_CHECK_LE(FG::flip_to_delaunay(s.triangulation).flips, 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_is_kept_and_told)
+{
+  Random_numbers random(3);
+  Curve_setting s(shaken(torus(10, 6, 3, 1), 0.05, 3));
+  flip_at_random(s.triangulation, 300, random);
+  const FG::Delaunay_report report =
+      FG::flip_to_delaunay(s.triangulation, std::vector<FG::Index>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, 1);
+  BOOST_CHECK_EQUAL(report.flips, 1u);
+  BOOST_CHECK(!report.is_complete());
+  BOOST_CHECK(!FG::is_delaunay(s.triangulation));
+}
+
+BOOST_AUTO_TEST_CASE(near_curves_only)
+{
+  Curve_setting s(bumpy_sphere(16, 0.1, 7));
+  s.add_path(0, static_cast<int>(s.mesh.number_of_vertices()) / 2);
+  s.pull();
+  const std::vector<FG::Index> near = FG::edges_near_curves(s.network);
+  BOOST_CHECK(std::is_sorted(near.begin(), near.end()));
+  const std::size_t before = s.triangulation.log_position();
+  const FG::Delaunay_report report = FG::flip_to_delaunay(s.triangulation, near);
+  BOOST_CHECK(report.is_complete());
+  BOOST_CHECK_EQUAL(s.triangulation.log_position() - before, report.flips);
+  for(std::size_t i = before; i < s.triangulation.log_position(); ++i)
+    BOOST_CHECK(std::binary_search(near.begin(), near.end(), s.triangulation.flip_record(i).h >> 1));
+  for(FG::Index e : near)
+    BOOST_CHECK(s.network.is_occupied(2 * e) || s.triangulation.is_locally_delaunay(2 * e));
+  BOOST_CHECK_LT(near.size(), static_cast<std::size_t>(s.triangulation.number_of_edges()) / 4);
+  BOOST_CHECK_GT(FG::edges_near_curves(s.network, 2).size(), near.size());
+}
