@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_geodesics.h>
 #include <CGAL/Flip_geodesics/Conformal_flattening.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -31,7 +32,8 @@ using namespace Flip_geodesics_test;
 
 namespace {
 
-using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
@@ -95,6 +97,16 @@ BOOST_AUTO_TEST_CASE(a_cylinder_cut_from_border_to_border_rolls_out_to_a_strip)
   BOOST_TEST(largest_scale(flattening) < 1e-12);
   BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-11);
   BOOST_TEST(flattening.layout_error() < 1e-11);
+
+  // On the common subdivision, isometric means that areas are kept.
+  auto subdivision = FG::common_subdivision(triangulation, mesh);
+  auto coordinates = subdivision.mesh().add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", {}).first;
+  flattening.carry_to(subdivision, coordinates);
+  for(Mesh::Face_index f : subdivision.mesh().faces()) {
+    const Mesh::Halfedge_index h = subdivision.mesh().halfedge(f), hn = subdivision.mesh().next(h);
+    const double area = CGAL::area(coordinates[subdivision.mesh().prev(h)], coordinates[h], coordinates[hn]);
+    BOOST_TEST(std::abs(area - subdivision.area(f)) < 1e-11);
+  }
 
   // The two sides of the cut are parallel, one circumference apart.
   const FG::Index h = network.halfedge(network.first_segment(0));

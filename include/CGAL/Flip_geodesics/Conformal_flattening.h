@@ -8,7 +8,12 @@
 #include <CGAL/Flip_geodesics/internal/Cut_surface.h>
 #include <CGAL/Flip_geodesics/internal/Plane_triangle.h>
 
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
 #include <boost/math/constants/constants.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -55,7 +60,8 @@ public:
    */
   template <class Network>
   explicit Conformal_flattening(const Network& network, double tolerance = 1e-10)
-    : m_faces(all_faces(network.triangulation()))
+    : m_triangulation(&network.triangulation())
+    , m_faces(all_faces(network.triangulation()))
     , m_surface(network.triangulation(), m_faces, [&network](Index h) { return network.is_occupied(h); })
     , m_log_scales(static_cast<std::size_t>(m_surface.number_of_copies()), 0.0)
   {
@@ -75,6 +81,25 @@ public:
   const Point& point(Index copy) const { return m_points[copy]; }
   /// The logarithm \f$u\f$ of a copy's scale factor.
   double log_scale(Index copy) const { return m_log_scales[copy]; }
+
+  /*!
+   * Carries the flattening to a common subdivision, linearly within the intrinsic faces: texture coordinates of a mesh
+   * that users see.
+   * \param subdivision a `Surface_subdivision` made by `common_subdivision()` of the triangulation, as it was flattened
+   * \param out a writable property map with the halfedges of the subdivision's mesh as keys, those of faces only, and
+   *        values that are made of two `double`: the position of the halfedge's target in its face
+   */
+  template <class Subdivision, class HalfedgeMap>
+  void carry_to(const Subdivision& subdivision, HalfedgeMap out) const
+  {
+    using Value = typename boost::property_traits<HalfedgeMap>::value_type;
+    for(const auto f : faces(subdivision.mesh()))
+      for(const auto h : CGAL::halfedges_around_face(halfedge(f, subdivision.mesh()), subdivision.mesh())) {
+        const Point p =
+            point_in_face(subdivision.intrinsic_face(f), subdivision.vertex_origin(target(h, subdivision.mesh())));
+        put(out, h, Value(p[0], p[1]));
+      }
+  }
 
   /// The largest deviation of an angle sum inside the surface from \f$2\pi\f$, in radians.
   double angle_error() const { return m_angle_error; }
@@ -308,6 +333,24 @@ private:
     return {a[0] + x * apex[0] - y * apex[1], a[1] + y * apex[0] + x * apex[1]};
   }
 
+  template <class Origin>
+  Point point_in_face(Index face, const Origin& origin) const
+  {
+    Index h = face;
+    for(int i = 0; i < 3; ++i, h = m_triangulation->next(h)) {
+      const Point &a = m_points[copy_at(h)], &b = m_points[copy_at(m_triangulation->next(h))];
+      if(origin.intrinsic_vertex != null_index && origin.intrinsic_vertex == m_triangulation->tail(h))
+        return a;
+      if(origin.intrinsic_vertex != null_index ||
+         Triangulation::edge(origin.intrinsic_halfedge) != Triangulation::edge(h))
+        continue;
+      const double t = origin.intrinsic_halfedge == h ? origin.intrinsic_t : 1 - origin.intrinsic_t;
+      return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]};
+    }
+    CGAL_error_msg("the subdivision is not that of the flattened triangulation");
+  }
+
+  const Triangulation* m_triangulation;
   std::vector<Intrinsic_face> m_faces;
   internal::Cut_surface<Triangulation> m_surface;
   std::vector<double> m_log_scales; // by copy
