@@ -117,6 +117,7 @@ int main(int argc, char** argv)
     Network network(triangulation);
     network.add_curve(search(source, target), false);
     FG::shorten(network);
+    FG::flip_to_delaunay(triangulation); // all edges but those of the path
 
     Field field(triangulation);
     field.align(network);

@@ -69,6 +69,7 @@ int main(int argc, char** argv)
     Network network(triangulation);
     network.add_curve(search(source, target), false);
     FG::shorten(network);
+    FG::flip_to_delaunay(triangulation); // all edges but those of the path
 
     const FG::Dirichlet_problem<Operators> problem(Operators(triangulation), vertices_on(network));
     const Eigen::VectorXd heat = Eigen::VectorXd::Ones(triangulation.number_of_vertices());
