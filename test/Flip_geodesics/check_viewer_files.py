@@ -7,7 +7,6 @@ the points of --polylines and the lengths of --stats.
 """
 
 import argparse
-import base64
 import csv
 import json
 import math
@@ -18,6 +17,9 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2] / 'examples/Flip_geodesics/page'))
+from read_page import Page  # noqa: E402
 
 
 def check(condition, message):
@@ -152,85 +154,38 @@ def read_glb(path):
     return points, faces, curves
 
 
-class Page:
-    """The scene in a page: its data are checked by themselves, and replayed."""
+def check_page(path):
+    page = Page(path)
+    check(not re.search(r'<(script|link|img|iframe)[^>]*\b(src|href)=', page.text), f'{path}: loads another file')
+    check('three.js' in page.text[:2000] and 'MIT License' in page.text[:2000], f'{path}: the library has no licence')
+    return page
 
-    def __init__(self, path):
-        text = path.read_text()
-        self.path = path
-        found = re.findall(r'<script type="application/json" id="scene">(.*?)</script>', text, re.S)
-        check(len(found) == 1, f'{path}: not one scene')
-        check(not re.search(r'<(script|link|img|iframe)[^>]*\b(src|href)=', text), f'{path}: loads another file')
-        check('three.js' in text[:2000] and 'MIT License' in text[:2000], f'{path}: the library has no licence')
-        self.scene = json.loads(found[0])
-        self.points = self.to_points(self.scene['positions'])
-        corners = self.integers(self.scene['corners'])
-        self.faces = [tuple(corners[k:k + 3]) for k in range(0, len(corners), 3)]
-        lines = self.polylines(self.scene['curvePoints'], self.scene['curveStarts'])
-        self.curves = {c['number']: line for c, line in zip(self.scene['curves'], lines) if line}
 
-    @staticmethod
-    def integers(text):
-        data = base64.b64decode(text, validate=True)
-        return struct.unpack(f'<{len(data) // 4}I', data)
-
-    def to_points(self, text):
-        data = base64.b64decode(text, validate=True)
-        numbers = struct.unpack(f'<{len(data) // 4}f', data)
-        center, radius = self.scene['center'], self.scene['radius']
-        return [tuple(c + radius * x for c, x in zip(center, numbers[k:k + 3])) for k in range(0, len(numbers), 3)]
-
-    def polylines(self, points, starts):
-        points, starts = self.to_points(points), self.integers(starts)
-        check(starts[0] == 0 and starts[-1] == len(points), f'{self.path}: polylines do not fill their points')
-        return [points[a:b] for a, b in zip(starts, starts[1:])]
-
-    def replay(self, number, run, statistics):
-        """Takes the steps of a run, from the path of edges to the finished curves. Returns how many there are."""
-        edges = self.polylines(run['edgePoints'], run['edgeStarts'])
-        inputs = self.integers(run['inputEdges'])
-        present = set(inputs[0::3])
-        sides = {tuple(sorted((f[i], f[(i + 1) % 3]))) for f in self.faces for i in range(3)}
-        for edge, a, b in zip(inputs[0::3], inputs[1::3], inputs[2::3]):
-            check(tuple(sorted((a, b))) in sides, f'{self.path}: {a} and {b} share no edge of the mesh')
-            check(edges[edge] == [self.points[a], self.points[b]], f'{self.path}: edge {edge} lies elsewhere')
-        lists, curves, numbers = list(self.integers(run['curves'])), [], iter(self.integers(run['steps']))
-        while lists:
-            curves.append(lists[1:1 + lists[0]])
-            del lists[:1 + lists[0]]
-        members = [c for c in self.scene['curves'] if c['run'] == number]
-        check(len(curves) == len(members), f'{self.path}: run {number} has {len(curves)} curves')
-        tolerance = 1e-5 * self.scene['radius']
-
-        def line(curve):
-            result = []
-            for segment in curves[curve]:
-                check(segment // 2 in present, f'{self.path}: a segment runs along an edge that is not there')
-                piece = edges[segment // 2][::-1 if segment % 2 else 1]
-                check(not result or result[-1] == piece[0], f'{self.path}: segments of a curve do not meet')
-                result += piece if not result else piece[1:]
-            return result
-
-        for k, curve in enumerate(members):
-            check(abs(length(line(k)) - float(statistics[curve['number']]['initial_length'])) < tolerance,
-                  f'{self.path}: curve {curve["number"]} does not start as its edge path')
-        steps = flips = 0
-        for count in numbers:
-            before = sum(length(line(k)) for k in range(len(curves)))
-            for _ in range(count):
-                old, new = next(numbers), next(numbers)
-                check(old in present and new not in present, f'{self.path}: a flip from edge {old} to edge {new}')
-                present.remove(old)
-                present.add(new)
-            curve, front, end, inserted = (next(numbers) for _ in range(4))
-            curves[curve][front:len(curves[curve]) - end] = [next(numbers) for _ in range(inserted)]
-            after = sum(length(line(k)) for k in range(len(curves)))
-            check(after <= before + tolerance, f'{self.path}: step {steps} makes a curve longer')
-            steps, flips = steps + 1, flips + count
-        for k, curve in enumerate(members):
-            compare_lines(self.path, line(k), self.curves.get(curve['number'], []), tolerance)
-        check(flips <= int(statistics[members[0]['number']]['flips']), f'{self.path}: more flips than there were')
-        return steps
+def replay(page, number, statistics):
+    """Takes the steps of a run, from the path of edges to the finished curves. Returns how many there are."""
+    run = page.runs[number]
+    sides = {tuple(sorted((f[i], f[(i + 1) % 3]))) for f in page.faces for i in range(3)}
+    for edge, a, b in run.input_edges:
+        check(tuple(sorted((a, b))) in sides, f'{a} and {b} share no edge of the mesh')
+        check(run.polylines[edge] == [page.points[a], page.points[b]], f'edge {edge} lies elsewhere')
+    members = [c for c in page.scene['curves'] if c['run'] == number]
+    check(len(run.start) == len(members), f'run {number} has {len(run.start)} curves')
+    tolerance = 1e-5 * page.scene['radius']
+    before = None
+    for state in run.states():
+        lines = state.lines
+        total = sum(map(length, lines))
+        if before is None:
+            for curve, line in zip(members, lines):
+                check(abs(length(line) - float(statistics[curve['number']]['initial_length'])) < tolerance,
+                      f'curve {curve["number"]} does not start as its edge path')
+        else:
+            check(total <= before + tolerance, f'step {state.step} makes a curve longer')
+        before = total
+    for curve, line in zip(members, lines):
+        compare_lines('the last step', line, page.curves.get(curve['number'], []), tolerance)
+    check(state.flips <= int(statistics[members[0]['number']]['flips']), 'more flips than there were')
+    return state.step
 
 
 def length(points):
@@ -251,12 +206,12 @@ def compare(path, points, faces, curves, mesh, expected, tolerance):
         compare_lines(path, curves[curve], line, tolerance)
 
 
-def run_in_browser(browser, page):
+def run_in_browser(browser, path, page):
     with tempfile.TemporaryDirectory() as profile:
         command = [browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
                    '--no-first-run', '--disable-background-networking', '--disable-component-update',
                    '--disable-sync', f'--user-data-dir={profile}', '--virtual-time-budget=20000', '--dump-dom',
-                   page.path.resolve().as_uri()]
+                   path.resolve().as_uri()]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=120, check=False)
     element = re.search(r'<html[^>]*>', done.stdout.decode())
     check(element is not None, f'{browser} did not load the page')
@@ -293,16 +248,16 @@ def main():
             compare(kind, *read(folder / f'viewer.{kind}'), mesh, expected, tolerance)
         check(read_polylines_txt(folder / 'viewer.polylines.txt') == list(expected.values()),
               'the polylines of CGAL are not the curves')
-        page = Page(folder / 'page.html')
+        page = check_page(folder / 'page.html')
         compare('the page', page.points, page.faces, page.curves, mesh, expected, 1e-6 * size)
         for curve in page.scene['curves']:
             row = statistics[curve['number']]
             check((curve['status'], curve['length']) == (row['status'], float(row['length'])),
                   f'the page says something else of curve {curve["number"]} than the statistics')
-        steps = [page.replay(i, run, statistics) for i, run in enumerate(page.scene['runs'])]
+        steps = [replay(page, i, statistics) for i in range(len(page.runs))]
         check(sum(steps) > 0, 'the page has no steps')
         if options.chromium:
-            run_in_browser(options.chromium, page)
+            run_in_browser(options.chromium, folder / 'page.html', page)
         print(f'{len(expected)} curves and {sum(steps)} steps read back from {len(readers) + 2} formats'
               + (' and a browser' if options.chromium else ''))
 

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Draws surfaces and curves with VTK, without a screen, into PNG files."""
+
+import math
+
+import vtk
+
+BLUE, RED, GREEN, ORANGE, VIOLET = '#0b4fb3', '#c2121b', '#0a7a3d', '#d97700', '#7a1fa2'
+SURFACE, INK = '#d8dce3', '#3a434d'
+
+
+def color(name):
+    """The parts of '#rrggbb', from 0 to 1."""
+    return tuple(int(name[i:i + 2], 16) / 255 for i in (1, 3, 5))
+
+
+def poly_data(points, faces=(), lines=()):
+    data, places = vtk.vtkPolyData(), vtk.vtkPoints()
+    places.SetDataTypeToDouble()
+    for p in points:
+        places.InsertNextPoint(p)
+    data.SetPoints(places)
+    for cells, use in ((faces, data.SetPolys), (lines, data.SetLines)):
+        array = vtk.vtkCellArray()
+        for cell in cells:
+            array.InsertNextCell(len(cell))
+            for i in cell:
+                array.InsertCellPoint(i)
+        use(array)
+    return data
+
+
+def polyline_data(polylines):
+    points, lines = [], []
+    for line in polylines:
+        lines.append(range(len(points), len(points) + len(line)))
+        points += line
+    return poly_data(points, lines=lines)
+
+
+class Panel:
+    """A part of a picture with a camera of its own. Widths and radii are parts of the size of what is drawn."""
+
+    def __init__(self, size):
+        self.size = size
+        self.renderer = vtk.vtkRenderer()
+        self.renderer.SetBackground(1, 1, 1)
+        self.renderer.SetUseFXAA(False)
+
+    def _add(self, source, name, is_port=True):
+        mapper = vtk.vtkPolyDataMapper()
+        if is_port:
+            mapper.SetInputConnection(source.GetOutputPort())
+        else:
+            mapper.SetInputData(source)
+        mapper.ScalarVisibilityOff()
+        actor = vtk.vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(color(name))
+        self.renderer.AddActor(actor)
+        return actor
+
+    def surface(self, points, faces, name=SURFACE, is_smooth=True):
+        data = poly_data(points, faces)
+        if not is_smooth:
+            actor = self._add(data, name, is_port=False)
+            actor.GetProperty().SetInterpolationToFlat()
+        else:
+            normals = vtk.vtkPolyDataNormals()
+            normals.SetInputData(data)
+            normals.SetFeatureAngle(40)
+            normals.ConsistencyOff()
+            actor = self._add(normals, name)
+        actor.GetProperty().SetAmbient(0.25)
+        actor.GetProperty().SetDiffuse(0.75)
+        return actor
+
+    def colored_surface(self, points, faces, values, colors):
+        """A smooth surface with a number per point. `colors`: pairs of a number and a color, in order."""
+        data = poly_data(points, faces)
+        array = vtk.vtkDoubleArray()
+        for value in values:
+            array.InsertNextValue(value)
+        data.GetPointData().SetScalars(array)
+        normals = vtk.vtkPolyDataNormals()
+        normals.SetInputData(data)
+        normals.SetFeatureAngle(40)
+        actor = self._add(normals, SURFACE)
+        ramp = vtk.vtkColorTransferFunction()
+        for value, name in colors:
+            ramp.AddRGBPoint(value, *color(name))
+        actor.GetMapper().ScalarVisibilityOn()
+        actor.GetMapper().SetLookupTable(ramp)
+        actor.GetMapper().InterpolateScalarsBeforeMappingOn()
+        actor.GetProperty().SetAmbient(0.25)
+        actor.GetProperty().SetDiffuse(0.75)
+        return actor
+
+    def tubes(self, polylines, name, width):
+        tubes = vtk.vtkTubeFilter()
+        tubes.SetInputData(polyline_data([line for line in polylines if len(line) > 1]))
+        tubes.SetRadius(width / 2 * self.size)
+        tubes.SetNumberOfSides(10)
+        tubes.CappingOn()
+        actor = self._add(tubes, name)
+        actor.GetProperty().SetAmbient(0.45)
+        actor.GetProperty().SetDiffuse(0.6)
+        return actor
+
+    def edges(self, points, faces, name=INK, width=0.0012):
+        """The edges of some triangles as thin tubes."""
+        pairs = {tuple(sorted((f[i], f[i - 1]))) for f in faces for i in range(len(f))}
+        return self.tubes([[points[a], points[b]] for a, b in sorted(pairs)], name, width)
+
+    def balls(self, points, name, width):
+        ball = vtk.vtkSphereSource()
+        ball.SetRadius(width / 2 * self.size)
+        ball.SetThetaResolution(24)
+        ball.SetPhiResolution(24)
+        glyphs = vtk.vtkGlyph3D()
+        glyphs.SetInputData(poly_data(points))
+        glyphs.SetSourceConnection(ball.GetOutputPort())
+        glyphs.ScalingOff()
+        actor = self._add(glyphs, name)
+        actor.GetProperty().SetAmbient(0.45)
+        actor.GetProperty().SetDiffuse(0.6)
+        return actor
+
+    def look(self, direction, up=(0, 1, 0), target=None, zoom=1.0):
+        """Looks at everything, or with `zoom` closer at `target`, from `direction`."""
+        camera = self.renderer.GetActiveCamera()
+        camera.SetViewAngle(20)
+        camera.SetFocalPoint(0, 0, 0)
+        camera.SetPosition(*direction)
+        camera.SetViewUp(*up)
+        self.renderer.ResetCamera()
+        if target is not None:
+            move = [t - f for t, f in zip(target, camera.GetFocalPoint())]
+            camera.SetPosition(*(p + m for p, m in zip(camera.GetPosition(), move)))
+            camera.SetFocalPoint(*target)
+        camera.Dolly(zoom)
+        self.renderer.ResetCameraClippingRange()
+        self._add_lamps()
+
+    def _add_lamps(self):
+        self.renderer.RemoveAllLights()
+        for place, strength in (((-0.6, 0.9, 1.2), 0.85), ((0.9, -0.2, 0.8), 0.3)):
+            lamp = vtk.vtkLight()
+            lamp.SetLightTypeToCameraLight()
+            lamp.SetPosition(*place)
+            lamp.SetFocalPoint(0, 0, 0)
+            lamp.SetIntensity(strength)
+            self.renderer.AddLight(lamp)
+
+
+def write_png(path, panels, width, height):
+    """Writes panels side by side. They are drawn at twice the size, which smooths all edges."""
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(2 * width, 2 * height)
+    for i, panel in enumerate(panels):
+        panel.renderer.SetViewport(i / len(panels), 0, (i + 1) / len(panels), 1)
+        window.AddRenderer(panel.renderer)
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    half = vtk.vtkImageResize()
+    half.SetInputConnection(image.GetOutputPort())
+    half.SetOutputDimensions(width, height, 1)
+    half.InterpolateOn()
+    smooth = vtk.vtkImageSincInterpolator()
+    smooth.AntialiasingOn()
+    half.SetInterpolator(smooth)
+    writer = vtk.vtkPNGWriter()
+    writer.SetCompressionLevel(9)
+    writer.SetFileName(str(path))
+    writer.SetInputConnection(half.GetOutputPort())
+    writer.Write()
+
+
+def size_of(points):
+    """The diagonal of the box about some points."""
+    return math.dist([min(p[i] for p in points) for i in range(3)], [max(p[i] for p in points) for i in range(3)])
