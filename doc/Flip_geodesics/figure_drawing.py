@@ -4,8 +4,9 @@
 import math
 
 import vtk
+from PIL import Image
 
-BLUE, RED, GREEN, ORANGE, VIOLET = '#0b4fb3', '#c2121b', '#0a7a3d', '#d97700', '#7a1fa2'
+BLUE, RED, GREEN, ORANGE = '#0b4fb3', '#c2121b', '#0a7a3d', '#d97700'
 SURFACE, INK = '#d8dce3', '#3a434d'
 
 
@@ -45,7 +46,6 @@ class Panel:
         self.size = size
         self.renderer = vtk.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
-        self.renderer.SetUseFXAA(False)
 
     def _add(self, source, name, is_port=True):
         mapper = vtk.vtkPolyDataMapper()
@@ -127,18 +127,35 @@ class Panel:
         return actor
 
     def look(self, direction, up=(0, 1, 0), target=None, zoom=1.0):
-        """Looks at everything, or with `zoom` closer at `target`, from `direction`."""
+        """Looks from `direction` at everything, or at `target` so much closer than that."""
         camera = self.renderer.GetActiveCamera()
-        camera.SetViewAngle(20)
+        camera.ParallelProjectionOn()
         camera.SetFocalPoint(0, 0, 0)
         camera.SetPosition(*direction)
         camera.SetViewUp(*up)
-        self.renderer.ResetCamera()
-        if target is not None:
-            move = [t - f for t, f in zip(target, camera.GetFocalPoint())]
-            camera.SetPosition(*(p + m for p, m in zip(camera.GetPosition(), move)))
-            camera.SetFocalPoint(*target)
-        camera.Dolly(zoom)
+        self.target, self.zoom = target, zoom
+
+    def fit(self, aspect):
+        """Moves the camera so that what is drawn just fits into a panel of this width over height."""
+        camera = self.renderer.GetActiveCamera()
+        to_view = camera.GetViewTransformMatrix()
+        seen = [[math.inf, -math.inf] for _ in range(3)]
+        for actor in self.renderer.GetActors():
+            actor.GetMapper().Update()
+            data = actor.GetMapper().GetInput()
+            for i in range(data.GetNumberOfPoints()):
+                place = to_view.MultiplyPoint((*data.GetPoint(i), 1))
+                for bounds, x in zip(seen, place):
+                    bounds[0], bounds[1] = min(bounds[0], x), max(bounds[1], x)
+        middle = [(a + b) / 2 for a, b in seen]
+        back = vtk.vtkMatrix4x4()
+        vtk.vtkMatrix4x4.Invert(to_view, back)
+        focus = self.target or back.MultiplyPoint((*middle, 1))[:3]
+        move = [f - g for f, g in zip(focus, camera.GetFocalPoint())]
+        camera.SetPosition(*(p + m for p, m in zip(camera.GetPosition(), move)))
+        camera.SetFocalPoint(*focus)
+        half = max((seen[1][1] - seen[1][0]) / 2, (seen[0][1] - seen[0][0]) / 2 / aspect)
+        camera.SetParallelScale(1.03 * half / self.zoom)
         self.renderer.ResetCameraClippingRange()
         self._add_lamps()
 
@@ -154,30 +171,54 @@ class Panel:
 
 
 def write_png(path, panels, width, height):
-    """Writes panels side by side. They are drawn at twice the size, which smooths all edges."""
+    """Writes panels side by side. They are drawn at three times the size, which smooths all edges."""
+    oversampling, gap = 3, 0.02
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
-    window.SetSize(2 * width, 2 * height)
+    window.SetSize(oversampling * width, oversampling * height)
+    share = (1 - gap * (len(panels) - 1)) / len(panels)
     for i, panel in enumerate(panels):
-        panel.renderer.SetViewport(i / len(panels), 0, (i + 1) / len(panels), 1)
+        left = i * (share + gap)
+        panel.renderer.SetViewport(left, 0, left + share, 1)
+        panel.fit(share * width / height)
         window.AddRenderer(panel.renderer)
+    behind = vtk.vtkRenderer()
+    behind.SetBackground(1, 1, 1)
+    window.AddRenderer(behind)
+    behind.SetLayer(0)
+    window.SetNumberOfLayers(2)
+    for panel in panels:
+        panel.renderer.SetLayer(1)
     window.Render()
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
-    half = vtk.vtkImageResize()
-    half.SetInputConnection(image.GetOutputPort())
-    half.SetOutputDimensions(width, height, 1)
-    half.InterpolateOn()
-    smooth = vtk.vtkImageSincInterpolator()
-    smooth.AntialiasingOn()
-    half.SetInterpolator(smooth)
+    mean = vtk.vtkImageShrink3D()
+    mean.SetInputConnection(image.GetOutputPort())
+    mean.SetShrinkFactors(oversampling, oversampling, 1)
+    mean.AveragingOn()
     writer = vtk.vtkPNGWriter()
-    writer.SetCompressionLevel(9)
     writer.SetFileName(str(path))
-    writer.SetInputConnection(half.GetOutputPort())
+    writer.SetInputConnection(mean.GetOutputPort())
     writer.Write()
+    make_small(path)
+
+
+def make_small(path):
+    """Keeps 256 colors of a PNG file, which is enough for a few lit materials: most for what has little color, the
+    surfaces, and some for the curves, which have few pixels."""
+    with Image.open(path) as file:
+        image = file.convert('RGB')
+    bright = [p for p in image.getdata() if max(p) - min(p) > 50]
+    palette = image.quantize(200, dither=Image.Dither.NONE).getpalette()[:600]
+    if bright:
+        row = Image.new('RGB', (len(bright), 1))
+        row.putdata(bright)
+        palette += row.quantize(56, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).getpalette()[:168]
+    chosen = Image.new('P', (1, 1))
+    chosen.putpalette(palette + [0] * (768 - len(palette)))
+    image.quantize(palette=chosen, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def size_of(points):

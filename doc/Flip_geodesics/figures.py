@@ -5,8 +5,9 @@
     bash examples/run.sh                                builds the program and unpacks CGAL's data set
     python3 doc/Flip_geodesics/figures.py [NAME...]     draws all figures, or those that are named
 
-Needs VTK for Python and a virtual screen, in Debian the packages python3-vtk9 and xvfb. A figure is a function here
-with the decorator @figure, which returns its panels; the file has the function's name.
+Needs VTK and Pillow for Python and a virtual screen, in Debian the packages python3-vtk9, python3-pil and xvfb, and for
+the figure `page` the package chromium. A figure is a function here with the decorator @figure, which returns its
+panels, or a PNG file. The file in fig/ has the function's name.
 """
 
 import argparse
@@ -26,7 +27,7 @@ here = Path(__file__).resolve().parent
 root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics/page')]
 
-from figure_drawing import (BLUE, GREEN, INK, ORANGE, RED, VIOLET, Panel, size_of, write_png)  # noqa: E402
+from figure_drawing import BLUE, GREEN, INK, ORANGE, RED, Panel, make_small, size_of, write_png  # noqa: E402
 from read_page import Page  # noqa: E402
 
 figures = {}
@@ -76,11 +77,25 @@ class Tools:
         return Page(page)
 
 
+    def screenshot(self, page, state, width, height):
+        """A picture of a page as Debian's Chromium shows it; `state` stands behind the # of the address."""
+        browser = shutil.which('chromium')
+        if browser is None:
+            sys.exit('figures.py: needs chromium for this figure')
+        picture = self.folder / 'screenshot.png'
+        subprocess.run([browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+                        '--no-first-run', '--disable-background-networking', '--disable-component-update',
+                        '--disable-sync', f'--user-data-dir={self.folder}/profile', '--hide-scrollbars',
+                        f'--window-size={width},{height}', '--virtual-time-budget=20000', f'--screenshot={picture}',
+                        f'{page.as_uri()}#{state}'], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return picture
+
+
 class Graph:
     """Shortest paths of edges, to make loops and networks from."""
 
     def __init__(self, points, faces):
-        self.points = points
+        self.points, self.faces = points, faces
         self.neighbours = [set() for _ in points]
         for f in faces:
             for i in range(3):
@@ -114,16 +129,192 @@ class Graph:
         return result
 
 
-@figure(900, 560)
+def ring(graph, center, u, v, radius, count=6):
+    """A loop of edges about a limb: past the vertices that are nearest to points on a circle."""
+    angles = [2 * math.pi * k / count for k in range(count)]
+    way_points = [graph.nearest([c + radius * (math.cos(t) * a + math.sin(t) * b) for c, a, b in zip(center, u, v)])
+                  for t in angles]
+    return graph.loop([w for w, before in zip(way_points, way_points[-1:] + way_points) if w != before])
+
+
+def region_borders(graph, seeds):
+    """The mesh's edges between the regions of vertices that are closest to each seed, as chains of vertices."""
+    label, queue = {}, [(0.0, seed, i) for i, seed in enumerate(seeds)]
+    while queue:
+        d, v, i = heapq.heappop(queue)
+        if v in label:
+            continue
+        label[v] = i
+        for w in graph.neighbours[v]:
+            if w not in label:
+                heapq.heappush(queue, (d + math.dist(graph.points[v], graph.points[w]), w, i))
+    face_label = {f: max(label[v] for v in f) for f in graph.faces}
+    owners = {}
+    for f in graph.faces:
+        for i in range(3):
+            owners.setdefault(frozenset((f[i - 1], f[i])), []).append(face_label[f])
+    neighbours = {}
+    for edge, labels in owners.items():
+        if len(set(labels)) > 1:
+            a, b = edge
+            neighbours.setdefault(a, set()).add(b)
+            neighbours.setdefault(b, set()).add(a)
+    nodes = {v for v, others in neighbours.items() if len(others) != 2}
+    chains = []
+    for start in sorted(nodes):
+        while neighbours[start]:
+            chain = [start, neighbours[start].pop()]
+            neighbours[chain[1]].discard(start)
+            while chain[-1] not in nodes:
+                chain.append(neighbours[chain[-1]].pop())
+                neighbours[chain[-1]].discard(chain[-2])
+            chains.append(chain)
+    return chains, nodes
+
+
+@figure(900, 440)
 def teaser(tools):
-    """Geodesics from one point of a scan to many, and closed ones."""
+    """Geodesics from one vertex of a scan to others, and closed ones about its limbs."""
     mesh = tools.mesh('bunny00.off')
-    paths = tools.curves(mesh, '--random', 1)
-    panel = Panel(size_of(paths.points))
-    panel.surface(paths.points, paths.faces)
-    print({i: (min(p[i] for p in paths.points), max(p[i] for p in paths.points)) for i in range(3)})
-    panel.look((0.3, 0.25, 1))
-    return [panel]
+    page = tools.curves(mesh, '--random', 1)
+    graph = Graph(page.points, page.faces)
+    view = (0.35, 0.2, 1)
+    source = graph.nearest((0.1, 0.05, 0.45))
+    angles = [k * math.pi / 20 for k in range(40)]
+    targets = {graph.nearest((0.6 * math.cos(t), 0.6 * math.sin(t), 0.05)) for t in angles}
+    fan = tools.curves(mesh, '--pairs', tools.lines('pairs', [(source, t) for t in sorted(targets)]))
+    left = Panel(size_of(page.points))
+    left.surface(page.points, page.faces)
+    left.tubes(fan.curves.values(), BLUE, 0.005)
+    left.balls([page.points[source]], RED, 0.022)
+    left.balls([page.points[t] for t in targets], BLUE, 0.009)
+    left.look(view)
+
+    front = (0, 0, 1)
+    rings = [ring(graph, (-0.24, 0.07, 0), (0.86, 0.51, 0), front, 0.3),
+             ring(graph, (0.0, 0.36, 0.14), (-0.6, 0.8, 0), front, 0.12),
+             ring(graph, (-0.12, 0.36, -0.12), (-0.8, 0.6, 0), front, 0.12),
+             ring(graph, (0.1, -0.05, 0), (0, 1, 0), front, 0.5)]
+    closed = tools.curves(mesh, '--loop', tools.lines('loops', rings))
+    right = Panel(size_of(page.points))
+    right.surface(page.points, page.faces)
+    right.tubes(closed.curves.values(), GREEN, 0.007)
+    right.look(view)
+    return [left, right]
+
+
+def detour(tools):
+    """A path of edges on a coarse torus that makes a detour, straightened."""
+    along = 12
+    places = [(15, 3), (15, 2), *((i, 1) for i in range(15, 22)), (21, 2), (21, 3)]
+    path = [i * along + j for i, j in places]
+    return tools.curves(tools.torus(24, along), '--edges', tools.lines('path', [path]))
+
+
+@figure(900, 400)
+def conforming_triangulation(tools):
+    """A coarse mesh, and the intrinsic triangulation that has a geodesic as edges."""
+    page = detour(tools)
+    state = page.runs[0].state(-1)
+    inputs = {edge for edge, _, _ in page.runs[0].input_edges}
+    replaced = {frozenset((a, b)) for edge, a, b in page.runs[0].input_edges if edge not in state.present}
+    panels = []
+    for is_after in (False, True):
+        panel = Panel(size_of(page.points))
+        panel.surface(page.points, page.faces, is_smooth=False)
+        sides = {frozenset((f[i], f[i - 1])) for f in page.faces for i in range(3)} - (replaced if is_after else set())
+        panel.tubes([[page.points[v] for v in side] for side in sides], INK, 0.0025)
+        if is_after:
+            flipped = [page.runs[0].polylines[e] for e in state.present - inputs]
+            panel.tubes(flipped, BLUE, 0.004)
+            panel.tubes(state.lines, RED, 0.009)
+        else:
+            panel.tubes(page.runs[0].state(0).lines, RED, 0.009)
+        panel.balls([page.curves[0][0], page.curves[0][-1]], RED, 0.025)
+        panel.look((0.1, -0.6, 1), target=(0.0, -0.85, 0.2), zoom=1.5)
+        panels.append(panel)
+    return panels
+
+
+@figure(960, 240)
+def flips(tools):
+    """Four states of a shortening, close by: the edges that the last step has flipped are orange."""
+    page = detour(tools)
+    run = page.runs[0]
+    panels = []
+    for step in (0, len(run.steps) // 3, 2 * len(run.steps) // 3, -1):
+        state = run.state(step)
+        untouched = {frozenset((f[i], f[i - 1])) for f in page.faces for i in range(3)}
+        untouched -= {frozenset((a, b)) for _, a, b in run.input_edges}
+        panel = Panel(size_of(page.points))
+        panel.surface(page.points, page.faces, is_smooth=False)
+        panel.tubes([[page.points[v] for v in side] for side in untouched], INK, 0.0015)
+        panel.tubes(state.edges, INK, 0.0025)
+        panel.tubes([run.polylines[e] for e in state.fresh], ORANGE, 0.005)
+        panel.tubes(state.lines, RED, 0.008)
+        panel.look((0.1, -0.6, 1), target=(0.0, -0.85, 0.2), zoom=1.45)
+        panels.append(panel)
+    return panels
+
+
+@figure(900, 440)
+def network(tools):
+    """Borders between regions of a scan: as edges of the mesh, and straightened with their nodes fixed."""
+    mesh = tools.mesh('bunny00.off')
+    start = tools.curves(mesh, '--random', 1)
+    graph = Graph(start.points, start.faces)
+    spiral = [(0.5 * math.sqrt(k / 14), 2.4 * k) for k in range(14)]
+    seeds = {graph.nearest((r * math.cos(t), r * math.sin(t), side)) for side in (-0.5, 0.5) for r, t in spiral}
+    chains, nodes = region_borders(graph, sorted(seeds))
+    page = tools.curves(mesh, '--network', tools.lines('network', chains))
+    panels = []
+    for lines, name in (([[start.points[v] for v in chain] for chain in chains], ORANGE), (page.curves.values(), BLUE)):
+        panel = Panel(size_of(start.points))
+        panel.surface(start.points, start.faces)
+        panel.tubes(lines, name, 0.006)
+        panel.balls([start.points[v] for v in nodes], RED, 0.013)
+        panel.look((0.35, 0.2, 1))
+        panels.append(panel)
+    return panels
+
+
+@figure(900, 420)
+def loops(tools):
+    """Closed curves on a torus with bumps, before and after."""
+    around, along = 96, 48
+    start = [[around // 8 * i * along + j for j in range(along)] for i in range(8)]
+    start.append([i * along + (round(6 * math.sin(10 * math.pi * i / around)) + 12) % along for i in range(around)])
+    start[-1] = staircase(start[-1], along)
+    page = tools.curves(tools.torus(around, along), '--loop', tools.lines('loops', start))
+    panels = []
+    before = [[page.points[v] for v in loop + loop[:1]] for loop in start]
+    for lines, name in ((before, ORANGE), (page.curves.values(), GREEN)):
+        panel = Panel(size_of(page.points))
+        panel.surface(page.points, page.faces)
+        panel.tubes(lines, name, 0.007)
+        panel.look((0, -0.9, 1), up=(0, 1, 0))
+        panels.append(panel)
+    return panels
+
+
+def staircase(loop, along):
+    """Fills in the vertices between places of a torus that are more than an edge apart along the tube."""
+    result = []
+    for a, b in zip(loop, loop[1:] + loop[:1]):
+        result.append(a)
+        j, end = a % along, b % along
+        while j != end:
+            j = (j + (1 if (end - j) % along < along / 2 else -1)) % along
+            result.append(a - a % along + j)
+    return result
+
+
+@figure(1000, 620)
+def page(tools):
+    """The page of --page in a browser, in the middle of a shortening."""
+    path = tools.folder / 'curves.html'
+    tools.run('flip_geodesics', tools.torus(48, 24), '--random', 4, '--seed', 3, '--quiet', '--page', path)
+    return tools.screenshot(path, 'curve=3&step=12&edges=1', 1000, 620)
 
 
 def main():
@@ -138,7 +329,12 @@ def main():
         draw, width, height = figures[name]
         with tempfile.TemporaryDirectory() as folder:
             path = options.out / f'{name}.png'
-            write_png(path, draw(Tools(options.build.resolve(), folder)), width, height)
+            result = draw(Tools(options.build.resolve(), folder))
+            if isinstance(result, Path):
+                shutil.copy(result, path)
+                make_small(path)
+            else:
+                write_png(path, result, width, height)
             print(f'{path.name}: {path.stat().st_size // 1000} kB')
 
 

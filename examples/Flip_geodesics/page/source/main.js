@@ -33,6 +33,17 @@ class Page {
     this.chooseRun(scene.curves.length > 0 ? scene.curves[0].run : 0, 0);
     this.stage.findHome();
     this.listen();
+    this.obeyAddress();
+  }
+
+  // The address may end in, for example, #curve=2&step=10&edges=1&theme=dark.
+  obeyAddress() {
+    const wish = new URLSearchParams(location.hash.slice(1));
+    if (wish.get('theme') in palettes && wish.get('theme') !== this.theme) this.switchTheme();
+    const curve = Number(wish.get('curve') ?? 0);
+    if (curve in this.scene.curves) this.chooseRun(this.scene.curves[curve].run, curve);
+    if (wish.get('edges') === '1' && !at('show-intrinsic').checked) this.toggle('show-intrinsic');
+    if (wish.has('step')) this.goTo(Number(wish.get('step')) || 0);
   }
 
   color(i) {
@@ -213,6 +224,7 @@ class Page {
     at('show-hidden').addEventListener('change', () => this.stage.setShowsHidden(at('show-hidden').checked));
     at('smooth').addEventListener('change', () => this.stage.setSmooth(at('smooth').checked));
     addEventListener('keydown', (event) => this.onKey(event));
+    addEventListener('hashchange', () => this.obeyAddress());
   }
 
   switchTheme() {
