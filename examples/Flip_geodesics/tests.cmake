@@ -16,7 +16,8 @@ foreach(
   geodesic_tree_example
   network_early_stop_example
   own_mesh_and_kernel_example
-  poisson_example)
+  poisson_example
+  shortest_path_example)
   if(TARGET ${example})
     add_test(NAME ${example} COMMAND ${example} WORKING_DIRECTORY ${example_dir})
     add_test(NAME ${example}_bad_input COMMAND ${example} no_such_mesh.off WORKING_DIRECTORY ${example_dir})

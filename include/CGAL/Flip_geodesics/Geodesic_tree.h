@@ -22,6 +22,13 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+namespace internal {
+
+template <class Tree>
+class Shortest_tree_repair;
+
+} // namespace internal
+
 /// \ingroup PkgFlipGeodesicsTree
 /// What growing a tree did.
 struct Geodesic_tree_report
@@ -49,7 +56,7 @@ struct Geodesic_tree_report
  * again if a new edge leads to it by a shorter way, so that the finished tree is a shortest path tree of the finished
  * triangulation's edges.
  *
- * The paths are locally shortest, and most are shortest.
+ * The paths are locally shortest, and most are shortest; `make_shortest()` replaces the others.
  * They do not cross.
  *
  * The invariant, once grown: the distance of a reached vertex is that of its parent and the length of the edge between
@@ -125,17 +132,6 @@ public:
     return result;
   }
 
-  /*!
-   * Hangs vertex `v` on another halfedge, at the distance of its tail and that halfedge's length. For algorithms that
-   * improve the tree; they restore the invariant.
-   * \pre `head(h) == v`, and the tail of `h` is reached by a path that does not pass `v`
-   */
-  void set_incoming(Index v, Index h)
-  {
-    CGAL_precondition(m_triangulation->head(h) == v && is_reached(m_triangulation->tail(h)));
-    m_labels[v] = {m_labels[m_triangulation->tail(h)].distance + m_triangulation->length(h), h, m_epoch + SETTLED};
-  }
-
   /// Checks the invariant, lengths up to a relative `tolerance`. Linear in the mesh.
   bool is_valid(double tolerance = 1e-10) const
   {
@@ -154,6 +150,8 @@ public:
   }
 
 private:
+  friend class internal::Shortest_tree_repair<Geodesic_tree>;
+
   enum State : Index { UNKNOWN = 0, REACHED = 1, SETTLED = 2 };
 
   struct Label
@@ -304,6 +302,28 @@ private:
     m_labels[v] = {distance, h, m_epoch + REACHED};
     m_heap.push_back({distance, v});
     std::push_heap(m_heap.begin(), m_heap.end());
+  }
+
+  // Hangs v on h, whose tail is accepted.
+  void hang(Index v, Index h)
+  {
+    m_labels[v] = {m_labels[m_triangulation->tail(h)].distance + m_triangulation->length(h), h, m_epoch + SETTLED};
+    m_settled.push_back(v);
+  }
+
+  void take_off(Index v) { m_labels[v].stamp = m_epoch; }
+
+  // Grows paths to what was taken off and not hung up again.
+  Geodesic_tree_report regrow(const std::vector<Index>& taken_off)
+  {
+    Default_shortening_visitor visitor;
+    for(Index v : taken_off)
+      for(Index spoke : internal::spokes(*m_triangulation, v))
+        relax_forward(Triangulation::twin(spoke));
+    run(visitor);
+    if constexpr(Triangulation::Traits::Has_drift::value)
+      measure(visitor);
+    return m_report;
   }
 
   // Takes back the acceptance of v and of all whose paths pass it, and looks for other ways to them.

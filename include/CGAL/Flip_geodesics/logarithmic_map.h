@@ -58,7 +58,7 @@ struct Logarithmic_map
  *
  * Where paths pass a vertex with more than \f$2\pi\f$, all vertices in its shadow have the angle of that path. So the
  * map is continuous but for the places that shortest paths reach from two sides, the cut locus; and for paths of the
- * tree that are not shortest.
+ * tree that are not shortest, which `make_shortest()` replaces.
  *
  * Linear in the reached vertices and in the crossings of the edges at the source; and \f$O(n)\f$ for the result.
  *

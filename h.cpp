@@ -1,0 +1,1 @@
+#include <CGAL/Flip_geodesics/make_shortest.h>

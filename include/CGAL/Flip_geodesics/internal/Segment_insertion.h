@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_INSERTION_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_INSERTION_H
+
+#include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The left side of the strip of faces along which the given halfedges are crossed, each as a side of the face that is
+ * left: a chain of halfedges from the vertex at which the strip starts to that at which it ends.
+ *
+ *            __ left __ . __
+ *     start /  |  \   /  \   \ end        the chain runs above, what is crossed lies in between
+ *           \__|___\./____\__/
+ *              right
+ */
+template <class Triangulation>
+std::vector<Index> left_side_of_strip(const Triangulation& triangulation, const std::vector<Index>& crossed)
+{
+  std::vector<Index> chain = {Triangulation::twin(triangulation.next(crossed.front()))};
+  for(std::size_t i = 0; i < crossed.size(); ++i) {
+    const Index entered = Triangulation::twin(crossed[i]);
+    const bool is_last = i + 1 == crossed.size();
+    if(is_last || crossed[i + 1] == triangulation.next(entered))
+      chain.push_back(Triangulation::twin(triangulation.previous(entered)));
+  }
+  return chain;
+}
+
+/* Is the angle clockwise from halfedge a to halfedge c below pi, with no border in between? */
+template <class Triangulation>
+bool is_bent_clockwise(const Triangulation& triangulation, Index a, Index c)
+{
+  typename Triangulation::Turn turn;
+  Index h = a;
+  do {
+    const Index t = Triangulation::twin(h);
+    if(triangulation.is_border(t))
+      return false;
+    triangulation.extend_turn(turn, t);
+    h = triangulation.next(t);
+    if(triangulation.is_straight(turn, a, h))
+      return false;
+  } while(h != c);
+  return true;
+}
+
+/*
+ * Flips edges on the right of a chain until all angles there are at least pi. If the chain is the left side of a strip
+ * of different faces that holds the straight segment between its ends, then only edges inside the strip are flipped,
+ * and one halfedge, the segment, is left: the polygon between the two has its inner angles at the ends, and the others
+ * are at least pi. Returns the number of flips.
+ */
+template <class Triangulation>
+std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Index>& chain)
+{
+  std::size_t flips = 0;
+  std::vector<Index> arc;
+  for(std::size_t i = 0; i + 1 < chain.size();) {
+    const Index back = Triangulation::twin(chain[i]), on = chain[i + 1];
+    if(on == back || !is_bent_clockwise(triangulation, on, back)) {
+      ++i;
+      continue;
+    }
+    flip_out_wedge(triangulation, on, back, arc, [&](Index h) {
+      triangulation.flip(h);
+      ++flips;
+    });
+    // The arc leads back, from the head of `on` to the tail of chain[i].
+    std::vector<Index> replacement;
+    for(std::size_t j = arc.size(); j-- > 0;)
+      replacement.push_back(Triangulation::twin(arc[j]));
+    const auto position =
+        chain.erase(chain.begin() + static_cast<std::ptrdiff_t>(i), chain.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+    chain.insert(position, replacement.begin(), replacement.end());
+    i = i == 0 ? 0 : i - 1;
+  }
+  return flips;
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_INSERTION_H

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_REPAIR_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_REPAIR_H
+
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/internal/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/Window_search.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Replaces the paths of a tree that are not shortest by shortest ones.
+ *
+ * Shortest paths from one vertex do not cross. So, once the paths that are longer are taken off, a shortest path to a
+ * vertex that is nearest among those taken off crosses no edge of the tree; its last leg is traced backward through the
+ * triangulation, to the first vertex that it meets, and inserted there by flips.
+ */
+template <class Tree>
+class Shortest_tree_repair
+{
+  using Triangulation = typename Tree::Triangulation;
+  using Search = Window_search<Triangulation>;
+  using Vector = std::complex<double>;
+
+public:
+  Shortest_tree_repair(Tree& tree, const Search& search, double tolerance)
+    : m_tree(tree)
+    , m_triangulation(tree.triangulation())
+    , m_search(search)
+    , m_tolerance(tolerance)
+  {
+  }
+
+  /* The vertices whose paths are longer than shortest ones, or pass such a vertex, the nearest first. */
+  std::vector<Index> longer() const
+  {
+    std::vector<Index> order = vertices_by_distance();
+    std::vector<char> is_longer(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
+    std::vector<Index> result;
+    for(Index v : order) {
+      const Index h = m_tree.incoming(v);
+      const bool has_longer_parent = h != null_index && is_longer[m_triangulation.tail(h)] != 0;
+      if(m_tree.distance(v) <= m_search.distance(v) * (1 + m_tolerance) && !has_longer_parent)
+        continue;
+      is_longer[v] = 1;
+      result.push_back(v);
+    }
+    return result;
+  }
+
+  Shortening_status run(const std::vector<Index>& longer)
+  {
+    for(Index v : longer)
+      m_tree.take_off(v);
+    for(Index v : longer)
+      insert_last_leg(v);
+    return m_tree.regrow(longer).status;
+  }
+
+  std::size_t flips() const { return m_flips; }
+
+private:
+  std::vector<Index> vertices_by_distance() const
+  {
+    std::vector<Index> order;
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+      if(m_search.distance(v) <= m_tree.max_distance() && m_search.is_reached(v))
+        order.push_back(v);
+    std::sort(order.begin(), order.end(), [this](Index v, Index w) {
+      const double a = m_search.distance(v), b = m_search.distance(w);
+      return a != b ? a < b : v < w;
+    });
+    return order;
+  }
+
+  // Leaves v without a path if something is in the way, which only rounding can put there.
+  void insert_last_leg(Index v)
+  {
+    const auto leg = m_search.leg(v);
+    std::vector<Index> chain = traced(v, leg.from, Strip<Triangulation>(m_triangulation, leg.word.reversed()));
+    if(chain.empty())
+      return;
+    m_flips += straighten_on_the_right(m_triangulation, chain);
+    const Index h = Triangulation::twin(chain.front()), before = m_triangulation.tail(h);
+    if(!m_tree.is_reached(before) || m_triangulation.head(h) != v)
+      return;
+    const double length = m_tree.distance(before) + m_triangulation.length(h);
+    if(length <= m_search.distance(v) * (1 + m_tolerance))
+      m_tree.hang(v, h);
+  }
+
+  /*
+   * Follows the straight line of a strip from v through the triangulation as it is now, up to the first vertex on it.
+   * Returns halfedges from v to there along the left side of the faces passed; none if the line gets lost.
+   */
+  std::vector<Index> traced(Index v, Index end, const Strip<Triangulation>& strip) const
+  {
+    constexpr double straight = 1e-9; // in radians
+    const Vertex_directions<Triangulation> directions(m_triangulation, v);
+    const double direction = directions(strip), length = strip.length();
+    double offset = 0;
+    const Index spoke = last_spoke_before(directions, v, direction, offset);
+    if(spoke == null_index)
+      return {};
+    if(offset <= straight)
+      return {spoke};
+    if(m_triangulation.is_border(spoke))
+      return {};
+    // In the frame of the line.
+    std::array<Vector, 3> face = face_along(spoke, std::polar(m_triangulation.length(spoke), -offset));
+    Vector right = face[0], left = -face[2], gate = -face[1];
+    if(std::abs(std::arg(left)) <= straight)
+      return {Triangulation::twin(m_triangulation.previous(spoke))};
+    std::vector<Index> crossed = {m_triangulation.next(spoke)};
+    while(!is_in_tree(crossed.back()) && crossed.size() < most_crossings) {
+      const Index entered = Triangulation::twin(crossed.back());
+      if(m_triangulation.is_border(entered))
+        return {};
+      face = face_along(entered, gate);
+      const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
+      const Index w = m_triangulation.tail(m_triangulation.previous(entered));
+      const bool is_end = w == end && std::abs(apex - length) <= straight * length;
+      if(is_end || is_passed(apex, length))
+        return left_side_of_strip(m_triangulation, crossed);
+      const bool is_leaving_right = apex.imag() > 0;
+      gate = is_leaving_right ? -face[1] : -face[2];
+      (is_leaving_right ? left : right) = apex;
+      crossed.push_back(is_leaving_right ? m_triangulation.next(entered) : m_triangulation.previous(entered));
+    }
+    return {};
+  }
+
+  // Does a line along the x-axis from 0 to `length` pass this point, up to angles that count as none?
+  static bool is_passed(const Vector& p, double length)
+  {
+    constexpr double straight = 1e-9;
+    const double x = p.real(), beyond = length - x;
+    return x > 0 && beyond > 0 && std::abs(p.imag()) <= straight * (std::min)(x, beyond);
+  }
+
+  bool is_in_tree(Index h) const
+  {
+    return m_tree.incoming(m_triangulation.head(h)) == h ||
+           m_tree.incoming(m_triangulation.tail(h)) == Triangulation::twin(h);
+  }
+
+  // The spoke of v that a direction is at, or follows counterclockwise; and by which angle.
+  Index last_spoke_before(const Vertex_directions<Triangulation>& directions, Index v, double direction,
+                          double& offset) const
+  {
+    constexpr double rounding = 1e-9;
+    Index best = null_index;
+    for(Index h : spokes(m_triangulation, v)) {
+      double angle = direction - directions(h);
+      if(angle < -rounding)
+        angle += directions.has_border() ? infinity : directions.total();
+      if(!directions.has_border() && angle > directions.total() - rounding)
+        angle -= directions.total();
+      if(best == null_index || angle < offset) {
+        best = h;
+        offset = angle;
+      }
+    }
+    return offset < infinity ? best : null_index;
+  }
+
+  // The vectors of h, next(h), previous(h) in the triangulation, turned so that h lies along the given vector.
+  std::array<Vector, 3> face_along(Index h, const Vector& along) const
+  {
+    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+    const Index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
+    const auto face = Double_traits().construct_face_from_lengths_object()(
+        m_triangulation.length(h), m_triangulation.length(hn), m_triangulation.length(hp));
+    const Vector turn = along / face[0].x;
+    return {along, turn * Vector(face[1].x, face[1].y), turn * Vector(face[2].x, face[2].y)};
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t most_crossings = 1000000;
+
+  Tree& m_tree;
+  Triangulation& m_triangulation;
+  const Search& m_search;
+  double m_tolerance;
+  std::size_t m_flips = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_REPAIR_H

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_MAKE_SHORTEST_H
+#define CGAL_FLIP_GEODESICS_MAKE_SHORTEST_H
+
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/internal/Shortest_tree_repair.h>
+#include <CGAL/Flip_geodesics/internal/Window_search.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsTree
+/// How many paths of a tree are globally shortest.
+struct Shortest_tree_report
+{
+  std::size_t vertices = 0;         ///< with a path, or with one no longer than the tree's limit; without the source
+  std::size_t longer_before = 0;    ///< whose path was longer than a shortest one, or missing
+  std::size_t longer = 0;           ///< for which it still is; rounding, or degenerate faces, can stand in the way
+  double largest_excess_before = 0; ///< the largest part of a shortest length that a path was longer
+  double largest_excess = 0;        ///< the same now
+  std::size_t windows = 0;          ///< what the search for shortest paths cost
+  std::size_t flips = 0;            ///< by which shortest paths were inserted
+  /// Were there no degenerate faces, so that the search is exact up to rounding?
+  bool is_confirmed = false;
+  /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it?
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
+};
+
+namespace internal {
+
+template <class Tree, class Search>
+void count_longer(const Tree& tree, const Search& search, double tolerance, std::size_t& count, double& excess)
+{
+  count = 0;
+  excess = 0;
+  for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v) {
+    if(!search.is_reached(v) || search.distance(v) > tree.max_distance() || v == tree.source())
+      continue;
+    const double ratio = tree.distance(v) / search.distance(v) - 1;
+    count += ratio > tolerance ? 1 : 0;
+    excess = (std::max)(excess, tree.is_reached(v) ? ratio : 0);
+  }
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsTree
+ *
+ * Finds the paths of a tree that are not globally shortest, and replaces them. The shortest paths are searched on the
+ * input as by `add_shortest_path()`, exact up to rounding; then the longer paths are taken out of the tree, and
+ * shortest ones inserted by flips, the nearest first. They do not cross what is there, since shortest paths from one
+ * vertex never cross. Vertices within the tree's limit that it did not find are added.
+ *
+ * Complexity: that of the search, \f$O(w \log w)\f$ for \f$w\f$ windows, mostly more than it took to grow the tree;
+ * and for each path that is replaced the degree of its end and the edges that its last leg crosses.
+ *
+ * \param tree a tree that has been grown to its end
+ * \throws Invalid_coordinate_error
+ */
+template <class Triangulation>
+Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree)
+{
+  using Tree = Geodesic_tree<Triangulation>;
+  constexpr double tolerance = Shortest_path_report::tolerance();
+  CGAL_precondition(tree.source() != null_index);
+  Shortest_tree_report report;
+  internal::Window_search<Triangulation> search(tree.triangulation(), tree.source());
+  report.is_confirmed =
+      internal::run_to_the_end(search, std::nextafter(tree.max_distance(), std::numeric_limits<double>::infinity()),
+                               (std::numeric_limits<std::size_t>::max)());
+  report.windows = search.number_of_windows();
+  for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v)
+    report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
+
+  internal::count_longer(tree, search, tolerance, report.longer_before, report.largest_excess_before);
+  internal::Shortest_tree_repair<Tree> repair(tree, search, tolerance);
+  const std::vector<Index> longer = repair.longer();
+  if(!longer.empty())
+    report.status = repair.run(longer);
+  report.flips = repair.flips();
+  internal::count_longer(tree, search, tolerance, report.longer, report.largest_excess);
+  return report;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_MAKE_SHORTEST_H

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
+#define CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
+
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/Window_search.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// What is known of a path that was to be shortest.
+struct Shortest_path_report
+{
+  Shortening_report shortening; ///< of the one path
+
+  double first_length = 0; ///< the length of the shortest edge path once it was pulled tight
+  double length = 0;       ///< the length of the result
+  double lower_bound = 0;  ///< no path is shorter, up to `tolerance()`
+  std::size_t windows = 0; ///< what the search cost
+  /// Is the path globally shortest? If not, it may still be.
+  bool is_confirmed = false;
+
+  /// By how much the path may be longer than a shortest one.
+  double gap() const { return (std::max)(length - lower_bound, 0.0); }
+
+  /// The part of a length that the search, which is in double, can be wrong by.
+  static constexpr double tolerance() { return 1e-10; }
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// What `shortest_path()` returns: where its output ends, and what is known of the path.
+template <class OutputIterator>
+struct Shortest_path_result
+{
+  OutputIterator out;
+  Shortest_path_report report;
+};
+
+namespace internal {
+
+/* Searches; false if there may be shorter paths than it found, on account of degenerate faces. */
+template <class Search>
+bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
+{
+  try {
+    search.run(bound, most_windows);
+  } catch(const Degenerate_face_error&) {
+    return false;
+  }
+  return !search.has_flat_face();
+}
+
+/* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
+template <class Triangulation>
+std::vector<Index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search, Index source,
+                               Index target, std::size_t& flips)
+{
+  const auto is_untouched = [&](const std::vector<Index>& halfedges) {
+    return std::all_of(halfedges.begin(), halfedges.end(),
+                       [&](Index h) { return triangulation.version(Triangulation::edge(h)) == 0; });
+  };
+  std::vector<std::vector<Index>> legs;
+  for(Index v = target; v != source;) {
+    const auto leg = search.leg(v);
+    std::vector<Index> chain = {leg.word.along};
+    if(leg.word.along == null_index) {
+      if(!is_untouched(leg.word.crossed)) // two legs over one edge: not on a mesh in space
+        return {};
+      chain = left_side_of_strip(triangulation, leg.word.crossed);
+    }
+    if(!is_untouched(chain))
+      return {};
+    flips += straighten_on_the_right(triangulation, chain);
+    legs.push_back(chain);
+    v = leg.from;
+  }
+  std::vector<Index> path;
+  for(std::size_t i = legs.size(); i-- > 0;)
+    path.insert(path.end(), legs[i].begin(), legs[i].end());
+  return path;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Adds a shortest path between two vertices to an empty network: a shortest edge path is pulled tight, and then windows
+ * of straight rays are carried over the mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one,
+ * in another homotopy class, that one is inserted instead, by flipping the edges that it crosses.
+ *
+ * The search is exact up to rounding, and so is what it confirms, `Shortest_path_report::tolerance()`. It cannot
+ * confirm where it meets an edge of length zero or a face whose height is 1e-10 of its base, and where it is given up.
+ *
+ * Complexity: that of `geodesic_path()` and \f$O(w \log w)\f$ for \f$w\f$ windows. These are few where the distance
+ * in space is close to that on the surface, and \f$O(n^2)\f$ for the \f$n\f$ vertices within reach at worst.
+ *
+ * \param network an empty network in a triangulation that has not been flipped
+ * \param search an edge path search over that triangulation
+ * \param source, target different vertices of one component
+ * \param most_windows at most about so many windows are made; then the rest of the gap is reported
+ * \param visitor a model of `FlipOutVisitor`, for the shortening
+ * \return what is known; the path is the network's only curve
+ * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`
+ */
+template <class Network, class Search, class Visitor = Default_shortening_visitor>
+Shortest_path_report add_shortest_path(Network& network, Search& search, Index source, Index target,
+                                       std::size_t most_windows = (std::numeric_limits<std::size_t>::max)(),
+                                       Visitor&& visitor = Visitor())
+{
+  using Triangulation = typename Network::Triangulation;
+  Triangulation& triangulation = network.triangulation();
+  CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  const std::vector<Index> ends = {source, target};
+  const std::vector<Index> edge_path = shortest_halfedges_through(search, ends);
+  network.add_curve(edge_path, false);
+  Shortest_path_report report;
+  report.shortening = shorten(network, Never_stop_predicate(), visitor);
+  report.length = report.first_length = network.length(0);
+
+  constexpr double tolerance = Shortest_path_report::tolerance();
+  internal::Window_search<Triangulation> windows(triangulation, source, target);
+  const bool is_sound = internal::run_to_the_end(windows, report.length * (1 - tolerance), most_windows);
+  report.windows = windows.number_of_windows();
+  if(windows.distance(target) < report.length * (1 - tolerance)) {
+    const Shortening_report before = report.shortening;
+    network.clear();
+    triangulation.rollback();
+    std::size_t flips = 0;
+    std::vector<Index> path = internal::insert_path(triangulation, windows, source, target, flips);
+    if(path.empty()) {
+      triangulation.rollback();
+      path = edge_path;
+    }
+    network.add_curve(path, false);
+    report.shortening = shorten(network, Never_stop_predicate(), visitor);
+    report.shortening.curves[0].initial_length = before.curves[0].initial_length;
+    report.shortening.flips += before.flips + flips;
+    report.shortening.flip_outs += before.flip_outs;
+    report.length = network.length(0);
+  }
+
+  report.lower_bound = triangulation.metric().distance_lower_bound(triangulation.input(), source, target);
+  if(is_sound)
+    report.lower_bound = (std::max)(report.lower_bound,
+                                    (std::min)({windows.lower_bound(), windows.distance(target), report.first_length}));
+  report.is_confirmed = report.shortening.is_complete() && report.length <= report.lower_bound * (1 + 2 * tolerance);
+  return report;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Computes a shortest path on the surface from one vertex to another, and says whether it is confirmed to be one. See
+ * `add_shortest_path()` for what that means and costs.
+ *
+ * \param mesh a triangle mesh
+ * \param source, target different vertices of one component
+ * \param out receives the points of the path, from source to target
+ * \param np the named parameters of `geodesic_path()`, and `number_of_iterations`: at most about so many windows are
+ *        made; by default as many as it takes
+ * \return the end of the output, and the report
+ * \throws as `geodesic_path()`
+ */
+template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
+                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+                                                   OutputIterator out,
+                                                   const NamedParameters& np = parameters::default_values())
+{
+  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  auto triangulation = internal::make_triangulation(mesh, np);
+  Shortest_edge_path<typename Types::Triangulation> search(triangulation);
+  typename Types::Network network(triangulation);
+  Default_shortening_visitor none;
+  auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
+  const std::size_t most_windows = static_cast<std::size_t>(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::number_of_iterations), (std::numeric_limits<std::size_t>::max)()));
+  const Shortest_path_report report = add_shortest_path(network, search, triangulation.index(source),
+                                                        triangulation.index(target), most_windows, visitor);
+  out = Curve_extractor<typename Types::Network>(network).points(0, out);
+  return {out, report};
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SHORTEST_PATH_H

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE shortest_path
+
+#include "Curve_setting.h"
+#include "closed_forms.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using FG::Index;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+constexpr double tolerance = 1e-9;
+
+using Setting = Curve_setting;
+using Tree = FG::Geodesic_tree<Setting::Triangulation>;
+
+FG::Shortest_path_report shortest(Setting& setting, Index s, Index t,
+                                  std::size_t most_windows = (std::numeric_limits<std::size_t>::max)())
+{
+  Setting::Search search(setting.triangulation);
+  const auto report = FG::add_shortest_path(setting.network, search, s, t, most_windows);
+  BOOST_TEST(setting.triangulation.is_valid());
+  BOOST_TEST(setting.network.is_valid());
+  BOOST_TEST(setting.triangulation.tail(setting.network.halfedges(0).front()) == s);
+  BOOST_TEST(setting.triangulation.head(setting.network.halfedges(0).back()) == t);
+  BOOST_TEST(std::abs(setting.network.length(0) - report.length) <= tolerance * report.length);
+  BOOST_TEST(report.length <= report.first_length * (1 + tolerance));
+  BOOST_TEST(FG::to_string(report.shortening.curves[0].status) == "LOCALLY_SHORTEST");
+  setting.network.clear();
+  setting.triangulation.rollback();
+  return report;
+}
+
+// Paths and trees against the distance in closed form.
+template <class Distance>
+void check_against(const char* name, const Mesh_soup& soup, const Distance& distance)
+{
+  BOOST_TEST_CONTEXT(name)
+  {
+    Setting setting(soup);
+    Random_numbers random(7);
+    const int n = static_cast<int>(soup.points.size());
+    int improved = 0;
+    for(int i = 0; i < 60; ++i) {
+      const int s = random.below(n), t = (s + 1 + random.below(n - 1)) % n;
+      const auto report = shortest(setting, s, t);
+      BOOST_TEST(report.is_confirmed, s << " to " << t);
+      BOOST_TEST(std::abs(report.length - distance(s, t)) <= tolerance * distance(s, t), s << " to " << t);
+      BOOST_TEST(report.gap() <= tolerance * report.length);
+      improved += report.length < report.first_length * (1 - tolerance) ? 1 : 0;
+    }
+    BOOST_TEST_MESSAGE(name << ": " << improved << " of 60 paths improved");
+
+    for(int source : {0, n / 2, n - 1}) {
+      Tree tree(setting.triangulation);
+      tree.grow(source);
+      const FG::Shortest_tree_report report = FG::make_shortest(tree);
+      BOOST_TEST(report.is_confirmed);
+      BOOST_TEST(report.longer == 0u);
+      BOOST_TEST(report.largest_excess <= tolerance);
+      BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
+      BOOST_TEST(report.vertices == static_cast<std::size_t>(n - 1));
+      BOOST_TEST(tree.is_valid(tolerance));
+      BOOST_TEST(setting.triangulation.is_valid());
+      for(int v = 0; v < n; ++v)
+        BOOST_TEST(std::abs(tree.distance(v) - distance(source, v)) <= tolerance * (1 + distance(source, v)),
+                   source << " to " << v);
+      for(int v = 0; v < n; ++v)
+        if(v != source)
+          setting.network.add_curve(tree.path(v), false);
+      BOOST_TEST(setting.pull().flip_outs == 0u);
+      setting.network.clear();
+      setting.triangulation.rollback();
+    }
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(closed_forms)
+{
+  for(Diagonal_rule rule : {Diagonal_rule::RISING, Diagonal_rule::RANDOM}) {
+    const Mesh_soup plane = flat_grid(8, 6, rule);
+    check_against("grid", plane, [&](int u, int v) { return distance(plane.points[u], plane.points[v]); });
+  }
+  const Mesh_soup jittered = jittered_grid(8, 8, Diagonal_rule::RANDOM, 0.2, 9);
+  check_against("jittered grid", jittered,
+                [&](int u, int v) { return distance(jittered.points[u], jittered.points[v]); });
+  check_against("cylinder", cylinder(9, 7, 1.25, 8),
+                [](int u, int v) { return cylinder_distance(9, 7, 1.25, 8, u, v); });
+  const Mesh_soup pyramid = tetrahedron(5);
+  check_against("tetrahedron", pyramid,
+                [&](int u, int v) { return tetrahedron_distance(5, pyramid.points[u], pyramid.points[v]); });
+  const Mesh_soup block = box(5, 4, 3, 1);
+  check_against("box", block, [&](int u, int v) { return box_distance(5, 4, 3, block.points[u], block.points[v]); });
+  constexpr int k = 8, m = 4;
+  constexpr double total = 8;
+  check_against("saddle", saddle_disk(k, m, total), [](int u, int v) {
+    const auto radius = [](int w) { return w == 0 ? 0 : 1 + (w - 1) / k; };
+    const int turn = u == 0 || v == 0 ? 0 : std::abs((u - 1) % k - (v - 1) % k);
+    return cone_distance(radius(u), radius(v), (std::min)(turn, k - turn) * total / k);
+  });
+}
+
+// Without closed forms: the tree from s to t and the path from t to s are found in different ways and must agree.
+BOOST_AUTO_TEST_CASE(curved_meshes)
+{
+  std::size_t longer = 0;
+  for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(20, 10, 3, 1), genus_3_plate(2),
+                               random_convex_polyhedron(80, 2), grid_with_hole(9, 9, 3, 6, 3, 6)})
+  {
+    Setting setting(soup);
+    Tree tree(setting.triangulation);
+    tree.grow(3);
+    const FG::Shortest_tree_report report = FG::make_shortest(tree);
+    BOOST_TEST(report.is_confirmed);
+    BOOST_TEST(report.longer == 0u);
+    BOOST_TEST(tree.is_valid(tolerance));
+    longer += report.longer_before;
+    std::vector<double> distances;
+    for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+      distances.push_back(tree.distance(v));
+    setting.triangulation.rollback();
+    for(Index v = 0; v < setting.triangulation.number_of_vertices(); v += 7) {
+      if(v == 3)
+        continue;
+      const auto path = shortest(setting, v, 3);
+      BOOST_TEST(path.is_confirmed);
+      BOOST_TEST(std::abs(path.length - distances[v]) <= tolerance * path.length);
+    }
+  }
+  BOOST_TEST(longer > 0u); // otherwise nothing was tried
+}
+
+// Given up, the search still says how much shorter a path could be.
+BOOST_AUTO_TEST_CASE(limited_effort)
+{
+  Setting setting(bumpy_sphere(10, 0.3, 1));
+  Random_numbers random(3);
+  int unconfirmed = 0;
+  for(int i = 0; i < 40; ++i) {
+    const int s = random.below(360), t = 360 + i;
+    const auto exact = shortest(setting, s, t), limited = shortest(setting, s, t, 30);
+    BOOST_TEST(exact.is_confirmed);
+    BOOST_TEST(limited.lower_bound <= exact.length * (1 + tolerance));
+    BOOST_TEST(limited.lower_bound > 0);
+    BOOST_TEST(limited.length >= exact.length * (1 - tolerance));
+    BOOST_TEST(limited.gap() >= limited.length - exact.length - tolerance);
+    BOOST_TEST(limited.windows < exact.windows + 30);
+    if(limited.is_confirmed)
+      BOOST_TEST(std::abs(limited.length - exact.length) <= tolerance * exact.length);
+    unconfirmed += limited.is_confirmed ? 0 : 1;
+  }
+  BOOST_TEST(unconfirmed > 0);
+}
+
+BOOST_AUTO_TEST_CASE(limited_distance)
+{
+  const Mesh_soup soup = bumpy_sphere(10, 0.3, 1);
+  Setting setting(soup);
+  Tree whole(setting.triangulation);
+  whole.grow(11);
+  FG::make_shortest(whole);
+  std::vector<double> distances;
+  for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+    distances.push_back(whole.distance(v));
+  setting.triangulation.rollback();
+  Tree part(setting.triangulation);
+  part.grow(11, 0.8);
+  const auto report = FG::make_shortest(part);
+  BOOST_TEST(report.longer == 0u);
+  std::size_t reached = 0;
+  for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v) {
+    BOOST_TEST(part.is_reached(v) == (distances[v] <= 0.8));
+    if(!part.is_reached(v))
+      continue;
+    BOOST_TEST(std::abs(part.distance(v) - distances[v]) <= tolerance);
+    ++reached;
+  }
+  BOOST_TEST(report.vertices + 1 == reached);
+}
+
+// A degenerate face elsewhere does not stop the path, but nothing is confirmed that rays could not be followed for.
+BOOST_AUTO_TEST_CASE(degenerate_face_on_the_way)
+{
+  Mesh_soup soup = flat_grid(6, 6, Diagonal_rule::RISING);
+  soup.points[grid_vertex(6, 3, 5)] = soup.points[grid_vertex(6, 3, 4)];
+  soup = mapped(soup, [](const Coordinates& p) { return Coordinates{p[0], p[1], p[1] > 1.5 ? 0.5 : 0}; });
+  Setting setting(soup);
+  Setting::Search search(setting.triangulation);
+  const auto report = FG::add_shortest_path(setting.network, search, grid_vertex(6, 0, 0), grid_vertex(6, 6, 3));
+  BOOST_TEST(!report.is_confirmed);
+  BOOST_TEST(report.lower_bound <= report.length);
+  BOOST_TEST(report.lower_bound > 0);
+}
+
+BOOST_AUTO_TEST_CASE(one_call)
+{
+  const Mesh_soup soup = tetrahedron(5);
+  const Surface mesh = to_mesh<Surface>(soup);
+  std::vector<Surface::Point> points;
+  const auto result =
+      FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40), std::back_inserter(points));
+  BOOST_TEST(result.report.is_confirmed);
+  BOOST_TEST(std::abs(result.report.length - tetrahedron_distance(5, soup.points[7], soup.points[40])) <= tolerance);
+  double length = 0;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    length += std::sqrt(CGAL::to_double(CGAL::squared_distance(points[i], points[i + 1])));
+  BOOST_TEST(std::abs(length - result.report.length) <= tolerance);
+  BOOST_CHECK_THROW(
+      FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(7), std::back_inserter(points)),
+      FG::Invalid_curve_error);
+  const auto limited = FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40),
+                                         std::back_inserter(points), CGAL::parameters::number_of_iterations(1));
+  BOOST_TEST(limited.report.windows <= 60u);
+}
