@@ -27,8 +27,10 @@ void keep_curves_only(Overlay<Triangulation>& overlay, Overlay_layout<Triangulat
           overlay.dissolve(overlay.piece(2 * e, i));
   for(Index h = 0; h < overlay.number_of_halfedges(); ++h)
     if(overlay.is_alive(h) && !overlay.is_border(h))
-      while(overlay.is_crossing(overlay.target(h)) && overlay.has_two_edges_at_target(h))
+      while(overlay.is_crossing(overlay.target(h)) && overlay.has_two_edges_at_target(h)) {
+        layout.join(h);
         overlay.join(h);
+      }
 }
 
 template <class Triangulation>

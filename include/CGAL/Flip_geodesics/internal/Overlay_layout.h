@@ -74,6 +74,9 @@ public:
     m_weights.insert(m_weights.end(), {from, to});
   }
 
+  /* Takes notice of h and the edge after it before they are joined. */
+  void join(Index h) { m_weights[Overlay::twin(h)] = m_weights[Overlay::twin(m_overlay->next(h))]; }
+
   /* Takes notice of an edge that was cut: the new edge stands for t, the twin of h. */
   void add_cut(Index t)
   {
