@@ -1,1 +1,0 @@
-#include <CGAL/Flip_geodesics/make_shortest.h>
