@@ -20,6 +20,7 @@
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/delaunay.h>

@@ -92,6 +92,10 @@ public:
   const Input_mesh& input() const { return m_triangulation.input(); }
   const Metric& metric() const { return m_triangulation.metric(); }
   decltype(auto) crossing_word(int h) const { return m_triangulation.crossing_word(h); }
+  int tail(int h) const { return m_triangulation.tail(h); }
+  bool is_inserted(int v) const { return m_triangulation.is_inserted(v); }
+  auto location(int v) const { return m_triangulation.location(v); }
+  int clockwise(int h) const { return m_triangulation.clockwise(h); }
   decltype(auto) exact_input_face(int h) const { return m_triangulation.exact_input_face(h); }
   int input_edges_in_wedge(int from, int to) const { return m_triangulation.input_edges_in_wedge(from, to); }
 

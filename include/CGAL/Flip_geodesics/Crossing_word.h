@@ -14,26 +14,39 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsRef
  *
- * The input edges that an intrinsic edge crosses, from its tail to its head.
+ * The input edges that an intrinsic edge crosses, from its tail to its head. With its ends, it determines the edge: the
+ * straight line in the unfolded faces.
  *
- * Either the intrinsic edge lies along the input halfedge `along`, and crosses nothing; or `along` is `null_index` and
- * `crossed` lists input halfedges, each as a side of the face that is left through it.
+ * One of three: the edge lies along the input halfedge `along`, or along a part of it, and crosses nothing; or it
+ * crosses nothing and lies inside the input face of the halfedge `face`; or `crossed` lists input halfedges, each as a
+ * side of the face that is left through it, and `along` and `face` are `null_index`. Edges inside a face end at an
+ * inserted vertex.
  */
 struct Crossing_word
 {
   Index along = null_index;
   std::vector<Index> crossed;
+  Index face = null_index;                    ///< a halfedge of the face that holds the whole edge
+  Index tail = null_index, head = null_index; ///< the end vertices
 
   /// The word of the other direction.
   Crossing_word reversed() const
   {
     Crossing_word result;
     result.along = along == null_index ? null_index : internal::twin_index(along);
+    result.face = face;
+    result.tail = head;
+    result.head = tail;
     result.crossed.reserve(crossed.size());
     for(std::size_t i = crossed.size(); i-- > 0;)
       result.crossed.push_back(internal::twin_index(crossed[i]));
     return result;
   }
+
+  /// A halfedge of the input face at the tail. \pre the edge does not lie along an input edge
+  Index first_face() const { return crossed.empty() ? face : crossed.front(); }
+  /// A halfedge of the input face at the head. \pre the edge does not lie along an input edge
+  Index last_face() const { return crossed.empty() ? face : internal::twin_index(crossed.back()); }
 };
 
 } // namespace Flip_geodesics

@@ -4,12 +4,16 @@
 #define CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
 
 #include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
+#include <CGAL/Flip_geodesics/internal/Point_insertion.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -110,6 +114,19 @@ public:
       unlink(s);
     for(Index s : order)
       link_outermost(s, 2 * e);
+  }
+
+  /*!
+   * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()`. Segments on an
+   * edge that is split become two each, with a joint that is not fixed; their order stays.
+   * \return the new vertex, or the one that is there already
+   * \throws as `Intrinsic_triangulation::insert()`
+   */
+  Index insert(const Surface_location& location)
+  {
+    return m_triangulation->insert(location, [this](const internal::Edge_halves& halves) {
+      move_stack(halves.first, {halves.first, halves.second});
+    });
   }
 
   /// Removes all curves. Linear in the segments.
@@ -511,6 +528,39 @@ private:
     for_each_segment(curve, [&](Index s) { segments.push_back(s); });
     for(Index s : segments)
       remove(s);
+  }
+
+  // Moves the segments on the edge of h to a chain of two halfedges that leads past the same vertices, in their order.
+  void move_stack(Index h, const std::array<Index, 2>& chain)
+  {
+    std::vector<Index> segments = stack(Triangulation::edge(h));
+    if((h & 1) != 0)
+      std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
+    for(Index s : segments)
+      unlink(s);
+    for(Index s : segments) {
+      const bool is_along = m_segments[s].halfedge == h;
+      const Index a = create(curve(s), is_along ? chain[0] : Triangulation::twin(chain[1]));
+      const Index b = create(curve(s), is_along ? chain[1] : Triangulation::twin(chain[0]));
+      link_outermost(a, is_along ? chain[0] : chain[1]);
+      link_outermost(b, is_along ? chain[1] : chain[0]);
+      replace_in_curve(s, a, b);
+    }
+  }
+
+  // Puts a and b into the place of s.
+  void replace_in_curve(Index s, Index a, Index b)
+  {
+    const Segment old = m_segments[s];
+    Curve& c = m_curves[old.curve];
+    const bool was_whole_loop = old.next == s;
+    link(a, b);
+    link(was_whole_loop ? b : old.previous, a);
+    link(b, was_whole_loop ? a : old.next);
+    m_segments[b].is_head_fixed = old.is_head_fixed;
+    m_segments[s].halfedge = null_index;
+    c.first = c.first == s ? a : c.first;
+    c.last = c.last == s ? b : c.last;
   }
 
   // The next end counterclockwise that is not one of x or y.

@@ -181,6 +181,18 @@ public:
     }
   };
 
+  class Construct_exact_subface
+  {
+  public:
+    Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights) const
+    {
+      return Geometry::subface(face, weights);
+    }
+  };
+
+  /// Lays out a triangle of points of a face, each given by weights of the face's corners. `void` if `NT` is not exact.
+  using Construct_subface = std::conditional_t<is_exact, Construct_exact_subface, void>;
+
   /// As `Intrinsic_triangulation_traits::Extend_turn`.
   class Extend_turn
   {
@@ -392,6 +404,7 @@ public:
   Construct_face_3 construct_face_3_object() const { return Construct_face_3(m_unit); }
   Construct_face_from_lengths construct_face_from_lengths_object() const { return Construct_face_from_lengths(m_unit); }
   Construct_face_2 construct_face_2_object() const { return {}; }
+  Construct_subface construct_subface_object() const { return Construct_subface(); }
   Extend_turn extend_turn_object() const { return Extend_turn(m_unit); }
   Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
   Turn_key turn_key_object() const { return Turn_key(m_unit); }

@@ -5,10 +5,13 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Crossing_words.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/Point_insertion.h>
+#include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/refresh_face.h>
@@ -52,7 +55,7 @@ using Default_traits = Intrinsic_triangulation_traits<
  * It is a true \f$\Delta\f$-complex: an edge may be a loop, two edges may share both end vertices, a vertex may have
  * degree 1, a face may be glued to itself. Elements are told apart by their indices, never by their vertices. Vertices
  * keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`; both ids survive flips, and before
- * the first flip they are the input's.
+ * the first flip they are the input's. Points of the surface can be inserted as further vertices, with the next indices.
  *
  * Faces of the input are copied when they are first touched, so that construction takes constant time over a
  * `Surface_mesh`, and \f$O(n \log n)\f$ over other meshes, whose elements are numbered first. The mesh and its points
@@ -84,7 +87,8 @@ public:
   using Turn = typename Traits::Turn;
 
   /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge. Where `hp` is
-  /// `null_index`, nothing was flipped, but the face of `h` laid out afresh; the first three vectors are its old ones.
+  /// `null_index`, nothing was flipped: either the face of `h` was laid out afresh, and the first three vectors are its
+  /// old ones; or a point was inserted, and `tn` is the number of the insertion.
   struct Flip_record
   {
     Index h;                      ///< the flipped halfedge, i->j before and l->k after
@@ -133,12 +137,12 @@ public:
   /// The arithmetic.
   const Traits& traits() const { return m_traits; }
 
-  /// The number of vertices, the input's.
-  Index number_of_vertices() const { return m_input.number_of_vertices(); }
+  /// The number of vertices: the input's, and those inserted, which come after them.
+  Index number_of_vertices() const { return static_cast<Index>(m_outgoing.size()); }
   /// The number of halfedges, twice the number of edges.
-  Index number_of_halfedges() const { return m_input.number_of_halfedges(); }
-  /// The number of edges, the input's; flips do not change it.
-  Index number_of_edges() const { return m_input.number_of_halfedges() / 2; }
+  Index number_of_halfedges() const { return 2 * number_of_edges(); }
+  /// The number of edges, the input's and those of inserted points; flips do not change it.
+  Index number_of_edges() const { return static_cast<Index>(m_edges.size()); }
 
   /// The index of a vertex or halfedge of the input mesh, `null_index` if it is not one.
   template <class Descriptor>
@@ -147,7 +151,7 @@ public:
     return m_input.index(d);
   }
 
-  /// The input mesh's vertex with index `v`.
+  /// The input mesh's vertex with index `v`. \pre `v` was not inserted
   vertex_descriptor vertex(Index v) const { return m_input.vertex(v); }
 
   /// The input mesh's halfedge with index `h`.
@@ -189,7 +193,7 @@ public:
   Index outgoing(Index v) const
   {
     if(m_outgoing[v] == 0) {
-      const Index h = m_input.outgoing(v);
+      const Index h = is_inserted(v) ? null_index : m_input.outgoing(v);
       if(h == null_index)
         return null_index;
       record(h);
@@ -333,20 +337,101 @@ public:
     refresh_inaccurate({h, t, tn, tp});
   }
 
-  /// The end of the flip log: the number of flips since the input and of faces laid out afresh.
+  /// The end of the flip log: the number of flips and insertions since the input, and of faces laid out afresh.
   Log_position log_position() const { return m_log.size(); }
 
-  /// Takes flips back, the last first, until the log has `position` entries; bit for bit. Linear in the flips undone.
+  /// Takes flips and insertions back, the last first, until the log has `position` entries; bit for bit. Linear in what
+  /// is undone. \pre no curve lies on an edge that goes
   void rollback(Log_position position = 0)
   {
     for(; m_log.size() > position; m_log.pop_back()) {
-      m_words.forget(static_cast<Index>(m_log.size()));
+      m_words.forget(edge(m_log.back().h), static_cast<Index>(m_log.size()));
       undo(m_log.back());
     }
   }
 
   /// Entry `i` of the flip log.
   const Flip_record& flip_record(Log_position i) const { return m_log[i]; }
+
+  /// @}
+  /// \name Points of the surface as vertices
+  /// @{
+
+  /// Was vertex `v` inserted? The others are the input's.
+  bool is_inserted(Index v) const { return v >= m_input.number_of_vertices(); }
+
+  /*!
+   * Where vertex `v` is on the input, told in one way only: an input vertex by a halfedge that starts there, with
+   * weights (1, 0, 0); a point of an edge by its first halfedge that is not on the border, with third weight zero; a
+   * point inside a face by the face's smallest halfedge.
+   * \pre `v` is not isolated
+   */
+  Surface_location location(Index v) const
+  {
+    if(is_inserted(v))
+      return m_points[static_cast<std::size_t>(v - m_input.number_of_vertices())];
+    return internal::canonical_location(m_input, {m_input.outgoing(v), {{1, 0, 0}}});
+  }
+
+  /*!
+   * Makes a point of the surface a vertex: splits the face or the edge of this triangulation that holds it. Where the
+   * input's faces, the points' weights and the words of the edges meet, everything is exact: the point lies in the face
+   * or on the edge that it is put into, and the words of the new edges are right, whatever the numbers do. Only traits
+   * whose decisions err can leave no face for a point; then it goes onto the nearest edge, if that is as close as
+   * rounding explains.
+   *
+   * `rollback()` takes the vertex out again. An edge that a curve lies on is split by `Edge_path_network::insert()`.
+   *
+   * \param location any point of the surface
+   * \return the new vertex, or the one that is there already
+   * \throws Invalid_location_error
+   * \throws Insertion_error if flips were wrong by rounding around the point, the point is closer to a vertex than
+   *         numbers can tell, or an exact number type cannot express it; nothing is changed then
+   * \throws Degenerate_face_error, Invalid_coordinate_error
+   *
+   * Linear in the words of the edges that pass the point's input face, most often those of its face alone.
+   */
+  Index insert(const Surface_location& location)
+  {
+    return insert(location, [this](const internal::Edge_halves& halves) {
+      CGAL_precondition_msg(label(edge(halves.first)) == 0, "a curve lies on the edge that is split");
+      static_cast<void>(halves);
+    });
+  }
+
+  /*!
+   * As above. Where an edge is split, `on_split` is called with two halfedges: `first`, which is now half as long, and
+   * `second`, which leads on from the new vertex to the old head of `first`.
+   */
+  template <class OnSplit>
+  Index insert(const Surface_location& location, const OnSplit& on_split)
+  {
+    const Surface_location point = internal::canonical_location(m_input, location);
+    if(kind(point) == Location_kind::VERTEX)
+      return m_input.tail(point.halfedge);
+    internal::Located_point place = internal::Point_locator<Intrinsic_triangulation>(*this, m_statistics)(point);
+    if(place.vertex != null_index)
+      return place.vertex;
+    if(place.is_on_edge && next(twin(place.halfedge)) == place.halfedge) // of degree 1 is the head, if an end is
+      place = {twin(place.halfedge), (std::max)(crossings(edge(place.halfedge)), 0) - place.gap, true, null_index};
+    const Log_position start = log_position();
+    begin_insertion(place, point);
+    const Index x = number_of_vertices() - 1;
+    internal::Edge_halves halves;
+    try {
+      internal::Point_insertion<Intrinsic_triangulation> insertion(*this, place, x);
+      if(place.is_on_edge)
+        halves = insertion.split_edge();
+      else
+        insertion.split_face();
+    } catch(...) {
+      rollback(start);
+      throw;
+    }
+    if(place.is_on_edge)
+      on_split(halves);
+    return x;
+  }
 
   /// @}
   /// \name Correspondence with the input
@@ -407,6 +492,9 @@ public:
   }
 
 private:
+  template <class>
+  friend class internal::Point_insertion;
+
   struct Halfedge_record
   {
     static constexpr Index untouched = 0, border = -1;
@@ -423,6 +511,15 @@ private:
     Index crossings_plus_one;
     Index version;
     Index label;
+  };
+
+  // What an insertion changes of the edge or face that is split.
+  struct Insertion_record
+  {
+    Index number_of_edges;
+    Index faces[6]; // h, hn, hp and, if the edge was split and has a second face, t, tn, tp
+    Index head_of_h;
+    Halfedge_geometry geometry[6];
   };
 
   Halfedge_record& known_record(Index h) const { return m_edges[h >> 1].sides[h & 1]; }
@@ -494,9 +591,88 @@ private:
     known_record(previous(h)).geometry = at_hp;
   }
 
+  // Logs what there is, and adds the vertex.
+  void begin_insertion(const internal::Located_point& place, const Surface_location& point)
+  {
+    const Index h = place.halfedge, t = twin(h);
+    const bool has_two_faces = place.is_on_edge && !is_border(t);
+    Insertion_record record = {number_of_edges(), {}, head(h), {}};
+    for(int i = 0; i < 6; ++i) {
+      const Index start = i < 3 ? h : (has_two_faces ? t : null_index);
+      const Index side = start == null_index ? null_index : (i % 3 == 0 ? start : next(record.faces[i - 1]));
+      record.faces[i] = side;
+      if(side != null_index)
+        record.geometry[i] = geometry(side);
+    }
+    m_insertions.push_back(record);
+    const Edge_record& e = m_edges[edge(h)];
+    m_log.push_back({h, null_index, static_cast<Index>(m_insertions.size()) - 1, 0, 0, 0, e.version,
+                     e.crossings_plus_one, Halfedge_geometry(), Halfedge_geometry(), Halfedge_geometry(),
+                     Halfedge_geometry()});
+    m_points.push_back(point);
+    internal::checked_index_bound(2 * (m_edges.size() + 3));
+    m_outgoing.resize(m_outgoing.size() + 1);
+  }
+
+  void undo_insertion(const Flip_record& log)
+  {
+    const Insertion_record& record = m_insertions.back();
+    while(number_of_edges() > record.number_of_edges) {
+      const Index e = number_of_edges() - 1;
+      m_words.forget(e, m_edges[e].version);
+      m_edges[e] = Edge_record();
+      m_edges.resize(static_cast<std::size_t>(e));
+    }
+    m_outgoing[number_of_vertices() - 1] = 0;
+    m_outgoing.resize(m_outgoing.size() - 1);
+    m_points.pop_back();
+    m_edges[edge(log.h)].version = log.old_version;
+    m_edges[edge(log.h)].crossings_plus_one = log.old_crossings;
+    known_record(twin(log.h)).tail = record.head_of_h;
+    for(int i = 0; i < 6 && record.faces[i] != null_index; i += 3)
+      link_face(record.faces[i], record.faces[i + 1], record.faces[i + 2]);
+    for(int i = 0; i < 6 && record.faces[i] != null_index; ++i) {
+      const Index h = record.faces[i];
+      known_record(h).geometry = record.geometry[i];
+      if(m_outgoing[tail(h)] > number_of_halfedges())
+        m_outgoing[tail(h)] = h + 1;
+    }
+    m_insertions.pop_back();
+  }
+
+  // A new edge, whose sides are in no face yet; the halfedge with the word.
+  Index add_edge(const Crossing_word& word)
+  {
+    const Index e = number_of_edges(), h = 2 * e;
+    m_edges.resize(static_cast<std::size_t>(e) + 1);
+    set_word(h, word);
+    known_record(h).tail = word.tail;
+    known_record(twin(h)).tail = word.head;
+    return h;
+  }
+
+  // Moves the tail of t: the word is that of t from its new tail on.
+  void shorten_edge(Index t, const Crossing_word& word)
+  {
+    known_record(t).tail = word.tail;
+    set_word(t, word);
+  }
+
+  void set_word(Index h, const Crossing_word& word)
+  {
+    Edge_record& e = m_edges[edge(h)];
+    e.version = static_cast<Index>(m_log.size());
+    e.crossings_plus_one = word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
+    m_words.store(h, e.version, word);
+  }
+
+  void link_border(Index h) { known_record(h).encoded_next = Halfedge_record::border; }
+
   // h = l->k in (h, hp, tn) and t = k->l in (t, tp, hn) become i->j and j->i again.
   void undo(const Flip_record& flip)
   {
+    if(flip.hp == null_index && flip.tn != null_index)
+      return undo_insertion(flip);
     if(flip.hp == null_index)
       return set_geometries_of_face(flip.h, flip.old_h, flip.old_t, flip.old_tn);
     const Index h = flip.h, t = twin(h);
@@ -535,6 +711,8 @@ private:
   mutable Decision_statistics m_statistics;
   mutable std::unordered_map<Index, internal::Exact_face> m_exact_faces;
   std::vector<Flip_record> m_log;
+  std::vector<Insertion_record> m_insertions;
+  std::vector<Surface_location> m_points; // of the inserted vertices
 };
 
 } // namespace Flip_geodesics

@@ -268,7 +268,7 @@ private:
       origin.intrinsic_halfedge = layout.intrinsic_halfedge(v);
       origin.intrinsic_t = layout.on_intrinsic(v);
     } else {
-      origin.on_input = internal::surface_point_at_vertex(v);
+      origin.on_input = internal::surface_point_at_vertex(*m_triangulation, v);
       origin.intrinsic_vertex = v;
     }
     put(m_vertex_origin, to, origin);

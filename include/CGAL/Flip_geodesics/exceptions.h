@@ -77,6 +77,25 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
+/// A location of a point is no point of the surface: its face or halfedge is none of the mesh's, or its weights are
+/// negative, not numbers, all zero, or do not sum to one where they should; `elements()` is the halfedge if there is
+/// one.
+class Invalid_location_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// A point cannot be inserted: the flips of a triangulation over rounded numbers were wrong around it, or the number
+/// type of the traits cannot express it there; `elements()` is the input halfedge of its location.
+class Insertion_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
 /// A curve is empty or not a chain of edges of the mesh, or two of its way points in a row are equal.
 class Invalid_curve_error : public Error
 {

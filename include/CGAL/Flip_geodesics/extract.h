@@ -22,21 +22,53 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * A point of the surface at a vertex or on an edge of the input: \f$(1-t)\,a + t\,b\f$. At a vertex `a == b` and `t` is
- * 0. On an edge `a` is the nearer end, so that `t` lies in [0, 1/2] and keeps its relative accuracy close to vertices.
+ * A point of the surface, by vertices of the input: \f$(1-t-u)\,a + t\,b + u\,c\f$. At a vertex `a == b`, and `t` is 0.
+ * On an edge `a` is the nearer end, so that `t` lies in [0, 1/2] and keeps its relative accuracy close to vertices; `u`
+ * is 0 there, and `c` null. Inside a face, where only inserted points are, `a` is the vertex of the largest weight.
  */
 struct Surface_point
 {
   Index a, b; ///< input vertices
   double t;
-  Index halfedge; ///< on an edge: the input halfedge that is crossed, as a side of the face that is left; else null
+  Index halfedge; ///< on an edge: the input halfedge that is crossed, as a side of the face that is left, or that an
+                  ///< inserted point lies on; inside a face: one of its halfedges; else null
+  Index c = null_index;
+  double u = 0;
+  Index vertex = null_index; ///< the triangulation's vertex in this place; null where an edge is crossed
 
   bool is_vertex() const { return a == b; }
+  bool is_inside_face() const { return c != null_index; }
 };
 
 namespace internal {
 
-inline Surface_point surface_point_at_vertex(Index v) { return {v, v, 0, null_index}; }
+inline Surface_point surface_point(const std::array<Index, 3>& corners, const std::array<double, 3>& weights,
+                                   Index halfedge)
+{
+  const auto largest = (std::max_element)(weights.begin(), weights.end()) - weights.begin();
+  const auto second = weights[(largest + 1) % 3] == 0 ? (largest + 2) % 3 : (largest + 1) % 3, third = 3 - largest - second;
+  const double sum = weights[0] + weights[1] + weights[2];
+  Surface_point result = {corners[largest], corners[second], weights[second] / sum, halfedge};
+  if(weights[third] != 0) {
+    result.c = corners[third];
+    result.u = weights[third] / sum;
+  }
+  return result;
+}
+
+/* The place of a vertex of the triangulation. */
+template <class Triangulation>
+Surface_point surface_point_at_vertex(const Triangulation& triangulation, Index v)
+{
+  if(!triangulation.is_inserted(v))
+    return {v, v, 0, null_index, null_index, 0, v};
+  const auto& input = triangulation.input();
+  const Surface_location at = triangulation.location(v);
+  const Index hn = input.next(at.halfedge), hp = input.next(hn);
+  Surface_point result = surface_point({{input.tail(at.halfedge), input.tail(hn), input.tail(hp)}}, at.weights, at.halfedge);
+  result.vertex = v;
+  return result;
+}
 
 /* The point where a curve crosses an input edge, `from_right` of the edge's length away from its right end. */
 template <class Triangulation>
@@ -60,18 +92,18 @@ Surface_point surface_point_on_edge(const Triangulation& triangulation, Index cr
 template <class Triangulation, class OutputIterator>
 OutputIterator edge_surface_points(const Triangulation& triangulation, Index h, OutputIterator out)
 {
-  *out++ = internal::surface_point_at_vertex(triangulation.tail(h));
+  *out++ = internal::surface_point_at_vertex(triangulation, triangulation.tail(h));
   const internal::Strip<Triangulation> strip(triangulation, triangulation.crossing_word(h));
   for(std::size_t i = 0; i < strip.gates().size(); ++i)
     *out++ = internal::surface_point_on_edge(triangulation, strip.gates()[i].crossed, strip.crossing(i));
-  *out++ = internal::surface_point_at_vertex(triangulation.head(h));
+  *out++ = internal::surface_point_at_vertex(triangulation, triangulation.head(h));
   return out;
 }
 
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * The point of a surface point in space: \f$(1-t)\,a + t\,b\f$. Only with a metric that has points.
+ * The point of a surface point in space. Only with a metric that has points.
  */
 template <class Triangulation>
 auto point_in_space(const Triangulation& triangulation, const Surface_point& p)
@@ -82,7 +114,11 @@ auto point_in_space(const Triangulation& triangulation, const Surface_point& p)
   if(p.is_vertex())
     return a;
   const Point b = triangulation.metric().point(input, p.b);
-  return Point(a.x() + p.t * (b.x() - a.x()), a.y() + p.t * (b.y() - a.y()), a.z() + p.t * (b.z() - a.z()));
+  const Point q(a.x() + p.t * (b.x() - a.x()), a.y() + p.t * (b.y() - a.y()), a.z() + p.t * (b.z() - a.z()));
+  if(!p.is_inside_face())
+    return q;
+  const Point c = triangulation.metric().point(input, p.c);
+  return Point(q.x() + p.u * (c.x() - a.x()), q.y() + p.u * (c.y() - a.y()), q.z() + p.u * (c.z() - a.z()));
 }
 
 /*!
@@ -189,7 +225,7 @@ private:
     std::array<double, 3> weights = {0, 0, 0};
     for(double& weight : weights) {
       const Index v = input.tail(corner);
-      weight = v == p.a ? 1 - p.t : (v == p.b ? p.t : 0);
+      weight = v == p.a ? 1 - p.t - p.u : (v == p.b ? p.t : (v == p.c ? p.u : 0));
       corner = input.next(corner);
     }
     return {f, weights};

@@ -42,7 +42,7 @@ public:
   explicit Shortest_edge_path(const Triangulation& triangulation, Search_method method = Search_method::A_STAR)
     : m_triangulation(&triangulation)
     , m_method(method)
-    , m_labels(static_cast<std::size_t>(triangulation.number_of_vertices()))
+    , m_labels(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
   }
 
@@ -95,9 +95,9 @@ private:
 
   void check_vertex(Index v) const
   {
-    if(v < 0 || v >= m_triangulation->number_of_vertices())
+    if(v < 0 || v >= m_triangulation->input().number_of_vertices())
       throw Vertex_out_of_range_error("vertex " + std::to_string(v) + " is not one of the mesh's " +
-                                          std::to_string(m_triangulation->number_of_vertices()) + " vertices",
+                                          std::to_string(m_triangulation->input().number_of_vertices()) + " vertices",
                                       {static_cast<std::size_t>(v)});
   }
 

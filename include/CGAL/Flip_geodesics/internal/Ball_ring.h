@@ -51,6 +51,7 @@ public:
 
   Number integer(int n) const { return {Float(n), 0}; }
   Number rescale(const Number& a, const Integer& /* factor */) const { return a; }
+  Number times_integer(const Number& a, const Integer& n) const { return multiply(a, rounded(Float(n), 0)); }
   Number times_dot(const Number& a, const Side& side) const { return multiply(a, side.dot); }
   Number times_root(const Number& a, const Side& side) const { return multiply(a, side.root); }
   Number add(const Number& a, const Number& b) const { return rounded(a.middle + b.middle, a.radius + b.radius); }

@@ -4,9 +4,10 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_CROSSING_WORDS_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/Word_path.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace internal {
  *
  * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the
  * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
- * touches k or l at the ends. Only the edges that the asked ones descend from are visited, and each once: about as many
- * as the curve had segments, not as there were flips. Words are kept until the flip that made their edge is taken back.
+ * touches k or l at the ends. The words of edges at an inserted point are given when it is inserted. Only the edges that
+ * the asked ones descend from are visited, and each once: about as many as the curve had segments, not as there were
+ * flips. Words are kept until the flip or split that made their edge is taken back.
  */
 template <class Triangulation>
 class Crossing_words
@@ -30,124 +32,88 @@ public:
   /* The word of halfedge h, from tail to head. */
   Crossing_word operator()(const Triangulation& triangulation, Index h)
   {
-    const Index version = triangulation.version(Triangulation::edge(h));
-    resolve(triangulation, version);
-    return word(h, version);
+    const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
+    resolve(triangulation, wanted);
+    return word(triangulation, wanted);
   }
 
-  /* Forgets the word of the edge that a flip made, since the flip is taken back. */
-  void forget(Index version)
+  /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made. */
+  void store(Index h, Index version, const Crossing_word& word)
+  {
+    m_words.emplace(key(Triangulation::edge(h), version), (h & 1) == 0 ? word : word.reversed());
+  }
+
+  /* Forgets the word of an edge that a flip or split made, since that is taken back. */
+  void forget(Index e, Index version)
   {
     if(!m_words.empty())
-      m_words.erase(version);
+      m_words.erase(key(e, version));
   }
 
 private:
-  using Input_mesh = typename Triangulation::Input_mesh;
   using Flip_record = typename Triangulation::Flip_record;
 
-  // The word of halfedge h of an edge in the version that a flip gave it, or in the input's.
-  Crossing_word word(Index h, Index version) const
+  struct Edge_version
   {
-    if(version == 0)
-      return {h, {}};
-    const Crossing_word& stored = m_words.at(version);
+    Index halfedge, version;
+  };
+
+  // The word of halfedge h of an edge in the version that a flip or split gave it, or in the input's.
+  Crossing_word word(const Triangulation& triangulation, const Edge_version& wanted) const
+  {
+    const Index h = wanted.halfedge;
+    if(wanted.version == 0)
+      return {h, {}, null_index, triangulation.input().tail(h), triangulation.input().tail(Triangulation::twin(h))};
+    const Crossing_word& stored = m_words.at(key(Triangulation::edge(h), wanted.version));
     return (h & 1) == 0 ? stored : stored.reversed();
   }
 
   // Depth first over the flips that made the edges, on a stack of our own: histories are as deep as curves are long.
-  void resolve(const Triangulation& triangulation, Index wanted)
+  void resolve(const Triangulation& triangulation, const Edge_version& wanted)
   {
-    std::vector<Index> pending = {wanted};
+    std::vector<Edge_version> pending = {wanted};
     while(!pending.empty()) {
-      const Index version = pending.back();
-      if(is_known(version)) {
+      const Edge_version next = pending.back();
+      if(is_known(next)) {
         pending.pop_back();
         continue;
       }
-      const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(version) - 1);
-      const bool are_known = is_known(flip.version_hp) && is_known(flip.version_tn);
-      if(!are_known) {
-        pending.push_back(flip.version_hp);
-        pending.push_back(flip.version_tn);
+      const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
+      const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
+      if(!is_known(ki) || !is_known(il)) {
+        pending.push_back(ki);
+        pending.push_back(il);
         continue;
       }
       // The flip leaves h = l->k and its twin k->l.
-      Crossing_word word_of_kl =
-          join(triangulation.input(), word(flip.hp, flip.version_hp), flip.rotation, word(flip.tn, flip.version_tn));
-      m_words.emplace(version, (flip.h & 1) == 1 ? std::move(word_of_kl) : word_of_kl.reversed());
+      store(Triangulation::twin(flip.h), next.version,
+            join(triangulation, word(triangulation, ki), flip.rotation, word(triangulation, il)));
       pending.pop_back();
     }
   }
 
-  bool is_known(Index version) const { return version == 0 || m_words.count(version) != 0; }
-
-  static Crossing_word join(const Input_mesh& input, const Crossing_word& ki, Index rotation, const Crossing_word& il)
+  bool is_known(const Edge_version& wanted) const
   {
-    Crossing_word kl;
-    kl.crossed = ki.crossed;
-    Index spoke = first_spoke(input, ki);
-    for(Index i = 0; i < rotation; ++i) {
-      append_reduced(kl.crossed, spoke);
-      spoke = input.next(Triangulation::twin(spoke));
-    }
-    for(Index letter : il.crossed)
-      append_reduced(kl.crossed, letter);
-    trim(input, kl, first_corner(input, ki), last_corner(input, il));
-    return kl;
+    return wanted.version == 0 || m_words.count(key(Triangulation::edge(wanted.halfedge), wanted.version)) != 0;
   }
 
-  static void append_reduced(std::vector<Index>& crossed, Index letter)
+  static Crossing_word join(const Triangulation& triangulation, const Crossing_word& ki, Index rotation,
+                            const Crossing_word& il)
   {
-    if(!crossed.empty() && crossed.back() == Triangulation::twin(letter))
-      crossed.pop_back();
-    else
-      crossed.push_back(letter);
+    Word_path<Triangulation> path(triangulation, ki.tail, tail_anchor(triangulation, ki));
+    path.cross(ki.crossed, 0, ki.crossed.size());
+    path.turn(ki.head, rotation > 0 ? head_anchor(triangulation, ki) : null_index, rotation);
+    path.cross(il.crossed, 0, il.crossed.size());
+    return path.finish(il.head, head_anchor(triangulation, il));
   }
 
-  static Index previous(const Input_mesh& input, Index h) { return input.next(input.next(h)); }
-
-  // The first input halfedge at i that a clockwise turn from ik meets, strictly.
-  static Index first_spoke(const Input_mesh& input, const Crossing_word& ki)
+  // An edge of the input, or one and the flip or split that made it.
+  static std::uint64_t key(Index e, Index version)
   {
-    return ki.along != null_index ? input.next(ki.along) : previous(input, Triangulation::twin(ki.crossed.back()));
+    return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e);
   }
 
-  // The path leaves k in an input face; the halfedge of that face that starts at k. It keeps j, hence the face, on its
-  // left if ki runs along an edge.
-  static Index first_corner(const Input_mesh& input, const Crossing_word& ki)
-  {
-    return ki.along != null_index ? ki.along : previous(input, ki.crossed.front());
-  }
-
-  // The path reaches l in an input face, the halfedge of that face that starts at l. It keeps j on its left as well.
-  static Index last_corner(const Input_mesh& input, const Crossing_word& il)
-  {
-    return il.along != null_index ? input.next(il.along) : previous(input, Triangulation::twin(il.crossed.back()));
-  }
-
-  // The face on the other side of a spoke `side` of the face of `corner`: its corner at the same vertex.
-  static Index corner_across(const Input_mesh& input, Index side, Index corner)
-  {
-    const Index twin = Triangulation::twin(side);
-    return side == corner ? input.next(twin) : twin;
-  }
-
-  // Drops the letters that touch the end points, moving the corners along; what is left of a bare edge is that edge.
-  static void trim(const Input_mesh& input, Crossing_word& kl, Index corner_of_k, Index corner_of_l)
-  {
-    auto first = kl.crossed.begin(), last = kl.crossed.end();
-    for(; first != last && *first != input.next(corner_of_k); ++first)
-      corner_of_k = corner_across(input, *first, corner_of_k);
-    for(; first != last && Triangulation::twin(*(last - 1)) != input.next(corner_of_l); --last)
-      corner_of_l = corner_across(input, Triangulation::twin(*(last - 1)), corner_of_l);
-    kl.crossed.erase(last, kl.crossed.end());
-    kl.crossed.erase(kl.crossed.begin(), first);
-    if(kl.crossed.empty())
-      kl.along = input.next(corner_of_k) == corner_of_l ? corner_of_k : Triangulation::twin(corner_of_l);
-  }
-
-  std::unordered_map<Index, Crossing_word> m_words;
+  std::unordered_map<std::uint64_t, Crossing_word> m_words;
 };
 
 } // namespace internal

@@ -49,6 +49,16 @@ std::array<Integer, N> to_integers(const std::array<double, N>& numbers)
   return result;
 }
 
+/* Weights of a point as integers without a common factor. */
+inline std::array<Integer, 3> integer_weights(const std::array<double, 3>& weights)
+{
+  std::array<Integer, 3> result = to_integers(weights);
+  const Integer common = gcd(gcd(result[0], result[1]), result[2]);
+  for(Integer& weight : result)
+    weight /= common;
+  return result;
+}
+
 /* Coordinates of models are often short: then so are the numbers that follow from them. */
 inline void take_out_power_of_two(std::array<std::array<Integer, 3>, 3>& vectors)
 {

@@ -174,6 +174,7 @@ public:
     return a;
   }
 
+  Number times_integer(const Number& a, const Integer& n) const { return rescale(a, n); }
   Number times_dot(const Number& a, const Side& side) const { return rescale(a, side.dot); }
 
   Number times_root(const Number& a, const Side& side) const

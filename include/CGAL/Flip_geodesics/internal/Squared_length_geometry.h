@@ -85,6 +85,27 @@ public:
             {tp.squared_length, at_j, generation}};
   }
 
+  /* The triangle of three points, given by weights of the corners of a face, in the order of its halfedges' tails. */
+  static Face_geometry subface(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights)
+  {
+    std::array<std::array<NT, 3>, 3> p;
+    for(int i = 0; i < 3; ++i) {
+      const NT sum = NT(weights[i][0]) + NT(weights[i][1]) + NT(weights[i][2]);
+      for(int k = 0; k < 3; ++k)
+        p[i][k] = NT(weights[i][k]) / sum;
+    }
+    const auto square = [&](int from, int to) { // of the length, from barycentric differences
+      const NT a = p[to][0] - p[from][0], b = p[to][1] - p[from][1], c = p[to][2] - p[from][2];
+      return NT(-(NT(a * b) * face[0].squared_length + NT(b * c) * face[1].squared_length +
+                  NT(c * a) * face[2].squared_length));
+    };
+    const NT determinant = p[0][0] * NT(p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
+                           p[0][1] * NT(p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
+                           p[0][2] * NT(p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+    return face_from_squares(square(0, 1), square(1, 2), square(2, 0),
+                             NT(determinant * quadrupled_area(face[0], face[1], face[2])));
+  }
+
   static NT squared_length(const Halfedge_geometry& h) { return h.squared_length; }
 
 private:

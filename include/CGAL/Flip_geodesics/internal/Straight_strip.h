@@ -35,7 +35,7 @@ public:
 
   bool operator()(const Crossing_word& word) const
   {
-    if(word.along != null_index)
+    if(word.crossed.empty())
       return true;
     switch(in_double(Strip<Triangulation>(m_triangulation, word))) {
     case POSITIVE:

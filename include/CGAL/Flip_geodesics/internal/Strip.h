@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/internal/Word_ends.h>
 
 #include <algorithm>
 #include <array>
@@ -19,12 +20,34 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
+ * The barycentric coordinates of one point less those of another, from weights that sum to anything. By products with
+ * their rounding errors, so that what is left is accurate however close the points are.
+ */
+inline std::array<double, 3> barycentric_difference(const std::array<double, 3>& from, const std::array<double, 3>& to)
+{
+  const auto sum_with_error = [](const std::array<double, 3>& w) {
+    const double a = w[0] + w[1], a_error = (w[0] - (a - (a - w[0]))) + (w[1] - (a - w[0]));
+    const double b = a + w[2], b_error = (a - (b - (b - a))) + (w[2] - (b - a)); // [Knuth, TwoSum]
+    return std::array<double, 2>{b, a_error + b_error};
+  };
+  const auto from_sum = sum_with_error(from), to_sum = sum_with_error(to);
+  std::array<double, 3> result;
+  for(int i = 0; i < 3; ++i) {
+    const double product = from[i] * to_sum[0], rounding = std::fma(from[i], to_sum[0], -product);
+    const double difference = std::fma(to[i], from_sum[0], -product) - rounding; // [Kahan]
+    result[i] = (difference + (to[i] * from_sum[1] - from[i] * to_sum[1])) / (from_sum[0] * to_sum[0]);
+  }
+  return result;
+}
+
+/*
  * The input faces along a crossing word, unfolded into the plane from the input's own coordinates: whatever flips led
  * to the edge, its vector is fresh here. The error is normwise, a few units in the last place per face, whatever the
  * shapes of the faces.
  *
- * The tail lies at the origin; the frame is that of the reference halfedge: `reference()` starts at the tail, keeps the
- * first face on its left, and points along the positive real axis. An edge along an input halfedge refers to itself.
+ * The tail lies at the origin; the frame is that of the reference halfedge, the tail's anchor: it has the first face on
+ * its left, and points along the positive real axis. At an input vertex it starts there, at a point of an edge it
+ * passes through it. An edge along an input halfedge refers to that.
  */
 template <class Triangulation>
 class Strip
@@ -40,18 +63,48 @@ public:
     double right_error, left_error; // bounds
   };
 
+  /// A corner of an unfolded face, with a bound of its error.
+  struct Corner
+  {
+    Vector position;
+    double error;
+  };
+
   Strip(const Triangulation& triangulation, const Crossing_word& word)
     : m_triangulation(&triangulation)
   {
+    m_reference = tail_anchor(triangulation, word);
     if(word.along != null_index)
-      lay_out_edge(word.along);
+      lay_out_edge(word);
+    else if(word.crossed.empty())
+      lay_out_inside(word);
     else
-      unfold(word.crossed);
+      unfold(word);
   }
 
   Index reference() const { return m_reference; }
+
+  /*
+   * The corners of the face between gates i - 1 and i as positions of the tails of h, next(h) and previous(h), where h
+   * is the halfedge through which the face is left, or entered if it is the last. \pre there is a gate
+   */
+  std::array<Corner, 3> face(std::size_t i) const
+  {
+    const bool is_last = i == m_gates.size();
+    const Gate& gate = m_gates[is_last ? i - 1 : i];
+    const Corner right = {gate.right, gate.right_error}, left = {gate.left, gate.left_error};
+    if(is_last)
+      return {left, right, m_last_corner};
+    if(i == 0)
+      return {right, left, m_first_corner};
+    const Gate& before = m_gates[i - 1];
+    const bool is_right_kept = gate.crossed == m_triangulation->input().next(Triangulation::twin(before.crossed));
+    return {right, left,
+            is_right_kept ? Corner{before.left, before.left_error} : Corner{before.right, before.right_error}};
+  }
   const std::vector<Gate>& gates() const { return m_gates; }
   const Vector& end() const { return m_end; }
+  double end_error() const { return m_error; }
   double length() const { return std::abs(m_end); }
 
   /* A bound of the error of end(), relative to its length; infinite if that is all error. */
@@ -117,20 +170,59 @@ private:
     return {along, turn * Vector(face[1].x, face[1].y), turn * Vector(face[2].x, face[2].y)};
   }
 
-  void lay_out_edge(Index h)
+  void lay_out_edge(const Crossing_word& word)
   {
-    m_reference = h;
+    const Index h = word.along;
     m_error = 0; // the direction is exact
     m_end = m_triangulation->metric().length(m_triangulation->input(), h);
+    if(m_triangulation->is_inserted(word.tail) || m_triangulation->is_inserted(word.head))
+      m_end *= barycentric_difference(weights(word.tail, h), weights(word.head, h))[1];
   }
 
-  void unfold(const std::vector<Index>& crossed)
+  // From weights of both ends in one face, so that the ends may lie close together.
+  void lay_out_inside(const Crossing_word& word)
+  {
+    const Face_vectors face = first_face();
+    const auto d = barycentric_difference(weights(word.tail, m_reference), weights(word.head, m_reference));
+    m_end = d[1] * face[0] - d[2] * face[2];
+    m_error = ratio_error * (std::abs(d[1]) * std::abs(face[0]) + std::abs(d[2]) * std::abs(face[2]));
+  }
+
+  Face_vectors first_face() const
+  {
+    return face_along(m_reference, m_triangulation->metric().length(m_triangulation->input(), m_reference));
+  }
+
+  std::array<double, 3> weights(Index v, Index h) const { return vertex_weights(*m_triangulation, v, h); }
+
+  // The corners of the first face, from the tail of the word: the tails of the reference, its next and previous.
+  std::array<Corner, 3> first_corners(const Crossing_word& word) const
+  {
+    const Face_vectors f = first_face();
+    if(!m_triangulation->is_inserted(word.tail)) {
+      const double error = ratio_error * std::abs(f[0]);
+      return {{{0, 0}, {f[0], error}, {f[0] + f[1], error + ratio_error * std::abs(f[1])}}};
+    }
+    const auto w = weights(word.tail, m_reference);
+    const double sum = w[0] + w[1] + w[2];
+    std::array<Corner, 3> result;
+    for(int i = 0; i < 3; ++i) { // from the corner's two sides
+      const double b = w[(i + 1) % 3] / sum, c = w[(i + 2) % 3] / sum;
+      result[i].position = c * f[(i + 2) % 3] - b * f[i];
+      result[i].error = ratio_error * (b * std::abs(f[i]) + c * std::abs(f[(i + 2) % 3]));
+    }
+    return result;
+  }
+
+  void unfold(const Crossing_word& word)
   {
     const auto& input = m_triangulation->input();
-    m_reference = input.next(input.next(crossed.front()));
-    const Face_vectors first = face_along(m_reference, m_triangulation->metric().length(input, m_reference));
-    Vector right = first[0], left = right + first[1], gate = -first[1];
-    double right_error = ratio_error * std::abs(right), left_error = right_error + ratio_error * std::abs(gate);
+    const std::vector<Index>& crossed = word.crossed;
+    const std::array<Corner, 3> first = first_corners(word);
+    const int side = crossed.front() == m_reference ? 0 : (crossed.front() == input.next(m_reference) ? 1 : 2);
+    Vector right = first[side].position, left = first[(side + 1) % 3].position, gate = -first_face()[side];
+    double right_error = first[side].error, left_error = first[(side + 1) % 3].error;
+    m_first_corner = first[(side + 2) % 3];
     m_gates.reserve(crossed.size());
     for(std::size_t i = 0;; ++i) {
       m_gates.push_back({crossed[i], right, left, right_error, left_error});
@@ -145,6 +237,9 @@ private:
           (is_near_right ? right_error + turn_error * std::abs(face[1]) : left_error + turn_error * std::abs(face[2])) +
           ratio_error * std::abs(apex);
       if(i + 1 == crossed.size()) {
+        m_last_corner = {apex, apex_error};
+        if(m_triangulation->is_inserted(word.head))
+          return end_in_face(weights(word.head, entered), face, turn_error);
         m_end = apex;
         m_error = apex_error;
         return;
@@ -156,9 +251,28 @@ private:
     }
   }
 
+  // A point of the last face, entered over its side 0 from the left end of the last gate to the right, from that end
+  // from which it is nearer.
+  void end_in_face(const std::array<double, 3>& w, const Face_vectors& face, double turn_error)
+  {
+    const double sum = w[0] + w[1] + w[2], at_left = w[0] / sum, at_right = w[1] / sum, at_apex = w[2] / sum;
+    const Gate& gate = m_gates.back();
+    const double from_right = at_left * std::abs(face[0]) + at_apex * std::abs(face[1]);
+    const double from_left = at_right * std::abs(face[0]) + at_apex * std::abs(face[2]);
+    if(from_right < from_left) {
+      m_end = gate.right + at_apex * face[1] - at_left * face[0];
+      m_error = gate.right_error + turn_error * from_right;
+    } else {
+      m_end = gate.left + at_right * face[0] - at_apex * face[2];
+      m_error = gate.left_error + turn_error * from_left;
+    }
+    m_error += ratio_error * std::abs(m_end);
+  }
+
   const Triangulation* m_triangulation;
   Index m_reference = null_index;
   std::vector<Gate> m_gates;
+  Corner m_first_corner = {0, 0}, m_last_corner = {0, 0}; // of the first and last face, not on a gate
   Vector m_end;
   double m_error = 0;
 };

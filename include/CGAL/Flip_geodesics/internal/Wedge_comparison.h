@@ -168,13 +168,13 @@ private:
     const auto& input = m_triangulation.input();
     const auto add = [&](Index h) { result.push_back(m_triangulation.exact_input_face(h).doubled_area_squared); };
     for(const Crossing_word* word : {&wedge.from, &wedge.to}) {
-      if(!word->crossed.empty())
-        add(word->crossed.front());
+      if(word->along == null_index)
+        add(word->first_face());
       for(Index h : word->crossed)
         add(Triangulation::twin(h));
     }
-    Index h = wedge.from.along != null_index ? wedge.from.along : input.next(input.next(wedge.from.crossed.front()));
-    for(Index i = 0; i < wedge.steps; ++i) {
+    Index h = tail_anchor(m_triangulation, wedge.from);
+    for(Index i = 0; i < wedge.steps && !m_triangulation.is_inserted(wedge.from.tail); ++i) {
       add(Triangulation::twin(h));
       h = input.next(Triangulation::twin(h));
     }

@@ -17,7 +17,8 @@ namespace internal {
  * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points.
  * It is the common case of exact ties: the flat parts of technical models.
  *
- * PointOf maps an input vertex to a point with double coordinates.
+ * PointOf maps an input vertex to a point with double coordinates. Words with an end elsewhere are left to others, since
+ * the coordinates of such a point are no doubles.
  */
 template <class Mesh, class PointOf>
 class Planar_sine
@@ -39,6 +40,9 @@ public:
    */
   bool operator()(const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
   {
+    const Index ends = m_mesh.number_of_vertices();
+    if(a.tail >= ends || a.head >= ends || b.head >= ends)
+      return false;
     Index h = reference(a);
     const Index some_face = a.along != null_index ? twin_index(h) : h;
     if(!is_flat(a) || !is_flat(b))

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_POINT_SIDE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_POINT_SIDE_H
+
+#include <CGAL/Flip_geodesics/internal/Ball_ring.h>
+#include <CGAL/Flip_geodesics/internal/Exact_wedge.h>
+#include <CGAL/Flip_geodesics/internal/Multiquadratic.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * On which side of an intrinsic edge does a point of an input face lie that the edge passes: the sign of the exact
+ * number that the input and the point's weights define. POSITIVE is on the left.
+ *
+ * The edge passes the face of gap i of its word, that between letters i - 1 and i; the face at the tail is gap 0.
+ */
+template <class Triangulation>
+class Point_side
+{
+public:
+  Point_side(const Triangulation& triangulation, Decision_statistics& statistics)
+    : m_triangulation(triangulation)
+    , m_statistics(statistics)
+  {
+  }
+
+  Sign operator()(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  {
+    const std::array<double, 3> weights =
+        weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
+    if(word.along != null_index)
+      return weights[2] > 0 ? POSITIVE : ZERO;
+    if(word.crossed.empty())
+      return in_one_face(word, weights);
+    const Uncertain<Sign> quick = in_double(word, gap, weights);
+    if(quick.is_certain()) {
+      ++m_statistics.by_strip;
+      return quick.make_certain();
+    }
+    return exactly(word, gap, weights);
+  }
+
+  /* How far on the left the point lies, rounded. */
+  double distance(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  {
+    const std::array<double, 3> w = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
+    if(word.crossed.empty())
+      return 0; // decided by weights alone, exactly
+    const Strip<Triangulation> strip(m_triangulation, word);
+    std::complex<double> position = 0;
+    for(int i = 0; i < 3; ++i)
+      position += w[i] / (w[0] + w[1] + w[2]) * strip.face(gap)[i].position;
+    return std::imag(std::conj(strip.end()) * position) / strip.length();
+  }
+
+  /* The halfedge that the corners of a gap's face are told from. */
+  static Index face_of_gap(const Crossing_word& word, std::size_t gap)
+  {
+    if(word.along != null_index)
+      return word.along;
+    return gap < word.crossed.size() ? word.crossed[gap] : word.last_face();
+  }
+
+private:
+  Sign in_one_face(const Crossing_word& word, const std::array<double, 3>& weights) const
+  {
+    const auto p = integer_weights(vertex_weights(m_triangulation, word.tail, word.face));
+    const auto q = integer_weights(vertex_weights(m_triangulation, word.head, word.face));
+    const auto r = integer_weights(weights);
+    const Integer determinant = p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
+                                p[2] * (q[0] * r[1] - q[1] * r[0]);
+    return determinant > 0 ? POSITIVE : (determinant < 0 ? NEGATIVE : ZERO);
+  }
+
+  Uncertain<Sign> in_double(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
+  {
+    const Strip<Triangulation> strip(m_triangulation, word);
+    const auto corners = strip.face(gap);
+    const double sum = w[0] + w[1] + w[2];
+    std::complex<double> position = 0;
+    double error = 0;
+    for(int i = 0; i < 3; ++i) {
+      position += w[i] / sum * corners[i].position;
+      error += w[i] / sum * (corners[i].error + 8 * std::numeric_limits<double>::epsilon() * std::abs(corners[i].position));
+    }
+    const double sine = std::imag(std::conj(strip.end()) * position);
+    const double bound = (strip.length() + strip.end_error()) * error + strip.end_error() * std::abs(position) +
+                         8 * std::numeric_limits<double>::epsilon() * strip.length() * std::abs(position);
+    if(!(std::abs(sine) > bound))
+      return Uncertain<Sign>::indeterminate();
+    return sine > 0 ? POSITIVE : NEGATIVE;
+  }
+
+  Sign exactly(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& weights) const
+  {
+    const Uncertain<Sign> quick = in_ring(Ball_ring<50>(), word, gap, weights);
+    if(quick.is_certain()) {
+      ++m_statistics.by_precision;
+      return quick.make_certain();
+    }
+    std::vector<Integer> squares = {m_triangulation.exact_input_face(word.crossed.front()).doubled_area_squared};
+    for(Index h : word.crossed)
+      squares.push_back(m_triangulation.exact_input_face(Triangulation::twin(h)).doubled_area_squared);
+    const Root_base base(squares);
+    if(base.generators().size() <= most_exact_roots) {
+      ++m_statistics.by_roots;
+      const Sign sign = in_ring(Multiquadratic_ring(base), word, gap, weights).make_certain();
+      m_statistics.zeros_by_roots += sign == ZERO ? 1 : 0;
+      return sign;
+    }
+    const Uncertain<Sign> slow = in_ring(Ball_ring<290>(), word, gap, weights);
+    ++m_statistics.by_precision;
+    m_statistics.unproven_zeros += slow.is_certain() ? 0 : 1;
+    return slow.is_certain() ? slow.make_certain() : ZERO;
+  }
+
+  template <class Ring>
+  Uncertain<Sign> in_ring(const Ring& ring, const Crossing_word& word, std::size_t gap,
+                          const std::array<double, 3>& weights) const
+  {
+    const Exact_unfolding<Triangulation, Ring> unfolding(m_triangulation, ring);
+    const auto strip = unfolding.strip(word);
+    const bool is_last = gap == strip.gates.size();
+    const auto& face = is_last ? strip.last : strip.gates[gap];
+    const auto position = is_last ? unfolding.point({face.left, face.right, face.behind}, weights)
+                                  : unfolding.point({face.right, face.left, face.behind}, weights);
+    return ring.sign(unfolding.cross(strip.end, position));
+  }
+
+  const Triangulation& m_triangulation;
+  Decision_statistics& m_statistics;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_POINT_SIDE_H

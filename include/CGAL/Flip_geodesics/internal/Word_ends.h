@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_WORD_ENDS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_WORD_ENDS_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* What an intrinsic vertex is on the input. */
+template <class Triangulation>
+Location_kind vertex_kind(const Triangulation& triangulation, Index v)
+{
+  return triangulation.is_inserted(v) ? kind(triangulation.location(v)) : Location_kind::VERTEX;
+}
+
+/* The side of an input face, given by any of its halfedges, that a point of an edge lies on; inside, its halfedge. */
+template <class Input_mesh>
+Index location_anchor(const Input_mesh& input, const Surface_location& location, Index face)
+{
+  if(kind(location) == Location_kind::FACE)
+    return location.halfedge;
+  for(Index h : {face, input.next(face), input.next(input.next(face))})
+    if(h >> 1 == location.halfedge >> 1)
+      return h;
+  CGAL_assertion_msg(false, "the location is not in the face");
+  return null_index;
+}
+
+/*
+ * The halfedge of an input face, given by any of its halfedges, that a vertex in it is told by: an input vertex by the
+ * halfedge that starts there, a point of an edge by the side of that edge, a point inside by its location's halfedge.
+ */
+template <class Triangulation>
+Index anchor(const Triangulation& triangulation, Index v, Index face)
+{
+  const auto& input = triangulation.input();
+  if(triangulation.is_inserted(v))
+    return location_anchor(input, triangulation.location(v), face);
+  for(Index h : {face, input.next(face), input.next(input.next(face))})
+    if(input.tail(h) == v)
+      return h;
+  CGAL_assertion_msg(false, "the vertex is not in the face");
+  return null_index;
+}
+
+/*
+ * The anchor of the tail of a word in its first face. Over an input halfedge that the word runs along, that halfedge,
+ * whose face is on the left. The directions of edges at a vertex are told from here.
+ */
+template <class Triangulation>
+Index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
+{
+  if(word.along != null_index)
+    return word.along;
+  if(!word.crossed.empty() && !triangulation.is_inserted(word.tail))
+    return triangulation.input().next(triangulation.input().next(word.crossed.front()));
+  return anchor(triangulation, word.tail, word.first_face());
+}
+
+/*
+ * The anchor of the head of a word in its last face, that on the left of a word along an input halfedge. It is also the
+ * first direction of an input edge, strictly, that a turn clockwise about the head meets.
+ */
+template <class Triangulation>
+Index head_anchor(const Triangulation& triangulation, const Crossing_word& word)
+{
+  if(word.along != null_index)
+    return triangulation.is_inserted(word.head) ? word.along : triangulation.input().next(word.along);
+  if(!word.crossed.empty() && !triangulation.is_inserted(word.head))
+    return triangulation.input().next(triangulation.input().next(twin_index(word.crossed.back())));
+  return anchor(triangulation, word.head, word.last_face());
+}
+
+/* The direction of an input edge after `spoke`, clockwise about vertex v. */
+template <class Triangulation>
+Index next_spoke(const Triangulation& triangulation, Index v, Index spoke)
+{
+  const Index t = twin_index(spoke);
+  return triangulation.is_inserted(v) ? t : triangulation.input().next(t);
+}
+
+/* The weights of a canonical location, of an edge or inside, in the face of h, told from h on. */
+template <class Input_mesh>
+std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Index h)
+{
+  const Index side = location_anchor(input, location, h);
+  const int i = side == h ? 0 : (side == input.next(h) ? 1 : 2);
+  const bool is_along = location.halfedge == side;
+  std::array<double, 3> result;
+  result[i] = location.weights[is_along ? 0 : 1];
+  result[(i + 1) % 3] = location.weights[is_along ? 1 : 0];
+  result[(i + 2) % 3] = location.weights[2];
+  return result;
+}
+
+/* The weights of a vertex in the face of h, told from h on. */
+template <class Triangulation>
+std::array<double, 3> vertex_weights(const Triangulation& triangulation, Index v, Index h)
+{
+  const auto& input = triangulation.input();
+  if(triangulation.is_inserted(v))
+    return weights_in_face(input, triangulation.location(v), h);
+  const Index corner = anchor(triangulation, v, h);
+  return {{corner == h ? 1.0 : 0.0, corner == input.next(h) ? 1.0 : 0.0, input.next(corner) == h ? 1.0 : 0.0}};
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_WORD_ENDS_H

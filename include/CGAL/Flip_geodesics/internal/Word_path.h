@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_WORD_PATH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_WORD_PATH_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/Word_ends.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * A path on the input surface as the sequence of input edges that it crosses, put together of pieces; pulled straight
+ * without passing a vertex, it has the word that `finish()` gives: the free reduction, less the letters that touch the
+ * ends. An input vertex touches the edges that start there, a point of an edge that edge, a point inside a face none.
+ */
+template <class Triangulation>
+class Word_path
+{
+public:
+  /* A path that starts at a vertex, into the input face of its anchor. */
+  Word_path(const Triangulation& triangulation, Index start, Index start_anchor)
+    : m_triangulation(triangulation)
+    , m_start_anchor(start_anchor)
+  {
+    m_word.tail = start;
+  }
+
+  void cross(Index letter)
+  {
+    if(!m_word.crossed.empty() && m_word.crossed.back() == twin_index(letter))
+      m_word.crossed.pop_back();
+    else
+      m_word.crossed.push_back(letter);
+  }
+
+  void cross(const std::vector<Index>& letters, std::size_t first, std::size_t last)
+  {
+    for(std::size_t i = first; i < last; ++i)
+      cross(letters[i]);
+  }
+
+  /* Turns clockwise about vertex v over a number of input edges, that in the direction of `spoke` first. */
+  void turn(Index v, Index spoke, Index number)
+  {
+    for(Index i = 0; i < number; ++i, spoke = next_spoke(m_triangulation, v, spoke))
+      cross(spoke);
+  }
+
+  /* The word of the straight path; this one ends at a vertex, in the input face of its anchor. */
+  Crossing_word finish(Index end, Index end_anchor)
+  {
+    m_word.head = end;
+    Index first_anchor = m_start_anchor, last_anchor = end_anchor;
+    auto first = m_word.crossed.begin(), last = m_word.crossed.end();
+    for(; first != last && touches(m_word.tail, first_anchor, *first); ++first)
+      first_anchor = across(m_word.tail, *first, first_anchor);
+    for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last)
+      last_anchor = across(end, twin_index(*(last - 1)), last_anchor);
+    m_word.crossed.erase(last, m_word.crossed.end());
+    m_word.crossed.erase(m_word.crossed.begin(), first);
+    if(m_word.crossed.empty())
+      place_in_face(first_anchor, last_anchor);
+    return m_word;
+  }
+
+private:
+  const auto& input() const { return m_triangulation.input(); }
+
+  // Does a side of the anchor's face touch the vertex?
+  bool touches(Index v, Index anchor, Index side) const
+  {
+    switch(vertex_kind(m_triangulation, v)) {
+    case Location_kind::VERTEX:
+      return side != input().next(anchor);
+    case Location_kind::EDGE:
+      return side == anchor;
+    case Location_kind::FACE:
+      return false;
+    }
+    return false;
+  }
+
+  // The anchor in the face on the other side of a side that touches the vertex.
+  Index across(Index v, Index side, Index anchor) const
+  {
+    const Index t = twin_index(side);
+    return !m_triangulation.is_inserted(v) && side == anchor ? input().next(t) : t;
+  }
+
+  // What crosses nothing runs along an input edge or through the inside of a face.
+  void place_in_face(Index k, Index l)
+  {
+    const Location_kind at_k = vertex_kind(m_triangulation, m_word.tail);
+    const Location_kind at_l = vertex_kind(m_triangulation, m_word.head);
+    if(at_k == Location_kind::VERTEX && at_l == Location_kind::VERTEX)
+      m_word.along = input().next(k) == l ? k : twin_index(l);
+    else if(at_k == Location_kind::VERTEX && at_l == Location_kind::EDGE && l != input().next(k))
+      m_word.along = l == k ? k : twin_index(l);
+    else if(at_k == Location_kind::EDGE && at_l == Location_kind::VERTEX && k != input().next(l))
+      m_word.along = k == l ? twin_index(k) : k;
+    else if(at_k == Location_kind::EDGE && at_l == Location_kind::EDGE && k == l)
+      m_word.along = is_before(m_word.tail, m_word.head, k) ? k : twin_index(k);
+    else
+      m_word.face = k;
+  }
+
+  // Of two points of an input edge, is the first nearer to the tail of halfedge h?
+  bool is_before(Index v, Index w, Index h) const
+  {
+    const auto a = vertex_weights(m_triangulation, v, h), b = vertex_weights(m_triangulation, w, h);
+    const auto n = to_integers<4>({{a[0], a[1], b[0], b[1]}});
+    return n[1] * n[2] < n[3] * n[0];
+  }
+
+  const Triangulation& m_triangulation;
+  Index m_start_anchor;
+  Crossing_word m_word;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_WORD_PATH_H
