@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H
+#define CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H
+
+#include <CGAL/Flip_geodesics/network_builders.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsBuilders
+/// What becomes of the vertices where more than two regions, or the border, meet.
+enum class Junctions {
+  FIXED, ///< they stay, and every curve ends there
+  FREE   ///< they move: every region has closed curves of its own about it, beside those of its neighbors
+};
+
+namespace internal {
+
+/* A set of edges as a property map, by index. */
+template <class TriangleMesh, class Triangulation>
+struct Marked_edge_map
+{
+  using key_type = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  const TriangleMesh* mesh;
+  const Triangulation* triangulation;
+  const std::vector<char>* is_marked;
+
+  friend bool get(const Marked_edge_map& map, const key_type& e)
+  {
+    return (*map.is_marked)[map.triangulation->index(halfedge(e, *map.mesh)) >> 1] != 0;
+  }
+};
+
+/* Adds the network of the inner edges for which `is_marked(h, t)` holds for their two halfedges. */
+template <class Network, class TriangleMesh, class Predicate>
+Index add_edges_between_faces(Network& network, const TriangleMesh& mesh, const Predicate& is_marked)
+{
+  using Triangulation = typename Network::Triangulation;
+  const Triangulation& triangulation = network.triangulation();
+  std::vector<char> marks(static_cast<std::size_t>(triangulation.number_of_edges()), 0);
+  for(Index e = 0; e < triangulation.number_of_edges(); ++e) {
+    const bool is_inner = !triangulation.is_border(2 * e) && !triangulation.is_border(2 * e + 1);
+    marks[e] = is_inner && is_marked(triangulation.input_halfedge(2 * e), triangulation.input_halfedge(2 * e + 1));
+  }
+  return add_marked_edges(network, mesh, Marked_edge_map<TriangleMesh, Triangulation>{&mesh, &triangulation, &marks});
+}
+
+/*
+ * The boundaries of regions with each region on the left, as chains of halfedges: closed, or from border to border.
+ * `region(h)` is the region of the face on the left of halfedge h.
+ */
+template <class Triangulation, class Region>
+class Region_boundaries
+{
+public:
+  Region_boundaries(const Triangulation& triangulation, const Region& region)
+    : m_triangulation(triangulation)
+    , m_region(region)
+    , m_is_used(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)
+  {
+  }
+
+  /* Calls `use(chain, is_closed)` for each: first those from border to border, then the closed ones. */
+  template <class Function>
+  void for_each(const Function& use)
+  {
+    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+      if(is_boundary(h) && is_start(h))
+        use(chain_from(h), false);
+    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+      if(is_boundary(h) && m_is_used[h] == 0)
+        use(chain_from(h), true);
+  }
+
+private:
+  bool is_boundary(Index h) const
+  {
+    const Index t = Triangulation::twin(h);
+    return !m_triangulation.is_border(h) && !m_triangulation.is_border(t) && m_region(h) != m_region(t);
+  }
+
+  // The next halfedge of the boundary, about its head through faces of the region; null_index at the border.
+  Index next(Index h) const
+  {
+    Index g = m_triangulation.next(h);
+    while(!is_boundary(g)) {
+      if(m_triangulation.is_border(Triangulation::twin(g)))
+        return null_index;
+      g = m_triangulation.next(Triangulation::twin(g));
+    }
+    return g;
+  }
+
+  // Does the boundary come from the border here?
+  bool is_start(Index h) const
+  {
+    Index g = Triangulation::twin(m_triangulation.previous(h));
+    while(!m_triangulation.is_border(g) && !is_boundary(Triangulation::twin(g)))
+      g = Triangulation::twin(m_triangulation.previous(g));
+    return m_triangulation.is_border(g);
+  }
+
+  std::vector<Index> chain_from(Index h)
+  {
+    std::vector<Index> chain;
+    for(; h != null_index && m_is_used[h] == 0; h = next(h)) {
+      m_is_used[h] = 1;
+      chain.push_back(h);
+    }
+    return chain;
+  }
+
+  const Triangulation& m_triangulation;
+  const Region& m_region;
+  std::vector<char> m_is_used;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Adds the edges between faces of different regions as a network: the boundaries of a segmentation [SC20, section 6.1].
+ * The border of the mesh is no boundary of a region, but boundaries can end there.
+ *
+ * With fixed junctions, there is one curve between each two vertices where other than two such edges meet, and a closed
+ * one where there is no such vertex, as by `add_marked_edges()`. With free junctions, each edge carries two strands,
+ * one for each region, that region on the left: closed curves, and paths from border to border. Then junctions move,
+ * and between the curves of three regions that have met at one vertex, a gap opens, which belongs to none of them;
+ * regions still do not overlap, and every curve keeps its isotopy class among the others.
+ *
+ * Linear in the mesh.
+ *
+ * \param network an empty network in a triangulation whose edges are the input's
+ * \param mesh the triangulation's mesh
+ * \param regions a model of `ReadablePropertyMap` with the mesh's faces as keys, and values to be compared by `!=`
+ * \return the number of curves added
+ */
+template <class Network, class TriangleMesh, class FaceRegionMap>
+Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegionMap regions,
+                            Junctions junctions = Junctions::FIXED)
+{
+  using Triangulation = typename Network::Triangulation;
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  if(junctions == Junctions::FIXED)
+    return internal::add_edges_between_faces(network, mesh, [&](Halfedge h, Halfedge t) {
+      return get(regions, internal::graph_face(h, mesh)) != get(regions, internal::graph_face(t, mesh));
+    });
+
+  const Triangulation& triangulation = network.triangulation();
+  const auto region = [&](Index h) {
+    return get(regions, internal::graph_face(triangulation.input_halfedge(h), mesh));
+  };
+  internal::Region_boundaries<Triangulation, decltype(region)> boundaries(triangulation, region);
+  const Index before = network.number_of_curves();
+  boundaries.for_each([&](const std::vector<Index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
+  for(Index e = 0; e < triangulation.number_of_edges(); ++e) { // each strand on the side of its region
+    std::vector<Index> stack = network.stack(e);
+    if(stack.size() == 2 && network.halfedge(stack.front()) != 2 * e) {
+      std::swap(stack.front(), stack.back());
+      network.set_stack(e, stack);
+    }
+  }
+  return network.number_of_curves() - before;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Adds the seams of a texture as a network: the edges at whose ends the two faces have different texture coordinates,
+ * at one end or both. Curves end where other than two seams meet, and so do those that end inside the surface or on its
+ * border, which is no seam. Linear in the mesh.
+ *
+ * \param network an empty network in a triangulation whose edges are the input's
+ * \param mesh the triangulation's mesh
+ * \param texture a model of `ReadablePropertyMap` with the mesh's halfedges as keys, and as values the texture
+ *        coordinates of a halfedge's face at its target, to be compared by `!=`
+ * \return the number of curves added
+ */
+template <class Network, class TriangleMesh, class HalfedgeTextureMap>
+Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap texture)
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  return internal::add_edges_between_faces(network, mesh, [&](Halfedge h, Halfedge t) {
+    const auto at_source = [&](Halfedge g) {
+      const Halfedge second = internal::graph_next(g, mesh);
+      return get(texture, internal::graph_next(second, mesh));
+    };
+    return get(texture, h) != at_source(t) || get(texture, t) != at_source(h);
+  });
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H
