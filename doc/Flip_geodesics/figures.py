@@ -309,6 +309,19 @@ def staircase(loop, along):
     return result
 
 
+@figure(104, 104)
+def flip_geodesics_small(tools):
+    """The small picture of the package overview."""
+    page = detour(tools)
+    panel = Panel(size_of(page.points))
+    panel.surface(page.points, page.faces, is_smooth=False)
+    panel.edges(page.points, page.faces, width=0.005)
+    panel.tubes([page.runs[0].state(0).lines[0]], ORANGE, 0.02)
+    panel.tubes(page.curves.values(), RED, 0.03)
+    panel.look((0.1, -0.6, 1), target=(0.0, -0.85, 0.2), zoom=1.35)
+    return [panel]
+
+
 @figure(1000, 620)
 def page(tools):
     """The page of --page in a browser, in the middle of a shortening."""

@@ -243,9 +243,11 @@ private:
   {
     if(!m_options.is_certifying)
       return;
+    //! [Certify]
     const CGAL::Flip_geodesics::Network_certificate certificate = CGAL::Flip_geodesics::certify(network);
     for(std::size_t c = 0; c < results.size(); ++c)
       results[c].certificate = to_string(certificate.curves[c].verdict);
+    //! [Certify]
   }
 
   const Mesh& m_mesh;

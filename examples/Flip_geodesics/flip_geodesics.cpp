@@ -239,8 +239,10 @@ int run(const Options& options)
   const Metric metric(mesh.points());
   if(!options.mollify)
     return run(options, mesh, metric, title.str());
+  //! [Mollified metric]
   const CGAL::Flip_geodesics::Mollified_metric<Metric> mollified(mesh, metric, *options.mollify);
   title << mollified.added_length() << " added to the length of every edge\n";
+  //! [Mollified metric]
   return run(options, mesh, mollified, title.str());
 }
 
