@@ -126,9 +126,9 @@ private:
     }
     out << '{';
     write_polylines(out, "edge", record.polylines);
-    out << ",\n\"inputEdges\":" << json_base64(inputs) << ",\n\"curves\":" << json_base64(curves)
-        << ",\n\"steps\":" << json_base64(steps) << ",\"hasAllSteps\":" << (record.has_all_steps ? "true" : "false")
-        << '}';
+    out << ",\n\"inputEdges\":" << json_base64(inputs) << ",\"edges\":" << json_base64(record.edges)
+        << ",\n\"curves\":" << json_base64(curves) << ",\n\"steps\":" << json_base64(steps)
+        << ",\"hasAllSteps\":" << (record.has_all_steps ? "true" : "false") << '}';
   }
 
   static void append_list(std::vector<std::uint32_t>& numbers, const std::vector<std::uint32_t>& list)

@@ -38,13 +38,18 @@ struct Recorded_step
 /// How the curves of a run were shortened: the edges that take part, and the steps from the input to the result.
 struct Shortening_record
 {
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  /// An edge of the mesh that is flipped or split, or that a curve runs along.
   struct Input_edge
   {
-    std::uint32_t edge, vertices[2];
+    std::uint32_t edge; ///< `none` if it is no edge at the start
+    std::uint32_t vertices[2];
   };
 
   std::vector<std::vector<Point_3>> polylines;
-  std::vector<Input_edge> input_edges;            ///< which polylines are edges of the mesh
+  std::vector<Input_edge> input_edges;            ///< all other edges of the mesh are there all the time
+  std::vector<std::uint32_t> edges;               ///< those that are there at the start, and go or carry a curve
   std::vector<std::vector<std::uint32_t>> curves; ///< at the start, as segments like `Recorded_step::inserted`
   std::vector<Recorded_step> steps;
   bool has_all_steps = true; ///< if not, the last steps are merged into one

@@ -8,8 +8,6 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/extract.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -35,13 +33,14 @@ class Shortening_recorder
   using Strand = std::vector<std::uint32_t>;
 
 public:
-  /// \pre no edge of the network's triangulation is flipped
   /// \param most_points when the polylines have so many points together, the steps that follow are merged into one
   Shortening_recorder(const Network& network, std::size_t most_points)
     : m_network(network)
     , m_most_points(most_points)
   {
-    CGAL_precondition_msg(network.triangulation().log_position() == 0, "recorded from the input on");
+    if(network.triangulation().log_position() > 0)
+      add_changed_edges();
+    m_position = network.triangulation().log_position();
     for(Index c = 0; c < network.number_of_curves(); ++c)
       m_strands.push_back(strand(c));
     m_record.curves = m_strands;
@@ -81,7 +80,37 @@ private:
     const std::uint32_t id =
         add_polyline(e, {metric.point(triangulation.input(), a), metric.point(triangulation.input(), b)});
     m_record.input_edges.push_back({id, {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)}});
+    m_record.edges.push_back(id);
     return id;
+  }
+
+  // Edges that are not the input's even before the first step: flipped before, or at inserted points.
+  void add_changed_edges()
+  {
+    const auto& triangulation = m_network.triangulation();
+    const Index input_edges = triangulation.input().number_of_halfedges() / 2;
+    for(Index e = 0; e < triangulation.number_of_edges(); ++e) {
+      if(e < input_edges && triangulation.version(e) == 0)
+        continue;
+      if(e < input_edges) {
+        const std::uint32_t a = static_cast<std::uint32_t>(triangulation.input().tail(2 * e));
+        const std::uint32_t b = static_cast<std::uint32_t>(triangulation.input().tail(2 * e + 1));
+        m_record.input_edges.push_back({Shortening_record::none, {a, b}});
+      }
+      m_record.edges.push_back(add_polyline(e, points_of(e)));
+    }
+  }
+
+  std::vector<Point_3> points_of(Index e) const
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const auto& triangulation = m_network.triangulation();
+    std::vector<FG::Surface_point> on_surface;
+    FG::edge_surface_points(triangulation, 2 * e, std::back_inserter(on_surface));
+    std::vector<Point_3> points;
+    for(const FG::Surface_point& p : on_surface)
+      points.push_back(FG::point_in_space(triangulation, p));
+    return points;
   }
 
   std::uint32_t add_polyline(Index e, std::vector<Point_3> points)
@@ -105,12 +134,7 @@ private:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> flipped;
     for(Index e : edges) {
       const std::uint32_t before = polyline(e);
-      std::vector<FG::Surface_point> on_surface;
-      FG::edge_surface_points(triangulation, 2 * e, std::back_inserter(on_surface));
-      std::vector<Point_3> points;
-      for(const FG::Surface_point& p : on_surface)
-        points.push_back(FG::point_in_space(triangulation, p));
-      flipped.push_back({before, add_polyline(e, std::move(points))});
+      flipped.push_back({before, add_polyline(e, points_of(e))});
     }
     return flipped;
   }

@@ -90,6 +90,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
                                   zero_length.txt)
 
+  add_test(NAME readme_example COMMAND readme_example torus.off WORKING_DIRECTORY ${example_dir})
+  set_tests_properties(readme_example PROPERTIES FIXTURES_REQUIRED program_input PASS_REGULAR_EXPRESSION
+                                                                                 "LOCALLY_SHORTEST")
+
   # What is written for viewers is read back by readers that share nothing with the program.
   find_package(Python3 COMPONENTS Interpreter QUIET)
   find_program(FLIP_GEODESICS_CHROMIUM NAMES chromium chromium-browser google-chrome

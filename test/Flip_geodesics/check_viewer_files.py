@@ -167,7 +167,7 @@ def replay(page, number, statistics):
     sides = {tuple(sorted((f[i], f[(i + 1) % 3]))) for f in page.faces for i in range(3)}
     for edge, a, b in run.input_edges:
         check(tuple(sorted((a, b))) in sides, f'{a} and {b} share no edge of the mesh')
-        check(run.polylines[edge] == [page.points[a], page.points[b]], f'edge {edge} lies elsewhere')
+        check(edge is None or run.polylines[edge] == [page.points[a], page.points[b]], f'edge {edge} lies elsewhere')
     members = [c for c in page.scene['curves'] if c['run'] == number]
     check(len(run.start) == len(members), f'run {number} has {len(run.start)} curves')
     tolerance = 1e-5 * page.scene['radius']

@@ -41,7 +41,7 @@ class State:
         self.run = run
         self.step = 0
         self.flips = 0
-        self.present = {edge for edge, _, _ in run.input_edges}
+        self.present = set(run.edges)
         self.fresh = []
         self.curves = [list(curve) for curve in run.start]
 
@@ -75,12 +75,16 @@ class State:
 
 
 class Run:
-    """How curves were shortened together: `polylines` of all edges that took part, and `steps`."""
+    """How curves were shortened together: `polylines` of all edges that took part, `edges`, the numbers of those at
+    the start, `steps`, and `input_edges`, the edges of the mesh that took part: each its number in `polylines`, None
+    if it was gone before the start, and its vertices."""
 
     def __init__(self, page, run):
         self.polylines = page.to_polylines(run['edgePoints'], run['edgeStarts'])
         numbers = _integers(run['inputEdges'])
-        self.input_edges = list(zip(numbers[0::3], numbers[1::3], numbers[2::3]))  # edge, and its two vertices
+        triples = zip(numbers[0::3], numbers[1::3], numbers[2::3])
+        self.input_edges = [(None if edge == 0xffffffff else edge, a, b) for edge, a, b in triples]
+        self.edges = _integers(run['edges'])
         self.start = _lists(_integers(run['curves']))
         self.steps = list(self._read_steps(iter(_integers(run['steps']))))
         self.has_all_steps = run['hasAllSteps']

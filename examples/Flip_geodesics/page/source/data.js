@@ -45,6 +45,7 @@ function readRun(run) {
     points: floats(run.edgePoints),
     starts: integers(run.edgeStarts),
     inputEdges: integers(run.inputEdges),
+    edges: integers(run.edges),
     curves: readLists(integers(run.curves)),
     steps: readSteps(integers(run.steps)),
     hasAllSteps: run.hasAllSteps,

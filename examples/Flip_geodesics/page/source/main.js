@@ -102,7 +102,7 @@ class Page {
     this.runNumber = run;
     this.run = this.scene.runs[run];
     this.firstOfRun = this.scene.curves.findIndex((c) => c.run === run);
-    this.playback = this.run && this.run.steps.length + this.run.inputEdges.length > 0 ? new Playback(this.run) : null;
+    this.playback = this.run && this.run.edges.length > 0 ? new Playback(this.run) : null;
     this.quietRun = undefined;
     document.querySelectorAll('#curves button').forEach((b, i) => b.setAttribute('aria-pressed', String(i === curve)));
     const together = this.scene.curves.filter((c) => c.run === run).length > 1;

@@ -15,8 +15,7 @@ export class Playback {
     this.step = 0;
     this.flips = 0;
     this.curves = this.run.curves.map((segments) => segments.slice());
-    this.edges = new Set();
-    for (let i = 0; i < this.run.inputEdges.length; i += 3) this.edges.add(this.run.inputEdges[i]);
+    this.edges = new Set(this.run.edges);
     this.fresh = [];
   }
 
