@@ -128,15 +128,21 @@ public:
   /// Linear time, with a logarithm where values are averaged.
   /// @{
 
-  /// Vertex values of the input, keys of type `vertex_descriptor` of the input mesh, interpolated linearly in its
-  /// faces. \pre the triangulation has no inserted vertices
+  /// Vertex values of the input, keys of type `vertex_descriptor` of the input mesh, interpolated linearly in its faces.
   template <class InputMap, class VertexMap>
   void interpolate_from_input(InputMap in, VertexMap out) const
   {
     for(vertex_descriptor v : vertices(m_mesh)) {
       const Surface_point p = vertex_origin(v).on_input;
       const auto a = get(in, m_triangulation->vertex(p.a));
-      put(out, v, p.is_vertex() ? a : mixed(a, get(in, m_triangulation->vertex(p.b)), p.t));
+      if(p.is_vertex())
+        put(out, v, a);
+      else if(!p.is_inside_face())
+        put(out, v, mixed(a, get(in, m_triangulation->vertex(p.b)), p.t));
+      else
+        put(out, v,
+            a * (1 - p.t - p.u) + get(in, m_triangulation->vertex(p.b)) * p.t +
+                get(in, m_triangulation->vertex(p.c)) * p.u);
     }
   }
 
@@ -298,7 +304,7 @@ private:
       m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
       for(Index i = 0; i <= overlay.crossings(Triangulation::edge(h)); ++i) {
         const Index piece = overlay.piece_with_face(h, i);
-        if(overlay.is_alive(piece))
+        if(overlay.is_alive(piece) && overlay.intrinsic_halfedge(piece) == h)
           m_along.push_back(built.halfedge(piece));
       }
     }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -15,23 +16,105 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* Dissolves the pieces of intrinsic edges that no curve runs along, and what crossings they leave on input edges. */
-template <class Triangulation, class Network>
-void keep_curves_only(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout, const Network& network)
+/*
+ * Dissolves the pieces of intrinsic edges that no curve runs along, and what crossings and inserted vertices they leave
+ * on input edges. The parts of a face are convex then, unless a curve ends or bends at an inserted vertex inside it; in
+ * such faces all pieces are kept.
+ */
+template <class Network>
+class Curve_filter
 {
-  layout.forget_intrinsic_faces();
-  for(Index e = 0; e < overlay.triangulation().number_of_edges(); ++e)
-    if(!network.is_occupied(2 * e))
-      for(Index i = 0; i <= overlay.crossings(e); ++i)
-        if(overlay.input_halfedge(overlay.piece(2 * e, i)) == null_index)
-          overlay.dissolve(overlay.piece(2 * e, i));
-  for(Index h = 0; h < overlay.number_of_halfedges(); ++h)
-    if(overlay.is_alive(h) && !overlay.is_border(h))
-      while(overlay.is_crossing(overlay.target(h)) && overlay.has_two_edges_at_target(h)) {
-        layout.join(h);
-        overlay.join(h);
-      }
-}
+  using Triangulation = typename Network::Triangulation;
+  using Overlay = internal::Overlay<Triangulation>;
+  using Layout = Overlay_layout<Triangulation>;
+  using Vector_2 = typename Layout::Point_2;
+
+public:
+  Curve_filter(Overlay& overlay, Layout& layout, const Network& network)
+    : m_overlay(overlay)
+    , m_layout(layout)
+    , m_network(network)
+  {
+  }
+
+  void operator()()
+  {
+    mark_bends();
+    m_layout.forget_intrinsic_faces();
+    const Index end = m_overlay.number_of_halfedges();
+    for(Index h = 0; h < end; h += 2)
+      if(!is_kept(h) && m_whole_faces.count(m_layout.face(h)) == 0)
+        m_overlay.dissolve(h);
+    for(Index h = 0; h < end; ++h)
+      if(m_overlay.is_alive(h) && !m_overlay.is_border(h))
+        while(!m_overlay.is_input_vertex(m_overlay.target(h)) && is_passed(h)) {
+          m_layout.join(h);
+          m_overlay.join(h);
+        }
+  }
+
+private:
+  // Radians by which a curve may bend at a vertex and still count as straight for this purpose.
+  static constexpr double straight = 1e-7;
+
+  bool is_kept(Index h) const { return m_overlay.input_halfedge(h) != null_index || is_on_curve(h); }
+
+  // Does nothing but an input edge without a curve go through the target of h?
+  bool is_passed(Index h) const
+  {
+    return m_overlay.input_halfedge(h) != null_index && m_overlay.has_two_edges_at_target(h) && !is_on_curve(h) &&
+           !is_on_curve(m_overlay.next(h));
+  }
+
+  bool is_on_curve(Index h) const
+  {
+    const Index intrinsic = m_overlay.intrinsic_halfedge(h);
+    return intrinsic != null_index && m_network.is_occupied(intrinsic);
+  }
+
+  void mark_bends()
+  {
+    for(Index h = 0; h < m_overlay.number_of_halfedges(); ++h) {
+      const Index v = m_overlay.origin(h);
+      const bool may_bend = !m_overlay.is_input_vertex(v) && !m_overlay.is_crossing(v) && is_kept(h) &&
+                            m_overlay.input_halfedge(h) == null_index;
+      if(may_bend && is_reflex_after(h))
+        m_whole_faces.insert(m_layout.face(h));
+    }
+  }
+
+  // From h counterclockwise about its origin, is the next kept piece, or the next input edge, more than pi away?
+  bool is_reflex_after(Index h) const
+  {
+    const Index next = [&] {
+      Index g = h;
+      do
+        g = Overlay::twin(m_overlay.previous(g));
+      while(!m_overlay.is_border(g) && !is_kept(g));
+      return g;
+    }();
+    if(m_overlay.input_halfedge(next) != null_index)
+      return false;
+    if(next == h)
+      return true;
+    const Vector_2 u = direction(h), v = direction(next);
+    const double dot = u[0] * v[0] + u[1] * v[1], cross = u[0] * v[1] - u[1] * v[0];
+    return cross < 0 && !(dot < 0 && -cross <= straight * -dot);
+  }
+
+  Vector_2 direction(Index h) const
+  {
+    const auto corners = m_layout.corners(m_layout.face(h));
+    const Vector_2 from = Layout::point(corners, m_layout.weights(h));
+    const Vector_2 to = Layout::point(corners, m_layout.weights(m_overlay.next(h)));
+    return {to[0] - from[0], to[1] - from[1]};
+  }
+
+  Overlay& m_overlay;
+  Layout& m_layout;
+  const Network& m_network;
+  std::set<Index> m_whole_faces;
+};
 
 template <class Triangulation>
 void cut(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout, Index h)
@@ -58,7 +141,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
   using Triangulation = typename Network::Triangulation;
   Overlay<Triangulation> overlay(network.triangulation());
   Overlay_layout<Triangulation> layout(overlay);
-  keep_curves_only(overlay, layout, network);
+  Curve_filter<Network>(overlay, layout, network)();
   Polygon_triangulator<Triangulation>(overlay, layout)();
   const auto is_on_curve = [&](Index h) { return h != null_index && network.is_occupied(h); };
   std::vector<Index> original;

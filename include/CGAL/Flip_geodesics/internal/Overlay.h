@@ -71,6 +71,9 @@ public:
   /* Is vertex v a crossing, and not a vertex of the triangulation? */
   bool is_crossing(Index v) const { return v >= m_triangulation->number_of_vertices() && v < m_end_of_crossings; }
 
+  /* Is vertex v one of the input's, and not a crossing or inserted? */
+  bool is_input_vertex(Index v) const { return v < m_triangulation->input().number_of_vertices(); }
+
   /* The number of crossings of intrinsic edge e. */
   Index crossings(Index e) const { return m_first_crossing[e + 1] - m_first_crossing[e]; }
 
@@ -161,7 +164,7 @@ public:
     m_origin[h] = m_origin[t] = null_index;
   }
 
-  /* Joins h and next(h) to one edge, h, if nothing else ends between them. The two run along the same lines. */
+  /* Joins h and next(h), parts of one input edge between which nothing else ends, to one edge, h. */
   void join(Index h)
   {
     const Index g = next(h), t = twin(h), s = twin(g);
@@ -169,6 +172,7 @@ public:
     if(!is_border(t))
       link(previous(s), t);
     m_origin[t] = m_origin[s];
+    m_intrinsic[h >> 1] = null_index; // longer than any one intrinsic edge
     m_origin[g] = m_origin[s] = null_index;
   }
 

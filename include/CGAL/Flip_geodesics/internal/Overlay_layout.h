@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Word_ends.h>
 
 #include <algorithm>
 #include <array>
@@ -145,7 +146,7 @@ private:
       const Index c = m_overlay->input_halfedge(h);
       if(c == null_index || (c & 1) != 0 || m_overlay->is_crossing(m_overlay->origin(h)))
         continue;
-      double reached = 0;
+      double reached = position_on_side(m_overlay->origin(h), c);
       for(Index arc = h; m_overlay->is_crossing(m_overlay->target(arc)); arc = m_overlay->next_arc(arc)) {
         const Index v = m_overlay->target(arc);
         const bool is_along = m_overlay->crossed_halfedge(v) == c;
@@ -157,12 +158,25 @@ private:
     }
   }
 
-  // The origin of h lies on a side of the input face; which one follows from what h runs along.
+  // Where a vertex of the triangulation on input halfedge c is, from 0 at its tail.
+  double position_on_side(Index v, Index c) const
+  {
+    if(!triangulation().is_inserted(v))
+      return 0;
+    const Surface_location at = triangulation().location(v);
+    const double t = at.weights[1] / (at.weights[0] + at.weights[1]);
+    return at.halfedge == c ? t : 1 - t;
+  }
+
+  // The origin of h lies on a side of the input face, which follows from what h runs along, or is an inserted vertex.
   Weights measure_corner(Index h) const
   {
     const auto& input = triangulation().input();
     const Index v = m_overlay->origin(h), along = m_overlay->input_halfedge(h);
     if(!m_overlay->is_crossing(v)) {
+      const bool is_told_by_crossing = along != null_index || m_overlay->is_crossing(m_overlay->target(h));
+      if(triangulation().is_inserted(v) || !is_told_by_crossing)
+        return normalized(vertex_weights(triangulation(), v, m_faces[h]));
       const Index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
       return on_side(m_faces[h], corner, 0);
     }
@@ -179,6 +193,12 @@ private:
   {
     const Index crossed = m_overlay->crossed_halfedge(m_overlay->target(h));
     return (m_overlay->intrinsic_halfedge(h) & 1) == 0 ? crossed : Triangulation::twin(crossed);
+  }
+
+  static Weights normalized(const Weights& w)
+  {
+    const double sum = w[0] + w[1] + w[2];
+    return {{w[0] / sum, w[1] / sum, w[2] / sum}};
   }
 
   Weights on_side(Index f, Index side, double t) const

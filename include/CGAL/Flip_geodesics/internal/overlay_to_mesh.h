@@ -47,7 +47,7 @@ public:
   halfedge_descriptor halfedge(Index h) const { return m_halfedges[h]; }
 
 private:
-  // All but the crossings that were dissolved.
+  // All but the crossings and inserted vertices that were dissolved.
   void create_vertices()
   {
     std::vector<char> is_used(m_vertices.size(), 0);
@@ -55,7 +55,7 @@ private:
       if(m_overlay.is_alive(h))
         is_used[m_overlay.origin(h)] = 1;
     for(Index v = 0; v < m_overlay.number_of_vertices(); ++v)
-      if(is_used[v] != 0 || v < m_overlay.triangulation().number_of_vertices()) {
+      if(is_used[v] != 0 || m_overlay.is_input_vertex(v)) {
         m_vertices[v] = add_vertex(m_mesh);
         set_halfedge(m_vertices[v], Graph::null_halfedge(), m_mesh);
       }
