@@ -9,29 +9,109 @@
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#if defined(__unix__) || defined(__APPLE__)
+#define CGAL_FLIP_GEODESICS_HAS_MMAP
+#include <sys/mman.h>
+#endif
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
 /*
- * An array whose elements start as zero bytes and cost nothing until they are written: the operating system hands out
- * zero pages on the first write. So a workspace as large as the mesh is made in constant time. It has room for some more
- * elements, and moves to twice the room when that is used up.
+ * Zeroed memory that costs nothing until it is written, aligned to cache lines. Asked from the operating system itself
+ * where that is known how: `calloc` takes and clears memory of the heap again once a block of the size has been freed.
+ */
+class Zero_pages
+{
+  static constexpr std::size_t cache_line = 64;
+  static constexpr std::size_t least_mapped_size = 1 << 16;
+
+public:
+  explicit Zero_pages(std::size_t size = 0)
+    : m_size(size)
+  {
+    if(size == 0)
+      return;
+    if(is_mapped())
+      map();
+    else
+      allocate();
+  }
+
+  Zero_pages(Zero_pages&& other) noexcept { swap(other); }
+  Zero_pages& operator=(Zero_pages&& other) noexcept
+  {
+    swap(other);
+    return *this;
+  }
+
+  ~Zero_pages()
+  {
+#ifdef CGAL_FLIP_GEODESICS_HAS_MMAP
+    if(m_memory != nullptr && is_mapped()) {
+      munmap(m_memory, m_size);
+      return;
+    }
+#endif
+    std::free(m_memory);
+  }
+
+  void* data() const { return m_data; }
+
+private:
+  bool is_mapped() const
+  {
+#ifdef CGAL_FLIP_GEODESICS_HAS_MMAP
+    return m_size >= least_mapped_size;
+#else
+    return false;
+#endif
+  }
+
+  void map()
+  {
+#ifdef CGAL_FLIP_GEODESICS_HAS_MMAP
+    void* memory = mmap(nullptr, m_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if(memory == MAP_FAILED)
+      throw std::bad_alloc();
+    m_memory = m_data = memory;
+#endif
+  }
+
+  void allocate()
+  {
+    m_memory = m_data = std::calloc(m_size + cache_line, 1);
+    if(m_memory == nullptr)
+      throw std::bad_alloc();
+    std::size_t space = m_size + cache_line;
+    std::align(cache_line, m_size, m_data, space);
+  }
+
+  void swap(Zero_pages& other) noexcept
+  {
+    std::swap(m_memory, other.m_memory);
+    std::swap(m_data, other.m_data);
+    std::swap(m_size, other.m_size);
+  }
+
+  void* m_memory = nullptr;
+  void* m_data = nullptr; // the first cache line in it
+  std::size_t m_size = 0;
+};
+
+/*
+ * An array whose elements start as zero bytes and cost nothing until they are written. So a workspace as large as the
+ * mesh is made in constant time. It has room for some more elements, and moves to twice the room when that is used up.
  *
  * Elements that are not trivially copyable (number types that own memory) fall back to a vector.
  */
 template <class T, bool IsTrivial = std::is_trivially_copyable<T>::value>
 class Lazy_array
 {
-  static constexpr std::size_t cache_line = 64;
-
-  struct Free
-  {
-    void operator()(void* memory) const { std::free(memory); }
-  };
-
 public:
   explicit Lazy_array(std::size_t size = 0)
     : m_size(size)
@@ -66,24 +146,20 @@ public:
 private:
   void allocate(std::size_t capacity)
   {
-    m_memory.reset(std::calloc(capacity * sizeof(T) + cache_line, 1));
-    if(m_memory == nullptr)
-      throw std::bad_alloc();
-    void* aligned = m_memory.get();
-    std::size_t space = capacity * sizeof(T) + cache_line;
-    m_data = static_cast<T*>(std::align(cache_line, capacity * sizeof(T), aligned, space));
+    m_pages = Zero_pages(capacity * sizeof(T));
+    m_data = static_cast<T*>(m_pages.data());
     m_capacity = capacity;
   }
 
   void swap(Lazy_array& other) noexcept
   {
-    std::swap(m_memory, other.m_memory);
+    std::swap(m_pages, other.m_pages);
     std::swap(m_data, other.m_data);
     std::swap(m_size, other.m_size);
     std::swap(m_capacity, other.m_capacity);
   }
 
-  std::unique_ptr<void, Free> m_memory;
+  Zero_pages m_pages;
   T* m_data = nullptr;
   std::size_t m_size = 0, m_capacity = 0;
 };

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Times the stages of geodesic queries between random vertices, with Dijkstra's algorithm over the same mesh interleaved
+// as the unit of measure. Writes a line per query, comma-separated, with a header:
+//
+//   mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,construct_s,dijkstra_s,
+//   search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash
+//
+// Each time is the median over the rounds. `edge_segments` counts the segments of Dijkstra's path, `segments` those of
+// the path that was straightened, `hash` the bits of the extracted curve.
+//
+// Usage: query_stages [--pairs N] [--seed S] [--rounds R] [--search lookback|astar|dijkstra] MESH...
+
+#include "benchmark_meshes.h"
+#include "edge_dijkstra.h"
+
+#include <CGAL/Flip_geodesics.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using benchmark_meshes::Mesh;
+using FG::Index;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+using Search = FG::Shortest_edge_path<Triangulation>;
+
+struct Options
+{
+  std::size_t pairs = 20, rounds = 5;
+  unsigned seed = 1;
+  std::string search = "lookback";
+  std::vector<std::string> meshes;
+};
+
+const std::map<std::string, FG::Search_method> search_methods = {{"lookback", FG::Search_method::LOOK_BACK},
+                                                                 {"astar", FG::Search_method::A_STAR},
+                                                                 {"dijkstra", FG::Search_method::DIJKSTRA}};
+
+enum Stage { CONSTRUCT, DIJKSTRA, SEARCH, SHORTEN, EXTRACT, CERTIFY, ROLLBACK, NUMBER_OF_STAGES };
+
+/// The times of one stage over the rounds.
+class Times
+{
+public:
+  template <class Function>
+  auto measure(const Function& function)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = function();
+    m_seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return result;
+  }
+
+  double median()
+  {
+    std::nth_element(m_seconds.begin(), m_seconds.begin() + m_seconds.size() / 2, m_seconds.end());
+    return m_seconds[m_seconds.size() / 2];
+  }
+
+private:
+  std::vector<double> m_seconds;
+};
+
+std::uint64_t hash_of(const std::vector<FG::Surface_point>& points)
+{
+  std::uint64_t hash = 14695981039346656037u; // FNV-1a over words
+  for(const FG::Surface_point& p : points) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &p.t, sizeof bits);
+    for(std::uint64_t word : {static_cast<std::uint64_t>(p.a), static_cast<std::uint64_t>(p.b), bits})
+      hash = (hash ^ word) * 1099511628211u;
+  }
+  return hash;
+}
+
+class Stage_benchmark
+{
+public:
+  Stage_benchmark(const Options& options, const std::string& name)
+    : m_options(options)
+    , m_name(benchmark_meshes::short_name(name))
+    , m_mesh(benchmark_meshes::make_mesh(name))
+    , m_triangulation(m_mesh)
+    , m_search(m_triangulation, search_methods.at(options.search))
+    , m_dijkstra(m_mesh)
+  {
+  }
+
+  void run()
+  {
+    std::mt19937 random(m_options.seed);
+    const auto vertex = [&] { return static_cast<Index>(random() % m_mesh.number_of_vertices()); };
+    for(std::size_t i = 0; i < m_options.pairs;) {
+      const Index source = vertex(), target = vertex();
+      if(source != target && run(source, target))
+        ++i;
+    }
+  }
+
+private:
+  bool run(Index source, Index target)
+  {
+    const Mesh::Vertex_index from(static_cast<std::uint32_t>(source)), to(static_cast<std::uint32_t>(target));
+    const std::size_t edge_segments = m_dijkstra(from, to).size();
+    if(edge_segments == 0)
+      return false; // another component
+    std::array<Times, NUMBER_OF_STAGES> times;
+    std::vector<Index> start;
+    FG::Shortening_report report;
+    std::vector<FG::Surface_point> curve;
+    for(std::size_t round = 0; round < m_options.rounds; ++round) {
+      times[CONSTRUCT].measure([&] { return Triangulation(m_mesh).number_of_edges(); });
+      times[DIJKSTRA].measure([&] { return m_dijkstra(from, to); });
+      start = times[SEARCH].measure([&] { return m_search(source, target); });
+      {
+        Network network(m_triangulation);
+        network.add_curve(start, false);
+        report = times[SHORTEN].measure([&] { return FG::shorten(network); });
+        curve = times[EXTRACT].measure([&] { return FG::Curve_extractor<Network>(network).surface_points(0); });
+        times[CERTIFY].measure([&] { return FG::certify(network).is_locally_shortest(); });
+      }
+      times[ROLLBACK].measure([&] {
+        m_triangulation.rollback();
+        return 0;
+      });
+    }
+    std::cout << m_name << ',' << m_mesh.number_of_faces() << ',' << m_options.search << ',' << source << ',' << target
+              << ',' << edge_segments << ',' << start.size() << ',' << m_search.settled_vertices() << ','
+              << m_dijkstra.settled_vertices() << ',' << report.flips;
+    for(Times& stage : times)
+      std::cout << ',' << stage.median();
+    std::cout << ',' << report.curves[0].length << ',' << to_string(report.curves[0].status) << ',' << std::hex
+              << hash_of(curve) << std::dec << std::endl;
+    return true;
+  }
+
+  const Options& m_options;
+  std::string m_name;
+  Mesh m_mesh;
+  Triangulation m_triangulation;
+  Search m_search;
+  Edge_dijkstra<Mesh> m_dijkstra;
+};
+
+Options read_options(int argc, char** argv)
+{
+  Options options;
+  for(int i = 1; i < argc; ++i) {
+    const std::string name = argv[i];
+    if(name.substr(0, 2) != "--") {
+      options.meshes.push_back(name);
+      continue;
+    }
+    if(++i == argc)
+      throw std::runtime_error(name + " needs a value");
+    if(name == "--pairs")
+      options.pairs = std::stoul(argv[i]);
+    else if(name == "--rounds")
+      options.rounds = (std::max)(std::stoul(argv[i]), 1ul);
+    else if(name == "--seed")
+      options.seed = static_cast<unsigned>(std::stoul(argv[i]));
+    else if(name == "--search" && search_methods.count(argv[i]) != 0)
+      options.search = argv[i];
+    else
+      throw std::runtime_error(name + ' ' + argv[i] + " is not known");
+  }
+  if(options.meshes.empty())
+    throw std::runtime_error("no mesh is given");
+  return options;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    const Options options = read_options(argc, argv);
+    std::cout << "mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,"
+                 "construct_s,dijkstra_s,search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash\n";
+    std::cout.precision(9);
+    for(const std::string& mesh : options.meshes)
+      Stage_benchmark(options, mesh).run();
+  } catch(const std::exception& error) {
+    std::cerr << "query_stages: " << error.what() << '\n';
+    return 2;
+  }
+  return 0;
+}
