@@ -231,8 +231,9 @@ public:
   /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
   void extend_turn(Turn& turn, Index h) const
   {
-    const Index hn = next(h);
-    m_traits.extend_turn_object()(turn, geometry(h), geometry(hn), geometry(next(hn)));
+    const Halfedge_record& in = record(h); // from here on the whole face is known
+    const Halfedge_record& out = known_record(in.encoded_next - 1);
+    m_traits.extend_turn_object()(turn, in.geometry, out.geometry, known_record(out.encoded_next - 1).geometry);
   }
 
   /*!
@@ -314,26 +315,33 @@ public:
   void flip(Index h)
   {
     const Index t = twin(h);
-    const Index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
+    Halfedge_record &at_h = imported_record(h), &at_t = imported_record(t); // from here on both faces are known
+    const Index hn = at_h.encoded_next - 1, tn = at_t.encoded_next - 1;
     CGAL_precondition_msg(hn != t && tn != h, "an edge at a vertex of degree 1 cannot be flipped");
+    Halfedge_record &at_hn = known_record(hn), &at_tn = known_record(tn);
+    const Index hp = at_hn.encoded_next - 1, tp = at_tn.encoded_next - 1;
+    Halfedge_record &at_hp = known_record(hp), &at_tp = known_record(tp);
 
-    const auto flipped =
-        m_traits.flip_object()(geometry(h), geometry(hn), geometry(hp), geometry(t), geometry(tn), geometry(tp));
-    const internal::Quad_crossings crossing = {crossings(edge(h)), crossings(edge(hn)), crossings(edge(hp)),
-                                               crossings(edge(tn)), crossings(edge(tp))};
+    const auto flipped = m_traits.flip_object()(at_h.geometry, at_hn.geometry, at_hp.geometry, at_t.geometry,
+                                                at_tn.geometry, at_tp.geometry);
     Edge_record& e = m_edges[edge(h)];
+    const internal::Quad_crossings crossing(e.crossings_plus_one - 1, crossings(edge(hn)), crossings(edge(hp)),
+                                            crossings(edge(tn)), crossings(edge(tp)));
     m_log.push_back({h, hp, tn, m_edges[edge(hp)].version, m_edges[edge(tn)].version, crossing.rotation_at_i(),
-                     e.version, e.crossings_plus_one, geometry(h), geometry(t), geometry(tn), geometry(tp)});
+                     e.version, e.crossings_plus_one, at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
 
-    move_outgoing(tail(h), h, tn);
-    move_outgoing(tail(t), t, hn);
+    move_outgoing(at_h.tail, h, tn);
+    move_outgoing(at_t.tail, t, hn);
     e.version = static_cast<Index>(m_log.size());
     e.crossings_plus_one = crossing.other_diagonal() + 1;
-    link_face(h, hp, tn);
-    link_face(t, tp, hn);
-    known_record(h).tail = known_record(tp).tail;
-    known_record(t).tail = known_record(hp).tail;
-    set_geometries(h, flipped.h, flipped.t, tn, flipped.tn, tp, flipped.tp);
+    at_h = {hp + 1, at_tp.tail, flipped.h}; // the face (h, hp, tn)
+    at_t = {tp + 1, at_hp.tail, flipped.t}; // the face (t, tp, hn)
+    at_hp.encoded_next = tn + 1;
+    at_tp.encoded_next = hn + 1;
+    at_hn.encoded_next = t + 1;
+    at_tn.encoded_next = h + 1;
+    at_tn.geometry = flipped.tn;
+    at_tp.geometry = flipped.tp;
     refresh_inaccurate({h, t, tn, tp});
   }
 
@@ -524,13 +532,15 @@ private:
 
   Halfedge_record& known_record(Index h) const { return m_edges[h >> 1].sides[h & 1]; }
 
-  const Halfedge_record& record(Index h) const
+  Halfedge_record& imported_record(Index h) const
   {
-    const Halfedge_record& r = known_record(h);
+    Halfedge_record& r = known_record(h);
     if(r.encoded_next == Halfedge_record::untouched)
       import_face(h);
     return r;
   }
+
+  const Halfedge_record& record(Index h) const { return imported_record(h); }
 
   void import_face(Index h) const
   {

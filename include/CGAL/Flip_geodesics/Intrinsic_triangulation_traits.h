@@ -182,9 +182,17 @@ public:
     }
 
   private:
+    static constexpr double huge = 0x1p200, tiny = 0x1p-200;
+
     static void rescale(Turn& turn)
     {
-      constexpr double huge = 0x1p200, tiny = 0x1p-200;
+      const double size = std::abs(turn.x) + std::abs(turn.y);
+      if(size > huge || size < tiny)
+        bring_into_range(turn);
+    }
+
+    static void bring_into_range(Turn& turn)
+    {
       while(std::abs(turn.x) + std::abs(turn.y) > huge) {
         turn.x *= tiny;
         turn.y *= tiny;

@@ -25,20 +25,29 @@ struct Triangle_crossings
 
   Triangle_crossings(Index opposite_0, Index opposite_1, Index opposite_2)
   {
-    const Index side[3] = {(std::max)(opposite_0, 0), (std::max)(opposite_1, 0), (std::max)(opposite_2, 0)};
-    for(int i = 0; i < 3; ++i)
-      emanating[i] = (std::max)(side[i] - side[(i + 1) % 3] - side[(i + 2) % 3], 0);
-    for(int i = 0; i < 3; ++i) {
-      const int a = (i + 1) % 3, b = (i + 2) % 3;
-      cutting[i] = ((std::max)(side[a] + side[b] - side[i], 0) - emanating[a] - emanating[b]) / 2;
-    }
+    const Index a = (std::max)(opposite_0, 0), b = (std::max)(opposite_1, 0), c = (std::max)(opposite_2, 0);
+    // Of the three excesses one is positive at most: from the corner opposite the side that is too long, edges emanate.
+    const Index excess_a = a - b - c, excess_b = b - c - a, excess_c = c - a - b;
+    emanating[0] = (std::max)(excess_a, 0);
+    emanating[1] = (std::max)(excess_b, 0);
+    emanating[2] = (std::max)(excess_c, 0);
+    cutting[0] = ((std::max)(-excess_a, 0) - emanating[1] - emanating[2]) / 2;
+    cutting[1] = ((std::max)(-excess_b, 0) - emanating[2] - emanating[0]) / 2;
+    cutting[2] = ((std::max)(-excess_c, 0) - emanating[0] - emanating[1]) / 2;
   }
 };
 
-/* The crossings of five edges of a quad i, l, j, k with diagonal ij; -1 marks an edge that lies along an input edge. */
-struct Quad_crossings
+/* What the crossings of five edges of a quad i, l, j, k with diagonal ij say of a flip; -1 marks an edge that lies along
+ * an input edge. */
+class Quad_crossings
 {
-  Index ij, jk, ki, il, lj;
+public:
+  Quad_crossings(Index ij, Index jk, Index ki, Index il, Index lj)
+    : m_k(ij, ki, jk) // corners k, j, i
+    , m_l(ij, il, lj) // corners l, j, i
+    , m_diagonal(ij < 0 ? 1 : 0)
+  {
+  }
 
   /*
    * The crossings of the other diagonal, kl.
@@ -49,23 +58,22 @@ struct Quad_crossings
    */
   Index other_diagonal() const
   {
-    const Triangle_crossings k(ij, ki, jk); // corners k, j, i
-    const Triangle_crossings l(ij, il, lj); // corners l, j, i
-    const Index end_of_k = k.cutting[2] + k.emanating[0], end_of_l = l.cutting[2] + l.emanating[0];
-    if((std::max)(k.cutting[2], l.cutting[2]) < (std::min)(end_of_k, end_of_l))
+    const Index end_of_k = m_k.cutting[2] + m_k.emanating[0], end_of_l = m_l.cutting[2] + m_l.emanating[0];
+    if((std::max)(m_k.cutting[2], m_l.cutting[2]) < (std::min)(end_of_k, end_of_l))
       return -1;
-    const Index around_k = k.cutting[0] + k.emanating[1] + k.emanating[2];
-    const Index around_l = l.cutting[0] + l.emanating[1] + l.emanating[2];
-    const Index from_i_to_j = (std::max)(k.cutting[2] - end_of_l, 0);
-    const Index from_j_to_i = (std::max)(l.cutting[2] - end_of_k, 0);
-    return around_k + around_l + from_i_to_j + from_j_to_i + (ij < 0 ? 1 : 0);
+    const Index around_k = m_k.cutting[0] + m_k.emanating[1] + m_k.emanating[2];
+    const Index around_l = m_l.cutting[0] + m_l.emanating[1] + m_l.emanating[2];
+    const Index from_i_to_j = (std::max)(m_k.cutting[2] - end_of_l, 0);
+    const Index from_j_to_i = (std::max)(m_l.cutting[2] - end_of_k, 0);
+    return around_k + around_l + from_i_to_j + from_j_to_i + m_diagonal;
   }
 
   /* The input edges that a rotation about i from ik over ij to il crosses. */
-  Index rotation_at_i() const
-  {
-    return Triangle_crossings(ij, ki, jk).emanating[2] + Triangle_crossings(ij, il, lj).emanating[2] + (ij < 0 ? 1 : 0);
-  }
+  Index rotation_at_i() const { return m_k.emanating[2] + m_l.emanating[2] + m_diagonal; }
+
+private:
+  Triangle_crossings m_k, m_l;
+  Index m_diagonal; // 1 if ij lies along an input edge
 };
 
 } // namespace internal
