@@ -98,7 +98,7 @@ public:
   {
     const Index hn = mesh.next(h), hp = mesh.next(hn);
     for(Index side : {h, hn, hp})
-      length(mesh, side);
+      check_length(mesh, side);
     return traits.construct_face_3_object()(point(mesh, mesh.tail(h)), point(mesh, mesh.tail(hn)),
                                             point(mesh, mesh.tail(hp)));
   }
@@ -132,15 +132,25 @@ public:
   }
 
 private:
-  double distance(const Mesh& mesh, Index v, Index w) const
+  // Throws what length() throws, but takes no root.
+  void check_length(const Mesh& mesh, Index h) const
+  {
+    const double square = squared_distance(mesh, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    if(!(square > 1e-139 && square < 1e139))
+      length(mesh, h);
+  }
+
+  double squared_distance(const Mesh& mesh, Index v, Index w) const
   {
     decltype(auto) p = point(mesh, v);
     decltype(auto) q = point(mesh, w);
     const double x = CGAL::to_double(q.x()) - CGAL::to_double(p.x());
     const double y = CGAL::to_double(q.y()) - CGAL::to_double(p.y());
     const double z = CGAL::to_double(q.z()) - CGAL::to_double(p.z());
-    return std::sqrt(x * x + y * y + z * z);
+    return x * x + y * y + z * z;
   }
+
+  double distance(const Mesh& mesh, Index v, Index w) const { return std::sqrt(squared_distance(mesh, v, w)); }
 
   VertexPointMap m_points;
 };

@@ -9,10 +9,23 @@
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/verify.h>
 
+#include <type_traits>
+#include <vector>
+
 namespace CGAL {
 namespace Flip_geodesics {
 
 namespace internal {
+
+template <class Network>
+std::vector<Straightness> measure_curves(const Network& network)
+{
+  std::vector<Straightness> result;
+  Straightness_meter<Network> meter(network);
+  for(Index c = 0; c < network.number_of_curves(); ++c)
+    result.push_back(meter(c));
+  return result;
+}
 
 /*
  * Joints of a curve that are bent although the triangulation's vectors say otherwise: lays out the faces in their
@@ -21,11 +34,7 @@ namespace internal {
 template <class Network, class Engine>
 bool refresh_bent_joints(Network& network, Engine& engine, Index curve)
 {
-  if(engine.status(curve) != Shortening_status::LOCALLY_SHORTEST)
-    return false;
   Straightness_meter<Network> meter(network);
-  if(meter(curve).is_locally_shortest())
-    return false;
   bool has_refreshed = false;
   network.for_each_segment(curve, [&](Index s) {
     for(Side side : {Side::LEFT, Side::RIGHT}) {
@@ -39,16 +48,19 @@ bool refresh_bent_joints(Network& network, Engine& engine, Index curve)
   return has_refreshed;
 }
 
-/* Goes on until the curves are as straight as the input says, or fresh vectors no longer help. */
+/* Measures the curves, and goes on until they are as straight as the input says, or fresh vectors no longer help. */
 template <class Network, class Engine>
-void shorten_where_drift_hid_it(Network& network, Engine& engine)
+std::vector<Straightness> shorten_where_drift_hid_it(Network& network, Engine& engine)
 {
   constexpr int most_rounds = 50;
-  bool has_refreshed = true;
-  for(int round = 0; round < most_rounds && has_refreshed; ++round) {
-    has_refreshed = false;
-    for(Index c = 0; c < network.number_of_curves(); ++c)
-      has_refreshed = refresh_bent_joints(network, engine, c) || has_refreshed;
+  for(int round = 0;; ++round) {
+    const std::vector<Straightness> result = measure_curves(network);
+    bool has_refreshed = false;
+    for(Index c = 0; c < network.number_of_curves() && round < most_rounds; ++c)
+      if(engine.status(c) == Shortening_status::LOCALLY_SHORTEST && !result[c].is_locally_shortest())
+        has_refreshed = refresh_bent_joints(network, engine, c) || has_refreshed;
+    if(!has_refreshed)
+      return result;
     engine.run_queue();
   }
 }
@@ -76,21 +88,22 @@ template <class Network, class StopPredicate = Never_stop_predicate, class Visit
 Shortening_report shorten(Network& network, const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
 {
   internal::Flip_out<Network, StopPredicate, std::remove_reference_t<Visitor>> engine(network, stop, visitor);
+  constexpr bool has_drift = Network::Triangulation::Traits::Has_drift::value;
   engine.run();
-  if constexpr(Network::Triangulation::Traits::Has_drift::value)
-    internal::shorten_where_drift_hid_it(network, engine);
+  std::vector<Straightness> measured;
+  if constexpr(has_drift)
+    measured = internal::shorten_where_drift_hid_it(network, engine);
+  else
+    measured = internal::measure_curves(network);
 
   Shortening_report report;
   report.flips = engine.flips();
   report.flip_outs = engine.steps();
-  Straightness_meter<Network> meter(network);
   for(Index c = 0; c < network.number_of_curves(); ++c) {
-    const Straightness straightness = meter(c);
     Shortening_status status = engine.status(c);
-    if(status == Shortening_status::LOCALLY_SHORTEST && Network::Triangulation::Traits::Has_drift::value &&
-       !straightness.is_locally_shortest())
+    if(has_drift && status == Shortening_status::LOCALLY_SHORTEST && !measured[c].is_locally_shortest())
       status = Shortening_status::PRECISION_LIMIT;
-    report.curves.push_back({status, network.initial_length(c), network.length(c), straightness.smallest_angle});
+    report.curves.push_back({status, network.initial_length(c), network.length(c), measured[c].smallest_angle});
   }
   return report;
 }

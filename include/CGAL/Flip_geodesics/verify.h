@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -64,25 +66,27 @@ public:
   Straightness operator()(Index curve)
   {
     Straightness result;
+    m_segments.clear();
     m_network.for_each_segment(curve, [&](Index s) {
-      result.largest_bend = (std::max)(
-          result.largest_bend, Strip(m_triangulation, m_triangulation.crossing_word(m_network.halfedge(s))).bend());
-      if(m_network.next(s) != null_index)
-        result.smallest_angle = (std::min)({result.smallest_angle, angle({s, Side::LEFT}), angle({s, Side::RIGHT})});
+      const Crossing_word word = m_triangulation.crossing_word(m_network.halfedge(s));
+      const Strip strip(m_triangulation, word);
+      result.largest_bend = (std::max)(result.largest_bend, strip.bend());
+      m_segments.push_back({s, word.along != null_index, strip.reference(), strip.arrival_reference(),
+                            internal::angle_from_reference(strip.end()),
+                            internal::angle_from_reference(strip.arrival())});
     });
+    for(std::size_t i = 0; i < m_segments.size(); ++i) {
+      const Measured_segment &x = m_segments[i], &y = m_segments[(i + 1) % m_segments.size()];
+      if(m_network.next(x.segment) == y.segment)
+        result.smallest_angle = (std::min)({result.smallest_angle, angle_left(x, y), angle_right(x, y)});
+    }
     return result;
   }
 
   /// The angle at a side of a joint, in radians; infinite if the side is blocked, fixed or holds the border.
-  double angle(const Joint& joint)
+  double angle(const Joint& joint) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if(m_network.is_head_fixed(joint.incoming))
-      return infinity;
-    const auto [a, b] = m_network.ends(joint);
-    if(m_network.next_clockwise(a) != b)
-      return infinity;
-    return m_network.is_turning_back(joint) ? 0 : internal::wedge_angle(m_triangulation, a.halfedge, b.halfedge).value;
+    return angle_if_free(joint, [&](Index a, Index b) { return internal::wedge_angle(m_triangulation, a, b).value; });
   }
 
   /*!
@@ -106,8 +110,57 @@ public:
   }
 
 private:
+  struct Measured_segment
+  {
+    Index segment;
+    bool is_along;
+    Index at_tail, at_head; // the references of both directions
+    double angle_at_tail, angle_at_head;
+
+    bool has_both_ends() const { return at_tail != null_index && at_head != null_index; }
+  };
+
+  template <class Function>
+  double angle_if_free(const Joint& joint, const Function& angle_clockwise) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if(m_network.is_head_fixed(joint.incoming))
+      return infinity;
+    const auto [a, b] = m_network.ends(joint);
+    if(m_network.next_clockwise(a) != b)
+      return infinity;
+    return m_network.is_turning_back(joint) ? 0 : angle_clockwise(a.halfedge, b.halfedge);
+  }
+
+  // The angle from the head of x clockwise to the tail of y, as wedge_angle() has it, from what has been measured.
+  double angle_left(const Measured_segment& x, const Measured_segment& y) const
+  {
+    if(!x.has_both_ends() || !y.has_both_ends()) // beside an inserted vertex
+      return angle({x.segment, Side::LEFT});
+    return angle_if_free({x.segment, Side::LEFT}, [&](Index a, Index b) {
+      return x.angle_at_head - y.angle_at_tail + input_corners(a, b, x.at_head, x.is_along);
+    });
+  }
+
+  double angle_right(const Measured_segment& x, const Measured_segment& y) const
+  {
+    if(!x.has_both_ends() || !y.has_both_ends())
+      return angle({x.segment, Side::RIGHT});
+    return angle_if_free({x.segment, Side::RIGHT}, [&](Index a, Index b) {
+      return y.angle_at_tail - x.angle_at_head + input_corners(a, b, y.at_tail, y.is_along);
+    });
+  }
+
+  // The input corners between the references of halfedges a and b, clockwise; that of a is given.
+  double input_corners(Index a, Index b, Index reference, bool is_along) const
+  {
+    const Index steps = m_triangulation.input_edges_in_wedge(a, b) + (is_along ? 1 : 0);
+    return internal::sum_of_input_corners(m_triangulation, reference, steps);
+  }
+
   const Network& m_network;
   const Triangulation& m_triangulation;
+  std::vector<Measured_segment> m_segments;
 };
 
 } // namespace Flip_geodesics

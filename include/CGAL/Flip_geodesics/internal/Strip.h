@@ -105,6 +105,12 @@ public:
   const std::vector<Gate>& gates() const { return m_gates; }
   const Vector& end() const { return m_end; }
   double end_error() const { return m_error; }
+
+  /* The reference of the edge's other direction, and a vector along that direction in the reference's frame; the
+   * reference is `null_index` if an end of the edge is an inserted vertex. */
+  Index arrival_reference() const { return m_arrival_reference; }
+  const Vector& arrival() const { return m_arrival; }
+
   double length() const { return std::abs(m_end); }
 
   /* A bound of the error of end(), relative to its length; infinite if that is all error. */
@@ -151,6 +157,14 @@ private:
 
   static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
+  static double magnitude(const Vector& v) { return std::sqrt(std::norm(v)); }
+
+  // Without the care for infinite numbers that the operator takes.
+  static Vector product(const Vector& u, const Vector& v)
+  {
+    return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
+  }
+
   double wrong_side_angle(const Vector& p, bool is_mirrored = false) const
   {
     const Vector end = is_mirrored ? std::conj(m_end) : m_end;
@@ -167,7 +181,7 @@ private:
     using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
     const auto face = m_triangulation->metric().face_geometry(m_triangulation->input(), h, Double_traits());
     const Vector turn = along / face[0].x; // the layout puts h on the positive real axis
-    return {along, turn * Vector(face[1].x, face[1].y), turn * Vector(face[2].x, face[2].y)};
+    return {along, product(turn, Vector(face[1].x, face[1].y)), product(turn, Vector(face[2].x, face[2].y))};
   }
 
   void lay_out_edge(const Crossing_word& word)
@@ -175,8 +189,12 @@ private:
     const Index h = word.along;
     m_error = 0; // the direction is exact
     m_end = m_triangulation->metric().length(m_triangulation->input(), h);
-    if(m_triangulation->is_inserted(word.tail) || m_triangulation->is_inserted(word.head))
+    if(m_triangulation->is_inserted(word.tail) || m_triangulation->is_inserted(word.head)) {
       m_end *= barycentric_difference(weights(word.tail, h), weights(word.head, h))[1];
+    } else {
+      m_arrival_reference = Triangulation::twin(h);
+      m_arrival = m_end;
+    }
   }
 
   // From weights of both ends in one face, so that the ends may lie close together.
@@ -230,18 +248,22 @@ private:
       // differences of positions, which would magnify the error wherever a gate is short.
       const Index entered = Triangulation::twin(crossed[i]);
       const Face_vectors face = face_along(entered, gate);
-      const bool is_near_right = std::abs(face[1]) < std::abs(face[2]);
+      const double to_right = magnitude(face[1]), to_left = magnitude(face[2]);
+      const bool is_near_right = to_right < to_left;
       const Vector apex = is_near_right ? right + face[1] : left - face[2];
       const double turn_error = static_cast<double>(i + 2) * ratio_error;
-      const double apex_error =
-          (is_near_right ? right_error + turn_error * std::abs(face[1]) : left_error + turn_error * std::abs(face[2])) +
-          ratio_error * std::abs(apex);
+      const double apex_error = (is_near_right ? right_error + turn_error * to_right : left_error + turn_error * to_left) +
+                                ratio_error * magnitude(apex);
       if(i + 1 == crossed.size()) {
         m_last_corner = {apex, apex_error};
         if(m_triangulation->is_inserted(word.head))
           return end_in_face(weights(word.head, entered), face, turn_error);
         m_end = apex;
         m_error = apex_error;
+        if(!m_triangulation->is_inserted(word.tail)) {
+          m_arrival_reference = input.next(input.next(entered));
+          m_arrival = product(-m_end, std::conj(face[2]));
+        }
         return;
       }
       const bool is_leaving_right = crossed[i + 1] == input.next(entered);
@@ -270,10 +292,10 @@ private:
   }
 
   const Triangulation* m_triangulation;
-  Index m_reference = null_index;
+  Index m_reference = null_index, m_arrival_reference = null_index;
   std::vector<Gate> m_gates;
   Corner m_first_corner = {0, 0}, m_last_corner = {0, 0}; // of the first and last face, not on a gate
-  Vector m_end;
+  Vector m_end, m_arrival;
   double m_error = 0;
 };
 

@@ -25,13 +25,54 @@ struct Wedge_angle
   double error;
 };
 
+/* The input corner at the head of input halfedge h, as a complex number. */
+template <class Triangulation>
+std::complex<double> input_corner_vector(const Triangulation& triangulation, Index h)
+{
+  using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+  const auto face = triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
+  return {-face[1].x, face[1].y}; // the layout puts h on the positive real axis
+}
+
 /* The input corner at the head of input halfedge h. */
 template <class Triangulation>
 double input_corner(const Triangulation& triangulation, Index h)
 {
-  using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-  const auto face = triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
-  return std::atan2(face[1].y, -face[1].x); // the layout puts h on the positive real axis
+  return std::arg(input_corner_vector(triangulation, h));
+}
+
+/* The sum of angles between 0 and pi, given as complex numbers: their product, and the half turns that it has lost. */
+class Angle_sum
+{
+public:
+  void add(const std::complex<double>& corner)
+  {
+    const double x = m_x * corner.real() - m_y * corner.imag(), y = m_x * corner.imag() + m_y * corner.real();
+    const double scale = 1 / (std::abs(x) + std::abs(y));
+    const bool is_past_straight = y < 0 || (y == 0 && x < 0);
+    m_half_turns += is_past_straight ? 1 : 0;
+    m_x = is_past_straight ? -x * scale : x * scale;
+    m_y = std::abs(y) * scale;
+  }
+
+  double value() const { return m_half_turns * boost::math::constants::pi<double>() + std::atan2(m_y, m_x); }
+
+private:
+  double m_x = 1, m_y = 0; // with an angle of at least 0 and below pi
+  int m_half_turns = 0;
+};
+
+/* The sum of so many input corners clockwise from input halfedge h about an input vertex. */
+template <class Triangulation>
+double sum_of_input_corners(const Triangulation& triangulation, Index h, Index steps)
+{
+  Angle_sum sum;
+  for(Index i = 0; i < steps; ++i) {
+    const Index t = Triangulation::twin(h);
+    sum.add(input_corner_vector(triangulation, t));
+    h = triangulation.input().next(t);
+  }
+  return sum.value();
 }
 
 /* The angle of an edge from its reference halfedge: between 0 and pi, up to rounding, which can turn pi into -pi. */
@@ -81,14 +122,9 @@ Wedge_angle wedge_angle(const Triangulation& triangulation, Index a, Index b)
   const Crossing_word word_a = triangulation.crossing_word(a), word_b = triangulation.crossing_word(b);
   const Strip<Triangulation> from(triangulation, word_a), to(triangulation, word_b);
   const Index steps = triangulation.input_edges_in_wedge(a, b) + (word_a.along != null_index ? 1 : 0);
-  double sum = angle_from_reference(from.end()) - angle_from_reference(to.end());
-  Index h = from.reference();
-  for(Index i = 0; i < steps; ++i) {
-    const bool is_on_edge = kind == Location_kind::EDGE;
-    sum += is_on_edge ? boost::math::constants::pi<double>() : input_corner(triangulation, Triangulation::twin(h));
-    h = next_spoke(triangulation, word_a.tail, h);
-  }
-  CGAL_assertion(h == to.reference());
+  const double between = kind == Location_kind::EDGE ? steps * boost::math::constants::pi<double>()
+                                                     : sum_of_input_corners(triangulation, from.reference(), steps);
+  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
   const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
   return {sum, strip_error + static_cast<double>(steps + 4) * corner_error};
 }
