@@ -61,11 +61,12 @@ private:
     Index vertex;
   };
 
-  // 1 if so, else 0. Without branches, which could not be foretold.
+  // 1 if so, else 0. The branch is foretold, since equal keys are rare, and the other comparison is none.
   static std::size_t is_before(const Entry& a, const Entry& b)
   {
-    return static_cast<std::size_t>(a.key < b.key) |
-           (static_cast<std::size_t>(a.key == b.key) & static_cast<std::size_t>(a.vertex < b.vertex));
+    if(a.key == b.key)
+      return a.vertex < b.vertex ? 1 : 0;
+    return static_cast<std::size_t>(a.key < b.key);
   }
 
   void sift_up(std::size_t hole, const Entry& entry)
@@ -90,7 +91,7 @@ private:
     for(; child + arity <= size; child = arity * hole + 1) {
       const std::size_t a = child + is_before(entries[child + 1], entries[child]);
       const std::size_t b = child + 2 + is_before(entries[child + 3], entries[child + 2]);
-      const std::size_t smallest = a + (b - a) * is_before(entries[b], entries[a]);
+      const std::size_t smallest = a ^ ((a ^ b) & (0 - is_before(entries[b], entries[a])));
       entries[hole] = entries[smallest];
       hole = smallest;
     }
