@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Times the stages of geodesic queries between random vertices, with Dijkstra's algorithm over the same mesh interleaved
-// as the unit of measure. Writes a line per query, comma-separated, with a header:
+// Times the stages of geodesic queries between random vertices, with Dijkstra's algorithm over the same mesh
+// interleaved as the unit of measure. Writes a line per query, comma-separated, with a header:
 //
 //   mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,construct_s,dijkstra_s,
 //   search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash

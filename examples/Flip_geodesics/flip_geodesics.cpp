@@ -42,7 +42,7 @@ struct Options
   std::string pairs, edges, loop, network;
   std::optional<long long> random;
   std::uint64_t seed = 1;
-  std::string kernel = "double", search = "astar";
+  std::string kernel = "double", search = "lookback";
   std::optional<double> stop_length, mollify;
   std::string polylines, stats, viewer, page;
   bool is_quiet = false;
@@ -64,7 +64,9 @@ void add_options(CLI::App& app, Options& options)
       ->capture_default_str();
   app.add_option("--mollify", options.mollify,
                  "Lengthen all edges until triangles have this margin of the mean edge length: for degenerate meshes");
-  app.add_option("--search", options.search, "Search of the edge paths: astar or dijkstra")->capture_default_str();
+  app.add_option("--search", options.search,
+                 "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
+      ->capture_default_str();
   app.add_option("--stop-length", options.stop_length,
                  "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
   app.add_option("--polylines", options.polylines, "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
@@ -73,6 +75,18 @@ void add_options(CLI::App& app, Options& options)
                  "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
   app.add_option("--page", options.page, "Write a page for a browser: surface, curves, and the flips step by step");
   app.add_flag("--quiet", options.is_quiet, "No table and no progress");
+}
+
+CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
+{
+  using CGAL::Flip_geodesics::Search_method;
+  if(name == "lookback")
+    return Search_method::LOOK_BACK;
+  if(name == "astar")
+    return Search_method::A_STAR;
+  if(name == "dijkstra")
+    return Search_method::DIJKSTRA;
+  throw Bad_input("--search " + name + ": not known; use lookback, astar or dijkstra");
 }
 
 void check_options(const Options& options)
@@ -89,8 +103,7 @@ void check_options(const Options& options)
     throw Bad_input("--kernel " + options.kernel + ": not known; use double or certified");
   if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
     throw Bad_input("--mollify must lie between 0 and 1");
-  if(options.search != "astar" && options.search != "dijkstra")
-    throw Bad_input("--search " + options.search + ": not known; use astar or dijkstra");
+  search_method(options.search);
   if(options.stop_length && !(*options.stop_length >= 0 && *options.stop_length <= 1))
     throw Bad_input("--stop-length must lie between 0 and 1");
 }
@@ -195,9 +208,7 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();
-  const CGAL::Flip_geodesics::Search_method search = options.search == "astar"
-                                                         ? CGAL::Flip_geodesics::Search_method::A_STAR
-                                                         : CGAL::Flip_geodesics::Search_method::DIJKSTRA;
+  const CGAL::Flip_geodesics::Search_method search = search_method(options.search);
   Progress progress(number_of_curves, options.is_quiet);
   const bool is_certifying = options.kernel == "certified";
   Curve_runner<Traits, Metric_> runner(mesh, metric, {search, is_certifying, options.stop_length}, progress);

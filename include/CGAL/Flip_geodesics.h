@@ -27,6 +27,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>

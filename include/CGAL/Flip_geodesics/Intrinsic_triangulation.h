@@ -55,7 +55,8 @@ using Default_traits = Intrinsic_triangulation_traits<
  * It is a true \f$\Delta\f$-complex: an edge may be a loop, two edges may share both end vertices, a vertex may have
  * degree 1, a face may be glued to itself. Elements are told apart by their indices, never by their vertices. Vertices
  * keep the indices of `vertices(mesh)`. Edge `e` has the halfedges `2e` and `2e+1`; both ids survive flips, and before
- * the first flip they are the input's. Points of the surface can be inserted as further vertices, with the next indices.
+ * the first flip they are the input's. Points of the surface can be inserted as further vertices, with the next
+ * indices.
  *
  * Faces of the input are copied when they are first touched, so that construction takes constant time over a
  * `Surface_mesh`, and \f$O(n \log n)\f$ over other meshes, whose elements are numbered first. The mesh and its points

@@ -83,8 +83,9 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: the shortest edge path,
- * pulled tight. A path that takes another way round a hole or a bump may be shorter still.
+ * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: an edge path that is nearly
+ * shortest (`Search_method::LOOK_BACK`), pulled tight. A path that takes another way round a hole or a bump may be
+ * shorter still.
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
@@ -107,7 +108,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   auto triangulation = internal::make_triangulation(mesh, np);
-  Shortest_edge_path<typename Types::Triangulation> search(triangulation);
+  Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
   typename Types::Network network(triangulation);
   const std::vector<Index> ends = {triangulation.index(source), triangulation.index(target)};
   network.add_curve(shortest_halfedges_through(search, ends), false);

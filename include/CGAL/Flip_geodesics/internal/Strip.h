@@ -252,8 +252,9 @@ private:
       const bool is_near_right = to_right < to_left;
       const Vector apex = is_near_right ? right + face[1] : left - face[2];
       const double turn_error = static_cast<double>(i + 2) * ratio_error;
-      const double apex_error = (is_near_right ? right_error + turn_error * to_right : left_error + turn_error * to_left) +
-                                ratio_error * magnitude(apex);
+      const double apex_error =
+          (is_near_right ? right_error + turn_error * to_right : left_error + turn_error * to_left) +
+          ratio_error * magnitude(apex);
       if(i + 1 == crossed.size()) {
         m_last_corner = {apex, apex_error};
         if(m_triangulation->is_inserted(word.head))

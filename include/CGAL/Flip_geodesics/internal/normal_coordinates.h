@@ -37,8 +37,8 @@ struct Triangle_crossings
   }
 };
 
-/* What the crossings of five edges of a quad i, l, j, k with diagonal ij say of a flip; -1 marks an edge that lies along
- * an input edge. */
+/* What the crossings of five edges of a quad i, l, j, k with diagonal ij say of a flip; -1 marks an edge that lies
+ * along an input edge. */
 class Quad_crossings
 {
 public:

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H
+#define CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <iterator>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// One of the paths of `geodesic_paths()`.
+template <class Point_3>
+struct Geodesic_path
+{
+  std::vector<Point_3> points; ///< from the source to the target; none if there is an error
+  Curve_report report;         ///< what became of the curve, if there is no error
+  std::exception_ptr error;    ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
+};
+
+namespace internal {
+
+/* Computes one path after the other in one triangulation, whose flips are taken back in between. */
+template <class TriangleMesh, class NamedParameters>
+class Path_workspace
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  using Triangulation = typename Types::Triangulation;
+  using Network = typename Types::Network;
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+public:
+  using Result = Geodesic_path<typename Types::Metric::Point_3>;
+
+  Path_workspace(const TriangleMesh& mesh, const NamedParameters& np)
+    : m_mesh(mesh)
+    , m_np(np)
+  {
+  }
+
+  Result operator()(Vertex source, Vertex target)
+  {
+    Result result;
+    try {
+      if(!m_state)
+        m_state = std::make_unique<State>(m_mesh, m_np);
+      compute(*m_state, source, target, result);
+      m_state->triangulation.rollback();
+    } catch(...) {
+      result = Result();
+      result.error = std::current_exception();
+      m_state.reset(); // whatever state the failure left
+    }
+    return result;
+  }
+
+private:
+  struct State
+  {
+    Triangulation triangulation;
+    Shortest_edge_path<Triangulation> search;
+
+    State(const TriangleMesh& mesh, const NamedParameters& np)
+      : triangulation(make_triangulation(mesh, np))
+      , search(triangulation, Search_method::LOOK_BACK)
+    {
+    }
+  };
+
+  void compute(State& state, Vertex source, Vertex target, Result& result) const
+  {
+    const std::vector<Index> ends = {state.triangulation.index(source), state.triangulation.index(target)};
+    Network network(state.triangulation);
+    network.add_curve(shortest_halfedges_through(state.search, ends), false);
+    result.report = shorten_with_visitor(network, m_np).curves.front();
+    Curve_extractor<Network>(network).points(0, std::back_inserter(result.points));
+  }
+
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  std::unique_ptr<State> m_state;
+};
+
+template <class Workspace, class Pairs, class MakeWorkspace>
+void compute_paths(Sequential_tag, const Pairs& pairs, std::vector<typename Workspace::Result>& results,
+                   const MakeWorkspace& make_workspace)
+{
+  const std::unique_ptr<Workspace> workspace = make_workspace();
+  for(std::size_t i = 0; i < pairs.size(); ++i)
+    results[i] = (*workspace)(pairs[i].first, pairs[i].second);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <class Workspace, class Pairs, class MakeWorkspace>
+void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Workspace::Result>& results,
+                   const MakeWorkspace& make_workspace)
+{
+  tbb::enumerable_thread_specific<std::unique_ptr<Workspace>> workspaces(make_workspace);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size()),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      Workspace& workspace = *workspaces.local();
+                      for(std::size_t i = range.begin(); i != range.end(); ++i)
+                        results[i] = workspace(pairs[i].first, pairs[i].second);
+                    });
+}
+#endif
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Computes many geodesics on one mesh, each as `geodesic_path()` does, but in one triangulation per thread that is made
+ * once. The results do not depend on the number of threads, nor on the other pairs.
+ *
+ * A pair for which something is thrown, such as `Disconnected_endpoints_error`, has that as its result; the others are
+ * computed all the same.
+ *
+ * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
+ *         TBB for the second
+ *
+ * \param mesh a triangle mesh
+ * \param pairs a range of `std::pair`s of vertices, source and target
+ * \param out receives a `Geodesic_path` with the mesh's points per pair, in the order of the pairs
+ * \param np named parameters as for `geodesic_path()`; a `visitor` is called from all threads
+ * \return the end of the output
+ *
+ * Complexity: that of the searches and of `shorten()`; meshes other than `Surface_mesh` are indexed once per thread,
+ * \f$O(n \log n)\f$.
+ */
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
+                              const NamedParameters& np = parameters::default_values())
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  using Tag =
+      std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag, Sequential_tag>;
+#else
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag asks for threads, but the program is not linked to TBB");
+  using Tag = Sequential_tag;
+#endif
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Workspace = internal::Path_workspace<TriangleMesh, NamedParameters>;
+  const std::vector<std::pair<Vertex, Vertex>> ends(std::begin(pairs), std::end(pairs));
+  std::vector<typename Workspace::Result> results(ends.size());
+  internal::compute_paths<Workspace>(Tag(), ends, results, [&] { return std::make_unique<Workspace>(mesh, np); });
+  return std::move(results.begin(), results.end(), out);
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE Geodesic_paths
+
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/geodesic_paths.h>
+#include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <iterator>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Pairs = std::vector<std::pair<Vertex, Vertex>>;
+using Path = FG::Geodesic_path<Kernel::Point_3>;
+
+#ifdef CGAL_LINKED_WITH_TBB
+static_assert(std::is_convertible<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value, "threads are tested");
+#endif
+
+Pairs random_pairs(const Mesh& mesh, std::size_t size, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto vertex = [&] { return Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())); };
+  Pairs pairs;
+  while(pairs.size() < size) {
+    const Vertex s = vertex(), t = vertex();
+    if(s != t)
+      pairs.emplace_back(s, t);
+  }
+  return pairs;
+}
+
+template <class Tag>
+std::vector<Path> paths_of(const Mesh& mesh, const Pairs& pairs)
+{
+  std::vector<Path> result;
+  FG::geodesic_paths<Tag>(mesh, pairs, std::back_inserter(result));
+  return result;
+}
+
+void check_same(const std::vector<Path>& a, const std::vector<Path>& b)
+{
+  BOOST_TEST_REQUIRE(a.size() == b.size());
+  for(std::size_t i = 0; i < a.size(); ++i) {
+    BOOST_TEST((a[i].points == b[i].points));
+    BOOST_TEST(a[i].report.length == b[i].report.length);
+    BOOST_TEST(!a[i].error == !b[i].error);
+  }
+}
+
+/// Two spheres that no edge joins.
+Mesh two_spheres()
+{
+  Mesh_soup soup = bumpy_sphere(6, 0.1, 1);
+  const Mesh_soup other = sphere(5);
+  const int first = static_cast<int>(soup.points.size());
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  for(const Corners& t : other.triangles)
+    soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return to_mesh<Mesh>(soup);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(paths_are_those_of_single_calls)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(12, 0.1, 3));
+  const Pairs pairs = random_pairs(mesh, 40, 5);
+  const std::vector<Path> paths = paths_of<CGAL::Sequential_tag>(mesh, pairs);
+  BOOST_TEST_REQUIRE(paths.size() == pairs.size());
+  for(std::size_t i = 0; i < pairs.size(); ++i) {
+    std::vector<Kernel::Point_3> points;
+    const auto single = FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points));
+    BOOST_TEST((paths[i].points == points));
+    BOOST_TEST(paths[i].report.length == single.report.curves.front().length);
+    BOOST_TEST((paths[i].report.status == FG::Shortening_status::LOCALLY_SHORTEST));
+    BOOST_TEST((paths[i].error == nullptr));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(threads_do_not_change_the_results)
+{
+  const Mesh mesh = to_mesh<Mesh>(torus(40, 20, 3, 1));
+  const Pairs pairs = random_pairs(mesh, 200, 7);
+  check_same(paths_of<CGAL::Sequential_tag>(mesh, pairs), paths_of<CGAL::Parallel_if_available_tag>(mesh, pairs));
+}
+
+BOOST_AUTO_TEST_CASE(an_error_is_the_result_of_its_pair_alone)
+{
+  const Mesh mesh = two_spheres();
+  const Pairs pairs = random_pairs(mesh, 60, 9);
+  const std::vector<Path> paths = paths_of<CGAL::Sequential_tag>(mesh, pairs);
+  std::size_t errors = 0;
+  for(std::size_t i = 0; i < pairs.size(); ++i) {
+    if(!paths[i].error) {
+      BOOST_TEST(paths[i].points.size() >= 2u);
+      continue;
+    }
+    ++errors;
+    BOOST_TEST(paths[i].points.empty());
+    BOOST_CHECK_THROW(std::rethrow_exception(paths[i].error), FG::Disconnected_endpoints_error);
+  }
+  BOOST_TEST(errors > 10u);
+  BOOST_TEST(errors < 50u);
+  check_same(paths, paths_of<CGAL::Parallel_if_available_tag>(mesh, pairs));
+
+  const std::vector<Path> equal_ends = paths_of<CGAL::Sequential_tag>(mesh, {{Vertex(0), Vertex(0)}, pairs[0]});
+  BOOST_CHECK_THROW(std::rethrow_exception(equal_ends[0].error), FG::Invalid_curve_error);
+  BOOST_TEST((equal_ends[1].points == paths[0].points));
+}
+
+namespace {
+
+// Says no, or throws, in the `n`-th query that flips, whatever thread it runs on.
+struct Disturbing_visitor : FG::Default_shortening_visitor
+{
+  std::atomic<int> steps{0};
+  int stop_at = 0, throw_at = 0;
+
+  bool go_further()
+  {
+    const int step = ++steps;
+    if(step == throw_at)
+      throw std::runtime_error("a visitor may throw");
+    return step != stop_at;
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(12, 0.1, 3));
+  const Pairs pairs = random_pairs(mesh, 40, 5);
+  const std::vector<Path> undisturbed = paths_of<CGAL::Sequential_tag>(mesh, pairs);
+  Disturbing_visitor visitor;
+  visitor.stop_at = 50;
+  visitor.throw_at = 300;
+  std::vector<Path> paths;
+  FG::geodesic_paths<CGAL::Parallel_if_available_tag>(mesh, pairs, std::back_inserter(paths),
+                                                      CGAL::parameters::visitor(std::ref(visitor)));
+  int stopped = 0, thrown = 0;
+  for(std::size_t i = 0; i < pairs.size(); ++i) {
+    const bool is_stopped = !paths[i].error && paths[i].report.status == FG::Shortening_status::STOPPED_BY_VISITOR;
+    stopped += is_stopped ? 1 : 0;
+    thrown += paths[i].error ? 1 : 0;
+    if(!is_stopped && !paths[i].error)
+      BOOST_TEST((paths[i].points == undisturbed[i].points));
+  }
+  BOOST_TEST(stopped == 1);
+  BOOST_TEST(thrown == 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_queue_hands_out_by_priority_and_then_by_vertex)
+{
+  std::mt19937 random(11);
+  FG::internal::Vertex_queue queue;
+  std::multiset<std::pair<double, int>> reference;
+  for(int round = 0; round < 20000; ++round) {
+    if(reference.empty() || random() % 5 < 3) {
+      const double priority = random() % 3 == 0 ? 0.25 * static_cast<double>(random() % 8) : std::ldexp(random(), -20);
+      const int vertex = static_cast<int>(random() % 1000);
+      queue.push(priority, vertex);
+      reference.emplace(priority, vertex);
+    } else {
+      BOOST_TEST_REQUIRE(queue.pop() == reference.begin()->second);
+      reference.erase(reference.begin());
+    }
+  }
+  for(; !reference.empty(); reference.erase(reference.begin()))
+    BOOST_TEST_REQUIRE(queue.pop() == reference.begin()->second);
+  BOOST_TEST(queue.empty());
+}
