@@ -7,7 +7,7 @@ import vtk
 from PIL import Image
 
 BLUE, RED, GREEN, ORANGE = '#0b4fb3', '#c2121b', '#0a7a3d', '#d97700'
-SURFACE, INK = '#d8dce3', '#3a434d'
+SURFACE, INK, WHITE = '#d8dce3', '#3a434d', '#ffffff'
 
 
 def color(name):
@@ -102,6 +102,29 @@ class Panel:
         tubes.SetRadius(width / 2 * self.size)
         tubes.SetNumberOfSides(10)
         tubes.CappingOn()
+        actor = self._add(tubes, name)
+        actor.GetProperty().SetAmbient(0.45)
+        actor.GetProperty().SetDiffuse(0.6)
+        return actor
+
+    def contours(self, points, faces, values, levels, name, width):
+        """The lines on a surface where a number per point has certain levels, as tubes."""
+        data = poly_data(points, faces)
+        array = vtk.vtkDoubleArray()
+        for value in values:
+            array.InsertNextValue(value)
+        data.GetPointData().SetScalars(array)
+        contours = vtk.vtkContourFilter()
+        contours.SetInputData(data)
+        for i, level in enumerate(levels):
+            contours.SetValue(i, level)
+        strips = vtk.vtkStripper()
+        strips.SetInputConnection(contours.GetOutputPort())
+        strips.SetMaximumLength(100000)
+        tubes = vtk.vtkTubeFilter()
+        tubes.SetInputConnection(strips.GetOutputPort())
+        tubes.SetRadius(width / 2 * self.size)
+        tubes.SetNumberOfSides(8)
         actor = self._add(tubes, name)
         actor.GetProperty().SetAmbient(0.45)
         actor.GetProperty().SetDiffuse(0.6)
@@ -206,11 +229,15 @@ def write_png(path, panels, width, height):
 
 
 def make_small(path):
-    """Keeps 256 colors of a PNG file, which is enough for a few lit materials: most for what has little color, the
-    surfaces, and some for the curves, which have few pixels."""
+    """Keeps 256 colors of a PNG file, which is enough for a few lit materials. A fifth of them are for what has much
+    color, since curves have few pixels. Colored surfaces are dithered."""
     with Image.open(path) as file:
         image = file.convert('RGB')
-    bright = [p for p in image.getdata() if max(p) - min(p) > 50]
+    pixels = list(image.getdata())
+    bright = [p for p in pixels if max(p) - min(p) > 50]
+    if len(bright) > len(pixels) / 10:
+        image.quantize(palette=image.quantize(256)).save(path, optimize=True)
+        return
     palette = image.quantize(200, dither=Image.Dither.NONE).getpalette()[:600]
     if bright:
         row = Image.new('RGB', (len(bright), 1))

@@ -27,7 +27,7 @@ here = Path(__file__).resolve().parent
 root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics/page')]
 
-from figure_drawing import BLUE, GREEN, INK, ORANGE, RED, Panel, make_small, size_of, write_png  # noqa: E402
+from figure_drawing import BLUE, GREEN, INK, ORANGE, RED, WHITE, Panel, make_small, size_of, write_png  # noqa: E402
 from read_page import Page  # noqa: E402
 
 figures = {}
@@ -50,7 +50,11 @@ class Tools:
         self.folder = Path(folder)
 
     def run(self, program, *arguments):
-        subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+        """Runs a program in the folder; examples that run.sh does not build are built first."""
+        if not (self.programs / program).exists():
+            subprocess.run(['cmake', '--build', self.programs.parents[1], '--target', program], check=True)
+        subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL,
+                       cwd=self.folder)
 
     def mesh(self, name):
         """A mesh of CGAL's data set."""
@@ -89,6 +93,35 @@ class Tools:
                         f'--window-size={width},{height}', '--virtual-time-budget=20000', f'--screenshot={picture}',
                         f'{page.as_uri()}#{state}'], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         return picture
+
+
+def read_ply(path, name):
+    """The points and faces of a PLY file in text, and the numbers called `name` at its points."""
+    lines = iter(path.read_text().splitlines())
+    counts, columns = {}, []
+    for line in lines:
+        words = line.split()
+        if words[0] == 'element':
+            counts[words[1]] = int(words[2])
+        elif words[0] == 'property' and list(counts) == ['vertex']:
+            columns.append(words[2])
+        elif words[0] == 'end_header':
+            break
+    rows = [[float(x) for x in next(lines).split()] for _ in range(counts['vertex'])]
+    faces = [tuple(map(int, next(lines).split()[1:])) for _ in range(counts['face'])]
+    return [tuple(row[:3]) for row in rows], faces, [row[columns.index(name)] for row in rows]
+
+
+def read_obj(path):
+    """The lines of an OBJ file by their first word: numbers, of which those of faces and lines count from 0."""
+    result = {'v': [], 'vt': [], 'f': [], 'l': []}
+    for line in path.read_text().splitlines():
+        word, *rest = line.split()
+        if word in ('v', 'vt'):
+            result[word].append(tuple(map(float, rest)))
+        elif word in ('f', 'l'):
+            result[word].append(tuple(int(x.split('/')[0]) - 1 for x in rest))
+    return result
 
 
 class Graph:
@@ -307,6 +340,62 @@ def staircase(loop, along):
             j = (j + (1 if (end - j) % along < along / 2 else -1)) % along
             result.append(a - a % along + j)
     return result
+
+
+@figure(900, 440)
+def poisson(tools):
+    """The temperature of surfaces that are heated evenly and kept at zero along a geodesic, with lines of equal heat."""
+    panels = []
+    for mesh, source, target, view in ((tools.mesh('bunny00.off'), 13512, 11509, (-0.35, 0.2, -1)),
+                                       (tools.torus(160, 80), 20, 6440, (0, -0.9, 1))):
+        tools.run('poisson_example', mesh, source, target)
+        points, faces, heat = read_ply(tools.folder / 'poisson.ply', 'u')
+        most = max(heat)
+        panel = Panel(size_of(points))
+        panel.colored_surface(points, faces, heat, [(0, '#2b5fb3'), (most / 2, '#e9e4d8'), (most, '#c2321b')])
+        panel.contours(points, faces, heat, [most * k / 12 for k in range(1, 12)], INK, 0.0022)
+        panel.tubes(tools.curves(mesh, '--from', source, '--to', target).curves.values(), WHITE, 0.01)
+        panel.look(view)
+        panels.append(panel)
+    return panels
+
+
+@figure(900, 480)
+def cross_field(tools):
+    """The smoothest field of crosses that runs along a geodesic, on a torus."""
+    mesh = tools.torus(72, 36)
+    source, target = 9, 1340
+    tools.run('cross_field_example', mesh, source, target)
+    lines = read_obj(tools.folder / 'cross_field.obj')
+    page = tools.curves(mesh, '--from', source, '--to', target)
+    panel = Panel(size_of(page.points))
+    panel.surface(page.points, page.faces)
+    panel.tubes([[lines['v'][i] for i in line] for line in lines['l']], BLUE, 0.0028)
+    panel.tubes(page.curves.values(), RED, 0.009)
+    panel.look((0, -0.8, 1))
+    return [panel]
+
+
+@figure(900, 440)
+def logarithmic_map(tools):
+    """The plane about one vertex, a grid and circles, laid over a scan by the logarithmic map."""
+    mesh = tools.mesh('bunny00.off')
+    start = tools.curves(mesh, '--random', 1)
+    source = Graph(start.points, start.faces).nearest((0.1, 0.05, 0.45))
+    tools.run('geodesic_tree_example', mesh, source)
+    data = read_obj(tools.folder / 'logarithmic_map.obj')
+    points, plane = data['v'], data['vt']
+    panels = []
+    for numbers in (([x for x, _ in plane], [y for _, y in plane]), ([math.hypot(x, y) for x, y in plane],)):
+        panel = Panel(size_of(points))
+        panel.surface(points, data['f'])
+        near = [f for f in data['f'] if all(math.hypot(*plane[v]) < 0.62 for v in f)]
+        for values, name in zip(numbers, (BLUE, GREEN)):
+            panel.contours(points, near, values, [0.05 * k + 0.001 for k in range(-13, 13)], name, 0.0035)
+        panel.balls([points[source]], RED, 0.022)
+        panel.look((0.35, 0.2, 1))
+        panels.append(panel)
+    return panels
 
 
 @figure(104, 104)
