@@ -14,12 +14,18 @@
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <boost/mpl/list.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -336,6 +342,162 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_unit_in_the_last_place_is_seen, Setting, Setti
   const FG::Network_certificate certificate = checked_certificate(setting);
   BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::BENT_JOINT));
   BOOST_TEST((certificate.curves[0].side == FG::Side::LEFT));
+}
+
+// ---------------------------------------------------------------- many roots
+
+namespace {
+
+// A folding screen over a grid of 2 n columns and 2 rows, the folds at irregular distances: to the left of the middle
+// as given, from the middle on, and to the right in the same or in reverse order. It unfolds to a plane. The area of
+// each column has a root of its own; the middle point lies on the line between opposite corners.
+Mesh_soup folding_screen(int n, bool is_reversed, double lift)
+{
+  std::vector<double> x(2 * n + 1, 0.0), z(2 * n + 1, 0.0);
+  for(int i = 1; i <= n; ++i) {
+    const double dx = 1 + 0.125 * i, dz = (i % 2 == 0 ? 1 : -1) * (0.5 + 0.0625 * i * i);
+    const int left = is_reversed ? n - i : i - 1; // columns from the left border
+    x[left + 1] = dx;
+    z[left + 1] = dz;
+    x[n + i] = dx;
+    z[n + i] = dz;
+  }
+  for(int i = 1; i <= 2 * n; ++i) {
+    x[i] += x[i - 1];
+    z[i] += z[i - 1];
+  }
+  Mesh_soup soup = mapped(flat_grid(2 * n, 2, Diagonal_rule::RISING), [&](const Coordinates& p) {
+    const int i = static_cast<int>(p[0]);
+    return Coordinates{x[i], p[1] - 1, z[i]};
+  });
+  soup.points[grid_vertex(2 * n, n, 1)][1] += lift;
+  return soup;
+}
+
+// Pulls the diagonal tight that passes by the middle point, on its left.
+template <class Setting>
+FG::Network_certificate certificate_of_diagonal(Setting& setting, int n)
+{
+  setting.add(vertex_path_on_grid(2 * n, {{0, 0}, {0, 1}, {2 * n, 1}, {2 * n, 2}}), false);
+  setting.pull();
+  return checked_certificate(setting);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(zeros_of_many_roots_are_proven)
+{
+  for(int n : {5, 20, 70}) {
+    Certified_setting setting(folding_screen(n, true, 0));
+    const FG::Network_certificate certificate = certificate_of_diagonal(setting, n);
+    BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST(setting.network.halfedges(0).size() == 2u);
+    BOOST_TEST(certificate.statistics.zeros_by_roots == 2u);
+    BOOST_TEST(certificate.statistics.most_roots > (n == 5 ? 3u : 12u));
+    BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
+  }
+}
+
+// No order of faces closes the roots of such strips early.
+BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
+{
+  Certified_setting few(folding_screen(8, false, 0));
+  BOOST_TEST((certificate_of_diagonal(few, 8).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+
+  Certified_setting many(folding_screen(20, false, 0));
+  const FG::Network_certificate certificate = certificate_of_diagonal(many, 20);
+  BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
+  BOOST_TEST(certificate.is_locally_shortest());
+  BOOST_TEST(certificate.statistics.unproven_zeros == 2u);
+}
+
+// The line misses the middle point by 1e-90: what is not zero has a sign, after as many digits as it takes.
+BOOST_AUTO_TEST_CASE(almost_zeros_of_many_roots_have_signs)
+{
+  for(bool is_reversed : {true, false})
+    for(double lift : {0x1p-300, -0x1p-300}) {
+      Certified_setting setting(folding_screen(20, is_reversed, lift));
+      const FG::Network_certificate certificate = certificate_of_diagonal(setting, 20);
+      BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+      BOOST_TEST(setting.network.halfedges(0).size() == 1u);
+      BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(residues_of_roots_multiply_as_roots_do)
+{
+  const std::vector<FG::internal::Integer> squares = {2, 3, 6, 8, 12, 49, 1001, 7 * 1001};
+  const FG::internal::Root_base base(squares);
+  for(unsigned bits : {61u, 64u, 150u}) {
+    const FG::internal::Integer prime = FG::internal::random_prime(bits);
+    BOOST_TEST(boost::multiprecision::msb(prime) + 1 == bits);
+    BOOST_TEST(prime % 4 == 3);
+    const FG::internal::Residue_ring ring(base, prime);
+    const auto root = [&](int d) { return ring.side(0, d, 1, 1).root; };
+    const auto difference = [&](const auto& a, const auto& b) { return ring.add(a, ring.negate(b)); };
+    for(const FG::internal::Integer& d : squares) {
+      const auto r = ring.side(0, d, 1, 1).root;
+      BOOST_TEST(ring.is_zero(difference(ring.multiply(r, r), ring.integer(d))));
+    }
+    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(2), root(3)), root(6))));
+    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(8), root(2)), ring.integer(4))));
+    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(12), root(8)), ring.multiply(root(6), ring.integer(4)))));
+    BOOST_TEST(!ring.is_zero(difference(ring.multiply(root(2), root(3)), root(12))));
+    BOOST_TEST(!ring.is_zero(difference(root(2), root(3))));
+  }
+}
+
+// ---------------------------------------------------------------- faces without area
+
+// A kite with two points on its long diagonal, which is doubled by faces without area. Lines run along crossed edges.
+BOOST_AUTO_TEST_CASE_TEMPLATE(segments_along_faces_without_area_are_proven, Setting, Settings)
+{
+  Setting setting(Mesh_soup{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, -2, 0}, {2, 2, 0}},
+                            {{0, 4, 1}, {0, 1, 3}, {0, 3, 2}, {0, 2, 5}, {2, 3, 5}, {3, 1, 5}}});
+  Random_numbers random(1);
+  int walks = 0;
+  for(int i = 0; i < 300; ++i) {
+    const std::vector<int> walk = random_walk(setting.triangulation, 8, false, random);
+    if(walk.empty())
+      continue;
+    setting.network.add_curve(walk, false);
+    if(setting.network.is_valid()) {
+      const auto p = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.tail(walk.front()))),
+                 q = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.head(walk.back())));
+      setting.pull();
+      BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+      BOOST_TEST(std::abs(setting.network.length(0) - std::sqrt(CGAL::squared_distance(p, q))) < 1e-12);
+      ++walks;
+    }
+    take_back(setting);
+  }
+  BOOST_TEST(walks > 40);
+}
+
+// Lengths can make a cone of the point on the line, over which the line would become shorter.
+BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
+{
+  using Lengths = std::map<boost::graph_traits<Surface>::edge_descriptor, double>;
+  using Metric = FG::Edge_length_metric<Surface, boost::const_associative_property_map<Lengths>>;
+  using Triangulation =
+      FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Metric::Kernel>, Metric>;
+  for(double far_side : {1.4, 1.5}) {
+    // 2 is on the line from 0 to 1, and sees 4, on the other side, at less or more than a right angle from both.
+    const Surface mesh = to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 1, 0}},
+                                                    {{0, 3, 1}, {0, 1, 2}, {0, 2, 4}, {2, 1, 4}}});
+    const Lengths lengths = edge_lengths(mesh, [=](int u, int v) {
+      const std::pair<int, int> ends = std::minmax(u, v);
+      if(ends == std::pair<int, int>(0, 1))
+        return 2.0;
+      return ends.first == 2 || ends.second == 2 ? 1.0 : far_side;
+    });
+    Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
+    FG::Edge_path_network<Triangulation> network(triangulation);
+    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0, 1}, false), false);
+    const auto verdict = FG::certify(network).curves[0].verdict;
+    BOOST_TEST((verdict ==
+                (far_side < std::sqrt(2.0) ? FG::Certificate_verdict::BENT_SEGMENT : FG::Certificate_verdict::PROVEN)));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(names_of_verdicts)

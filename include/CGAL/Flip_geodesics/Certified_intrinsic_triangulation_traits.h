@@ -28,8 +28,8 @@ namespace Flip_geodesics {
  * by exact predicates of points where the faces lie in one plane; then with 50 digits and a bound; then by exact
  * arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
  *
- * Where more than 12 of these roots are independent, 290 digits replace the last stage. A number without a sign
- * then is taken for zero, and counted in `Decision_statistics::unproven_zeros`: `certify()` says `PROBABLE`.
+ * A zero among more than 12 independent roots for which no proof is found is taken for one by its residue modulo a
+ * random prime, and counted in `Decision_statistics::unproven_zeros`: `certify()` says `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double
  *

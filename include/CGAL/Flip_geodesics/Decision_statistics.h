@@ -14,12 +14,14 @@ struct Decision_statistics
 {
   std::size_t by_strip = 0;       ///< by unfolding the input in double, with an error bound
   std::size_t by_plane = 0;       ///< by exact predicates of points, where all input faces lie in one plane
-  std::size_t by_precision = 0;   ///< by floating-point numbers of 50 or 290 digits with an error bound
+  std::size_t by_precision = 0;   ///< by numbers of 50 digits, or as many as it takes, with an error bound
   std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the faces' areas
   std::size_t zeros_by_plane = 0; ///< of `by_plane`: exactly straight
   std::size_t zeros_by_roots = 0; ///< of `by_roots`: exactly straight
-  std::size_t unproven_zeros = 0; ///< of `by_precision`: no sign in 290 digits, taken for exactly straight
-  std::size_t most_roots = 0;     ///< the largest number of independent roots that took part
+  /// Taken for exactly straight, since a residue modulo a random prime is zero: more than 12 independent roots, and
+  /// no proof found. The probability that it is not, over the choice of the prime, is below \f$2^{-100}\f$ for each.
+  std::size_t unproven_zeros = 0;
+  std::size_t most_roots = 0; ///< the largest number of independent roots that took part
 };
 
 } // namespace Flip_geodesics

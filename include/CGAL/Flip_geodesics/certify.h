@@ -20,10 +20,11 @@ namespace Flip_geodesics {
 /// What a certificate says of a curve.
 enum class Certificate_verdict {
   PROVEN,       ///< the curve is locally shortest, exactly
-  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ after 290 digits without a difference
-  BENT_SEGMENT, ///< a segment does not run straight through the inside of its strip of input faces; one that touches a
-                ///< vertex of it, as happens between faces without area, is not proven either
-  BENT_JOINT    ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
+  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ with a probability of error below
+                ///< \f$2^{-100}\f$ each, see `Decision_statistics::unproven_zeros`
+  BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces; or it touches a vertex, as
+                ///< happens along faces without area, whose angles sum up to less than \f$2\pi\f$
+  BENT_JOINT ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
 };
 
 /// The name of a verdict, as the enumerator is spelled.
@@ -109,8 +110,7 @@ public:
 private:
   bool is_straight(Index s)
   {
-    return Straight_strip<Triangulation>(m_triangulation,
-                                         m_statistics)(m_triangulation.crossing_word(m_network.halfedge(s)));
+    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(m_network.halfedge(s));
   }
 
   // Below pi, with nothing in the way?

@@ -10,7 +10,6 @@
 
 #include <boost/multiprecision/mpfr.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -76,7 +75,8 @@ private:
   // double is kept from vanishing.
   static Number rounded(const Float& middle, double radius)
   {
-    static const double unit = std::pow(10.0, 2 - static_cast<int>((std::min)(Digits, 290u)));
+    static_assert(Digits <= 290, "the radius is a double");
+    static const double unit = std::pow(10.0, 2 - static_cast<int>(Digits));
     const double size = std::abs(middle.template convert_to<double>());
     return {middle, (radius + size * unit) * (1 + 1e-12) + (std::numeric_limits<double>::min)()};
   }

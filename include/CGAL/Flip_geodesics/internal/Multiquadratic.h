@@ -4,117 +4,18 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_MULTIQUADRATIC_H
 
 #include <CGAL/Flip_geodesics/internal/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/Root_base.h>
 
 #include <CGAL/enum.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cstddef>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/*
- * A base of pairwise coprime integers, none a square, over which the roots of given integers are products: each sqrt(d)
- * is a factor times the root of a product of distinct base elements. The roots of all such products are linearly
- * independent over the rationals, since a product of distinct coprime numbers is a square only if each is.
- */
-class Root_base
-{
-public:
-  struct Root
-  {
-    Integer factor;
-    std::size_t mask; // bit i: the root of base element i
-  };
-
-  explicit Root_base(const std::vector<Integer>& radicands)
-  {
-    for(const Integer& d : radicands)
-      insert(d);
-    std::vector<Integer> generators;
-    for(const Integer& g : m_elements)
-      if(!is_square(g))
-        generators.push_back(g);
-      else
-        m_squares.push_back(g);
-    m_elements.swap(generators);
-    for(const Integer& d : radicands)
-      m_roots.emplace(d, factored_root(d));
-  }
-
-  const std::vector<Integer>& generators() const { return m_elements; }
-
-  /* The root of one of the given integers. */
-  const Root& root(const Integer& d) const { return m_roots.at(d); }
-
-private:
-  Root factored_root(Integer d) const
-  {
-    Root result = {1, 0};
-    if(d == 0)
-      return {0, 0};
-    for(const Integer& g : m_squares)
-      while(d % g == 0) {
-        d /= g;
-        result.factor *= boost::multiprecision::sqrt(g);
-      }
-    for(std::size_t i = 0; i < m_elements.size(); ++i) {
-      bool is_odd = false;
-      for(; d % m_elements[i] == 0; d /= m_elements[i]) {
-        if(is_odd)
-          result.factor *= m_elements[i];
-        is_odd = !is_odd;
-      }
-      if(is_odd)
-        result.mask |= std::size_t(1) << i;
-    }
-    return result;
-  }
-
-  static bool is_square(const Integer& n)
-  {
-    Integer remainder;
-    boost::multiprecision::sqrt(n, remainder);
-    return remainder == 0;
-  }
-
-  // Keeps the elements coprime: what d shares with one of them becomes an element of its own.
-  void insert(Integer d)
-  {
-    std::vector<Integer> pending = {std::move(d)};
-    while(!pending.empty()) {
-      Integer n = std::move(pending.back());
-      pending.pop_back();
-      if(n <= 1)
-        continue;
-      bool is_coprime = true;
-      for(std::size_t i = 0; i < m_elements.size() && is_coprime; ++i) {
-        const Integer common = gcd(n, m_elements[i]);
-        if(common == 1)
-          continue;
-        is_coprime = false;
-        const Integer rest = m_elements[i] / common;
-        n /= common;
-        if(rest == 1) {
-          pending.push_back(n);
-        } else {
-          m_elements.erase(m_elements.begin() + static_cast<std::ptrdiff_t>(i));
-          pending.insert(pending.end(), {n, rest, common});
-        }
-      }
-      if(is_coprime)
-        m_elements.push_back(n);
-    }
-  }
-
-  std::vector<Integer> m_elements, m_squares;
-  std::map<Integer, Root> m_roots;
-};
 
 /* Exact arithmetic in Z[sqrt g_1, ..., sqrt g_r]: one integer per product of distinct roots. */
 class Multiquadratic_ring
@@ -156,14 +57,16 @@ public:
   /* The factor dot + sign i sqrt(squared_root), for numbers that are rescaled by the divisor instead. */
   struct Side
   {
-    Integer dot;
-    Root_base::Root root;
+    Integer dot, factor;
+    std::size_t mask; // bit i: the root of generator i
   };
 
   Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& /* divisor */) const
   {
-    Side result = {dot, m_base.root(squared_root)};
-    result.root.factor *= sign;
+    const Root_base::Root& root = m_base.root(squared_root);
+    Side result = {dot, root.factor * sign, 0};
+    for(std::size_t i : root.generators)
+      result.mask |= std::size_t(1) << i;
     return result;
   }
 
@@ -182,7 +85,7 @@ public:
     Number result(m_products.size());
     for(std::size_t i = 0; i < a.size(); ++i)
       if(a[i] != 0)
-        result[i ^ side.root.mask] += a[i] * side.root.factor * m_products[i & side.root.mask];
+        result[i ^ side.mask] += a[i] * side.factor * m_products[i & side.mask];
     return result;
   }
 

@@ -3,20 +3,19 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_POINT_SIDE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_POINT_SIDE_H
 
-#include <CGAL/Flip_geodesics/internal/Ball_ring.h>
-#include <CGAL/Flip_geodesics/internal/Exact_wedge.h>
-#include <CGAL/Flip_geodesics/internal/Multiquadratic.h>
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
-#include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
+#include <CGAL/Flip_geodesics/internal/Unfolding_chain.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -41,8 +40,7 @@ public:
 
   Sign operator()(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
   {
-    const std::array<double, 3> weights =
-        weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
+    const std::array<double, 3> weights = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
     if(word.along != null_index)
       return weights[2] > 0 ? POSITIVE : ZERO;
     if(word.crossed.empty())
@@ -82,8 +80,8 @@ private:
     const auto p = integer_weights(vertex_weights(m_triangulation, word.tail, word.face));
     const auto q = integer_weights(vertex_weights(m_triangulation, word.head, word.face));
     const auto r = integer_weights(weights);
-    const Integer determinant = p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
-                                p[2] * (q[0] * r[1] - q[1] * r[0]);
+    const Integer determinant =
+        p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
     return determinant > 0 ? POSITIVE : (determinant < 0 ? NEGATIVE : ZERO);
   }
 
@@ -96,7 +94,8 @@ private:
     double error = 0;
     for(int i = 0; i < 3; ++i) {
       position += w[i] / sum * corners[i].position;
-      error += w[i] / sum * (corners[i].error + 8 * std::numeric_limits<double>::epsilon() * std::abs(corners[i].position));
+      error +=
+          w[i] / sum * (corners[i].error + 8 * std::numeric_limits<double>::epsilon() * std::abs(corners[i].position));
     }
     const double sine = std::imag(std::conj(strip.end()) * position);
     const double bound = (strip.length() + strip.end_error()) * error + strip.end_error() * std::abs(position) +
@@ -108,38 +107,8 @@ private:
 
   Sign exactly(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& weights) const
   {
-    const Uncertain<Sign> quick = in_ring(Ball_ring<50>(), word, gap, weights);
-    if(quick.is_certain()) {
-      ++m_statistics.by_precision;
-      return quick.make_certain();
-    }
-    std::vector<Integer> squares = {m_triangulation.exact_input_face(word.crossed.front()).doubled_area_squared};
-    for(Index h : word.crossed)
-      squares.push_back(m_triangulation.exact_input_face(Triangulation::twin(h)).doubled_area_squared);
-    const Root_base base(squares);
-    if(base.generators().size() <= most_exact_roots) {
-      ++m_statistics.by_roots;
-      const Sign sign = in_ring(Multiquadratic_ring(base), word, gap, weights).make_certain();
-      m_statistics.zeros_by_roots += sign == ZERO ? 1 : 0;
-      return sign;
-    }
-    const Uncertain<Sign> slow = in_ring(Ball_ring<290>(), word, gap, weights);
-    ++m_statistics.by_precision;
-    m_statistics.unproven_zeros += slow.is_certain() ? 0 : 1;
-    return slow.is_certain() ? slow.make_certain() : ZERO;
-  }
-
-  template <class Ring>
-  Uncertain<Sign> in_ring(const Ring& ring, const Crossing_word& word, std::size_t gap,
-                          const std::array<double, 3>& weights) const
-  {
-    const Exact_unfolding<Triangulation, Ring> unfolding(m_triangulation, ring);
-    const auto strip = unfolding.strip(word);
-    const bool is_last = gap == strip.gates.size();
-    const auto& face = is_last ? strip.last : strip.gates[gap];
-    const auto position = is_last ? unfolding.point({face.left, face.right, face.behind}, weights)
-                                  : unfolding.point({face.right, face.left, face.behind}, weights);
-    return ring.sign(unfolding.cross(strip.end, position));
+    const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+    return Exact_sign(m_statistics)({unfolding.point(word, gap, weights), unfolding.head(word, true)});
   }
 
   const Triangulation& m_triangulation;

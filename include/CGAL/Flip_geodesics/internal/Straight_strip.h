@@ -3,29 +3,35 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRAIGHT_STRIP_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRAIGHT_STRIP_H
 
-#include <CGAL/Flip_geodesics/internal/Exact_wedge.h>
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
-#include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
+#include <CGAL/Flip_geodesics/internal/Touched_vertices.h>
+#include <CGAL/Flip_geodesics/internal/Unfolding_chain.h>
 
-#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <vector>
+#include <cstddef>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Does the straight line from the tail to the head of a word run through the inside of its strip, exactly? Each crossed
- * edge must have one end strictly on either side.
+ * Is the straight line from the tail to the head of a word a path through its strip that is locally shortest, exactly?
+ * It must pass between the ends of each crossed edge. Where faces without area lie along it, it may touch vertices with
+ * a full angle, and run along crossed edges on their inside.
  */
 template <class Triangulation>
 class Straight_strip
 {
+  using Strip_in_double = Strip<Triangulation>;
+  using Gate = typename Strip_in_double::Gate;
+  using Touched = Touched_vertices<Triangulation>;
+
 public:
   Straight_strip(const Triangulation& triangulation, Decision_statistics& statistics)
     : m_triangulation(triangulation)
@@ -33,83 +39,95 @@ public:
   {
   }
 
-  bool operator()(const Crossing_word& word) const
+  /* Is the segment of halfedge h? */
+  bool operator()(Index h) const
   {
-    if(word.crossed.empty())
+    const Crossing_word word = m_triangulation.crossing_word(h);
+    if(word.along == null_index && word.crossed.empty())
       return true;
-    switch(in_double(Strip<Triangulation>(m_triangulation, word))) {
-    case POSITIVE:
-      ++m_statistics.by_strip;
-      return true;
-    case NEGATIVE:
-      ++m_statistics.by_strip;
+    const Strip_in_double strip(m_triangulation, word);
+    Touched touched(m_triangulation, m_triangulation.tail(h), m_triangulation.head(h), strip.length(), m_statistics);
+    if(word.along != null_index)
+      add_edge_along(word, touched);
+    else if(!is_inside(word, strip, touched))
       return false;
-    case ZERO:
-      break;
-    }
-    return exactly(word);
+    return touched.are_passed_straight();
   }
 
 private:
-  // POSITIVE if every gate is passed between its ends, NEGATIVE if one is not, ZERO if the error hides it.
-  static Sign in_double(const Strip<Triangulation>& strip)
+  /* On which sides of the line do the ends of a gate lie? POSITIVE is the right side. */
+  struct Gate_sides
   {
-    const std::complex<double> end = strip.end();
-    Sign result = strip.relative_error() < 1 ? POSITIVE : ZERO;
-    for(const auto& gate : strip.gates()) {
-      const double left = std::imag(std::conj(end) * gate.left), right = -std::imag(std::conj(end) * gate.right);
-      const double left_error = std::abs(end) * (gate.left_error + 2 * strip.relative_error() * std::abs(gate.left));
-      const double right_error = std::abs(end) * (gate.right_error + 2 * strip.relative_error() * std::abs(gate.right));
-      if(left < -left_error || right < -right_error)
-        return NEGATIVE;
-      if(!(left > left_error && right > right_error))
-        result = ZERO;
-    }
-    return result;
+    Sign left, right;
+  };
+
+  // All of the input edge, of which the segment can be a part.
+  void add_edge_along(const Crossing_word& word, Touched& touched) const
+  {
+    const double length = m_triangulation.metric().length(m_triangulation.input(), word.along);
+    const auto w = vertex_weights(m_triangulation, word.tail, word.along);
+    const double from = -length * (w[1] / (w[0] + w[1]));
+    touched.add_edge(word.along, from, from + length);
   }
 
-  bool exactly(const Crossing_word& word) const
+  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched) const
   {
-    const std::vector<Integer> squares = squared_areas(word);
-    const Uncertain<bool> quick = in_ring(Ball_ring<50>(), word);
-    if(quick.is_certain()) {
-      ++m_statistics.by_precision;
-      return quick.make_certain();
-    }
-    const Root_base base(squares);
-    if(base.generators().size() <= most_exact_roots) {
-      ++m_statistics.by_roots;
-      return in_ring(Multiquadratic_ring(base), word).make_certain();
-    }
-    ++m_statistics.by_precision;
-    const Uncertain<bool> slow = in_ring(Ball_ring<290>(), word);
-    return slow.is_certain() && slow.make_certain(); // what cannot be proven straight is not
-  }
-
-  template <class Ring>
-  Uncertain<bool> in_ring(const Ring& ring, const Crossing_word& word) const
-  {
-    const Exact_unfolding<Triangulation, Ring> unfolding(m_triangulation, ring);
-    const auto strip = unfolding.strip(word);
-    Uncertain<bool> result = true;
-    for(const auto& gate : strip.gates) {
-      const Uncertain<Sign> left = ring.sign(unfolding.cross(strip.end, gate.left));
-      const Uncertain<Sign> right = ring.sign(unfolding.cross(gate.right, strip.end));
-      result = result & (left == POSITIVE) & (right == POSITIVE);
-      if(certainly_not(result))
+    double passed = 0; // the part of the line that has been followed
+    bool is_exact_needed = false;
+    for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+      const Gate& gate = strip.gates()[i];
+      Gate_sides sides = in_double(strip, gate);
+      is_exact_needed = is_exact_needed || sides.left == ZERO || sides.right == ZERO;
+      sides.left = sides.left == ZERO ? exact_side(word, i, true) : sides.left;
+      sides.right = sides.right == ZERO ? exact_side(word, i, false) : sides.right;
+      if(sides.left == NEGATIVE || sides.right == NEGATIVE)
         return false;
+      if(sides.left == ZERO && sides.right == ZERO) {
+        if(!runs_along(strip, gate, passed))
+          return false;
+        touched.add_edge(gate.crossed, along(strip, gate.right), along(strip, gate.left));
+      } else if(sides.left == ZERO || sides.right == ZERO) {
+        touched.add_vertex(
+            m_triangulation.input().tail(sides.left == ZERO ? Triangulation::twin(gate.crossed) : gate.crossed));
+      }
     }
-    return result;
+    m_statistics.by_strip += is_exact_needed ? 0 : 1;
+    return true;
   }
 
-  std::vector<Integer> squared_areas(const Crossing_word& word) const
+  static double along(const Strip_in_double& strip, const std::complex<double>& p)
   {
-    std::vector<Integer> result = {m_triangulation.exact_input_face(word.crossed.front()).doubled_area_squared};
-    for(Index h : word.crossed)
-      result.push_back(m_triangulation.exact_input_face(Triangulation::twin(h)).doubled_area_squared);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
+    return std::real(std::conj(strip.end()) * p) / strip.length();
+  }
+
+  // Goes on to the first point of the line that is inside of a gate on it, if there is one.
+  static bool runs_along(const Strip_in_double& strip, const Gate& gate, double& passed)
+  {
+    const double right = along(strip, gate.right), left = along(strip, gate.left);
+    const double error = gate.right_error + gate.left_error + 4 * strip.relative_error() * strip.length();
+    passed = (std::max)(passed, (std::min)(right, left) + error);
+    return passed < (std::max)(right, left) - error && passed <= strip.length() - error;
+  }
+
+  static Gate_sides in_double(const Strip_in_double& strip, const Gate& gate)
+  {
+    if(!(strip.relative_error() < 1))
+      return {ZERO, ZERO};
+    const std::complex<double> end = strip.end();
+    const double left_error = std::abs(end) * (gate.left_error + 2 * strip.relative_error() * std::abs(gate.left));
+    const double right_error = std::abs(end) * (gate.right_error + 2 * strip.relative_error() * std::abs(gate.right));
+    return {sign(std::imag(std::conj(end) * gate.left), left_error),
+            sign(-std::imag(std::conj(end) * gate.right), right_error)};
+  }
+
+  static Sign sign(double value, double error) { return value > error ? POSITIVE : (value < -error ? NEGATIVE : ZERO); }
+
+  // The sign of the sine of the angle from the line to an end of a gate.
+  Sign exact_side(const Crossing_word& word, std::size_t gate, bool is_left) const
+  {
+    const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+    const Sign side = Exact_sign(m_statistics)({unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
+    return is_left ? side : CGAL::opposite(side);
   }
 
   const Triangulation& m_triangulation;

@@ -25,6 +25,9 @@ struct Wedge_angle
   double error;
 };
 
+/* Bounds the error of an input corner, and of a sum of few. */
+constexpr double input_corner_error = 100 * std::numeric_limits<double>::epsilon();
+
 /* The input corner at the head of input halfedge h, as a complex number. */
 template <class Triangulation>
 std::complex<double> input_corner_vector(const Triangulation& triangulation, Index h)
@@ -115,7 +118,6 @@ Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Index a,
 template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, Index a, Index b)
 {
-  constexpr double corner_error = 100 * std::numeric_limits<double>::epsilon();
   const Location_kind kind = vertex_kind(triangulation, triangulation.tail(a));
   if(kind == Location_kind::FACE)
     return wedge_angle_inside_face(triangulation, a, b);
@@ -126,7 +128,7 @@ Wedge_angle wedge_angle(const Triangulation& triangulation, Index a, Index b)
                                                      : sum_of_input_corners(triangulation, from.reference(), steps);
   const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
   const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
-  return {sum, strip_error + static_cast<double>(steps + 4) * corner_error};
+  return {sum, strip_error + static_cast<double>(steps + 4) * input_corner_error};
 }
 
 } // namespace internal
