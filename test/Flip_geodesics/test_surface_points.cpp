@@ -7,8 +7,13 @@
 #include "generated_meshes.h"
 #include "random_curves.h"
 
-#include <CGAL/Flip_geodesics.h>
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/shorten.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -22,6 +27,7 @@
 #include <complex>
 #include <cstring>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>

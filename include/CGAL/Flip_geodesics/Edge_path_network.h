@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/assertions.h>
 
@@ -107,6 +108,9 @@ public:
         m_segments[s].is_head_fixed = true;
   }
 
+  /// Fixes or frees the node at the head of `s`. \pre if it is freed, the strands there do not cross
+  void set_head_fixed(Index s, bool is_fixed) { m_segments[s].is_head_fixed = is_fixed; }
+
   /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
   void set_stack(Index e, const std::vector<Index>& order)
   {
@@ -127,6 +131,35 @@ public:
     return m_triangulation->insert(location, [this](const internal::Edge_halves& halves) {
       move_stack(halves.first, {halves.first, halves.second});
     });
+  }
+
+  /*!
+   * Makes the point that divides a segment, `t` of the way to its head, a vertex, and divides the segment there; so are
+   * the others on its edge. The point is rounded to a location on the input, and the segments bent by as much.
+   * \return the first half of the segment, whose head is the new vertex
+   * \pre 0 < `t` < 1
+   * \throws Insertion_error if rounding puts the point outside of the faces at the edge; else as `insert()`
+   */
+  Index divide_segment(Index s, double t)
+  {
+    const Index h = halfedge(s);
+    Index half = null_index;
+    const Index x = m_triangulation->insert(location_on_edge(*m_triangulation, h, t), [&](const auto& halves) {
+      half = move_stack(halves.first, {halves.first, halves.second}, s);
+    });
+    for(Index side : {h, Triangulation::twin(h)}) {
+      if(half != null_index || m_triangulation->is_border(side) ||
+         m_triangulation->head(m_triangulation->next(side)) != x)
+        continue;
+      // No vertex lies between the edge and the chain over x. The sliver between them would be in the way of the next.
+      half = move_stack(side, {Triangulation::twin(m_triangulation->previous(side)),
+                               Triangulation::twin(m_triangulation->next(side))}, s);
+      if(m_triangulation->is_flippable(side))
+        m_triangulation->flip(side);
+    }
+    if(half == null_index)
+      throw Insertion_error("a segment cannot be divided: rounding puts the point outside of the faces beside it");
+    return half;
   }
 
   /// Removes all curves. Linear in the segments.
@@ -530,9 +563,11 @@ private:
       remove(s);
   }
 
-  // Moves the segments on the edge of h to a chain of two halfedges that leads past the same vertices, in their order.
-  void move_stack(Index h, const std::array<Index, 2>& chain)
+  // Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
+  // them, in their order. Returns what the first half of a watched one has become.
+  Index move_stack(Index h, const std::array<Index, 2>& chain, Index watched = null_index)
   {
+    Index result = null_index;
     std::vector<Index> segments = stack(Triangulation::edge(h));
     if((h & 1) != 0)
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
@@ -545,7 +580,9 @@ private:
       link_outermost(a, is_along ? chain[0] : chain[1]);
       link_outermost(b, is_along ? chain[1] : chain[0]);
       replace_in_curve(s, a, b);
+      result = s == watched ? a : result;
     }
+    return result;
   }
 
   // Puts a and b into the place of s.

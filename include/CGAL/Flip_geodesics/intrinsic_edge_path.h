@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTRINSIC_EDGE_PATH_H
+#define CGAL_FLIP_GEODESICS_INTRINSIC_EDGE_PATH_H
+
+#include <CGAL/Flip_geodesics/Mollified_metric.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+/* A* over the edges of a triangulation as it is now. Unlike `Shortest_edge_path`, it copies the faces that it visits. */
+template <class Triangulation>
+class Intrinsic_edge_search
+{
+  using Point = typename Metric_point<typename Triangulation::Metric>::type;
+  static constexpr bool has_points = !std::is_void<Point>::value;
+
+public:
+  Intrinsic_edge_search(const Triangulation& triangulation, Index target)
+    : m_triangulation(triangulation)
+    , m_target(target)
+    , m_labels(static_cast<std::size_t>(triangulation.number_of_vertices()))
+  {
+  }
+
+  std::vector<Index> operator()(Index source)
+  {
+    m_labels[source].arriving_plus_one = no_edge;
+    m_queue.push({lower_bound(source), source});
+    while(!m_queue.empty()) {
+      const Index v = m_queue.top().second;
+      m_queue.pop();
+      if(m_labels[v].is_settled)
+        continue;
+      m_labels[v].is_settled = true;
+      if(v == m_target)
+        return path(source);
+      relax_spokes(v);
+    }
+    return {};
+  }
+
+private:
+  static constexpr Index no_edge = -1;
+
+  struct Label
+  {
+    double distance;
+    Index arriving_plus_one; // halfedge; 0 if not reached
+    bool is_settled;
+  };
+
+  using Entry = std::pair<double, Index>;
+
+  void relax_spokes(Index v)
+  {
+    const Index start = m_triangulation.outgoing(v);
+    if(start == null_index)
+      return;
+    Index h = start;
+    do {
+      relax(v, h);
+      h = m_triangulation.counterclockwise(h);
+    } while(h != null_index && h != start);
+    for(h = h == start ? null_index : m_triangulation.clockwise(start); h != null_index;
+        h = m_triangulation.clockwise(h))
+      relax(v, h);
+  }
+
+  void relax(Index v, Index h)
+  {
+    const Index w = m_triangulation.head(h);
+    const double distance = m_labels[v].distance + m_triangulation.length(h);
+    Label& label = m_labels[w];
+    if(label.is_settled || (label.arriving_plus_one != 0 && label.distance <= distance))
+      return;
+    label.distance = distance;
+    label.arriving_plus_one = h + 1;
+    m_queue.push({distance + lower_bound(w), w});
+  }
+
+  double lower_bound(Index v) const
+  {
+    if constexpr(has_points) {
+      const Point p = point(v), q = point(m_target);
+      const double x = CGAL::to_double(q.x() - p.x()), y = CGAL::to_double(q.y() - p.y()),
+                   z = CGAL::to_double(q.z() - p.z());
+      return std::sqrt(x * x + y * y + z * z);
+    } else {
+      return static_cast<void>(v), 0;
+    }
+  }
+
+  auto point(Index v) const { return point_in_space(m_triangulation, surface_point_at_vertex(m_triangulation, v)); }
+
+  std::vector<Index> path(Index source) const
+  {
+    std::vector<Index> result;
+    for(Index v = m_target; v != source; v = m_triangulation.tail(result.back()))
+      result.push_back(m_labels[v].arriving_plus_one - 1);
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+  Index m_target;
+  Lazy_array<Label> m_labels;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The halfedges of a shortest path along edges of the triangulation as it is now, between any two of its vertices; none
+ * if they are equal. It serves where `Shortest_edge_path`, which knows the input's edges only, does not: from and to
+ * inserted vertices, and in flipped triangulations.
+ *
+ * Of equally long paths, the same one is found each time. \f$O(k \log k)\f$ for the \f$k\f$ vertices visited.
+ *
+ * \throws Vertex_out_of_range_error
+ * \throws Disconnected_endpoints_error
+ * \throws Degenerate_face_error, Invalid_coordinate_error for a face that the search meets
+ */
+template <class Triangulation>
+std::vector<Index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Index source, Index target)
+{
+  for(Index v : {source, target})
+    if(v < 0 || v >= triangulation.number_of_vertices())
+      throw Vertex_out_of_range_error("vertex " + std::to_string(v) + " is not one of the triangulation's " +
+                                          std::to_string(triangulation.number_of_vertices()) + " vertices",
+                                      {static_cast<std::size_t>(v)});
+  if(source == target)
+    return {};
+  std::vector<Index> path = internal::Intrinsic_edge_search<Triangulation>(triangulation, target)(source);
+  if(path.empty())
+    throw Disconnected_endpoints_error("no path of edges joins vertex " + std::to_string(source) + " and vertex " +
+                                           std::to_string(target),
+                                       {static_cast<std::size_t>(source), static_cast<std::size_t>(target)});
+  return path;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTRINSIC_EDGE_PATH_H

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SURFACE_POINTS_H
+#define CGAL_FLIP_GEODESICS_SURFACE_POINTS_H
+
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Word_ends.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsBuilders
+/// The location of vertex `v` of a mesh. \throws Vertex_out_of_range_error if it is none, or isolated
+template <class Triangulation>
+Surface_location
+surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
+                 typename boost::graph_traits<typename Triangulation::Triangle_mesh>::vertex_descriptor v)
+{
+  const Index i = triangulation.index(v);
+  if(i == null_index || triangulation.input().outgoing(i) == null_index)
+    throw Vertex_out_of_range_error("a location is at a vertex that no face of the mesh has");
+  return triangulation.location(i);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The location of a face and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`: the coordinates
+ * belong to the source, target and third vertex of `halfedge(face, mesh)`.
+ *
+ * This is where points are snapped, once: coordinates of at most `snap` count as exactly zero. So points that were
+ * located with rounding, at -5.6e-17 for instance, are on the edge or at the vertex that is meant.
+ *
+ * \param snap a barycentric coordinate, not negative and below 1/3
+ * \throws Invalid_location_error if the face is null, a coordinate is less than `-snap` or no number, or the three do
+ *         not sum to one within 1e-6
+ */
+template <class Triangulation, class FT>
+Surface_location
+surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                 const std::pair<typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor,
+                                 std::array<FT, 3>>& location,
+                 double snap = 1e-12)
+{
+  if(location.first == boost::graph_traits<typename Triangulation::Triangle_mesh>::null_face())
+    throw Invalid_location_error("a location is in no face");
+  Surface_location result;
+  result.halfedge = triangulation.index(internal::graph_halfedge(location.first, mesh));
+  double sum = 0;
+  for(std::size_t i = 0; i < 3; ++i) {
+    const double weight = CGAL::to_double(location.second[i]);
+    if(!(weight >= -snap && weight <= 1 + 1e-6))
+      throw Invalid_location_error("a barycentric coordinate of a location is " + std::to_string(weight) +
+                                   ", not between 0 and 1");
+    sum += weight;
+    result.weights[i] = weight <= snap ? 0 : weight;
+  }
+  if(!(std::abs(sum - 1) <= 1e-6))
+    throw Invalid_location_error("the barycentric coordinates of a location sum to " + std::to_string(sum) +
+                                 ", not to one");
+  internal::check_location(triangulation.input(), result);
+  return result;
+}
+
+/// \ingroup PkgFlipGeodesicsBuilders
+/// A location as it is.
+template <class Triangulation>
+Surface_location surface_location(const Triangulation&, const typename Triangulation::Triangle_mesh&,
+                                  const Surface_location& location)
+{
+  return location;
+}
+
+namespace internal {
+
+/*
+ * The input location of a point near an intrinsic edge, by its vector from the edge's tail in the frame of the edge's
+ * strip: of the input faces along the edge, that in which the smallest weight is largest.
+ */
+template <class Triangulation>
+class Location_finder
+{
+  using Vector = std::complex<double>;
+
+public:
+  explicit Location_finder(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  /* Looks at the faces along an edge; `along` is the vector with the edge itself as 1. */
+  void look_along(const Crossing_word& word, const Vector& along)
+  {
+    if(word.crossed.empty())
+      return look_in_one_face(word, along);
+    const Strip<Triangulation> strip(m_triangulation, word);
+    const Vector point = along * strip.end();
+    for(std::size_t gap = 0; gap <= word.crossed.size(); ++gap) {
+      const auto corners = strip.face(gap);
+      std::array<double, 3> weights;
+      for(int i = 0; i < 3; ++i)
+        weights[i] = cross(corners[(i + 1) % 3].position - point, corners[(i + 2) % 3].position - point);
+      note(Point_side<Triangulation>::face_of_gap(word, gap), weights);
+    }
+  }
+
+  /* The best face, and weights there that are not negative. */
+  Surface_location result() const
+  {
+    Surface_location result = m_best;
+    const double sum = result.weights[0] + result.weights[1] + result.weights[2];
+    for(double& weight : result.weights)
+      weight = weight / sum < 1e-15 ? 0 : weight / sum;
+    return canonical_location(m_triangulation.input(), result);
+  }
+
+private:
+  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
+
+  void note(Index face, const std::array<double, 3>& weights)
+  {
+    const double sum = weights[0] + weights[1] + weights[2];
+    const double smallest = (std::min)({weights[0], weights[1], weights[2]}) / sum;
+    if(!(sum > 0) || !(smallest > m_smallest))
+      return;
+    m_smallest = smallest;
+    m_best = {face, weights};
+  }
+
+  // In the face on the left of an edge along an input edge, or in that which holds the edge.
+  void look_in_one_face(const Crossing_word& word, const Vector& along)
+  {
+    const Index h = Point_side<Triangulation>::face_of_gap(word, 0);
+    const auto& input = m_triangulation.input();
+    const auto from = vertex_weights(m_triangulation, word.tail, input.is_border(h) ? twin_index(h) : h);
+    const auto to = vertex_weights(m_triangulation, word.head, input.is_border(h) ? twin_index(h) : h);
+    const double from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
+    std::array<double, 3> weights;
+    for(int i = 0; i < 3; ++i)
+      weights[i] = (1 - along.real()) * (from[i] / from_sum) + along.real() * (to[i] / to_sum);
+    if(along.imag() != 0)
+      add_height(word, h, along.imag(), weights);
+    note(input.is_border(h) ? twin_index(h) : h, weights);
+  }
+
+  // Moves weights to the left of the edge by a part of its length.
+  void add_height(const Crossing_word& word, Index h, double height, std::array<double, 3>& weights) const
+  {
+    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+    const auto f = m_triangulation.metric().face_geometry(m_triangulation.input(), h, Double_traits());
+    const Vector u(f[0].x, f[0].y), v(-f[2].x, -f[2].y); // the two sides at the tail of h
+    const Vector left = height * Vector(0, 1) * barycentric_vector(word, h, u, v);
+    const double area = cross(u, v), at_head = cross(left, v) / area, at_apex = cross(u, left) / area;
+    weights[0] -= at_head + at_apex;
+    weights[1] += at_head;
+    weights[2] += at_apex;
+  }
+
+  Vector barycentric_vector(const Crossing_word& word, Index h, const Vector& u, const Vector& v) const
+  {
+    const auto d = barycentric_difference(vertex_weights(m_triangulation, word.tail, h),
+                                          vertex_weights(m_triangulation, word.head, h));
+    return d[1] * u + d[2] * v;
+  }
+
+  const Triangulation& m_triangulation;
+  Surface_location m_best;
+  double m_smallest = -std::numeric_limits<double>::infinity();
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The input location, rounded, of the point that divides intrinsic edge `edge(h)`: `t` of the way from the tail of `h`
+ * to its head. It lies on an input edge exactly if the whole edge does.
+ * \pre 0 < `t` < 1
+ */
+template <class Triangulation>
+Surface_location location_on_edge(const Triangulation& triangulation, Index h, double t)
+{
+  internal::Location_finder<Triangulation> finder(triangulation);
+  finder.look_along(triangulation.crossing_word(h), t);
+  return finder.result();
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The input location, rounded, of the point of an intrinsic face with barycentric coordinates at the tail of `h`, its
+ * head, and the third vertex: among the input faces along the face's sides, the one that holds it. Every input face that
+ * meets the intrinsic face is among them.
+ * \pre `h` is not on the border, and the coordinates are not negative and sum to one
+ */
+template <class Triangulation>
+Surface_location location_in_face(const Triangulation& triangulation, Index h, const std::array<double, 3>& coordinates)
+{
+  internal::Location_finder<Triangulation> finder(triangulation);
+  for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
+    // By lengths alone, which all traits have.
+    const double a = triangulation.length(h), b = triangulation.length(triangulation.next(h)),
+                 c = triangulation.length(triangulation.previous(h));
+    const double x = ((a - b) * (a + b) + c * c) / (2 * a), y = std::sqrt((std::max)((c - x) * (c + x), 0.0));
+    const std::complex<double> apex(x / a, y / a);
+    finder.look_along(triangulation.crossing_word(h), coordinates[(i + 1) % 3] + coordinates[(i + 2) % 3] * apex);
+  }
+  return finder.result();
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SURFACE_POINTS_H

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Curves through points anywhere, and splines of geodesics, against the plane's, on surfaces that roll out to it.
+
+#define BOOST_TEST_MODULE geodesic_splines
+
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>;
+using Flat_point = std::array<double, 2>;
+
+constexpr int size = 8;
+
+// In the grid before it was bent: the cell, and its face, are found by the point.
+Face_location location_on_grid(const Mesh& mesh, const Mesh& flat, const Flat_point& p)
+{
+  for(Mesh::Face_index f : flat.faces()) {
+    std::array<double, 3> weights;
+    auto h = flat.halfedge(f);
+    double smallest = 1;
+    const auto cross = [&](const Point& a, const Point& b) {
+      return (a.x() - p[0]) * (b.y() - p[1]) - (a.y() - p[1]) * (b.x() - p[0]);
+    };
+    double sum = 0;
+    for(double& weight : weights) {
+      weight = cross(flat.point(flat.target(h)), flat.point(flat.target(flat.next(h))));
+      smallest = (std::min)(smallest, weight);
+      sum += weight;
+      h = flat.next(h);
+    }
+    for(double& weight : weights)
+      weight /= sum;
+    if(smallest >= 0)
+      return {Mesh::Face_index(f), weights};
+  }
+  BOOST_FAIL("a point is outside of the grid");
+  return {mesh.null_face(), {}};
+}
+
+Flat_point middle(const Flat_point& p, const Flat_point& q, double t)
+{
+  return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])};
+}
+
+Flat_point de_casteljau(std::vector<Flat_point> p, double t)
+{
+  for(; p.size() > 1; p.pop_back())
+    for(std::size_t i = 0; i + 1 < p.size(); ++i)
+      p[i] = middle(p[i], p[i + 1], t);
+  return p.front();
+}
+
+struct Surface
+{
+  Mesh flat, bent;
+};
+
+// The plane; a part of a cylinder, by polygons; and the plane with shaken vertices.
+std::vector<Surface> surfaces()
+{
+  std::vector<Surface> result;
+  const Mesh_soup flat = flat_grid(size, size, Diagonal_rule::ALTERNATING);
+  result.push_back({to_mesh<Mesh>(flat), to_mesh<Mesh>(flat)});
+  const Mesh_soup bent = mapped(flat, [](const Coordinates& p) {
+    const double radius = 0.5 / std::sin(0.2); // edges across stay 1 long
+    return Coordinates{radius * std::cos(0.4 * p[0]), p[1], radius * std::sin(0.4 * p[0])};
+  });
+  result.push_back({to_mesh<Mesh>(flat), to_mesh<Mesh>(bent)});
+  const Mesh_soup shaken = jittered_grid(size, size, Diagonal_rule::RANDOM, 0.2, 3);
+  result.push_back({to_mesh<Mesh>(shaken), to_mesh<Mesh>(shaken)});
+  return result;
+}
+
+// Where a vertex of the triangulation is in the plane that the surface rolls out to.
+template <class T>
+Flat_point rolled_out(const Mesh& flat, const T& t, FG::Index v)
+{
+  const FG::Surface_location at = t.location(v);
+  auto h = Mesh::Halfedge_index(static_cast<unsigned>(at.halfedge));
+  Flat_point sum = {0, 0};
+  const double weights = at.weights[0] + at.weights[1] + at.weights[2];
+  for(double weight : at.weights) {
+    sum[0] += weight / weights * flat.point(flat.source(h)).x();
+    sum[1] += weight / weights * flat.point(flat.source(h)).y();
+    h = flat.next(h);
+  }
+  return sum;
+}
+
+double distance(const Flat_point& p, const Flat_point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
+
+std::vector<FG::Surface_location> locations(const Triangulation& t, const Surface& surface,
+                                            const std::vector<Flat_point>& points)
+{
+  std::vector<FG::Surface_location> result;
+  for(const Flat_point& p : points)
+    result.push_back(
+        FG::surface_location(t, surface.bent, location_on_grid(surface.bent, surface.flat, p)));
+  return result;
+}
+
+const std::vector<std::vector<Flat_point>> polygons = {
+    {{0.3, 0.4}, {7.6, 6.1}},
+    {{0.3, 0.4}, {4.1, 7.2}, {7.6, 0.9}},
+    {{1, 1}, {1.5, 6.3}, {6.2, 6.9}, {7.1, 1.3}}, // starts at a vertex
+    {{0.7, 3.1}, {2.2, 6.4}, {4, 1.5}, {5.3, 7}, {7.4, 4.2}},
+    {{0.5, 2}, {1.4, 5.1}, {2.6, 7.3}, {5.2, 6.6}, {6.9, 4.7}, {6.3, 1.2}, {4.2, 0.6}}};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(bezier_curves_of_flat_surfaces_are_those_of_the_plane)
+{
+  for(const Surface& surface : surfaces())
+    for(const auto& polygon : polygons) {
+      Triangulation t(surface.bent);
+      Network network(t);
+      const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygon));
+      FG::order_overlapping_curves(network);
+      FG::Geodesic_spline<Network> spline(network, curve);
+      for(int round = 1; round <= 4; ++round) {
+        spline.refine();
+        BOOST_TEST(network.is_valid());
+        BOOST_TEST(t.is_valid());
+        const auto vertices = spline.vertices_on_curve();
+        BOOST_REQUIRE_EQUAL(vertices.size(), (1u << round) + 1);
+        for(std::size_t i = 0; i < vertices.size(); ++i) {
+          const Flat_point expected = de_casteljau(polygon, static_cast<double>(i) / (1 << round));
+          BOOST_TEST(distance(rolled_out(surface.flat, t, vertices[i]), expected) < 1e-11);
+        }
+      }
+      BOOST_TEST(spline.finish().is_complete());
+      BOOST_TEST(spline.number_of_pieces() == 16);
+      BOOST_TEST(FG::certify(network).is_locally_shortest());
+      double length = 0;
+      for(int i = 0; i < 16; ++i)
+        length += distance(de_casteljau(polygon, i / 16.0), de_casteljau(polygon, (i + 1) / 16.0));
+      BOOST_TEST(std::abs(network.length(curve) - length) < 1e-11);
+      network.clear();
+      t.rollback();
+      BOOST_TEST(t.number_of_vertices() == static_cast<int>(surface.bent.number_of_vertices()));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(cubic_b_splines_of_flat_surfaces_are_those_of_the_plane)
+{
+  for(const Surface& surface : surfaces())
+    for(bool is_closed : {false, true}) {
+      const auto& polygon = polygons.back();
+      const int n = static_cast<int>(polygon.size());
+      Triangulation t(surface.bent);
+      Network network(t);
+      const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygon), is_closed);
+      FG::order_overlapping_curves(network);
+      auto spline = FG::Geodesic_spline<Network>::cubic_b_spline(network, curve);
+      spline.refine();
+      spline.refine();
+      std::vector<Flat_point> vertices;
+      for(FG::Index v : spline.vertices_on_curve())
+        vertices.push_back(rolled_out(surface.flat, t, v));
+      const int pieces = is_closed ? n : n - 1;
+      BOOST_REQUIRE_EQUAL(vertices.size(), 4u * pieces + 1);
+      if(is_closed)
+        BOOST_TEST(distance(vertices.front(), vertices.back()) == 0);
+      // A uniform cubic B-spline between four control points in a row: every fourth of a piece.
+      int inner_pieces = 0;
+      for(int i = is_closed ? 0 : 1; i < (is_closed ? n : n - 2); ++i, ++inner_pieces)
+        for(int k = 0; k <= 4; ++k) {
+          const double u = k / 4.0;
+          const double b[4] = {(1 - u) * (1 - u) * (1 - u) / 6, (3 * u * u * u - 6 * u * u + 4) / 6,
+                               (-3 * u * u * u + 3 * u * u + 3 * u + 1) / 6, u * u * u / 6};
+          Flat_point expected = {0, 0};
+          for(int j = 0; j < 4; ++j) {
+            const Flat_point& p = polygon[static_cast<std::size_t>((i + j - 1 + n) % n)];
+            expected = {expected[0] + b[j] * p[0], expected[1] + b[j] * p[1]};
+          }
+          double nearest = 1;
+          for(const Flat_point& p : vertices)
+            nearest = (std::min)(nearest, distance(p, expected));
+          BOOST_TEST(nearest < 1e-11);
+        }
+      BOOST_TEST(inner_pieces > 3);
+      spline.finish();
+      BOOST_TEST(FG::certify(network).is_locally_shortest());
+      BOOST_TEST(network.is_valid());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(refinement_to_a_tolerance)
+{
+  const Surface surface = surfaces()[2];
+  Triangulation t(surface.bent);
+  Network network(t);
+  const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygons[2]));
+  FG::order_overlapping_curves(network);
+  FG::Geodesic_spline<Network> spline(network, curve);
+  const int rounds = spline.refine(1e-4, 20);
+  BOOST_TEST(rounds > 3);
+  BOOST_TEST(rounds < 8);
+  double length = 0; // of the curve, by many chords
+  for(int i = 0; i < 10000; ++i)
+    length += distance(de_casteljau(polygons[2], i / 10000.0), de_casteljau(polygons[2], (i + 1) / 10000.0));
+  BOOST_TEST(std::abs(network.length(curve) - length) < 1e-4 * length);
+}
+
+BOOST_AUTO_TEST_CASE(paths_between_points_and_through_way_points)
+{
+  for(const Surface& surface : surfaces()) {
+    std::vector<Face_location> way_points;
+    double length = 0;
+    const auto& polygon = polygons[3];
+    for(std::size_t i = 0; i < polygon.size(); ++i) {
+      way_points.push_back(location_on_grid(surface.bent, surface.flat, polygon[i]));
+      length += i > 0 ? distance(polygon[i - 1], polygon[i]) : 0;
+    }
+    std::vector<Point> points;
+    const auto through = FG::geodesic_path_through(surface.bent, way_points, std::back_inserter(points));
+    BOOST_TEST(through.report.is_complete());
+    BOOST_TEST(std::abs(through.report.curves.front().length - length) < 1e-12 * length);
+    points.clear();
+    const auto direct = FG::geodesic_path(surface.bent, way_points.front(), way_points.back(), std::back_inserter(points));
+    const double straight = distance(polygon.front(), polygon.back());
+    BOOST_TEST(std::abs(direct.report.curves.front().length - straight) < 1e-12 * straight);
+    double sum = 0;
+    for(std::size_t i = 0; i + 1 < points.size(); ++i)
+      sum += std::sqrt(CGAL::squared_distance(points[i], points[i + 1]));
+    BOOST_TEST(std::abs(sum - straight) < 1e-12 * straight);
+    const std::vector<Mesh::Vertex_index> vertices = {Mesh::Vertex_index(0), Mesh::Vertex_index(40)};
+    BOOST_TEST(FG::geodesic_path_through(surface.bent, vertices, std::back_inserter(points)).report.is_complete());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bad_points_are_refused)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
+  const Mesh::Face_index f(0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point> points;
+  const Face_location good = {f, {{0.5, 0.25, 0.25}}};
+  for(const Face_location& bad :
+      std::vector<Face_location>{{Mesh::null_face(), {{0.5, 0.25, 0.25}}}, {f, {{0.5, 0.25, 0.2}}},
+                                 {f, {{1.1, -0.05, -0.05}}}, {f, {{nan, 0.5, 0.5}}}, {f, {{0, 0, 0}}}})
+    BOOST_CHECK_THROW(FG::geodesic_path(mesh, good, bad, std::back_inserter(points)), FG::Invalid_location_error);
+  BOOST_CHECK_THROW(FG::geodesic_path(mesh, good, good, std::back_inserter(points)), FG::Invalid_curve_error);
+  // Located with rounding: at the vertex.
+  Triangulation t(mesh);
+  const auto snapped = FG::surface_location(t, mesh, Face_location{f, {{1 + 5.6e-17, -5.6e-17, 1e-16}}});
+  BOOST_TEST((kind(snapped) == FG::Location_kind::VERTEX));
+  BOOST_TEST((kind(FG::surface_location(t, mesh, Face_location{f, {{0.5, 0.5, 1e-16}}}, 0)) == FG::Location_kind::FACE));
+}
