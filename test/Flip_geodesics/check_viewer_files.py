@@ -206,19 +206,36 @@ def compare(path, points, faces, curves, mesh, expected, tolerance):
         compare_lines(path, curves[curve], line, tolerance)
 
 
-def run_in_browser(browser, path, page):
+def load_in_browser(browser, address):
+    """The data that the page leaves at its root element."""
     with tempfile.TemporaryDirectory() as profile:
         command = [browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
                    '--no-first-run', '--disable-background-networking', '--disable-component-update',
-                   '--disable-sync', f'--user-data-dir={profile}', '--virtual-time-budget=20000', '--dump-dom',
-                   path.resolve().as_uri()]
+                   '--disable-sync', f'--user-data-dir={profile}', '--virtual-time-budget=20000', '--dump-dom', address]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=120, check=False)
     element = re.search(r'<html[^>]*>', done.stdout.decode())
     check(element is not None, f'{browser} did not load the page')
     data = dict(re.findall(r'data-([a-z-]+)="([^"]*)"', element.group()))
     check(data.get('state') == 'ready', f'the page in the browser: {data}')
-    pieces = sum(len(line) - 1 for line in page.curves.values())
-    check(int(data['curve-pieces']) == pieces, f'the browser draws {data["curve-pieces"]} pieces, not {pieces}')
+    return data
+
+
+def pieces(lines):
+    return str(sum(len(line) - 1 for line in lines))
+
+
+def run_in_browser(browser, path, page):
+    """Loads the page as it is, and with the first run in the middle of its steps."""
+    address = path.resolve().as_uri()
+    data = load_in_browser(browser, address)
+    check(data['curve-pieces'] == pieces(page.curves.values()), f'the browser draws other curves: {data}')
+    state = page.runs[0].state(len(page.runs[0].steps) // 2)
+    data = load_in_browser(browser, f'{address}#step={state.step}&edges=1&theme=dark')
+    others = [page.curves[c['number']] for c in page.scene['curves'] if c['run'] != 0]
+    expected = {'theme': 'dark', 'step': str(state.step), 'edge-pieces': pieces(state.edges),
+                'curve-pieces': pieces(state.lines + others)}
+    for name, value in expected.items():
+        check(data.get(name) == value, f'the browser shows {name} {data.get(name)}, not {value}')
 
 
 def main():

@@ -125,11 +125,11 @@ export class Stage {
       return lines;
     };
     const thick = (linewidth, options) => {
-      // In front of the wires, which run through them.
-      const offset = { polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: -4 };
+      // In front of what was made before, which runs along or through them.
+      const offset = { polygonOffset: true, polygonOffsetFactor: 0, polygonOffsetUnits: -8 * ++order };
       const lines = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth, ...offset, ...options }));
       lines.frustumCulled = false;
-      lines.renderOrder = ++order;
+      lines.renderOrder = order;
       this.scene.add(lines);
       return lines;
     };
@@ -158,7 +158,8 @@ export class Stage {
     // A disk faces the camera; without a push towards it, the surface would cut through.
     this.ends.material.onBeforeCompile = (shader) => {
       const place = '#include <logdepthbuf_vertex>';
-      shader.vertexShader = shader.vertexShader.replace(place, `gl_Position.z -= 0.003 * gl_Position.w;\n${place}`);
+      const nearer = 'gl_Position = projectionMatrix * vec4(0.994 * mvPosition.xyz, mvPosition.w);';
+      shader.vertexShader = shader.vertexShader.replace(place, `${nearer}\n${place}`);
     };
     this.scene.add(this.ends);
   }
