@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -28,11 +29,12 @@ struct Curve_request
   bool is_closed = false;
 };
 
-/// Curves that are shortened together, with the vertices where they are fixed.
+/// Curves that are shortened together, with the vertices where they are fixed; or instead the source of a tree.
 struct Network_request
 {
   std::vector<Curve_request> curves;
   std::vector<Index> fixed_vertices;
+  std::optional<Index> tree_source;
 };
 
 /// Vertices joined by edges, as a union-find forest: pairs in different components have no geodesic.
@@ -148,6 +150,13 @@ inline Curve_request make_pair_request(const Mesh& mesh, long long s, long long 
   pair.vertices = {static_cast<Index>(s), static_cast<Index>(t)};
   pair.is_pair = true;
   return pair;
+}
+
+/// The tree from a vertex.
+inline Network_request tree_request(const Mesh& mesh, long long source)
+{
+  check_vertex(mesh, source, "--source");
+  return {{}, {}, static_cast<Index>(source)};
 }
 
 /// The pair of the command line.

@@ -9,9 +9,12 @@
 #include "shortening_recorder.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/logarithmic_map.h>
+#include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -59,6 +62,7 @@ struct Run_options
   CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
   bool is_certifying = false;
   std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
+  bool is_shortest = false;          ///< replace paths of a tree that are not globally shortest
 };
 
 /// Passes flips on to the progress, and steps to a recorder if there is one.
@@ -107,7 +111,7 @@ public:
   }
 
   /// Computes a curve by itself. A failure is a result with the status ERROR.
-  Curve_result run(const Curve_request& request) { return run(Network_request{{request}, {}}).front(); }
+  Curve_result run(const Curve_request& request) { return run(Network_request{{request}, {}, {}}).front(); }
 
   /// Computes curves that are shortened together. A failure is one of all of them.
   std::vector<Curve_result> run(const Network_request& request)
@@ -116,16 +120,24 @@ public:
     for(const Curve_request& curve : request.curves)
       results.push_back(make_result(curve));
     m_record.reset();
+    m_map.reset();
     try {
       Network network(m_triangulation);
-      build(network, request, results);
-      shorten(network, results);
+      if(request.tree_source) {
+        grow(network, *request.tree_source, results);
+      } else {
+        build(network, request, results);
+        shorten(network, results);
+      }
       certify(network, results);
       extract(network, results);
       network.clear();
       m_triangulation.rollback();
     } catch(const std::exception& error) {
       m_record.reset();
+      m_map.reset();
+      if(request.tree_source)
+        results.assign(1, tree_result(*request.tree_source));
       for(Curve_result& result : results)
         fail(result, error.what());
       m_triangulation = Triangulation(m_mesh, m_metric); // whatever state the failure left
@@ -138,6 +150,9 @@ public:
 
   /// The record of the last run, if it was wanted and has not failed.
   const std::optional<Shortening_record>& record() const { return m_record; }
+
+  /// The map of the last run, if it was that of a tree and has not failed.
+  const std::optional<CGAL::Flip_geodesics::Logarithmic_map>& map() const { return m_map; }
 
   /// Looks for curves that cross, which no order of their strands can mend. \throws Bad_input
   void check(const Network_request& request)
@@ -169,6 +184,14 @@ private:
     return result;
   }
 
+  static Curve_result tree_result(Index source)
+  {
+    Curve_result result;
+    result.name = "the tree";
+    result.source = source;
+    return result;
+  }
+
   static void fail(Curve_result& result, const std::string& why)
   {
     Curve_result failed;
@@ -191,6 +214,39 @@ private:
     for(Index v : request.fixed_vertices)
       network.fix_nodes_at(v);
     order_overlapping_curves(network);
+  }
+
+  // Grows the tree from a source, with a curve for each of its edges.
+  void grow(Network& network, Index source, std::vector<Curve_result>& results)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    Progress_visitor visitor(m_progress);
+    FG::Geodesic_tree<Triangulation> tree(m_triangulation);
+    const FG::Geodesic_tree_report report = tree.grow(source, std::numeric_limits<double>::infinity(), visitor);
+    FG::Shortest_tree_report shortest;
+    shortest.status = report.status;
+    if(m_options.is_shortest)
+      shortest = FG::make_shortest(tree);
+    m_map = FG::logarithmic_map(tree);
+    Curve_result common;
+    common.flips = report.flips + shortest.flips;
+    common.flip_outs = report.flip_outs;
+    common.smallest_angle = report.smallest_angle;
+    common.status = to_string(shortest.status);
+    common.initial_segments = 1;
+    common.shorten_s = stopwatch.seconds();
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v) {
+      const Index h = tree.incoming(v);
+      if(h == FG::null_index)
+        continue;
+      network.add_curve(std::vector<Index>{h}, false);
+      results.push_back(common);
+      results.back().name = "to vertex " + std::to_string(v);
+      results.back().source = m_triangulation.tail(h);
+      results.back().target = v;
+      results.back().length = results.back().initial_length = m_triangulation.length(h);
+    }
   }
 
   std::vector<Index> initial_halfedges(const Curve_request& request)
@@ -256,6 +312,7 @@ private:
   Progress& m_progress;
   std::size_t m_most_recorded_points = 0;
   std::optional<Shortening_record> m_record;
+  std::optional<CGAL::Flip_geodesics::Logarithmic_map> m_map;
   Triangulation m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
 };

@@ -6,6 +6,7 @@
 
 #include "curve_input.h"
 #include "curve_runner.h"
+#include "data_input.h"
 #include "mesh_input.h"
 #include "page_file.h"
 #include "progress.h"
@@ -39,12 +40,14 @@ struct Options
 {
   std::string mesh;
   std::optional<long long> from, to;
-  std::string pairs, edges, loop, network;
+  std::string pairs, edges, loop, network, segmentation;
+  bool has_seams = false, has_free_junctions = false, is_shortest = false;
+  std::optional<long long> source;
   std::optional<long long> random;
   std::uint64_t seed = 1;
   std::string kernel = "double", search = "lookback";
   std::optional<double> stop_length, mollify;
-  std::string polylines, stats, viewer, page;
+  std::string polylines, stats, viewer, page, map;
   bool is_quiet = false;
 };
 
@@ -60,6 +63,14 @@ void add_options(CLI::App& app, Options& options)
   app.add_option("--loop", options.loop, "File: a closed loop of edges per line, each straightened by itself");
   app.add_option("--network", options.network,
                  "File: curves straightened together: a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
+  app.add_option("--segmentation", options.segmentation,
+                 "File: a label per line for each face; the network of the boundaries between labels");
+  app.add_flag("--free-junctions", options.has_free_junctions,
+               "Where boundaries meet they need not stay: each region of --segmentation has its own closed curves");
+  app.add_flag("--seams", options.has_seams, "The network of the texture seams of an OBJ file");
+  app.add_option("--source", options.source,
+                 "The tree of geodesics from this vertex to all others; a curve per edge of the tree");
+  app.add_flag("--shortest", options.is_shortest, "With --source: replace paths that are not globally shortest");
   app.add_option("--kernel", options.kernel, "Arithmetic: double, or certified, which decides and proves exactly")
       ->capture_default_str();
   app.add_option("--mollify", options.mollify,
@@ -69,6 +80,8 @@ void add_options(CLI::App& app, Options& options)
       ->capture_default_str();
   app.add_option("--stop-length", options.stop_length,
                  "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
+  app.add_option("--map", options.map,
+                 "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
   app.add_option("--polylines", options.polylines, "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
   app.add_option("--stats", options.stats, "Write a line per curve, comma-separated, with a header");
   app.add_option("--mesh", options.viewer,
@@ -92,9 +105,18 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 void check_options(const Options& options)
 {
   const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
-                   (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) + (options.network.empty() ? 0 : 1);
+                   (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
+                   (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
+                   (options.has_seams ? 1 : 0) + (options.source ? 1 : 0);
   if(jobs != 1)
-    throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network");
+    throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
+                    "--segmentation, --seams, --source");
+  if(!options.source && (options.is_shortest || !options.map.empty()))
+    throw Bad_input("--shortest and --map belong to --source; give a source");
+  if(options.source && options.stop_length)
+    throw Bad_input("--stop-length is of no use with --source; leave one of them out");
+  if(options.has_free_junctions && options.segmentation.empty())
+    throw Bad_input("--free-junctions belongs to --segmentation; give a segmentation");
   if(options.from.has_value() != options.to.has_value())
     throw Bad_input("--from and --to belong together; give both");
   if(options.random && *options.random < 1)
@@ -113,6 +135,12 @@ std::vector<Network_request> read_requests(const Options& options, const Mesh& m
 {
   if(!options.network.empty())
     return {read_network(mesh, options.network)};
+  if(!options.segmentation.empty())
+    return {read_segmentation(mesh, options.segmentation, options.has_free_junctions)};
+  if(options.has_seams)
+    return {read_seams(mesh, options.mesh)};
+  if(options.source)
+    return {tree_request(mesh, *options.source)};
   const std::vector<Curve_request> curves =
       options.random           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), options.seed)
       : !options.pairs.empty() ? read_pairs(mesh, options.pairs)
@@ -121,7 +149,7 @@ std::vector<Network_request> read_requests(const Options& options, const Mesh& m
                                : single_pair(mesh, *options.from, *options.to);
   std::vector<Network_request> requests;
   for(const Curve_request& curve : curves)
-    requests.push_back({{curve}, {}});
+    requests.push_back({{curve}, {}, {}});
   return requests;
 }
 
@@ -134,6 +162,7 @@ public:
     , m_stats(options.stats)
     , m_viewer(options.viewer)
     , m_page(options.page)
+    , m_map(options.map)
   {
     m_scene.title = options.mesh.substr(options.mesh.find_last_of("/\\") + 1);
   }
@@ -160,8 +189,11 @@ public:
     m_most_recorded_points -= (std::min)(m_most_recorded_points, number_of_points(m_scene.records.back()));
   }
 
+  void write(const CGAL::Flip_geodesics::Logarithmic_map& map) { m_map.write(map); }
+
   void close(const Mesh& mesh)
   {
+    m_map.close();
     m_polylines.close();
     m_stats.close();
     m_viewer.write(mesh, m_scene);
@@ -193,6 +225,7 @@ private:
   Stats_file m_stats;
   Viewer_file m_viewer;
   Page_file m_page;
+  Map_file m_map;
   Scene m_scene;
   std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
   Run_summary m_summary;
@@ -211,9 +244,10 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
   const CGAL::Flip_geodesics::Search_method search = search_method(options.search);
   Progress progress(number_of_curves, options.is_quiet);
   const bool is_certifying = options.kernel == "certified";
-  Curve_runner<Traits, Metric_> runner(mesh, metric, {search, is_certifying, options.stop_length}, progress);
+  Curve_runner<Traits, Metric_> runner(mesh, metric, {search, is_certifying, options.stop_length, options.is_shortest},
+                                       progress);
   for(const Network_request& request : requests)
-    if(!request.curves.front().is_pair)
+    if(!request.tree_source && !request.curves.front().is_pair)
       runner.check(request);
 
   Outputs outputs(options);
@@ -221,6 +255,8 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
     runner.set_most_recorded_points(outputs.most_recorded_points());
     const std::vector<Curve_result> results = runner.run(request);
     outputs.write(results, runner.record());
+    if(runner.map())
+      outputs.write(*runner.map());
     progress.add_curves(request.curves.size());
   }
   outputs.close(mesh);

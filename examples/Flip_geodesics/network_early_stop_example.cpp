@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Smooths the borders between regions of a mesh: a network of curves is straightened together, but a stop predicate
-// ends it before they are geodesics, and a visitor watches and may interrupt.
+// Smooths the boundaries between regions of a mesh: a network of curves is straightened together, but a stop predicate
+// ends it before they are geodesics, and a visitor watches and may interrupt. The network is saved and loaded again.
 //
 //   network_early_stop_example [MESH [LENGTH_RATIO]]
 
@@ -11,7 +11,8 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/network_io.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -20,7 +21,10 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <iterator>
+#include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
 using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -40,10 +44,10 @@ struct Counting_visitor : FG::Default_shortening_visitor
   bool go_further() { return steps < 1000000; }
 };
 
-// The region, one of eight boxes, of the face on the left of a halfedge.
-int region(const Mesh& mesh, Mesh::Halfedge_index h)
+// The region of a face, one of eight boxes.
+int region(const Mesh& mesh, Mesh::Face_index f)
 {
-  const Point_3& p = mesh.point(mesh.target(mesh.halfedge(mesh.face(h))));
+  const Point_3& p = mesh.point(mesh.target(mesh.halfedge(f)));
   return (p.x() > 0.1 ? 1 : 0) + (p.y() > 0.1 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
 }
 
@@ -56,17 +60,26 @@ int main(int argc, char** argv)
     std::cerr << "This is not a triangle mesh, or not a ratio between 0 and 1.\n";
     return EXIT_FAILURE;
   }
-  auto is_marked = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_between_regions", false).first;
-  for(const auto e : mesh.edges())
-    is_marked[e] = !mesh.is_border(e) && region(mesh, mesh.halfedge(e, 0)) != region(mesh, mesh.halfedge(e, 1));
+  auto regions = mesh.add_property_map<Mesh::Face_index, int>("f:region", 0).first;
+  for(const auto f : mesh.faces())
+    regions[f] = region(mesh, f);
 
   std::vector<std::vector<Point_3>> curves;
   Counting_visitor visitor;
   try {
     Triangulation triangulation(mesh);
     Network network(triangulation);
-    curves.resize(FG::add_marked_edges(network, mesh, is_marked));
+    FG::add_region_boundaries(network, mesh, regions);
     FG::shorten(network, FG::Curve_length_ratio_stop_predicate(ratio), visitor);
+    std::ofstream out("network.flips");
+    FG::write_network(out, network);
+    network.clear();
+    triangulation.rollback();
+
+    out.close();
+    std::ifstream in("network.flips");
+    FG::read_network(in, network); // as it was before
+    curves.resize(network.number_of_curves());
     FG::Curve_extractor<Network> extractor(network);
     for(FG::Index c = 0; c < network.number_of_curves(); ++c)
       extractor.points(c, std::back_inserter(curves[c]));

@@ -103,6 +103,35 @@ private:
   Output_file m_file;
 };
 
+/// Comma-separated values, one line per vertex: its distance from the source of a tree, the angle at which its path
+/// starts, in radians, and both as a point of the plane. `inf` and `nan` where there is no path.
+class Map_file
+{
+public:
+  explicit Map_file(const std::string& name)
+    : m_file(name)
+  {
+    if(m_file.is_wanted())
+      m_file.stream() << "vertex,distance,angle,x,y\n";
+  }
+
+  void write(const CGAL::Flip_geodesics::Logarithmic_map& map)
+  {
+    if(!m_file.is_wanted())
+      return;
+    for(std::size_t v = 0; v < map.vertices.size(); ++v) {
+      const auto [x, y] = map.in_plane(static_cast<Index>(v));
+      m_file.stream() << v << ',' << map.vertices[v].radius << ',' << map.vertices[v].angle << ',' << x << ',' << y
+                      << '\n';
+    }
+  }
+
+  void close() { m_file.close(); }
+
+private:
+  Output_file m_file;
+};
+
 } // namespace program
 
 #endif // CGAL_FLIP_GEODESICS_EXAMPLES_RESULT_FILES_H

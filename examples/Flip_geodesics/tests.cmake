@@ -86,6 +86,44 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(network 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt)
   flip_geodesics_add_program_test(joined_network 0 "2 LOCALLY_SHORTEST" torus.off --network joined_network.txt)
   flip_geodesics_add_program_test(stop_length 0 LENGTH_LIMIT torus.off --edges path.txt --stop-length 0.99)
+  # A label for each of the 576 faces: three parts, of which two meet the third; and those of one part only.
+  set(labels "")
+  set(one_label "")
+  foreach(face RANGE 575)
+    math(EXPR label "${face} / 200")
+    string(APPEND labels "${label}\n")
+    string(APPEND one_label "5\n")
+  endforeach()
+  file(WRITE ${example_dir}/parts.seg "${labels}")
+  file(WRITE ${example_dir}/one_part.seg "${one_label}")
+  file(WRITE ${example_dir}/short.seg "0\n1\n")
+  file(WRITE ${example_dir}/word.seg "0\none\n")
+  # Two triangles that are textured apart, and two that are not.
+  file(WRITE ${example_dir}/seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 5\n"
+                                     "f 1/1 2/2 3/3\nf 1/1 3/5 4/-2\n")
+  file(WRITE ${example_dir}/no_seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                                        "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+  file(WRITE ${example_dir}/half_textured.obj
+       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n")
+  flip_geodesics_add_program_test(segmentation 0 "LOCALLY_SHORTEST" torus.off --segmentation parts.seg)
+  flip_geodesics_add_program_test(segmentation_stop 0 "LENGTH_LIMIT" torus.off --segmentation parts.seg --stop-length
+                                  0.97)
+  flip_geodesics_add_program_test(segmentation_free 0 "curves: " torus.off --segmentation parts.seg --free-junctions)
+  flip_geodesics_add_program_test(one_part 2 "one_part.seg: all faces" torus.off --segmentation one_part.seg)
+  flip_geodesics_add_program_test(too_few_labels 2 "2 labels for 576" torus.off --segmentation short.seg)
+  flip_geodesics_add_program_test(label_no_number 2 "label 1, 'one'" torus.off --segmentation word.seg)
+  flip_geodesics_add_program_test(no_labels 2 "missing.seg" torus.off --segmentation missing.seg)
+  flip_geodesics_add_program_test(free_without_segmentation 2 "--segmentation" torus.off --from 0 --to 1
+                                  --free-junctions)
+  flip_geodesics_add_program_test(seams 0 "1 LOCALLY_SHORTEST" seam.obj --seams)
+  flip_geodesics_add_program_test(no_seams 2 "no seam" no_seam.obj --seams)
+  flip_geodesics_add_program_test(untextured_face 2 "line 9 has a corner" half_textured.obj --seams)
+  flip_geodesics_add_program_test(seams_of_off 2 "obj file" torus.off --seams)
+  flip_geodesics_add_program_test(tree 0 "287 LOCALLY_SHORTEST" torus.off --source 5 --map map.csv --mesh tree.ply)
+  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST" torus.off --source 5 --shortest --kernel
+                                  certified)
+  flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
+  flip_geodesics_add_program_test(map_without_source 2 "--source" torus.off --from 0 --to 1 --map map.csv)
   flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "--network" --help)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs

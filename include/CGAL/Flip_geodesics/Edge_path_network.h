@@ -23,6 +23,13 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+namespace internal {
+
+template <class Network>
+class Network_access;
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsRef
  *
@@ -441,6 +448,8 @@ public:
   }
 
 private:
+  friend class internal::Network_access<Edge_path_network>;
+
   struct Segment
   {
     Index halfedge = null_index;

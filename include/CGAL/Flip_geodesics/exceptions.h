@@ -146,6 +146,23 @@ public:
   using Error::Error;
 };
 
+/// \ingroup PkgFlipGeodesicsErrors
+/// A file is not in the format that is expected, or of another version, or was damaged; `elements()` has the number of
+/// words before the damage, if it is known.
+class File_format_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// What is loaded was saved for another mesh, or another metric.
+class Input_mismatch_error : public Error
+{
+public:
+  using Error::Error;
+};
+
 } // namespace Flip_geodesics
 } // namespace CGAL
 

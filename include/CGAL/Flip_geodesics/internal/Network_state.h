@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STATE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STATE_H
+
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* All that an `Edge_path_network` is, apart from its triangulation, ids of segments included. */
+struct Network_state
+{
+  struct Segment
+  {
+    Index id, halfedge;
+    bool is_head_fixed;
+  };
+
+  struct Curve
+  {
+    bool is_closed;
+    double initial_length;
+    std::vector<Segment> segments;
+  };
+
+  struct Stack
+  {
+    Index edge;
+    std::vector<Index> segments; // from left to right along the edge's first halfedge
+  };
+
+  Index end_of_segment_ids = 1;
+  std::vector<Curve> curves;
+  std::vector<Stack> stacks; // of the edges with several segments
+};
+
+/* Reads a network's state, and sets it. */
+template <class Network>
+class Network_access
+{
+  using Triangulation = typename Network::Triangulation;
+
+public:
+  static Network_state state(const Network& network)
+  {
+    Network_state state;
+    state.end_of_segment_ids = network.end_of_segment_ids();
+    for(Index c = 0; c < network.number_of_curves(); ++c) {
+      state.curves.push_back({network.is_closed(c), network.initial_length(c), {}});
+      network.for_each_segment(c, [&](Index s) {
+        state.curves.back().segments.push_back({s, network.halfedge(s), network.m_segments[s].is_head_fixed});
+      });
+    }
+    for(Index e = 0; e < network.triangulation().number_of_edges(); ++e) {
+      const std::vector<Index> stack = network.stack(e);
+      if(stack.size() > 1)
+        state.stacks.push_back({e, stack});
+    }
+    return state;
+  }
+
+  /*
+   * Puts a state into an empty network. Returns false, and leaves the network empty, if the state is none: ids or
+   * halfedges that do not exist or are used twice, chains that do not hang together, stacks of other segments.
+   */
+  static bool restore(Network& network, const Network_state& state)
+  {
+    const bool is_restored = add_curves(network, state) && set_stacks(network, state) && network.is_valid();
+    if(!is_restored)
+      network.clear();
+    return is_restored;
+  }
+
+private:
+  static bool add_curves(Network& network, const Network_state& state)
+  {
+    const Triangulation& triangulation = network.triangulation();
+    network.m_segments.resize(static_cast<std::size_t>(state.end_of_segment_ids));
+    for(const Network_state::Curve& curve : state.curves) {
+      const Index c = network.number_of_curves();
+      network.m_curves.push_back({null_index, null_index, curve.is_closed, curve.initial_length});
+      for(const Network_state::Segment& s : curve.segments) {
+        const bool is_free = s.id > 0 && s.id < state.end_of_segment_ids && !network.is_alive(s.id);
+        if(!is_free || s.halfedge < 0 || s.halfedge >= triangulation.number_of_halfedges())
+          return false;
+        const Index last = network.m_curves[c].last;
+        if(last != null_index && triangulation.head(network.halfedge(last)) != triangulation.tail(s.halfedge))
+          return false;
+        network.m_segments[s.id].halfedge = s.halfedge;
+        network.m_segments[s.id].curve = c;
+        network.m_segments[s.id].is_head_fixed = s.is_head_fixed;
+        network.link_outermost(s.id, s.halfedge);
+        network.link(last, s.id);
+        network.m_curves[c].last = s.id;
+        if(last == null_index)
+          network.m_curves[c].first = s.id;
+      }
+      if(!close(network, c))
+        return false;
+    }
+    return true;
+  }
+
+  static bool close(Network& network, Index curve)
+  {
+    const Index first = network.first_segment(curve), last = network.last_segment(curve);
+    if(!network.is_closed(curve) || first == null_index)
+      return true;
+    const Triangulation& triangulation = network.triangulation();
+    if(triangulation.head(network.halfedge(last)) != triangulation.tail(network.halfedge(first)))
+      return false;
+    network.link(last, first);
+    return true;
+  }
+
+  static bool set_stacks(Network& network, const Network_state& state)
+  {
+    for(const Network_state::Stack& stack : state.stacks) {
+      if(stack.edge < 0 || stack.edge >= network.triangulation().number_of_edges())
+        return false;
+      std::vector<Index> there = network.stack(stack.edge), wanted = stack.segments;
+      std::sort(there.begin(), there.end());
+      std::sort(wanted.begin(), wanted.end());
+      if(there != wanted)
+        return false;
+      network.set_stack(stack.edge, stack.segments);
+    }
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STATE_H

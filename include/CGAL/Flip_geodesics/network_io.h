@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_NETWORK_IO_H
+#define CGAL_FLIP_GEODESICS_NETWORK_IO_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Network_state.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <istream>
+#include <limits>
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+/* [Fowler, Noll, Vo] FNV-1a, 64 bits. */
+class Fingerprint
+{
+public:
+  void add(const void* data, std::size_t size)
+  {
+    const unsigned char* bytes = static_cast<const unsigned char*>(data);
+    for(std::size_t i = 0; i < size; ++i)
+      m_value = (m_value ^ bytes[i]) * 1099511628211u;
+  }
+
+  template <class Integer>
+  void add_integer(Integer value)
+  {
+    unsigned char bytes[8];
+    for(int i = 0; i < 8; ++i)
+      bytes[i] = static_cast<unsigned char>(static_cast<std::uint64_t>(value) >> (8 * i));
+    add(bytes, sizeof bytes);
+  }
+
+  void add_double(double value)
+  {
+    std::uint64_t bits = 0;
+    static_assert(sizeof bits == sizeof value, "doubles of 64 bits are expected");
+    std::memcpy(&bits, &value, sizeof bits);
+    add_integer(bits);
+  }
+
+  std::uint64_t value() const { return m_value; }
+
+private:
+  std::uint64_t m_value = 14695981039346656037u;
+};
+
+/* Of what a triangulation is made from: the connectivity of the input and the lengths of its edges. */
+template <class Triangulation>
+std::uint64_t input_fingerprint(const Triangulation& triangulation)
+{
+  const auto& input = triangulation.input();
+  Fingerprint fingerprint;
+  for(Index h = 0; h < input.number_of_halfedges(); ++h) {
+    fingerprint.add_integer(input.tail(h));
+    fingerprint.add_integer(input.is_border(h) ? null_index : input.next(h));
+    if((h & 1) == 0)
+      fingerprint.add_double(triangulation.metric().weight(input, h));
+  }
+  return fingerprint.value();
+}
+
+/* One entry of a flip log: `f` a flip, `r` a face laid out afresh, `v` a vertex inserted. */
+struct Log_entry
+{
+  char kind;
+  Index halfedge;
+  Surface_location location; // of the vertex
+
+  bool operator==(const Log_entry& other) const
+  {
+    return kind == other.kind && halfedge == other.halfedge &&
+           (kind != 'v' ||
+            (location.halfedge == other.location.halfedge && location.weights == other.location.weights));
+  }
+};
+
+template <class Triangulation>
+Log_entry log_entry(const Triangulation& triangulation, std::size_t i)
+{
+  const auto& record = triangulation.flip_record(i);
+  if(record.hp != null_index)
+    return {'f', record.h, {}};
+  if(record.tn == null_index)
+    return {'r', record.h, {}};
+  return {'v', record.h, triangulation.location(triangulation.input().number_of_vertices() + record.tn)};
+}
+
+/* Does again what an entry says; false if that is impossible. */
+template <class Triangulation>
+bool repeat(Triangulation& triangulation, const Log_entry& entry)
+{
+  if(entry.kind == 'v') {
+    triangulation.insert(entry.location);
+    return true;
+  }
+  const Index h = entry.halfedge;
+  if(h < 0 || h >= triangulation.number_of_halfedges() || triangulation.is_border(h))
+    return false;
+  if(entry.kind == 'r')
+    return refresh_face(triangulation, h);
+  const Index t = Triangulation::twin(h);
+  if(triangulation.is_border(t) || triangulation.next(h) == t || triangulation.next(t) == h)
+    return false;
+  triangulation.flip(h);
+  return true;
+}
+
+/* The words of a saved network, with the place for error messages. */
+class Network_reader
+{
+public:
+  explicit Network_reader(const std::string& text)
+    : m_in(text)
+  {
+    m_in.imbue(std::locale::classic());
+  }
+
+  template <class T>
+  T get(const char* what)
+  {
+    T value{};
+    if(!(m_in >> value))
+      fail(what);
+    ++m_count;
+    return value;
+  }
+
+  Index index(const char* what) { return get<Index>(what); }
+
+  /* A number of things that take at least a word each, so that no memory is asked for that the text cannot fill. */
+  std::size_t count(const char* what, std::size_t size)
+  {
+    const auto value = get<long long>(what);
+    if(value < 0 || static_cast<unsigned long long>(value) > size)
+      fail(what);
+    return static_cast<std::size_t>(value);
+  }
+
+  void keyword(const char* word)
+  {
+    if(get<std::string>(word) != word)
+      fail(word);
+  }
+
+  [[noreturn]] void fail(const char* what) const
+  {
+    throw File_format_error("the saved network is corrupt: no valid " + std::string(what) + " after " +
+                                std::to_string(m_count) + " words",
+                            {m_count});
+  }
+
+private:
+  std::istringstream m_in;
+  std::size_t m_count = 0;
+};
+
+constexpr const char* network_magic = "flip_geodesics_network";
+constexpr int network_version = 1;
+
+template <class Triangulation>
+void write_log(std::ostream& out, const Triangulation& triangulation)
+{
+  out << "log " << triangulation.log_position() << '\n';
+  for(std::size_t i = 0; i < triangulation.log_position(); ++i) {
+    const Log_entry entry = log_entry(triangulation, i);
+    out << entry.kind << ' ' << entry.halfedge;
+    if(entry.kind == 'v') {
+      out << ' ' << entry.location.halfedge;
+      for(double weight : entry.location.weights)
+        out << ' ' << weight;
+    }
+    out << '\n';
+  }
+}
+
+inline void write_state(std::ostream& out, const Network_state& state)
+{
+  out << "curves " << state.curves.size() << ' ' << state.end_of_segment_ids << '\n';
+  for(const Network_state::Curve& curve : state.curves) {
+    out << (curve.is_closed ? "closed " : "open ") << curve.initial_length << ' ' << curve.segments.size() << '\n';
+    for(const Network_state::Segment& s : curve.segments)
+      out << s.id << ' ' << s.halfedge << ' ' << (s.is_head_fixed ? 1 : 0) << '\n';
+  }
+  out << "stacks " << state.stacks.size() << '\n';
+  for(const Network_state::Stack& stack : state.stacks) {
+    out << stack.edge << ' ' << stack.segments.size();
+    for(Index s : stack.segments)
+      out << ' ' << s;
+    out << '\n';
+  }
+}
+
+inline std::vector<Log_entry> read_log(Network_reader& in, std::size_t size)
+{
+  in.keyword("log");
+  std::vector<Log_entry> log(in.count("number of log entries", size));
+  for(Log_entry& entry : log) {
+    entry.kind = in.get<char>("log entry");
+    if(entry.kind != 'f' && entry.kind != 'r' && entry.kind != 'v')
+      in.fail("log entry");
+    entry.halfedge = in.index("halfedge");
+    if(entry.kind == 'v') {
+      entry.location.halfedge = in.index("halfedge");
+      for(double& weight : entry.location.weights)
+        weight = in.get<double>("weight");
+    }
+  }
+  return log;
+}
+
+inline Network_state read_state(Network_reader& in, std::size_t size)
+{
+  Network_state state;
+  in.keyword("curves");
+  state.curves.resize(in.count("number of curves", size));
+  state.end_of_segment_ids = in.index("number of segments");
+  for(Network_state::Curve& curve : state.curves) {
+    const auto kind = in.get<std::string>("curve");
+    if(kind != "closed" && kind != "open")
+      in.fail("curve");
+    curve.is_closed = kind == "closed";
+    curve.initial_length = in.get<double>("length");
+    curve.segments.resize(in.count("number of segments", size));
+    for(Network_state::Segment& s : curve.segments) {
+      s.id = in.index("segment");
+      s.halfedge = in.index("halfedge");
+      s.is_head_fixed = in.get<int>("mark") != 0;
+    }
+  }
+  in.keyword("stacks");
+  state.stacks.resize(in.count("number of stacks", size));
+  for(Network_state::Stack& stack : state.stacks) {
+    stack.edge = in.index("edge");
+    stack.segments.resize(in.count("size of a stack", size));
+    for(Index& s : stack.segments)
+      s = in.index("segment");
+  }
+  return state;
+}
+
+template <class Triangulation>
+void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
+{
+  const auto fail = [](std::size_t i) {
+    throw File_format_error("the saved network was made with other traits, or another version of them: entry " +
+                                std::to_string(i) + " of its flip log cannot be repeated",
+                            {i});
+  };
+  for(std::size_t i = 0; i < log.size(); ++i) {
+    // A flip can lay out faces afresh by itself, which are entries of their own.
+    if(triangulation.log_position() <= i && !repeat(triangulation, log[i]))
+      fail(i);
+    if(triangulation.log_position() <= i || !(log_entry(triangulation, i) == log[i]))
+      fail(i);
+  }
+  if(triangulation.log_position() != log.size())
+    fail(log.size());
+}
+
+/* The text before its last line, which has to hold the fingerprint of it. */
+inline std::string checked_text(std::istream& in)
+{
+  std::ostringstream buffer;
+  buffer << in.rdbuf();
+  std::string text = buffer.str();
+  std::istringstream start(text);
+  std::string magic;
+  int version = 0;
+  if(!(start >> magic >> version) || magic != network_magic)
+    throw File_format_error("this is no saved network: it does not start with " + std::string(network_magic), {0});
+  if(version != network_version)
+    throw File_format_error("the saved network has version " + std::to_string(version) + ", and only version " +
+                                std::to_string(network_version) + " is known",
+                            {1});
+  const std::size_t end = text.rfind("end ");
+  std::uint64_t expected = 0;
+  if(end == std::string::npos || !(std::istringstream(text.substr(end + 4)) >> expected))
+    throw File_format_error("the saved network is cut off: its last line is missing");
+  text.resize(end);
+  Fingerprint fingerprint;
+  fingerprint.add(text.data(), text.size());
+  if(fingerprint.value() != expected)
+    throw File_format_error("the saved network has been changed: it does not agree with the checksum at its end");
+  return text;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsIO
+ *
+ * Saves a network together with its triangulation, as text: what was done to the input's edges, in order; the curves,
+ * by segments; and the order of strands on the edges that have several, which cannot be told from the curves. The input
+ * mesh is not written, but a fingerprint of its connectivity and edge lengths is.
+ *
+ * The format, of version 1, has words between blanks, numbers in decimal with all digits. Indices are those of the
+ * library.
+ *
+ *     flip_geodesics_network 1
+ *     input VERTICES HALFEDGES FINGERPRINT
+ *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was laid out afresh;
+ *                        v H LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the edge or face of H
+ *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
+ *     stacks K           then K lines: EDGE N ID ... ID
+ *     end CHECKSUM       FNV-1a of all that comes before this line
+ *
+ * Linear in the mesh and the log. Errors of the stream are left to be looked for in it.
+ */
+template <class Network>
+std::ostream& write_network(std::ostream& out, const Network& network)
+{
+  const auto& triangulation = network.triangulation();
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << internal::network_magic << ' ' << internal::network_version << '\n';
+  text << "input " << triangulation.input().number_of_vertices() << ' ' << triangulation.input().number_of_halfedges()
+       << ' ' << internal::input_fingerprint(triangulation) << '\n';
+  internal::write_log(text, triangulation);
+  internal::write_state(text, internal::Network_access<Network>::state(network));
+  internal::Fingerprint fingerprint;
+  fingerprint.add(text.str().data(), text.str().size());
+  return out << text.str() << "end " << std::to_string(fingerprint.value()) << '\n';
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsIO
+ *
+ * Loads a network that `write_network()` has saved, into a triangulation of the same input with the same traits: does
+ * all flips again, and puts the curves back. The same bits come back, ids of segments included, so that a shortening
+ * goes on as it would have. Vertices that were inserted come back, too.
+ *
+ * If it throws, the triangulation and the network are as before.
+ *
+ * \param network an empty network in a triangulation that has not been flipped
+ * \throws File_format_error if the text is no saved network of a known version, was damaged, or was written with traits
+ *         that compute otherwise
+ * \throws Input_mismatch_error if it was saved for another mesh, or another metric
+ */
+template <class Network>
+void read_network(std::istream& in, Network& network)
+{
+  auto& triangulation = network.triangulation();
+  CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  const std::string text = internal::checked_text(in);
+  internal::Network_reader words(text);
+  words.keyword(internal::network_magic);
+  words.index("version");
+  words.keyword("input");
+  const Index vertices = words.index("number of vertices"), halfedges = words.index("number of halfedges");
+  const auto fingerprint = words.template get<std::uint64_t>("fingerprint");
+  const auto& input = triangulation.input();
+  if(vertices != input.number_of_vertices() || halfedges != input.number_of_halfedges() ||
+     fingerprint != internal::input_fingerprint(triangulation))
+    throw Input_mismatch_error("the network was saved for another mesh, of " + std::to_string(vertices) +
+                               " vertices and " + std::to_string(halfedges / 2) +
+                               " edges, or for the same one with other edge lengths");
+  const std::vector<internal::Log_entry> log = internal::read_log(words, text.size());
+  const internal::Network_state state = internal::read_state(words, text.size());
+  constexpr std::size_t usual = 1u << 24; // ids of segments that are gone take memory, too
+  if(state.end_of_segment_ids < 1 || static_cast<std::size_t>(state.end_of_segment_ids) > usual + 64 * text.size())
+    words.fail("number of segments");
+  try {
+    internal::replay(triangulation, log);
+    if(!internal::Network_access<Network>::restore(network, state))
+      words.fail("network of curves");
+  } catch(...) {
+    network.clear();
+    triangulation.rollback();
+    throw;
+  }
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_NETWORK_IO_H

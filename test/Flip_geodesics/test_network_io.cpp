@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE network_io
+
+#include "Curve_setting.h"
+#include "generated_meshes.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/network_io.h>
+#include <CGAL/Flip_geodesics/networks_from_data.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using FG::Index;
+using namespace Flip_geodesics_test;
+
+using Certified_setting = Basic_curve_setting<
+    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>>;
+
+namespace {
+
+// Everything that a network and its triangulation are: connectivity, bits of vectors, words, curves, stacks, the log.
+template <class Setting>
+std::string description(const Setting& setting)
+{
+  std::ostringstream out;
+  out << std::hexfloat;
+  const auto& t = setting.triangulation;
+  for(Index h = 0; h < t.number_of_halfedges(); ++h) {
+    out << h << ':' << t.tail(h);
+    if(!t.is_border(h))
+      out << ' ' << t.next(h) << ' ' << t.geometry(h).x << ' ' << t.geometry(h).y;
+    out << ' ' << t.version(h >> 1) << ' ' << t.crossings(h >> 1);
+    const FG::Crossing_word word = t.crossing_word(h);
+    out << " [" << word.along;
+    for(Index letter : word.crossed)
+      out << ' ' << letter;
+    out << "]\n";
+  }
+  const auto& n = setting.network;
+  for(Index c = 0; c < n.number_of_curves(); ++c) {
+    out << "curve " << n.is_closed(c) << ' ' << n.initial_length(c);
+    n.for_each_segment(c, [&](Index s) { out << ' ' << s << '@' << n.halfedge(s) << n.is_head_fixed(s); });
+    out << '\n';
+  }
+  for(Index e = 0; e < t.number_of_edges(); ++e)
+    for(Index s : n.stack(e))
+      out << e << '/' << s << ' ';
+  out << n.end_of_segment_ids() << '\n';
+  for(int h : setting.flips())
+    out << h << ' ';
+  return out.str();
+}
+
+template <class Setting>
+std::string saved(const Setting& setting)
+{
+  std::ostringstream out;
+  FG::write_network(out, setting.network);
+  return out.str();
+}
+
+// Saved, loaded and gone on with, nothing differs from the network that was not saved.
+template <class Setting>
+void check_round_trip(Setting& original, const Mesh_soup& soup)
+{
+  const std::string text = saved(original);
+  Setting loaded(soup);
+  std::istringstream in(text);
+  FG::read_network(in, loaded.network);
+  BOOST_TEST(loaded.network.is_valid());
+  BOOST_TEST(loaded.triangulation.is_valid());
+  BOOST_TEST((description(loaded) == description(original)));
+  BOOST_TEST((saved(loaded) == text));
+  original.pull();
+  loaded.pull();
+  BOOST_TEST((description(loaded) == description(original)));
+  original.network.clear();
+  loaded.network.clear();
+  original.triangulation.rollback();
+  loaded.triangulation.rollback();
+  BOOST_TEST((description(loaded) == description(original)));
+}
+
+template <class Setting>
+void add_curves(Setting& setting)
+{
+  auto regions = setting.mesh.template add_property_map<Surface::Face_index, int>("f:region", 0).first;
+  for(const auto f : setting.mesh.faces()) {
+    const auto& p = setting.mesh.point(setting.mesh.target(setting.mesh.halfedge(f)));
+    regions[f] = (p.x() > 0.1 ? 1 : 0) + (p.y() > 0.1 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
+  }
+  FG::add_region_boundaries(setting.network, setting.mesh, regions, FG::Junctions::FREE);
+}
+
+template <class Setting>
+void check_stopped_at(const Mesh_soup& soup, double ratio)
+{
+  Setting setting(soup);
+  add_curves(setting);
+  setting.pull(FG::Length_ratio_stop_predicate(ratio));
+  check_round_trip(setting, soup);
+}
+
+// A text whose checksum is right, whatever is in it.
+std::string with_checksum(std::string text)
+{
+  text.resize(text.rfind("end "));
+  FG::internal::Fingerprint fingerprint;
+  fingerprint.add(text.data(), text.size());
+  return text + "end " + std::to_string(fingerprint.value()) + "\n";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  const std::size_t position = text.find(from);
+  BOOST_REQUIRE(position != std::string::npos);
+  return text.replace(position, from.size(), to);
+}
+
+template <class Exception>
+void check_throws(const Mesh_soup& soup, const std::string& text)
+{
+  Curve_setting setting(soup);
+  std::istringstream in(text);
+  BOOST_CHECK_THROW(FG::read_network(in, setting.network), Exception);
+  BOOST_TEST(setting.network.number_of_curves() == 0);
+  BOOST_TEST(setting.triangulation.log_position() == 0u);
+  add_curves(setting); // is usable as if nothing had been tried
+  BOOST_TEST(setting.network.is_valid());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(round_trips)
+{
+  for(const Mesh_soup& soup : {bumpy_sphere(6, 0.3, 1), torus(16, 8, 2, 0.8), cube(3)})
+    for(double ratio : {1.0, 0.97, 0.9, 0.0}) {
+      check_stopped_at<Curve_setting>(soup, ratio);
+      check_stopped_at<Certified_setting>(soup, ratio);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(paths_with_fixed_nodes_and_contracted_loops)
+{
+  const Mesh_soup soup = bumpy_sphere(6, 0.2, 2);
+  Curve_setting setting(soup);
+  setting.add_path_through({3, 60, 100});
+  setting.network.fix_nodes_at(60);
+  Curve_setting::Search search(setting.triangulation);
+  const std::vector<Index> spoke = search(3, 60);
+  const Index h = spoke.front();
+  setting.network.add_curve(std::vector<Index>{h, h ^ 1}, true); // to and fro
+  FG::order_overlapping_curves(setting.network);
+  setting.pull();
+  check_round_trip(setting, soup);
+}
+
+BOOST_AUTO_TEST_CASE(inserted_vertices)
+{
+  const Mesh_soup soup = bumpy_sphere(6, 0.2, 3);
+  Curve_setting setting(soup);
+  setting.add_path(0, 90);
+  setting.pull();
+  setting.network.clear();
+  Random_numbers random(5);
+  for(int i = 0; i < 20; ++i)
+    setting.triangulation.insert({2 * random.below(setting.triangulation.input().number_of_halfedges() / 2),
+                                  {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}});
+  setting.network.add_curve(
+      std::vector<Index>{setting.triangulation.outgoing(setting.triangulation.number_of_vertices() - 1)}, false);
+  check_round_trip(setting, soup);
+}
+
+BOOST_AUTO_TEST_CASE(an_empty_network)
+{
+  Curve_setting setting(sphere(3));
+  check_round_trip(setting, sphere(3));
+}
+
+// Any change of any character is noticed.
+BOOST_AUTO_TEST_CASE(damaged_text)
+{
+  const Mesh_soup soup = torus(16, 8, 2, 0.8);
+  Curve_setting setting(soup);
+  add_curves(setting);
+  setting.pull(FG::Length_ratio_stop_predicate(0.85));
+  const std::string text = saved(setting);
+  Random_numbers random(1);
+  for(int i = 0; i < 200; ++i) {
+    std::string damaged = text;
+    char& c = damaged[static_cast<std::size_t>(random.below(static_cast<int>(text.size()) - 1))];
+    c = c == '7' ? '3' : '7';
+    check_throws<FG::File_format_error>(soup, damaged);
+  }
+  for(std::size_t length : {std::size_t(0), std::size_t(5), text.size() / 2, text.size() - 25})
+    check_throws<FG::File_format_error>(soup, text.substr(0, length));
+  check_throws<FG::File_format_error>(soup, "OFF\n3 1 0\n");
+  check_throws<FG::File_format_error>(soup, replaced(text, "network 1\n", "network 2\n"));
+}
+
+// What has a right checksum may still be wrong, and must neither crash nor be believed.
+BOOST_AUTO_TEST_CASE(forged_text)
+{
+  const Mesh_soup soup = torus(16, 8, 2, 0.8);
+  Curve_setting setting(soup);
+  add_curves(setting);
+  setting.pull(FG::Length_ratio_stop_predicate(0.85));
+  const std::string text = saved(setting);
+  const auto refused = [&](const std::string& from, const std::string& to) {
+    check_throws<FG::File_format_error>(soup, with_checksum(replaced(text, from, to)));
+  };
+  refused("\nf ", "\nf 1000000");
+  refused("\nf ", "\nf -");
+  refused("\nf ", "\nx ");
+  refused("\nf ", "\nr ");
+  refused("log ", "log 99999999");
+  refused("log ", "log -");
+  refused("curves ", "curves 9");
+  refused("closed ", "ajar ");
+  refused("closed ", "closed nothing ");
+  refused("stacks ", "stacks 77");
+  const std::size_t curve = text.find("closed ");
+  const std::size_t line = text.find('\n', curve) + 1, blank = text.find(' ', line);
+  for(const char* id : {"0", "-4", "999999999", "12345678901234567890"})
+    check_throws<FG::File_format_error>(soup, with_checksum(text.substr(0, line) + id + text.substr(blank)));
+  for(const char* halfedge : {" -1", " 999999", " 0", " 1"}) // or not connected
+    check_throws<FG::File_format_error>(
+        soup, with_checksum(text.substr(0, blank) + halfedge + text.substr(text.find(' ', blank + 1))));
+}
+
+BOOST_AUTO_TEST_CASE(another_mesh)
+{
+  const Mesh_soup soup = bumpy_sphere(4, 0.3, 1);
+  Curve_setting setting(soup);
+  add_curves(setting);
+  const std::string text = saved(setting);
+  check_throws<FG::Input_mismatch_error>(bumpy_sphere(5, 0.3, 1), text);
+  check_throws<FG::Input_mismatch_error>(bumpy_sphere(4, 0.3, 2), text);
+  check_throws<FG::Input_mismatch_error>(scaled(soup, 1.0000001), text);
+}
