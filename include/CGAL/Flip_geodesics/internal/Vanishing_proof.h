@@ -247,12 +247,27 @@ private:
 
   // ---------------------------------------------------------------- modulo a prime
 
+  // For odd numbers below 4759123141 these bases tell [Jaeschke, On Strong Pseudoprimes to Several Bases].
   static bool is_prime(Residue n)
   {
-    for(Residue d = 3; d * d <= n; d += 2)
-      if(n % d == 0)
+    for(Residue base : {2, 7, 61})
+      if(!is_strong_probable_prime(n, base))
         return false;
     return true;
+  }
+
+  static bool is_strong_probable_prime(Residue n, Residue base)
+  {
+    Residue odd = n - 1;
+    while(odd % 2 == 0)
+      odd /= 2;
+    Residue x = power(base, odd, n);
+    if(x == 1)
+      return true;
+    for(; odd < n - 1; odd *= 2, x = x * x % n)
+      if(x == n - 1)
+        return true;
+    return false;
   }
 
   static Residue reduced(const Integer& n, Residue p)
@@ -358,18 +373,18 @@ private:
     if(pivot == v.end())
       return;
     m_pivots.push_back(static_cast<std::size_t>(pivot - v.begin()));
-    const Residue inverse = power(*pivot, m_p - 2);
+    const Residue inverse = power(*pivot, m_p - 2, m_p);
     for(Residue& r : v)
       r = r * inverse % m_p;
     m_vectors.push_back(std::move(v));
   }
 
-  Residue power(Residue base, Residue exponent) const
+  static Residue power(Residue base, Residue exponent, Residue modulus)
   {
     Residue result = 1;
-    for(; exponent > 0; exponent /= 2, base = base * base % m_p)
+    for(; exponent > 0; exponent /= 2, base = base * base % modulus)
       if(exponent % 2 == 1)
-        result = result * base % m_p;
+        result = result * base % modulus;
     return result;
   }
 
