@@ -133,6 +133,24 @@ BOOST_AUTO_TEST_CASE(plane)
 }
 
 // The zero direction is that of an edge of the caller's choice, and the map in the plane is an isometry there.
+// Paths to one vertex on either side of a needle have one length but for rounding: none may be waited for for ever.
+BOOST_AUTO_TEST_CASE(jittered_needles)
+{
+  constexpr int n = 40;
+  for(double aspect : {1e-4, 1e-6}) {
+    const auto squeezed = [aspect](const Coordinates& p) { return Coordinates{p[0], p[1] * aspect, 0}; };
+    const Mesh_soup soup = mapped(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.15, 11), squeezed);
+    for(Index source : {0, grid_vertex(n, 20, 20), grid_vertex(n, 31, 7)}) {
+      Double_tree_setting setting(soup);
+      const FG::Geodesic_tree_report report = setting.tree.grow(source);
+      BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
+      BOOST_TEST(setting.tree.is_valid());
+      for(Index v = 0; v < setting.size(); ++v)
+        BOOST_TEST(is_close(setting.tree.distance(v), distance(soup.points[source], soup.points[v]), n));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(plane_coordinates)
 {
   constexpr int n = 8;

@@ -185,6 +185,7 @@ private:
     m_source = source;
     m_max_distance = max_distance;
     m_report = Geodesic_tree_report();
+    m_idle = 0;
     m_heap.clear();
     m_settled.clear();
     offer(source, 0, null_index);
@@ -213,7 +214,7 @@ private:
     if(h != null_index && m_triangulation->tail(h) != m_source) {
       const Index back = Triangulation::twin(m_labels[m_triangulation->tail(h)].incoming);
       const double left = key(back, h), right = key(h, back);
-      if(left < straight || right < straight)
+      if((left < straight || right < straight) && has_patience())
         return left <= right ? flip_out(v, back, h, visitor) : flip_out(v, h, back, visitor);
     }
     if(m_labels[v].distance > m_max_distance)
@@ -222,6 +223,21 @@ private:
     m_settled.push_back(v);
     for(Index spoke : internal::spokes(*m_triangulation, v))
       relax(spoke);
+  }
+
+  /*
+   * Where angles are pi but for rounding, a vertex could be handed from path to path of one length for ever. Each wedge
+   * flipped out without a flip makes some path shorter or moves it to one side, so that a few rounds over all vertices
+   * are enough; after many more, paths are accepted as they are.
+   */
+  bool has_patience()
+  {
+    constexpr std::size_t few = 10000, rounds = 16;
+    if(m_idle < few + rounds * m_settled.size())
+      return true;
+    if(!Triangulation::Traits::Has_drift::value) // otherwise, what is accepted is measured
+      m_report.status = Shortening_status::PRECISION_LIMIT;
+    return false;
   }
 
   // The key of the angle clockwise from a to c, if it is below pi and holds no edge of the tree.
@@ -248,8 +264,10 @@ private:
   template <class Visitor>
   void flip_out(Index v, Index a, Index c, Visitor& visitor)
   {
+    const double old_distance = m_labels[v].distance;
     m_orphans = {v};
     m_flipped.clear();
+    ++m_idle;
     internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Index spoke) {
       const Index w = m_triangulation->head(spoke);
       if(state(w) == REACHED && m_labels[w].incoming == spoke)
@@ -257,14 +275,28 @@ private:
       m_flipped.push_back(spoke);
       m_triangulation->flip(spoke);
       ++m_report.flips;
+      m_idle = 0;
       visitor.on_flip(*m_triangulation, spoke);
     });
     ++m_report.flip_outs;
     adopt_orphans(Triangulation::edge(m_labels[v].incoming));
+    prefer_arc(v, old_distance);
     for(Index h : m_flipped) {
       relax(h);
       relax(Triangulation::twin(h));
     }
+  }
+
+  // The way to v along the arc is shorter, whatever other ways the rounding of their lengths makes seem so.
+  void prefer_arc(Index v, double old_distance)
+  {
+    const bool is_at_end = m_triangulation->head(m_arc.back()) == v;
+    const Index last = is_at_end ? m_arc.back() : Triangulation::twin(m_arc.front()), u = m_triangulation->tail(last);
+    if(state(u) != SETTLED || u == v)
+      return;
+    const double distance = m_labels[u].distance + m_triangulation->length(last);
+    if(distance <= old_distance * (1 + rounding))
+      offer(v, distance, last);
   }
 
   // Looks for new ways to vertices that have lost theirs, but not along `edge`.
@@ -286,7 +318,6 @@ private:
       return;
     const double distance = m_labels[u].distance + m_triangulation->length(h);
     if(state(v) == SETTLED) {
-      constexpr double rounding = 1e-12;
       if(distance >= m_labels[v].distance * (1 - rounding))
         return;
       reopen(v);
@@ -398,7 +429,8 @@ private:
     return m_settled;
   }
 
-  static constexpr double straight = 2; // above all keys
+  static constexpr double straight = 2;     // above all keys
+  static constexpr double rounding = 1e-12; // relative, of lengths and their sums
 
   Triangulation* m_triangulation;
   internal::Lazy_array<Label> m_labels;
@@ -406,6 +438,7 @@ private:
   std::vector<Index> m_settled;
   Index m_epoch = 0;
   Index m_source = null_index;
+  std::size_t m_idle = 0; // wedges flipped out since the last flip
   double m_max_distance = std::numeric_limits<double>::infinity();
   Geodesic_tree_report m_report;
   std::vector<Index> m_arc, m_flipped, m_orphans;
