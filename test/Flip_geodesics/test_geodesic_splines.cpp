@@ -8,6 +8,7 @@
 
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/draw_polylines.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -271,4 +272,85 @@ BOOST_AUTO_TEST_CASE(bad_points_are_refused)
   const auto snapped = FG::surface_location(t, mesh, Face_location{f, {{1 + 5.6e-17, -5.6e-17, 1e-16}}});
   BOOST_TEST((kind(snapped) == FG::Location_kind::VERTEX));
   BOOST_TEST((kind(FG::surface_location(t, mesh, Face_location{f, {{0.5, 0.5, 1e-16}}}, 0)) == FG::Location_kind::FACE));
+}
+
+// Straight lines from corner to corner, with a point on each edge that they cross.
+BOOST_AUTO_TEST_CASE(polylines_are_drawn_by_insertion_or_snapped_to_edges)
+{
+  for(const Surface& surface : surfaces()) {
+    const auto& polygon = polygons[3];
+    double length = 0;
+    for(std::size_t i = 0; i + 1 < polygon.size(); ++i)
+      length += distance(polygon[i], polygon[i + 1]);
+    const double straight = distance(polygon.front(), polygon.back());
+    std::vector<FG::Surface_location> polyline;
+    {
+      Triangulation t(surface.bent);
+      Network network(t);
+      FG::add_curve_through(network, locations(t, surface, polygon));
+      FG::order_overlapping_curves(network);
+      FG::shorten(network);
+      std::vector<Face_location> on_faces;
+      FG::Curve_extractor<Network>(network).face_locations(0, surface.bent, std::back_inserter(on_faces));
+      for(const Face_location& p : on_faces)
+        polyline.push_back(FG::surface_location(t, surface.bent, p));
+    }
+    Triangulation t(surface.bent);
+    Network network(t);
+    const FG::Index drawn = FG::draw_polyline(network, polyline);
+    FG::order_overlapping_curves(network);
+    FG::shorten(network);
+    BOOST_TEST(network.is_valid());
+    BOOST_TEST(t.is_valid());
+    BOOST_TEST(std::abs(network.length(drawn) - length) < 1e-11);
+    network.free_nodes(drawn);
+    BOOST_TEST(network.is_valid());
+    BOOST_TEST(FG::shorten(network).is_complete());
+    BOOST_TEST(std::abs(network.length(drawn) - straight) < 1e-11);
+    BOOST_TEST(FG::certify(network).is_locally_shortest());
+
+    Triangulation input(surface.bent);
+    const auto path = FG::snap_polyline(input, polyline);
+    BOOST_TEST(path.size() > 8);
+    Network snapped(input);
+    snapped.add_curve(FG::halfedges_through(input, path, false), false);
+    FG::order_overlapping_curves(snapped);
+    BOOST_TEST(FG::shorten(snapped).is_complete());
+    BOOST_TEST(std::abs(snapped.length(0) - distance(rolled_out(surface.flat, input, path.front()),
+                                                     rolled_out(surface.flat, input, path.back()))) < 1e-11);
+    BOOST_CHECK_THROW(FG::draw_polyline(snapped, {polyline.front(), polyline.back()}), FG::Invalid_curve_error);
+    BOOST_CHECK_THROW(FG::snap_polyline(input, {polyline.front()}), FG::Invalid_curve_error);
+  }
+}
+
+// A closed polyline about a cylinder is pulled tight to a ring, drawn by insertion and snapped alike.
+BOOST_AUTO_TEST_CASE(closed_polylines)
+{
+  const int n = 12, m = 4;
+  const Mesh mesh = to_mesh<Mesh>(cylinder(n, m, 1, 2));
+  Triangulation t(mesh);
+  std::vector<FG::Surface_location> loop; // from middle to middle of the edges that ring 2 is the lower end of
+  for(int i = 0; i < n; ++i) {
+    const auto v = Mesh::Vertex_index(static_cast<unsigned>(i + 2 * n));
+    const auto h = mesh.halfedge(v, Mesh::Vertex_index(static_cast<unsigned>(i + 3 * n)));
+    const auto diagonal = mesh.halfedge(v, Mesh::Vertex_index(static_cast<unsigned>((i + 1) % n + 3 * n)));
+    BOOST_REQUIRE((h != mesh.null_halfedge() && diagonal != mesh.null_halfedge()));
+    loop.push_back({static_cast<FG::Index>(h), {{2, 1, 0}}});
+    loop.push_back({static_cast<FG::Index>(diagonal), {{1, 3, 0}}});
+  }
+  const double ring = n * polygon_side(n, 1);
+  Network network(t);
+  const FG::Index drawn = FG::draw_polyline(network, loop, true);
+  FG::shorten(network);
+  BOOST_TEST(network.length(drawn) > ring * 1.01);
+  network.free_nodes(drawn);
+  BOOST_TEST(FG::shorten(network).is_complete());
+  BOOST_TEST(std::abs(network.length(drawn) - ring) < 1e-11);
+  network.clear();
+  t.rollback();
+  Network other(t);
+  other.add_curve(FG::halfedges_through(t, FG::snap_polyline(t, loop, true), true), true);
+  FG::order_overlapping_curves(other);
+  BOOST_TEST(FG::shorten(other).is_complete());
+  BOOST_TEST(std::abs(other.length(0) - ring) < 1e-11);
 }

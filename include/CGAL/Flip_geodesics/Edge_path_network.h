@@ -8,13 +8,10 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
-#include <CGAL/Flip_geodesics/internal/Point_insertion.h>
-#include <CGAL/Flip_geodesics/surface_points.h>
+#include <CGAL/Flip_geodesics/internal/Segment_division.h>
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -118,6 +115,12 @@ public:
   /// Fixes or frees the node at the head of `s`. \pre if it is freed, the strands there do not cross
   void set_head_fixed(Index s, bool is_fixed) { m_segments[s].is_head_fixed = is_fixed; }
 
+  /// Frees all nodes of a curve, but the ends of an open one. \pre as `set_head_fixed()`
+  void free_nodes(Index curve)
+  {
+    for_each_segment(curve, [this](Index s) { set_head_fixed(s, false); });
+  }
+
   /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
   void set_stack(Index e, const std::vector<Index>& order)
   {
@@ -135,9 +138,7 @@ public:
    */
   Index insert(const Surface_location& location)
   {
-    return m_triangulation->insert(location, [this](const internal::Edge_halves& halves) {
-      move_stack(halves.first, {halves.first, halves.second});
-    });
+    return internal::Segment_division<Edge_path_network>(*this).insert(location);
   }
 
   /*!
@@ -149,24 +150,7 @@ public:
    */
   Index divide_segment(Index s, double t)
   {
-    const Index h = halfedge(s);
-    Index half = null_index;
-    const Index x = m_triangulation->insert(location_on_edge(*m_triangulation, h, t), [&](const auto& halves) {
-      half = move_stack(halves.first, {halves.first, halves.second}, s);
-    });
-    for(Index side : {h, Triangulation::twin(h)}) {
-      if(half != null_index || m_triangulation->is_border(side) ||
-         m_triangulation->head(m_triangulation->next(side)) != x)
-        continue;
-      // No vertex lies between the edge and the chain over x. The sliver between them would be in the way of the next.
-      half = move_stack(side, {Triangulation::twin(m_triangulation->previous(side)),
-                               Triangulation::twin(m_triangulation->next(side))}, s);
-      if(m_triangulation->is_flippable(side))
-        m_triangulation->flip(side);
-    }
-    if(half == null_index)
-      throw Insertion_error("a segment cannot be divided: rounding puts the point outside of the faces beside it");
-    return half;
+    return internal::Segment_division<Edge_path_network>(*this).divide(s, t);
   }
 
   /// Removes all curves. Linear in the segments.
@@ -449,6 +433,7 @@ public:
 
 private:
   friend class internal::Network_access<Edge_path_network>;
+  friend class internal::Segment_division<Edge_path_network>;
 
   struct Segment
   {
@@ -570,43 +555,6 @@ private:
     for_each_segment(curve, [&](Index s) { segments.push_back(s); });
     for(Index s : segments)
       remove(s);
-  }
-
-  // Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
-  // them, in their order. Returns what the first half of a watched one has become.
-  Index move_stack(Index h, const std::array<Index, 2>& chain, Index watched = null_index)
-  {
-    Index result = null_index;
-    std::vector<Index> segments = stack(Triangulation::edge(h));
-    if((h & 1) != 0)
-      std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
-    for(Index s : segments)
-      unlink(s);
-    for(Index s : segments) {
-      const bool is_along = m_segments[s].halfedge == h;
-      const Index a = create(curve(s), is_along ? chain[0] : Triangulation::twin(chain[1]));
-      const Index b = create(curve(s), is_along ? chain[1] : Triangulation::twin(chain[0]));
-      link_outermost(a, is_along ? chain[0] : chain[1]);
-      link_outermost(b, is_along ? chain[1] : chain[0]);
-      replace_in_curve(s, a, b);
-      result = s == watched ? a : result;
-    }
-    return result;
-  }
-
-  // Puts a and b into the place of s.
-  void replace_in_curve(Index s, Index a, Index b)
-  {
-    const Segment old = m_segments[s];
-    Curve& c = m_curves[old.curve];
-    const bool was_whole_loop = old.next == s;
-    link(a, b);
-    link(was_whole_loop ? b : old.previous, a);
-    link(b, was_whole_loop ? a : old.next);
-    m_segments[b].is_head_fixed = old.is_head_fixed;
-    m_segments[s].halfedge = null_index;
-    c.first = c.first == s ? a : c.first;
-    c.last = c.last == s ? b : c.last;
   }
 
   // The next end counterclockwise that is not one of x or y.

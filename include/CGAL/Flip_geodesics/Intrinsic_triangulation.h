@@ -9,11 +9,13 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Crossing_words.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Insertion_log.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/is_valid_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -424,7 +426,7 @@ public:
     if(place.is_on_edge && next(twin(place.halfedge)) == place.halfedge) // of degree 1 is the head, if an end is
       place = {twin(place.halfedge), (std::max)(crossings(edge(place.halfedge)), 0) - place.gap, true, null_index};
     const Log_position start = log_position();
-    begin_insertion(place, point);
+    internal::Insertion_log<Intrinsic_triangulation>(*this).begin(place, point);
     const Index x = number_of_vertices() - 1;
     internal::Edge_halves halves;
     try {
@@ -495,7 +497,7 @@ public:
   bool is_valid(double tolerance = 1e-9) const
   {
     for(Index h = 0; h < number_of_halfedges(); ++h)
-      if(known_record(h).encoded_next > 0 && !is_valid_halfedge(h, tolerance))
+      if(known_record(h).encoded_next > 0 && !internal::is_valid_halfedge(*this, h, tolerance, is_known(twin(h))))
         return false;
     return true;
   }
@@ -503,6 +505,8 @@ public:
 private:
   template <class>
   friend class internal::Point_insertion;
+  template <class>
+  friend class internal::Insertion_log;
 
   struct Halfedge_record
   {
@@ -522,14 +526,9 @@ private:
     Index label;
   };
 
-  // What an insertion changes of the edge or face that is split.
-  struct Insertion_record
-  {
-    Index number_of_edges;
-    Index faces[6]; // h, hn, hp and, if the edge was split and has a second face, t, tn, tp
-    Index head_of_h;
-    Halfedge_geometry geometry[6];
-  };
+  using Insertion_record = internal::Insertion_record<Halfedge_geometry>;
+
+  bool is_known(Index h) const { return known_record(h).encoded_next != Halfedge_record::untouched; }
 
   Halfedge_record& known_record(Index h) const { return m_edges[h >> 1].sides[h & 1]; }
 
@@ -602,88 +601,11 @@ private:
     known_record(previous(h)).geometry = at_hp;
   }
 
-  // Logs what there is, and adds the vertex.
-  void begin_insertion(const internal::Located_point& place, const Surface_location& point)
-  {
-    const Index h = place.halfedge, t = twin(h);
-    const bool has_two_faces = place.is_on_edge && !is_border(t);
-    Insertion_record record = {number_of_edges(), {}, head(h), {}};
-    for(int i = 0; i < 6; ++i) {
-      const Index start = i < 3 ? h : (has_two_faces ? t : null_index);
-      const Index side = start == null_index ? null_index : (i % 3 == 0 ? start : next(record.faces[i - 1]));
-      record.faces[i] = side;
-      if(side != null_index)
-        record.geometry[i] = geometry(side);
-    }
-    m_insertions.push_back(record);
-    const Edge_record& e = m_edges[edge(h)];
-    m_log.push_back({h, null_index, static_cast<Index>(m_insertions.size()) - 1, 0, 0, 0, e.version,
-                     e.crossings_plus_one, Halfedge_geometry(), Halfedge_geometry(), Halfedge_geometry(),
-                     Halfedge_geometry()});
-    m_points.push_back(point);
-    internal::checked_index_bound(2 * (m_edges.size() + 3));
-    m_outgoing.resize(m_outgoing.size() + 1);
-  }
-
-  void undo_insertion(const Flip_record& log)
-  {
-    const Insertion_record& record = m_insertions.back();
-    while(number_of_edges() > record.number_of_edges) {
-      const Index e = number_of_edges() - 1;
-      m_words.forget(e, m_edges[e].version);
-      m_edges[e] = Edge_record();
-      m_edges.resize(static_cast<std::size_t>(e));
-    }
-    m_outgoing[number_of_vertices() - 1] = 0;
-    m_outgoing.resize(m_outgoing.size() - 1);
-    m_points.pop_back();
-    m_edges[edge(log.h)].version = log.old_version;
-    m_edges[edge(log.h)].crossings_plus_one = log.old_crossings;
-    known_record(twin(log.h)).tail = record.head_of_h;
-    for(int i = 0; i < 6 && record.faces[i] != null_index; i += 3)
-      link_face(record.faces[i], record.faces[i + 1], record.faces[i + 2]);
-    for(int i = 0; i < 6 && record.faces[i] != null_index; ++i) {
-      const Index h = record.faces[i];
-      known_record(h).geometry = record.geometry[i];
-      if(m_outgoing[tail(h)] > number_of_halfedges())
-        m_outgoing[tail(h)] = h + 1;
-    }
-    m_insertions.pop_back();
-  }
-
-  // A new edge, whose sides are in no face yet; the halfedge with the word.
-  Index add_edge(const Crossing_word& word)
-  {
-    const Index e = number_of_edges(), h = 2 * e;
-    m_edges.resize(static_cast<std::size_t>(e) + 1);
-    set_word(h, word);
-    known_record(h).tail = word.tail;
-    known_record(twin(h)).tail = word.head;
-    return h;
-  }
-
-  // Moves the tail of t: the word is that of t from its new tail on.
-  void shorten_edge(Index t, const Crossing_word& word)
-  {
-    known_record(t).tail = word.tail;
-    set_word(t, word);
-  }
-
-  void set_word(Index h, const Crossing_word& word)
-  {
-    Edge_record& e = m_edges[edge(h)];
-    e.version = static_cast<Index>(m_log.size());
-    e.crossings_plus_one = word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
-    m_words.store(h, e.version, word);
-  }
-
-  void link_border(Index h) { known_record(h).encoded_next = Halfedge_record::border; }
-
   // h = l->k in (h, hp, tn) and t = k->l in (t, tp, hn) become i->j and j->i again.
   void undo(const Flip_record& flip)
   {
     if(flip.hp == null_index && flip.tn != null_index)
-      return undo_insertion(flip);
+      return internal::Insertion_log<Intrinsic_triangulation>(*this).undo(flip);
     if(flip.hp == null_index)
       return set_geometries_of_face(flip.h, flip.old_h, flip.old_t, flip.old_tn);
     const Index h = flip.h, t = twin(h);
@@ -697,19 +619,6 @@ private:
     known_record(h).tail = known_record(tn).tail;
     known_record(t).tail = known_record(hn).tail;
     set_geometries(h, flip.old_h, flip.old_t, tn, flip.old_tn, tp, flip.old_tp);
-  }
-
-  bool is_valid_halfedge(Index h, double tolerance) const
-  {
-    const Index hn = next(h), hp = next(hn);
-    const Halfedge_record& t = known_record(twin(h));
-    if(next(hp) != h || (t.encoded_next != Halfedge_record::untouched && t.tail != tail(hn)))
-      return false;
-    const double a = length(h), b = length(hn), c = length(hp);
-    const double scale = tolerance * (std::max)({a, b, c});
-    if(a > b + c + scale)
-      return false;
-    return t.encoded_next <= 0 || std::abs(a - m_traits.compute_length_object()(t.geometry)) <= scale;
   }
 
   Input_mesh m_input;

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Insertion_log.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
@@ -75,6 +76,7 @@ class Point_insertion
 public:
   Point_insertion(Triangulation& triangulation, const Located_point& located, Index x)
     : m_triangulation(triangulation)
+    , m_log(triangulation)
     , m_place{located.halfedge, located.gap, triangulation.crossing_word(located.halfedge)}
     , m_x(x)
   {
@@ -85,8 +87,8 @@ public:
   {
     const Index h = m_place.h, hn = next(h), hp = next(hn);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    const Index a = m_triangulation.add_edge(to_a), b = m_triangulation.add_edge(to_b),
-                o = m_triangulation.add_edge(to_o);
+    const Index a = m_log.add_edge(to_a), b = m_log.add_edge(to_b),
+                o = m_log.add_edge(to_o);
     m_triangulation.link_face(h, twin(b), a);
     m_triangulation.link_face(hn, twin(o), b);
     m_triangulation.link_face(hp, twin(a), o);
@@ -160,9 +162,9 @@ private:
   {
     const Index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn), b = m_triangulation.tail(t);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    const Index xb = m_triangulation.add_edge(to_b), xo = m_triangulation.add_edge(to_o);
-    m_triangulation.shorten_edge(t, to_a);
-    m_triangulation.link_border(twin(xb));
+    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o);
+    m_log.shorten_edge(t, to_a);
+    m_triangulation.known_record(twin(xb)).encoded_next = Triangulation::Halfedge_record::border;
     m_triangulation.move_outgoing(b, t, twin(xb));
     m_triangulation.m_outgoing[m_x] = xb + 1;
     m_triangulation.link_face(h, xo, hp);
@@ -177,9 +179,9 @@ private:
                 b = m_triangulation.tail(t);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place),
                         to_p = word_to_apex(m_place.reversed());
-    const Index xb = m_triangulation.add_edge(to_b), xo = m_triangulation.add_edge(to_o),
-                xp = m_triangulation.add_edge(to_p);
-    m_triangulation.shorten_edge(t, to_a);
+    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o),
+                xp = m_log.add_edge(to_p);
+    m_log.shorten_edge(t, to_a);
     m_triangulation.move_outgoing(b, t, twin(xb));
     m_triangulation.m_outgoing[m_x] = xb + 1;
     m_triangulation.link_face(h, xo, hp);
@@ -204,9 +206,9 @@ private:
     const Index face = Point_side<Triangulation>::face_of_gap(from_twin.word, from_twin.gap);
     const Crossing_word around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
 
-    const Index xb = m_triangulation.add_edge(to_b), xo = m_triangulation.add_edge(to_o),
-                xx = m_triangulation.add_edge(around_b);
-    m_triangulation.shorten_edge(t, to_a);
+    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o),
+                xx = m_log.add_edge(around_b);
+    m_log.shorten_edge(t, to_a);
     m_triangulation.move_outgoing(b, t, twin(xb));
     m_triangulation.m_outgoing[m_x] = xb + 1;
     m_triangulation.link_face(h, xo, hp);
@@ -271,6 +273,7 @@ private:
   }
 
   Triangulation& m_triangulation;
+  Insertion_log<Triangulation> m_log;
   Place m_place;
   Index m_x;
 };

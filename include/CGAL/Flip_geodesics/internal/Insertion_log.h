@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_INSERTION_LOG_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_INSERTION_LOG_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Point_locator.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* What an insertion changes of the edge or face that is split. */
+template <class Halfedge_geometry>
+struct Insertion_record
+{
+  Index number_of_edges;
+  Index faces[6]; // h, hn, hp and, if the edge was split and has a second face, t, tn, tp
+  Index head_of_h;
+  Halfedge_geometry geometry[6];
+};
+
+/* Adds a vertex and edges to the arrays of a triangulation, and takes them out again. */
+template <class Triangulation>
+class Insertion_log
+{
+public:
+  explicit Insertion_log(Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  /* Logs what there is, and adds the vertex. */
+  void begin(const Located_point& place, const Surface_location& point)
+  {
+    Triangulation& t = m_triangulation;
+    checked_index_bound(2 * (t.m_edges.size() + 3));
+    const Index h = place.halfedge;
+    const bool has_two_faces = place.is_on_edge && !t.is_border(Triangulation::twin(h));
+    typename Triangulation::Insertion_record record = {t.number_of_edges(), {}, t.head(h), {}};
+    for(int i = 0; i < 6; ++i) {
+      const Index start = i < 3 ? h : (has_two_faces ? Triangulation::twin(h) : null_index);
+      const Index side = start == null_index ? null_index : (i % 3 == 0 ? start : t.next(record.faces[i - 1]));
+      record.faces[i] = side;
+      if(side != null_index)
+        record.geometry[i] = t.geometry(side);
+    }
+    t.m_insertions.push_back(record);
+    const auto& e = t.m_edges[Triangulation::edge(h)];
+    t.m_log.push_back({h, null_index, static_cast<Index>(t.m_insertions.size()) - 1, 0, 0, 0, e.version,
+                       e.crossings_plus_one, Geometry(), Geometry(), Geometry(), Geometry()});
+    t.m_points.push_back(point);
+    t.m_outgoing.resize(t.m_outgoing.size() + 1);
+  }
+
+  /* A new edge, whose sides are in no face yet; the halfedge with the word. */
+  Index add_edge(const Crossing_word& word)
+  {
+    const Index e = m_triangulation.number_of_edges(), h = 2 * e;
+    m_triangulation.m_edges.resize(static_cast<std::size_t>(e) + 1);
+    set_word(h, word);
+    m_triangulation.known_record(h).tail = word.tail;
+    m_triangulation.known_record(Triangulation::twin(h)).tail = word.head;
+    return h;
+  }
+
+  /* Moves the tail of h: the word is that from its new tail on. */
+  void shorten_edge(Index h, const Crossing_word& word)
+  {
+    m_triangulation.known_record(h).tail = word.tail;
+    set_word(h, word);
+  }
+
+  /* Takes the last insertion back, whose entry in the log of flips is given. */
+  void undo(const typename Triangulation::Flip_record& log)
+  {
+    Triangulation& t = m_triangulation;
+    const auto& record = t.m_insertions.back();
+    while(t.number_of_edges() > record.number_of_edges) {
+      const Index e = t.number_of_edges() - 1;
+      t.m_words.forget(e, t.m_edges[e].version);
+      t.m_edges[e] = {};
+      t.m_edges.resize(static_cast<std::size_t>(e));
+    }
+    t.m_outgoing[t.number_of_vertices() - 1] = 0;
+    t.m_outgoing.resize(t.m_outgoing.size() - 1);
+    t.m_points.pop_back();
+    t.m_edges[Triangulation::edge(log.h)].version = log.old_version;
+    t.m_edges[Triangulation::edge(log.h)].crossings_plus_one = log.old_crossings;
+    t.known_record(Triangulation::twin(log.h)).tail = record.head_of_h;
+    for(int i = 0; i < 6 && record.faces[i] != null_index; i += 3)
+      t.link_face(record.faces[i], record.faces[i + 1], record.faces[i + 2]);
+    for(int i = 0; i < 6 && record.faces[i] != null_index; ++i) {
+      const Index h = record.faces[i];
+      t.known_record(h).geometry = record.geometry[i];
+      if(t.m_outgoing[t.tail(h)] > t.number_of_halfedges()) // of an edge that is gone
+        t.m_outgoing[t.tail(h)] = h + 1;
+    }
+    t.m_insertions.pop_back();
+  }
+
+private:
+  using Geometry = typename Triangulation::Halfedge_geometry;
+
+  void set_word(Index h, const Crossing_word& word)
+  {
+    auto& e = m_triangulation.m_edges[Triangulation::edge(h)];
+    e.version = static_cast<Index>(m_triangulation.m_log.size());
+    e.crossings_plus_one = word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
+    m_triangulation.m_words.store(h, e.version, word);
+  }
+
+  Triangulation& m_triangulation;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_INSERTION_LOG_H

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_DIVISION_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_DIVISION_H
+
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Point_insertion.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Inserts points into the triangulation of a network, and divides the segments on edges that are split. */
+template <class Network>
+class Segment_division
+{
+  using Triangulation = typename Network::Triangulation;
+
+public:
+  explicit Segment_division(Network& network)
+    : m_network(network)
+    , m_triangulation(network.triangulation())
+  {
+  }
+
+  Index insert(const Surface_location& location)
+  {
+    return m_triangulation.insert(location, [this](const Edge_halves& halves) {
+      move_stack(halves.first, {{halves.first, halves.second}}, null_index);
+    });
+  }
+
+  /*
+   * Divides segment s and those beside it; returns the first half of s. A point that rounding puts off the edge h goes
+   * into a face beside it, and the segments move there, over a sliver that holds no vertex:
+   *
+   *       x                        x          The sliver is flipped away if it can be, as the next point to divide ax,
+   *    /     .                  /  |  .       off by rounding as well, could lie beyond ab.
+   *   a ----- b      ==>       a   |   b
+   *    .     /                  .  |  /
+   *       d                        d
+   */
+  Index divide(Index s, double t)
+  {
+    const Index h = m_network.halfedge(s);
+    Index half = null_index;
+    const Index x = m_triangulation.insert(location_on_edge(m_triangulation, h, t), [&](const Edge_halves& halves) {
+      half = move_stack(halves.first, {{halves.first, halves.second}}, s);
+    });
+    for(Index side : {h, Triangulation::twin(h)}) {
+      if(half != null_index || m_triangulation.is_border(side) || m_triangulation.head(m_triangulation.next(side)) != x)
+        continue;
+      half = move_stack(side,
+                        {{Triangulation::twin(m_triangulation.previous(side)),
+                          Triangulation::twin(m_triangulation.next(side))}},
+                        s);
+      if(m_triangulation.is_flippable(side))
+        m_triangulation.flip(side);
+    }
+    if(half == null_index)
+      throw Insertion_error("a segment cannot be divided: rounding puts the point outside of the faces beside it");
+    return half;
+  }
+
+private:
+  // Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
+  // them, in their order. Returns what the first half of a watched one has become.
+  Index move_stack(Index h, const std::array<Index, 2>& chain, Index watched)
+  {
+    Index result = null_index;
+    std::vector<Index> segments = m_network.stack(Triangulation::edge(h));
+    if((h & 1) != 0)
+      std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
+    for(Index s : segments)
+      m_network.unlink(s);
+    for(Index s : segments) {
+      const bool is_along = m_network.halfedge(s) == h;
+      const Index curve = m_network.curve(s);
+      const Index a = m_network.create(curve, is_along ? chain[0] : Triangulation::twin(chain[1]));
+      const Index b = m_network.create(curve, is_along ? chain[1] : Triangulation::twin(chain[0]));
+      m_network.link_outermost(a, is_along ? chain[0] : chain[1]);
+      m_network.link_outermost(b, is_along ? chain[1] : chain[0]);
+      replace_in_curve(s, a, b);
+      result = s == watched ? a : result;
+    }
+    return result;
+  }
+
+  // Puts a and b into the place of s.
+  void replace_in_curve(Index s, Index a, Index b)
+  {
+    const auto old = m_network.m_segments[s];
+    auto& c = m_network.m_curves[old.curve];
+    const bool was_whole_loop = old.next == s;
+    m_network.link(a, b);
+    m_network.link(was_whole_loop ? b : old.previous, a);
+    m_network.link(b, was_whole_loop ? a : old.next);
+    m_network.m_segments[b].is_head_fixed = old.is_head_fixed;
+    m_network.m_segments[s].halfedge = null_index;
+    c.first = c.first == s ? a : c.first;
+    c.last = c.last == s ? b : c.last;
+  }
+
+  Network& m_network;
+  Triangulation& m_triangulation;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_DIVISION_H
