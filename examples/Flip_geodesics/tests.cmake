@@ -13,6 +13,7 @@ foreach(
   exact_number_type_example
   geodesic_loop_example
   geodesic_path_example
+  geodesic_spline_example
   geodesic_tree_example
   network_early_stop_example
   own_mesh_and_kernel_example
