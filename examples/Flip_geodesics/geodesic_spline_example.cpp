@@ -30,12 +30,12 @@ int main(int argc, char** argv)
   namespace FG = CGAL::Flip_geodesics;
   Mesh mesh;
   const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() < 64) {
-    std::cerr << "This is not a triangle mesh of 64 faces or more.\n";
+  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() < 131) {
+    std::cerr << "This is not a triangle mesh of 131 faces or more.\n";
     return EXIT_FAILURE;
   }
   std::vector<Face_location> points;
-  for(unsigned i : {0u, 7u, 26u, 33u})
+  for(unsigned i : {0u, 40u, 90u, 130u})
     points.push_back({Mesh::Face_index(i), {{0.5, 0.3, 0.2}}});
 
   std::vector<Kernel::Point_3> path, curve;
