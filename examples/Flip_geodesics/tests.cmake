@@ -159,6 +159,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_viewer_test(pairs --random 8)
   flip_geodesics_add_viewer_test(network --network network.txt)
   flip_geodesics_add_viewer_test(contracted --loop trivial_loop.txt)
+  flip_geodesics_add_viewer_test(tree --source 0)
   if(Python3_Interpreter_FOUND AND FLIP_GEODESICS_CHROMIUM)
     add_test(
       NAME page_in_browser

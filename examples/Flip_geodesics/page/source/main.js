@@ -12,6 +12,7 @@ const palettes = {
   dark: ['#ff6b6b', '#6fb1ff', '#5fd38d', '#ffb057', '#c792ea', '#4dd0e1', '#ff7ac6', '#d4d45a'],
 };
 const mostRows = 300; // of the legend
+const mostEnds = 300; // more curves than this are drawn without disks at their ends
 const at = (id) => document.getElementById(id);
 const format = (x) => (x === null ? '?' : Number(x).toPrecision(6));
 const plural = (n, word) => `${n.toLocaleString('en')} ${word}${n === 1 ? '' : 's'}`;
@@ -138,16 +139,19 @@ class Page {
     const { curves, curveStarts, curvePoints } = this.scene;
     if (this.playback && curves[i].run === this.runNumber && this.playback.step < this.playback.length)
       return this.playback.curvePieces(i - this.firstOfRun);
-    const pieces = [];
-    for (let k = curveStarts[i]; k + 1 < curveStarts[i + 1]; ++k)
-      pieces.push(...curvePoints.subarray(3 * k, 3 * k + 6));
+    const count = Math.max(0, curveStarts[i + 1] - curveStarts[i] - 1);
+    const pieces = new Float32Array(6 * count);
+    for (let k = 0; k < count; ++k) {
+      const start = 3 * (curveStarts[i] + k);
+      pieces.set(curvePoints.subarray(start, start + 6), 6 * k);
+    }
     return pieces;
   }
 
   curveEnds(i) {
     const { curves, curveStarts, curvePoints } = this.scene;
     const [first, end] = [curveStarts[i], curveStarts[i + 1]];
-    if (curves[i].closed || first === end) return [];
+    if (curves[i].closed || first === end || curves.length > mostEnds) return [];
     return [...curvePoints.subarray(3 * first, 3 * first + 3), ...curvePoints.subarray(3 * end - 3, 3 * end)];
   }
 

@@ -31,6 +31,7 @@ import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 
+const mostThickPieces = 300000; // curves with more straight pieces are drawn as thin lines, which is much faster
 const curveWidth = 4; // in pixels of the style sheet, as all widths
 const themes = {
   light: { back: '#ffffff', surface: '#c9ced6', mesh: '#5d6670', edges: '#2b3440', fresh: '#d97700' },
@@ -137,6 +138,9 @@ export class Stage {
     this.quietWires = wires(0.25); // the intrinsic edges that are edges of the mesh all the time
     this.edges = thick(1.2, {});
     this.freshEdges = thick(2.2, {});
+    this.thinCurves = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
+    this.thinCurves.renderOrder = ++order;
+    this.scene.add(this.thinCurves);
     this.curves = thick(curveWidth, { vertexColors: true });
     this.hiddenCurves = thick(curveWidth - 1, {
       vertexColors: true,
@@ -225,7 +229,12 @@ export class Stage {
       ends.push(...curve.ends);
       for (let i = 0; i < curve.ends.length; i += 3) endColors.push(r, g, b);
     }
-    const segments = Stage.setPieces(this.curves, pieces, colors);
+    const isThick = count / 6 <= mostThickPieces;
+    const segments = Stage.setPieces(this.curves, isThick ? pieces : [], colors);
+    this.thinCurves.geometry.dispose();
+    this.thinCurves.geometry = new BufferGeometry();
+    this.thinCurves.geometry.setAttribute('position', new BufferAttribute(isThick ? new Float32Array() : pieces, 3));
+    this.thinCurves.geometry.setAttribute('color', new BufferAttribute(isThick ? new Float32Array() : colors, 3));
     this.hiddenCurves.geometry = this.curves.geometry;
     this.hiddenCurves.visible = this.showsHidden && segments > 0;
     this.ends.geometry.dispose();
@@ -233,7 +242,7 @@ export class Stage {
     this.ends.geometry.setAttribute('position', new Float32BufferAttribute(ends, 3));
     this.ends.geometry.setAttribute('color', new Float32BufferAttribute(endColors, 3));
     this.requestFrame();
-    return segments;
+    return count / 6;
   }
 
   setShowsHidden(shows) {
