@@ -154,7 +154,8 @@ class Panel:
         camera = self.renderer.GetActiveCamera()
         camera.ParallelProjectionOn()
         camera.SetFocalPoint(0, 0, 0)
-        camera.SetPosition(*direction)
+        away = 3 * self.size / math.hypot(*direction)  # outside of everything
+        camera.SetPosition(*(away * x for x in direction))
         camera.SetViewUp(*up)
         self.target, self.zoom = target, zoom
 

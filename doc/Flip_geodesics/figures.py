@@ -398,6 +398,36 @@ def logarithmic_map(tools):
     return panels
 
 
+@figure(900, 380)
+def spline(tools):
+    """A geodesic between points inside faces, and the Bezier curve of four such points."""
+    mesh = tools.torus(20, 10)  # on which the example's faces lie well
+    page = tools.curves(mesh, '--random', 1)
+    tools.run('geodesic_spline_example', mesh)
+    curves = []
+    for line in (tools.folder / 'geodesic_spline.polylines.txt').read_text().splitlines():
+        numbers = [float(x) for x in line.split()[1:]]
+        curves.append(list(zip(numbers[0::3], numbers[1::3], numbers[2::3])))
+    geodesic, bezier = curves
+
+    def point(face, first):  # the example's weights, from one corner of a face on
+        corners = [page.points[page.faces[face][(first + k) % 3]] for k in range(3)]
+        return [0.5 * a + 0.3 * b + 0.2 * c for a, b, c in zip(*corners)]
+    first = min(range(3), key=lambda k: math.dist(point(0, k), geodesic[0]))
+    controls = [point(face, first) for face in (0, 40, 90, 130)]
+    panels = []
+    for view in ((0.8, 0.55, 0.9), (-0.5, -0.5, 0.75)):
+        panel = Panel(size_of(page.points))
+        panel.surface(page.points, page.faces, is_smooth=False)
+        panel.edges(page.points, page.faces)
+        panel.tubes([geodesic], BLUE, 0.008)
+        panel.tubes([bezier], RED, 0.01)
+        panel.balls(controls, ORANGE, 0.025)
+        panel.look(view, up=(0, 0, 1))
+        panels.append(panel)
+    return panels
+
+
 @figure(104, 104)
 def flip_geodesics_small(tools):
     """The small picture of the package overview."""
