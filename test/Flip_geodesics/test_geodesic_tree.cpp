@@ -132,7 +132,6 @@ BOOST_AUTO_TEST_CASE(plane)
   }
 }
 
-// The zero direction is that of an edge of the caller's choice, and the map in the plane is an isometry there.
 // Paths to one vertex on either side of a needle have one length but for rounding: none may be waited for for ever.
 BOOST_AUTO_TEST_CASE(jittered_needles)
 {
@@ -151,6 +150,7 @@ BOOST_AUTO_TEST_CASE(jittered_needles)
   }
 }
 
+// The zero direction is that of an edge of the caller's choice, and the map in the plane is an isometry there.
 BOOST_AUTO_TEST_CASE(plane_coordinates)
 {
   constexpr int n = 8;
@@ -368,4 +368,23 @@ BOOST_AUTO_TEST_CASE(interrupted)
   BOOST_TEST(visitor.steps == 101);
   BOOST_TEST(setting.tree.is_valid());
   BOOST_TEST(report.smallest_angle >= FG::Straightness::straight_angle());
+}
+
+// Needles so thin that rounded lengths do not tell which of two paths is shorter: exchanging them for one another must
+// come to an end.
+BOOST_AUTO_TEST_CASE(needles_end)
+{
+  for(double aspect : {1e4, 1e6, 1e8})
+    for(const Mesh_soup& flat :
+        {flat_grid(20, 20, Diagonal_rule::RANDOM), jittered_grid(20, 20, Diagonal_rule::RANDOM, 0.2, 1)})
+    {
+      const Mesh_soup soup = mapped(flat, [=](const Coordinates& p) { return Coordinates{aspect * p[0], p[1], 0}; });
+      Double_tree_setting setting(soup);
+      setting.tree.grow(0);
+      for(Index v = 0; v < setting.size(); ++v) {
+        BOOST_TEST(setting.tree.is_reached(v));
+        BOOST_TEST(setting.tree.distance(v) >= distance(soup.points[0], soup.points[v]) * (1 - tolerance));
+      }
+      BOOST_TEST(setting.tree.is_valid());
+    }
 }

@@ -27,8 +27,7 @@ constexpr double tolerance = 1e-9;
 using Setting = Curve_setting;
 using Tree = FG::Geodesic_tree<Setting::Triangulation>;
 
-FG::Shortest_path_report shortest(Setting& setting, Index s, Index t,
-                                  std::size_t most_windows = (std::numeric_limits<std::size_t>::max)())
+FG::Shortest_path_report shortest(Setting& setting, Index s, Index t, std::size_t most_windows = 0)
 {
   Setting::Search search(setting.triangulation);
   const auto report = FG::add_shortest_path(setting.network, search, s, t, most_windows);
@@ -226,4 +225,19 @@ BOOST_AUTO_TEST_CASE(one_call)
   const auto limited = FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40),
                                          std::back_inserter(points), CGAL::parameters::number_of_iterations(1));
   BOOST_TEST(limited.report.windows <= 60u);
+}
+
+// Given up, a tree stays as it was grown, and nothing is claimed.
+BOOST_AUTO_TEST_CASE(tree_with_limited_effort)
+{
+  Setting setting(bumpy_sphere(8, 0.3, 1));
+  Tree tree(setting.triangulation);
+  const auto grown = tree.grow(0);
+  const auto position = setting.triangulation.log_position();
+  const FG::Shortest_tree_report report = FG::make_shortest(tree, 100);
+  BOOST_TEST(!report.is_confirmed);
+  BOOST_TEST(report.flips == 0u);
+  BOOST_TEST(report.longer == report.longer_before);
+  BOOST_TEST(setting.triangulation.log_position() == position);
+  BOOST_TEST(FG::to_string(grown.status) == FG::to_string(report.status));
 }

@@ -30,7 +30,7 @@ struct Shortest_tree_report
   double largest_excess = 0;        ///< the same now
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
-  /// Were there no degenerate faces, so that the search is exact up to rounding?
+  /// Was the search not given up, and were there no degenerate faces, so that it is exact up to rounding?
   bool is_confirmed = false;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it?
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
@@ -54,6 +54,24 @@ void count_longer(const Tree& tree, const Search& search, double tolerance, std:
 
 } // namespace internal
 
+namespace internal {
+
+/* No path that is wanted is longer: neither than the tree's limit, nor than its longest path if that has all vertices.
+ */
+template <class Tree>
+double longest_wanted(const Tree& tree)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if(tree.max_distance() < infinity)
+    return std::nextafter(tree.max_distance(), infinity);
+  double longest = 0;
+  for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v)
+    longest = (std::max)(longest, tree.is_reached(v) ? tree.distance(v) : 0);
+  return longest;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
@@ -66,24 +84,30 @@ void count_longer(const Tree& tree, const Search& search, double tolerance, std:
  * and for each path that is replaced the degree of its end and the edges that its last leg crosses.
  *
  * \param tree a tree that has been grown to its end
+ * \param most_windows where more are needed, the search is given up, and the tree stays as it is; 0 is for the number
+ *        that `add_shortest_path()` takes
  * \throws Invalid_coordinate_error
  */
 template <class Triangulation>
-Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree)
+Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size_t most_windows = 0)
 {
   using Tree = Geodesic_tree<Triangulation>;
   constexpr double tolerance = Shortest_path_report::tolerance();
   CGAL_precondition(tree.source() != null_index);
   Shortest_tree_report report;
+  most_windows = internal::window_limit(tree.triangulation(), most_windows);
   internal::Window_search<Triangulation> search(tree.triangulation(), tree.source());
-  report.is_confirmed =
-      internal::run_to_the_end(search, std::nextafter(tree.max_distance(), std::numeric_limits<double>::infinity()),
-                               (std::numeric_limits<std::size_t>::max)());
+  const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
   report.windows = search.number_of_windows();
+  report.is_confirmed = is_sound && report.windows <= most_windows;
   for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v)
     report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
 
   internal::count_longer(tree, search, tolerance, report.longer_before, report.largest_excess_before);
+  report.longer = report.longer_before;
+  report.largest_excess = report.largest_excess_before;
+  if(report.windows > most_windows)
+    return report;
   internal::Shortest_tree_repair<Tree> repair(tree, search, tolerance);
   const std::vector<Index> longer = repair.longer();
   if(!longer.empty())

@@ -48,6 +48,14 @@ struct Shortest_path_result
 
 namespace internal {
 
+/* How many windows are made where the caller says nothing: many times what meshes need that are no needles. */
+template <class Triangulation>
+std::size_t window_limit(const Triangulation& triangulation, std::size_t most_windows)
+{
+  return most_windows != 0 ? most_windows
+                           : 1000000 + 500 * static_cast<std::size_t>(triangulation.number_of_vertices());
+}
+
 /* Searches; false if there may be shorter paths than it found, on account of degenerate faces. */
 template <class Search>
 bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
@@ -108,15 +116,15 @@ std::vector<Index> insert_path(Triangulation& triangulation, const Window_search
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation
  * \param source, target different vertices of one component
- * \param most_windows at most about so many windows are made; then the rest of the gap is reported
+ * \param most_windows at most about so many windows are made, of some 60 bytes each; then the rest of the gap is
+ *        reported. 0 is for a million, and 500 per vertex of the mesh.
  * \param visitor a model of `FlipOutVisitor`, for the shortening
  * \return what is known; the path is the network's only curve
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`
  */
 template <class Network, class Search, class Visitor = Default_shortening_visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, Index source, Index target,
-                                       std::size_t most_windows = (std::numeric_limits<std::size_t>::max)(),
-                                       Visitor&& visitor = Visitor())
+                                       std::size_t most_windows = 0, Visitor&& visitor = Visitor())
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
@@ -130,7 +138,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Index s
 
   constexpr double tolerance = Shortest_path_report::tolerance();
   internal::Window_search<Triangulation> windows(triangulation, source, target);
-  const bool is_sound = internal::run_to_the_end(windows, report.length * (1 - tolerance), most_windows);
+  const bool is_sound = internal::run_to_the_end(windows, report.length * (1 - tolerance),
+                                                 internal::window_limit(triangulation, most_windows));
   report.windows = windows.number_of_windows();
   if(windows.distance(target) < report.length * (1 - tolerance)) {
     const Shortening_report before = report.shortening;
@@ -168,7 +177,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Index s
  * \param source, target different vertices of one component
  * \param out receives the points of the path, from source to target
  * \param np the named parameters of `geodesic_path()`, and `number_of_iterations`: at most about so many windows are
- *        made; by default as many as it takes
+ *        made, by default as by `add_shortest_path()`
  * \return the end of the output, and the report
  * \throws as `geodesic_path()`
  */
@@ -185,8 +194,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
   typename Types::Network network(triangulation);
   Default_shortening_visitor none;
   auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
-  const std::size_t most_windows = static_cast<std::size_t>(parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), (std::numeric_limits<std::size_t>::max)()));
+  const auto most_windows = static_cast<std::size_t>(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
   const Shortest_path_report report = add_shortest_path(network, search, triangulation.index(source),
                                                         triangulation.index(target), most_windows, visitor);
   out = Curve_extractor<typename Types::Network>(network).points(0, out);
