@@ -9,6 +9,7 @@
 #include "data_input.h"
 #include "mesh_input.h"
 #include "page_file.h"
+#include "parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
 #include "progress.h"
 #include "result_files.h"
 #include "run_summary.h"
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -47,6 +49,7 @@ struct Options
   std::uint64_t seed = 1;
   std::string kernel = "double", search = "lookback";
   std::optional<double> stop_length, mollify;
+  int threads = 1;
   std::string polylines, stats, viewer, page, map;
   bool is_quiet = false;
 };
@@ -82,6 +85,7 @@ void add_options(CLI::App& app, Options& options)
                  "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
   app.add_option("--map", options.map,
                  "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
+  app.add_option("--threads", options.threads, "Compute so many curves at the same time")->capture_default_str();
   app.add_option("--polylines", options.polylines, "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
   app.add_option("--stats", options.stats, "Write a line per curve, comma-separated, with a header");
   app.add_option("--mesh", options.viewer,
@@ -128,6 +132,12 @@ void check_options(const Options& options)
   search_method(options.search);
   if(options.stop_length && !(*options.stop_length >= 0 && *options.stop_length <= 1))
     throw Bad_input("--stop-length must lie between 0 and 1");
+  if(options.threads < 1 || options.threads > 1024)
+    throw Bad_input("--threads must lie between 1 and 1024");
+  if(options.threads > 1 && !has_threads)
+    throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
+  if(options.threads > 1 && !options.page.empty())
+    throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
 }
 
 // The independent runs: one curve each, or all curves of a network.
@@ -244,20 +254,30 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
   const CGAL::Flip_geodesics::Search_method search = search_method(options.search);
   Progress progress(number_of_curves, options.is_quiet);
   const bool is_certifying = options.kernel == "certified";
-  Curve_runner<Traits, Metric_> runner(mesh, metric, {search, is_certifying, options.stop_length, options.is_shortest},
-                                       progress);
+  using Runner = Curve_runner<Traits, Metric_>;
+  const auto make_runner = [&] {
+    return std::make_unique<Runner>(
+        mesh, metric, Run_options{search, is_certifying, options.stop_length, options.is_shortest}, progress);
+  };
+  const std::unique_ptr<Runner> runner = make_runner();
   for(const Network_request& request : requests)
     if(!request.tree_source && !request.curves.front().is_pair)
-      runner.check(request);
+      runner->check(request);
 
   Outputs outputs(options);
-  for(const Network_request& request : requests) {
-    runner.set_most_recorded_points(outputs.most_recorded_points());
-    const std::vector<Curve_result> results = runner.run(request);
-    outputs.write(results, runner.record());
-    if(runner.map())
-      outputs.write(*runner.map());
+  const auto write = [&](const Network_request& request, const std::vector<Curve_result>& results) {
+    outputs.write(results, runner->record());
+    if(runner->map())
+      outputs.write(*runner->map());
     progress.add_curves(request.curves.size());
+  };
+  if(options.threads > 1 && requests.size() > 1) {
+    run_in_parallel(requests, options.threads, make_runner, write);
+  } else {
+    for(const Network_request& request : requests) {
+      runner->set_most_recorded_points(outputs.most_recorded_points());
+      write(request, runner->run(request));
+    }
   }
   outputs.close(mesh);
   if(!options.is_quiet)

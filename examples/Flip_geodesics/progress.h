@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <iostream>
+#include <mutex>
 
 namespace program {
 
@@ -21,7 +22,8 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// Tells on standard error, every two seconds, how far a run has come; nothing about a shorter run.
+/// Tells on standard error, every two seconds, how far a run has come; nothing about a shorter run. For several
+/// threads.
 class Progress
 {
 public:
@@ -33,12 +35,14 @@ public:
 
   void add_flips(std::size_t count)
   {
+    const std::lock_guard<std::mutex> lock(m_mutex);
     m_flips += count;
     report_now_and_then();
   }
 
   void add_curves(std::size_t count)
   {
+    const std::lock_guard<std::mutex> lock(m_mutex);
     m_curves += count;
     report_now_and_then();
   }
@@ -57,6 +61,7 @@ private:
     std::cerr << line;
   }
 
+  std::mutex m_mutex;
   Stopwatch m_stopwatch;
   double m_last = 0;
   std::size_t m_curves = 0, m_flips = 0;
