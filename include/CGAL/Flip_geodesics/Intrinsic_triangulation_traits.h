@@ -173,9 +173,11 @@ public:
       const double y = (std::max)(out.y * in.x - out.x * in.y, 0.0);
       const double product_x = turn.x * x - turn.y * y;
       const double product_y = turn.x * y + turn.y * x;
-      // Two angles below pi: past pi the product lies below the axis, and near it on the axis' negative half.
-      turn.is_straight =
-          turn.is_straight || product_y < 0 || (product_x < 0 && product_y <= -angle_tolerance() * product_x);
+      // Two angles below pi: past pi the product lies below the axis, and near it on the axis' negative half. One
+      // branch at most, in the caller, since none of these can be foretold.
+      const bool is_near = static_cast<bool>(static_cast<unsigned>(product_x < 0) &
+                                             static_cast<unsigned>(product_y <= -angle_tolerance() * product_x));
+      turn.is_straight |= static_cast<bool>(static_cast<unsigned>(product_y < 0) | static_cast<unsigned>(is_near));
       turn.x = product_x;
       turn.y = product_y;
       rescale(turn);
