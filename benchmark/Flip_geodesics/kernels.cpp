@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The kernels under Google Benchmark, for the plain and the certified traits: a flip and its undoing, the test of an
+// edge for a reflex corner, the wedge at a joint, the word of a long edge, its strip, the search and the shortening of
+// one path. `--kernel NAME --count N` instead runs one kernel N times and nothing else, for an instruction counter.
+
+#include "benchmark_meshes.h"
+
+#include <CGAL/Flip_geodesics.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using benchmark_meshes::Mesh;
+using FG::Index;
+
+/// A path over a bumpy torus, and the triangulation before and after it is pulled tight.
+template <class Traits>
+class Setting
+{
+public:
+  using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits>;
+  using Network = FG::Edge_path_network<Triangulation>;
+
+  Setting()
+    : m_mesh(benchmark_meshes::torus(20000))
+    , m_triangulation(m_mesh)
+    , m_search(m_triangulation, FG::Search_method::LOOK_BACK)
+    , m_target(static_cast<Index>(m_mesh.number_of_vertices() / 2 + 35))
+    , m_path(m_search(0, m_target))
+    , m_untouched(m_triangulation)
+    , m_tight_triangulation(m_mesh)
+    , m_tight(m_tight_triangulation)
+  {
+    m_untouched.add_curve(m_path, false);
+    m_tight.add_curve(m_path, false);
+    FG::shorten(m_tight);
+    m_tight.for_each_segment(0, [&](Index s) {
+      const Index h = m_tight.halfedge(s);
+      if(m_tight_triangulation.crossings(h >> 1) > m_tight_triangulation.crossings(m_longest >> 1))
+        m_longest = h;
+    });
+    for(Index h = 0; h < 2000; h += 2)
+      if(m_tight_triangulation.is_flippable(h) && m_tight_triangulation.label(h >> 1) == 0)
+        m_flippable.push_back(h);
+  }
+
+  /// The kernels by name. Each returns how many units of work it has done.
+  std::map<std::string, std::function<std::size_t()>> kernels()
+  {
+    return {{"flip_and_undo", [this] { return flip_and_undo(); }},
+            {"reflex_test", [this] { return reflex_test(); }},
+            {"wedge", [this] { return wedges(); }},
+            {"word_and_strip", [this] { return strip(); }},
+            {"search", [this] { return m_search(0, m_target).size(); }},
+            {"shorten_and_undo", [this] { return shorten_and_undo(); }},
+            {"certify", [this] { return certify(); }}};
+  }
+
+private:
+  std::size_t flip_and_undo()
+  {
+    const auto start = m_tight_triangulation.log_position();
+    for(Index h : m_flippable) {
+      m_tight_triangulation.flip(h);
+      m_tight_triangulation.rollback(start);
+    }
+    return m_flippable.size();
+  }
+
+  std::size_t reflex_test()
+  {
+    for(Index h : m_flippable)
+      benchmark::DoNotOptimize(m_tight_triangulation.is_reflex_at_head(h));
+    return m_flippable.size();
+  }
+
+  std::size_t wedges()
+  {
+    std::size_t count = 0;
+    m_untouched.for_each_segment(0, [&](Index s) {
+      if(m_untouched.next(s) == FG::null_index)
+        return;
+      benchmark::DoNotOptimize(m_untouched.wedge({s, FG::Side::LEFT}).state);
+      benchmark::DoNotOptimize(m_untouched.wedge({s, FG::Side::RIGHT}).state);
+      count += 2;
+    });
+    return count;
+  }
+
+  std::size_t strip()
+  {
+    const FG::internal::Strip<Triangulation> strip(m_tight_triangulation,
+                                                   m_tight_triangulation.crossing_word(m_longest));
+    benchmark::DoNotOptimize(strip.end());
+    return strip.gates().size();
+  }
+
+  std::size_t shorten_and_undo()
+  {
+    Triangulation& triangulation = m_triangulation;
+    m_untouched.clear();
+    std::size_t flips = 0;
+    {
+      Network network(triangulation);
+      network.add_curve(m_path, false);
+      flips = FG::shorten(network).flips;
+    }
+    triangulation.rollback();
+    m_untouched.add_curve(m_path, false);
+    return flips;
+  }
+
+  std::size_t certify()
+  {
+    benchmark::DoNotOptimize(FG::certify(m_tight).is_locally_shortest());
+    return m_tight.halfedges(0).size();
+  }
+
+  Mesh m_mesh;
+  Triangulation m_triangulation;
+  FG::Shortest_edge_path<Triangulation> m_search;
+  Index m_target;
+  std::vector<Index> m_path;
+  Network m_untouched;
+  Triangulation m_tight_triangulation;
+  Network m_tight;
+  Index m_longest = 0;
+  std::vector<Index> m_flippable;
+};
+
+using Kernel = benchmark_meshes::Kernel;
+using Plain_setting = Setting<FG::Intrinsic_triangulation_traits<Kernel>>;
+using Certified_setting = Setting<FG::Certified_intrinsic_triangulation_traits<Kernel>>;
+
+template <class Setting>
+void register_kernels(const std::string& traits, Setting& setting)
+{
+  for(const auto& [name, kernel] : setting.kernels())
+    benchmark::RegisterBenchmark((traits + '/' + name).c_str(), [kernel = kernel](benchmark::State& state) {
+      std::size_t units = 0;
+      for([[maybe_unused]] auto _ : state)
+        units += kernel();
+      state.SetItemsProcessed(static_cast<std::int64_t>(units));
+    });
+}
+
+// One kernel by itself; prints the number of units of work.
+int run_alone(const std::string& name, long count)
+{
+  Plain_setting setting;
+  const auto kernels = setting.kernels();
+  const auto found = kernels.find(name);
+  if(found == kernels.end()) {
+    std::cerr << "kernels: " << name << " is not known\n";
+    return 2;
+  }
+  std::size_t units = 0;
+  for(long i = 0; i < count; ++i)
+    units += found->second();
+  std::cout << units << '\n';
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if(argc == 5 && std::strcmp(argv[1], "--kernel") == 0 && std::strcmp(argv[3], "--count") == 0)
+    return run_alone(argv[2], std::strtol(argv[4], nullptr, 10));
+  Plain_setting plain;
+  Certified_setting certified;
+  register_kernels("plain", plain);
+  register_kernels("certified", certified);
+  benchmark::Initialize(&argc, argv);
+  if(benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
