@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Runs the benchmarks and writes their tables, with machine and compiler, to a folder.
+
+    run_benchmarks.py --programs BUILD/benchmark/Flip_geodesics --out FOLDER [--all] [--meshes FILE...]
+
+Without --all everything is small and done in about 5 minutes; with it, meshes reach 5 million triangles. Real meshes are
+read from the CGAL data of Debian's package libcgal-dev, if it is installed; more can be given.
+
+stages.csv      the stages of queries, with Dijkstra's algorithm interleaved    query_stages
+memory.csv      resident memory                                                 memory_use
+opponents.csv   flips, iterative unfolding, iterative relaxation                compare_straightening
+kernels.csv     single operations, plain and certified                          kernels
+exact.csv       continuous Dijkstra and the heat method                         compare_distance_methods
+machine.txt     processor, compiler, load at the start
+"""
+
+import argparse
+import os
+import pathlib
+import platform
+import subprocess
+import sys
+import tarfile
+import tempfile
+
+DEBIAN_DATA = pathlib.Path("/usr/share/doc/libcgal-dev/data.tar.gz")
+REAL_MESHES = ["bunny00.off", "refined_elephant.off", "fandisk_large.off", "armadillo.off"]
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--programs", type=pathlib.Path, required=True, help="the folder with the built benchmarks")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="the folder for the tables")
+    parser.add_argument("--all", action="store_true", help="large meshes as well; takes about an hour")
+    parser.add_argument("--meshes", nargs="*", default=[], help="further mesh files")
+    return parser.parse_args()
+
+
+def unpack_real_meshes(folder):
+    """The real meshes of the distribution's package, as paths; none if it is not there."""
+    if not DEBIAN_DATA.exists():
+        print(f"{DEBIAN_DATA} is not there: generated meshes only", file=sys.stderr)
+        return []
+    with tarfile.open(DEBIAN_DATA) as archive:
+        wanted = ["data/meshes/" + name for name in REAL_MESHES]
+        archive.extractall(folder, [m for m in archive.getmembers() if m.name in wanted])
+        return [str(pathlib.Path(folder) / name) for name in wanted]
+
+
+def machine_description(programs):
+    """Lines on processor, system, compiler and load."""
+    processor = platform.processor() or platform.machine()
+    cpuinfo = pathlib.Path("/proc/cpuinfo")
+    if cpuinfo.exists():
+        for line in cpuinfo.read_text().splitlines():
+            if line.startswith("model name"):
+                processor = line.split(":", 1)[1].strip()
+                break
+    lines = [f"processor: {processor}, {os.cpu_count()} cores seen", f"system: {platform.system()} {platform.release()}"]
+    cache = next((p / "CMakeCache.txt" for p in [programs, *programs.parents] if (p / "CMakeCache.txt").exists()), None)
+    if cache:
+        values = dict(line.split("=", 1) for line in cache.read_text().splitlines() if "=" in line and line[0].isalpha())
+        values = {key.split(":")[0]: value for key, value in values.items()}
+        compiler = values.get("CMAKE_CXX_COMPILER", "c++")
+        version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=False).stdout
+        flags = " ".join([values.get("CMAKE_CXX_FLAGS", ""), values.get("CMAKE_CXX_FLAGS_RELEASE", "")]).strip()
+        lines.append(f"compiler: {version.splitlines()[0] if version else compiler}, {flags}")
+    lines.append("load at the start: " + " ".join(f"{x:.1f}" for x in os.getloadavg()))
+    return "\n".join(lines) + "\n"
+
+
+def run(programs, out, name, program, *arguments):
+    """Runs a program with its output in a table; a failure ends everything."""
+    print(f"{name}: {program} {' '.join(map(str, arguments))}", file=sys.stderr)
+    with open(out / name, "w", encoding="utf-8") as table:
+        subprocess.run([str(programs / program), *map(str, arguments)], stdout=table, check=True)
+
+
+def main():
+    arguments = parse_arguments()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    (arguments.out / "machine.txt").write_text(machine_description(arguments.programs), encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        real = unpack_real_meshes(folder) + arguments.meshes
+        sizes = [1e3, 4e3, 16e3, 64e3, 256e3] + ([1e6, 4e6] if arguments.all else [])
+        generated = [f"{kind}:{int(size)}" for kind in ("torus", "terrain") for size in sizes]
+        subdivided = [f"{mesh}+{k}" for mesh in real[:1] for k in ((1, 2, 3) if arguments.all else (1,))]
+        pairs = 50 if arguments.all else 15
+
+        def table(name, program, *options):
+            run(arguments.programs, arguments.out, name, program, *options)
+
+        for search in ("lookback", "astar"):
+            table(f"stages_{search}.csv", "query_stages", "--pairs", pairs, "--rounds", 5, "--search", search,
+                  *generated, *real, *subdivided)
+        table("memory.csv", "memory_use", *generated, *real, *subdivided)
+        table("opponents.csv", "compare_straightening", 100 if arguments.all else 10, *real, "torus:64000",
+              "terrain:64000")
+        table("exact.csv", "compare_distance_methods", 5 if arguments.all else 2, "torus:4000", "torus:16000",
+              *real[2:3], *(real[:1] if arguments.all else []))
+        if (arguments.programs / "kernels").exists():
+            table("kernels.csv", "kernels", "--benchmark_format=csv", "--benchmark_repetitions=5",
+                  "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.2")
+
+
+if __name__ == "__main__":
+    main()
