@@ -39,6 +39,7 @@
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>

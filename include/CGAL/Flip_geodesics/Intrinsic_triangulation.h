@@ -14,8 +14,8 @@
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
-#include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/is_valid_halfedge.h>
+#include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -423,25 +423,25 @@ public:
     internal::Located_point place = internal::Point_locator<Intrinsic_triangulation>(*this, m_statistics)(point);
     if(place.vertex != null_index)
       return place.vertex;
-    if(place.is_on_edge && next(twin(place.halfedge)) == place.halfedge) // of degree 1 is the head, if an end is
-      place = {twin(place.halfedge), (std::max)(crossings(edge(place.halfedge)), 0) - place.gap, true, null_index};
-    const Log_position start = log_position();
-    internal::Insertion_log<Intrinsic_triangulation>(*this).begin(place, point);
-    const Index x = number_of_vertices() - 1;
-    internal::Edge_halves halves;
-    try {
-      internal::Point_insertion<Intrinsic_triangulation> insertion(*this, place, x);
-      if(place.is_on_edge)
-        halves = insertion.split_edge();
-      else
-        insertion.split_face();
-    } catch(...) {
-      rollback(start);
-      throw;
+    return insert_at(place, point, on_split);
+  }
+
+  /*!
+   * Splits the edge of `h` at a point that lies on it up to rounding; it lies on it by definition from then on.
+   *
+   * \param gap where the point's input face is on the edge's way: the number of letters of `crossing_word(h)` before it
+   * \param location a point of that face; not on its border, unless the edge runs along it
+   * \param on_split as for `insert()`
+   * \throws as `insert()`
+   */
+  template <class OnSplit>
+  Index split_edge(Index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split)
+  {
+    if(is_border(h)) {
+      h = twin(h);
+      gap = static_cast<std::size_t>((std::max)(crossings(edge(h)), 0)) - gap;
     }
-    if(place.is_on_edge)
-      on_split(halves);
-    return x;
+    return insert_at({h, gap, true, null_index}, internal::canonical_location(m_input, location), on_split);
   }
 
   /// @}
@@ -599,6 +599,30 @@ private:
     known_record(h).geometry = at_h;
     known_record(next(h)).geometry = at_hn;
     known_record(previous(h)).geometry = at_hp;
+  }
+
+  template <class OnSplit>
+  Index insert_at(internal::Located_point place, const Surface_location& point, const OnSplit& on_split)
+  {
+    if(place.is_on_edge && next(twin(place.halfedge)) == place.halfedge) // of degree 1 is the head, if an end is
+      place = {twin(place.halfedge), (std::max)(crossings(edge(place.halfedge)), 0) - place.gap, true, null_index};
+    const Log_position start = log_position();
+    internal::Insertion_log<Intrinsic_triangulation>(*this).begin(place, point);
+    const Index x = number_of_vertices() - 1;
+    internal::Edge_halves halves;
+    try {
+      internal::Point_insertion<Intrinsic_triangulation> insertion(*this, place, x);
+      if(place.is_on_edge)
+        halves = insertion.split_edge();
+      else
+        insertion.split_face();
+    } catch(...) {
+      rollback(start);
+      throw;
+    }
+    if(place.is_on_edge)
+      on_split(halves);
+    return x;
   }
 
   // h = l->k in (h, hp, tn) and t = k->l in (t, tp, hn) become i->j and j->i again.

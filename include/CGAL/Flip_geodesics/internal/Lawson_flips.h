@@ -56,15 +56,17 @@ void for_each_edge_in_star(const Triangulation& triangulation, Index v, Function
 }
 
 /*
- * Lawson's algorithm on a set of edges: flips those that are not locally Delaunay, first come, first served, and looks
- * again at the four edges around. Edges with a label, under curves, stay.
+ * Lawson's algorithm on a set of edges, or on all: flips those that are not locally Delaunay, first come, first served,
+ * and looks again at the four edges around. Edges with a label, under curves, stay.
  */
 template <class Triangulation>
 class Lawson_flips
 {
 public:
-  explicit Lawson_flips(Triangulation& triangulation)
+  /* On the edges that are allowed then, or on all, of which those that are looked at are queued. */
+  explicit Lawson_flips(Triangulation& triangulation, bool allows_all = false)
     : m_triangulation(triangulation)
+    , m_allows_all(allows_all)
   {
   }
 
@@ -75,9 +77,18 @@ public:
       m_queue.push_back(e);
   }
 
+  /* Forgets what was flipped and what is queued. */
+  void clear()
+  {
+    m_edges.clear();
+    m_queue.clear();
+  }
+
   /* Queues an edge of the set again. */
   void look_at(Index e)
   {
+    if(m_allows_all)
+      return allow_or_requeue(e);
     const auto found = m_edges.find(e);
     if(found == m_edges.end() || found->second.is_queued)
       return;
@@ -88,6 +99,13 @@ public:
   /* Flips until nothing is left to flip, or so many flips are done. Returns how many were. */
   std::size_t flip(std::size_t maximum)
   {
+    return flip(maximum, [](Index) {});
+  }
+
+  /* The same, with a call of on_flip(h) after each. */
+  template <class OnFlip>
+  std::size_t flip(std::size_t maximum, const OnFlip& on_flip)
+  {
     std::size_t flips = 0;
     while(!m_queue.empty() && flips < maximum) {
       const Index e = m_queue.front(), h = 2 * e;
@@ -97,6 +115,7 @@ public:
       if(m_triangulation.label(e) != 0 || m_triangulation.is_locally_delaunay(h) || !is_still_to_flip(edge, h))
         continue;
       m_triangulation.flip(h);
+      on_flip(h);
       ++flips;
       ++edge.flips;
       for(Index side : {h, Triangulation::twin(h)}) {
@@ -114,6 +133,15 @@ private:
     unsigned flips;
   };
 
+  void allow_or_requeue(Index e)
+  {
+    Edge& edge = m_edges.emplace(e, Edge{false, 0}).first->second;
+    if(edge.is_queued)
+      return;
+    edge.is_queued = true;
+    m_queue.push_back(e);
+  }
+
   // An edge that was flipped 32, 64, ... times is decided from the input, before drift can make it go round in circles.
   bool is_still_to_flip(const Edge& edge, Index h)
   {
@@ -127,6 +155,7 @@ private:
   }
 
   Triangulation& m_triangulation;
+  bool m_allows_all;
   std::unordered_map<Index, Edge> m_edges;
   std::deque<Index> m_queue;
 };

@@ -77,12 +77,23 @@ public:
 private:
   Sign in_one_face(const Crossing_word& word, const std::array<double, 3>& weights) const
   {
-    const auto p = integer_weights(vertex_weights(m_triangulation, word.tail, word.face));
-    const auto q = integer_weights(vertex_weights(m_triangulation, word.head, word.face));
-    const auto r = integer_weights(weights);
-    const Integer determinant =
-        p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
-    return determinant > 0 ? POSITIVE : (determinant < 0 ? NEGATIVE : ZERO);
+    const std::array<double, 3> tail = vertex_weights(m_triangulation, word.tail, word.face);
+    const std::array<double, 3> head = vertex_weights(m_triangulation, word.head, word.face);
+    // Weights are not negative: a sum of six products of three, each with less than six roundings.
+    const double quick = determinant(tail, head, weights, -1.0), bound = determinant(tail, head, weights, 1.0);
+    if(std::abs(quick) > 8 * std::numeric_limits<double>::epsilon() * bound)
+      return quick > 0 ? POSITIVE : NEGATIVE;
+    const Integer exact =
+        determinant<Integer>(integer_weights(tail), integer_weights(head), integer_weights(weights), Integer(-1));
+    return exact > 0 ? POSITIVE : (exact < 0 ? NEGATIVE : ZERO);
+  }
+
+  template <class Number>
+  static Number determinant(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                            const std::array<Number, 3>& r, const Number& sign)
+  {
+    return p[0] * (q[1] * r[2] + sign * q[2] * r[1]) + p[1] * (q[2] * r[0] + sign * q[0] * r[2]) +
+           p[2] * (q[0] * r[1] + sign * q[1] * r[0]);
   }
 
   Uncertain<Sign> in_double(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const

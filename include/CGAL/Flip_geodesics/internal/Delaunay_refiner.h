@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_REFINER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_REFINER_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Face_chart.h>
+#include <CGAL/Flip_geodesics/internal/Face_shape.h>
+#include <CGAL/Flip_geodesics/internal/Lawson_flips.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Delaunay refinement [Chew 1993, Ruppert 1995, Shewchuk 1997] on an intrinsic triangulation [SSC19, section 4.3]: bad
+ * faces, worst first, get a vertex at their circumcentre. If a constrained edge is in the way, or the vertex would see
+ * one under an angle above 120 degrees, then that edge is split instead, and the vertex taken back by the log.
+ *
+ * \tparam Splitter inserts points and splits edges: of a triangulation, or of a network with its curves
+ */
+template <class Triangulation, class Splitter>
+class Delaunay_refiner
+{
+  using Complex = std::complex<double>;
+
+public:
+  struct Limits
+  {
+    double smallest_angle; // radians
+    double longest_edge;
+    std::size_t insertions;
+  };
+
+  struct Counts
+  {
+    std::size_t insertions = 0, splits = 0, flips = 0, refused = 0;
+  };
+
+  Delaunay_refiner(Triangulation& triangulation, Splitter& splitter, const Limits& limits)
+    : m_triangulation(triangulation)
+    , m_splitter(splitter)
+    , m_limits(limits)
+    , m_lawson(triangulation, true)
+    , m_number_of_old_vertices(triangulation.number_of_vertices())
+  {
+  }
+
+  /* Refines a triangulation that is constrained Delaunay. Returns whether every face that can be is good. */
+  bool run()
+  {
+    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+      if(!m_triangulation.is_border(h) && Shape::first_halfedge(m_triangulation, h) == h)
+        look_at(h);
+    while(!m_queue.empty() && m_counts.insertions + m_counts.splits < m_limits.insertions) {
+      const Bad_face bad = m_queue.top();
+      m_queue.pop();
+      if(!is_current(bad))
+        continue;
+      if(improve(bad.halfedge))
+        look_at(bad.halfedge); // still bad if only an edge was split
+      else
+        ++m_counts.refused;
+    }
+    return m_queue.empty() && m_counts.refused == 0;
+  }
+
+  const Counts& counts() const { return m_counts; }
+
+  /*
+   * How bad a face is; 0 if it is good or exempt. A small angle is no reason where no insertion could mend it: between
+   * constrained edges that meet under less than 60 degrees, or about a vertex with less than that in all; also where
+   * the shortest side spans such an angle between points at equal distances from the vertex [Shewchuk 2002].
+   */
+  double badness(Index h) const
+  {
+    const Shape shape(m_triangulation, h);
+    if(shape.longest() > m_limits.longest_edge)
+      return 2 + shape.longest() / m_limits.longest_edge;
+    const double angle = shape.smallest_angle();
+    return angle < m_limits.smallest_angle && !is_exempt(shape) ? 2 - angle / m_limits.smallest_angle : 0;
+  }
+
+  bool is_exempt(Index h) const { return is_exempt(Shape(m_triangulation, h)); }
+
+private:
+  using Shape = Face_shape<Triangulation>;
+
+  // On an edge that was constrained at first: its ends, and how far they are.
+  struct Point_of_segment
+  {
+    std::array<Index, 2> ends;
+    std::array<double, 2> distances;
+  };
+
+  struct Bad_face
+  {
+    double badness;
+    Index halfedge; // the smallest of the face
+    std::array<double, 3> lengths;
+
+    bool operator<(const Bad_face& other) const
+    {
+      return badness != other.badness ? badness < other.badness : halfedge > other.halfedge;
+    }
+  };
+
+  // ---------------------------------------------------------------- the queue
+
+  void look_at(Index h)
+  {
+    if(m_triangulation.is_border(h))
+      return;
+    const Index first = Shape::first_halfedge(m_triangulation, h);
+    const double how_bad = badness(first);
+    if(how_bad > 0)
+      m_queue.push({how_bad, first, Shape(m_triangulation, first).lengths()});
+  }
+
+  // Is the face still there?
+  bool is_current(const Bad_face& bad) const
+  {
+    if(bad.halfedge >= m_triangulation.number_of_halfedges() || m_triangulation.is_border(bad.halfedge))
+      return false;
+    if(Shape::first_halfedge(m_triangulation, bad.halfedge) != bad.halfedge)
+      return false;
+    const std::array<double, 3> lengths = Shape(m_triangulation, bad.halfedge).lengths();
+    for(int i = 0; i < 3; ++i) // a face may have been laid out afresh
+      if(std::abs(lengths[i] - bad.lengths[i]) > 1e-9 * bad.lengths[i])
+        return false;
+    return true;
+  }
+
+  bool is_exempt(const Shape& shape) const
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    return shape.sector_angle() < pi / 3 || spans_small_angle(shape.shortest_side());
+  }
+
+  // Does h lead from one segment to another that shares an end with it, at equal distances from there?
+  bool spans_small_angle(Index h) const
+  {
+    const auto p = m_points.find(m_triangulation.tail(h)), q = m_points.find(m_triangulation.head(h));
+    if(p == m_points.end() || q == m_points.end() || is_constrained(h))
+      return false;
+    for(int i = 0; i < 2; ++i)
+      for(int j = 0; j < 2; ++j) {
+        const double a = p->second.distances[i], b = q->second.distances[j];
+        if(p->second.ends[i] == q->second.ends[j] && std::abs(a - b) < 0.2 * (std::min)(a, b))
+          return true;
+      }
+    return false;
+  }
+
+  // Notes the vertex that is to split the edge of h, as far from its tail as `length`.
+  Point_of_segment point_of_segment(Index h, double length) const
+  {
+    const std::array<Index, 2> at = {m_triangulation.tail(h), m_triangulation.head(h)};
+    const std::array<double, 2> halves = {length, m_triangulation.length(h) - length};
+    Point_of_segment result;
+    for(int i = 0; i < 2; ++i) {
+      result.ends[i] = at[i];
+      result.distances[i] = halves[i];
+      const auto found = m_points.find(at[i]);
+      if(found == m_points.end())
+        continue;
+      const Point_of_segment& old = found->second;
+      const int beyond = end_beyond(old, at[1 - i]);
+      result.ends[i] = old.ends[beyond];
+      result.distances[i] += old.distances[beyond];
+    }
+    return result;
+  }
+
+  // The end of the point's segment that does not lie towards vertex v, another vertex of the segment.
+  int end_beyond(const Point_of_segment& point, Index v) const
+  {
+    const auto found = m_points.find(v);
+    if(found == m_points.end())
+      return point.ends[0] == v ? 1 : 0;
+    const int same = found->second.ends[0] == point.ends[0] ? 0 : 1;
+    return found->second.distances[same] > point.distances[0] ? 0 : 1;
+  }
+
+  // ---------------------------------------------------------------- one face
+
+  // The face on the left of `halfedge`, from its tail at the origin and its head on the real axis, has the point.
+  struct Place
+  {
+    Index halfedge;
+    Complex point;
+    bool is_blocked; // by the edge of the halfedge
+  };
+
+  bool improve(Index h)
+  {
+    const std::optional<Place> center = walk_to_circumcenter(h);
+    if(!center)
+      return false;
+    if(center->is_blocked)
+      return split(center->halfedge);
+    const auto location = Face_chart<Triangulation>(m_triangulation, center->halfedge).location(center->point);
+    if(!location)
+      return false;
+    const auto before = m_triangulation.log_position();
+    const Index vertices = m_triangulation.number_of_vertices();
+    try {
+      const Index x = m_splitter.insert(*location);
+      if(m_triangulation.number_of_vertices() == vertices)
+        return false; // there is one in this place
+      const std::vector<Index> encroached = flip_around(x);
+      if(encroached.empty() || is_on_constrained_edge(x)) {
+        ++m_counts.insertions;
+        look_around(x);
+        return true;
+      }
+      m_triangulation.rollback(before);
+      bool has_split = false;
+      for(Index e : encroached)
+        has_split = split(2 * e) || has_split;
+      return has_split;
+    } catch(const Insertion_error&) {
+      return false;
+    }
+  }
+
+  // The point was exactly there: then the edge was split, and with it a curve.
+  bool is_on_constrained_edge(Index x) const
+  {
+    bool result = false;
+    for_each_edge_in_star(m_triangulation, x, [&](Index h) {
+      const bool is_spoke = m_triangulation.tail(h) == x || m_triangulation.head(h) == x;
+      result = result || (is_spoke && is_constrained(h));
+    });
+    return result;
+  }
+
+  std::optional<Place> walk_to_circumcenter(Index h) const
+  {
+    constexpr int most_steps = 100000;
+    std::array<Complex, 3> p = laid_out(h, 0, m_triangulation.length(h));
+    const Complex start = (p[0] + p[1] + p[2]) / 3.0;
+    const std::optional<Complex> center = circumcenter(p);
+    if(!center)
+      return {};
+    for(int i = 0; i < 3 && is_left(p[0], p[1], *center); ++i) { // turn to the side where the way leaves the first face
+      h = m_triangulation.next(h);
+      p = {p[1], p[2], p[0]};
+    }
+    // Of two sides that the centre is beyond, the way crosses one.
+    if(!is_left(p[0], p[1], *center) && !is_between(start, *center, p[0], p[1])) {
+      const bool is_next = !is_left(p[1], p[2], *center);
+      h = is_next ? m_triangulation.next(h) : m_triangulation.previous(h);
+      p = is_next ? std::array<Complex, 3>{p[1], p[2], p[0]} : std::array<Complex, 3>{p[2], p[0], p[1]};
+    }
+    for(int step = 0; step < most_steps; ++step) {
+      if(is_left(p[0], p[1], *center))
+        return Place{h, (*center - p[0]) * std::abs(p[1] - p[0]) / (p[1] - p[0]), false};
+      if(is_constrained(h))
+        return Place{h, 0, true};
+      h = Triangulation::twin(h);
+      p = laid_out(h, p[1], p[0]);
+      const bool is_inside = is_left(p[1], p[2], *center) && is_left(p[2], p[0], *center);
+      if(is_inside)
+        continue; // the next step returns, for the centre is on the left of h as well
+      const bool is_apex_left = is_left(start, *center, p[2]);
+      h = is_apex_left ? m_triangulation.next(h) : m_triangulation.previous(h);
+      p = is_apex_left ? std::array<Complex, 3>{p[1], p[2], p[0]} : std::array<Complex, 3>{p[2], p[0], p[1]};
+    }
+    return {};
+  }
+
+  std::array<Complex, 3> laid_out(Index h, const Complex& tail, const Complex& head) const
+  {
+    const Index hn = m_triangulation.next(h);
+    return {tail, head,
+            apex_of(tail, head, m_triangulation.length(hn), m_triangulation.length(m_triangulation.next(hn)))};
+  }
+
+  static double cross(const Complex& u, const Complex& v) { return std::imag(std::conj(u) * v); }
+  static bool is_left(const Complex& p, const Complex& q, const Complex& z) { return cross(q - p, z - p) >= 0; }
+  static bool is_between(const Complex& from, const Complex& to, const Complex& p, const Complex& q)
+  {
+    return !is_left(from, to, p) && is_left(from, to, q);
+  }
+
+  static std::optional<Complex> circumcenter(const std::array<Complex, 3>& p)
+  {
+    const Complex b = p[1] - p[0], c = p[2] - p[0];
+    const Complex center = Complex(0, 1) * (b * std::norm(c) - c * std::norm(b)) / (2 * cross(b, c));
+    if(!std::isfinite(center.real()) || !std::isfinite(center.imag()))
+      return {};
+    return p[0] + center;
+  }
+
+  // ---------------------------------------------------------------- splits and flips
+
+  bool is_constrained(Index h) const
+  {
+    return m_triangulation.label(Triangulation::edge(h)) != 0 || m_triangulation.is_border(h) ||
+           m_triangulation.is_border(Triangulation::twin(h));
+  }
+
+  bool split(Index h)
+  {
+    if(m_triangulation.is_border(h))
+      h = Triangulation::twin(h);
+    const std::optional<Point_on_edge> point = point_on_edge(m_triangulation, h, split_position(h));
+    if(!point)
+      return false;
+    try {
+      const Point_of_segment in_segment = point_of_segment(h, split_position(h) * m_triangulation.length(h));
+      const Index x = m_splitter.split_edge(h, point->location, point->gap);
+      m_points[x] = in_segment;
+      ++m_counts.splits;
+      flip_around(x);
+      look_around(x);
+      return true;
+    } catch(const Insertion_error&) {
+      return false;
+    }
+  }
+
+  /*
+   * In the middle; but if one end is an old vertex, at a power of two from it, so that constrained edges that meet
+   * there are split at equal distances and their halves do not go on encroaching on one another [Ruppert 1995].
+   */
+  double split_position(Index h) const
+  {
+    const bool is_tail_old = m_triangulation.tail(h) < m_number_of_old_vertices;
+    const bool is_head_old = m_triangulation.head(h) < m_number_of_old_vertices;
+    if(is_tail_old == is_head_old)
+      return 0.5;
+    const double length = m_triangulation.length(h);
+    const double t = std::exp2(std::round(std::log2(length / 2))) / length;
+    return is_tail_old ? t : 1 - t;
+  }
+
+  // Makes the faces around vertex x Delaunay; the constrained edges that x sees under more than 120 degrees.
+  std::vector<Index> flip_around(Index x)
+  {
+    m_lawson.clear();
+    for_each_edge_in_star(m_triangulation, x, [this](Index h) { m_lawson.look_at(Triangulation::edge(h)); });
+    m_changed.clear();
+    m_counts.flips +=
+        m_lawson.flip(std::numeric_limits<std::size_t>::max(), [this](Index h) { m_changed.push_back(h); });
+    std::vector<Index> encroached;
+    for_each_edge_in_star(m_triangulation, x, [&](Index h) {
+      const bool is_opposite = !m_triangulation.is_border(h) && m_triangulation.tail(h) != x &&
+                               m_triangulation.head(h) != x && is_constrained(h);
+      if(is_opposite && Shape(m_triangulation, h).cosine_opposite() < -0.5)
+        encroached.push_back(Triangulation::edge(h));
+    });
+    return encroached;
+  }
+
+  void look_around(Index x)
+  {
+    for_each_edge_in_star(m_triangulation, x, [this](Index h) { look_at(h); });
+    for(Index h : m_changed)
+      for(Index side : {h, Triangulation::twin(h)})
+        look_at(side);
+  }
+
+  Triangulation& m_triangulation;
+  Splitter& m_splitter;
+  Limits m_limits;
+  Lawson_flips<Triangulation> m_lawson;
+  Index m_number_of_old_vertices;
+  std::priority_queue<Bad_face> m_queue;
+  std::vector<Index> m_changed;
+  std::unordered_map<Index, Point_of_segment> m_points;
+  Counts m_counts;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_REFINER_H

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Delaunay refinement: bounds are reached, curves keep their place and length, the surface keeps its area and its
+// topology, no two vertices are in one place, and the process ends where it cannot reach a bound.
+
+#include "Curve_setting.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
+
+#define BOOST_TEST_MODULE refine
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Certified_traits = FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
+using Certified_setting = Basic_curve_setting<FG::Intrinsic_triangulation<Surface, Certified_traits>>;
+
+template <class Triangulation>
+double area(const Triangulation& triangulation)
+{
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(triangulation, std::back_inserter(faces));
+  double sum = 0;
+  for(const FG::Intrinsic_face& f : faces) {
+    const double a = f.lengths[0], b = f.lengths[1], c = f.lengths[2];
+    sum += std::sqrt((std::max)((a + b + c) * (b + c - a) * (c + a - b) * (a + b - c), 0.0)) / 4;
+  }
+  return sum;
+}
+
+// By the cosine theorem, in degrees.
+template <class Triangulation>
+double smallest_angle(const Triangulation& triangulation)
+{
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(triangulation, std::back_inserter(faces));
+  double largest_cosine = -1;
+  for(const FG::Intrinsic_face& f : faces)
+    for(int i = 0; i < 3; ++i) {
+      const double a = f.lengths[i], b = f.lengths[(i + 1) % 3], c = f.lengths[(i + 2) % 3];
+      largest_cosine = (std::max)(largest_cosine, (b * b + c * c - a * a) / (2 * b * c));
+    }
+  return std::acos((std::min)(largest_cosine, 1.0)) * 180 / std::acos(-1.0);
+}
+
+template <class Setting>
+void check_refined(Setting& s, double area_before, const std::vector<double>& lengths)
+{
+  BOOST_CHECK(s.triangulation.is_valid());
+  BOOST_CHECK(s.network.is_valid());
+  BOOST_CHECK(FG::is_delaunay(s.triangulation));
+  BOOST_CHECK_CLOSE_FRACTION(area(s.triangulation), area_before, 1e-9);
+  for(std::size_t c = 0; c < lengths.size(); ++c)
+    BOOST_CHECK_CLOSE_FRACTION(s.network.length(static_cast<int>(c)), lengths[c], 1e-11);
+  const int characteristic = static_cast<int>(s.mesh.number_of_vertices()) -
+                             static_cast<int>(s.mesh.number_of_edges()) + static_cast<int>(s.mesh.number_of_faces());
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(s.triangulation, std::back_inserter(faces));
+  BOOST_CHECK_EQUAL(s.triangulation.number_of_vertices() - s.triangulation.number_of_edges() +
+                        static_cast<int>(faces.size()),
+                    characteristic);
+  std::set<std::tuple<int, double, double, double>> places;
+  for(int v = static_cast<int>(s.mesh.number_of_vertices()); v < s.triangulation.number_of_vertices(); ++v) {
+    const FG::Surface_location at = s.triangulation.location(v);
+    BOOST_CHECK(places.emplace(at.halfedge, at.weights[0], at.weights[1], at.weights[2]).second);
+  }
+}
+
+template <class Setting>
+std::vector<double> lengths_of_curves(const Setting& s)
+{
+  std::vector<double> lengths;
+  for(int c = 0; c < s.network.number_of_curves(); ++c)
+    lengths.push_back(s.network.length(c));
+  return lengths;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(surfaces_without_curves_reach_the_bound)
+{
+  for(const Mesh_soup& soup : {shaken(torus(14, 5, 3, 1), 0.1, 3), bumpy_sphere(8, 0.3, 4), needle_strip(6, 6, 20),
+                               box(20, 3, 1, 1), genus_3_plate(1)})
+    for(const double angle : {20.0, 25.0}) {
+      Curve_setting s(soup);
+      const double before = area(s.triangulation);
+      FG::Refinement_options options;
+      options.smallest_angle = angle;
+      const FG::Refinement_report report = FG::refine(s.triangulation, options);
+      BOOST_CHECK(report.is_complete());
+      BOOST_CHECK_EQUAL(report.refused, 0u);
+      BOOST_CHECK_GE(report.smallest_free_angle, angle);
+      BOOST_CHECK_SMALL(report.smallest_angle - smallest_angle(s.triangulation), 1e-6);
+      check_refined(s, before, {});
+    }
+}
+
+BOOST_AUTO_TEST_CASE(curves_are_split_and_stay)
+{
+  const int n = 10;
+  Curve_setting s(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 3));
+  s.add_path(grid_vertex(n, 0, 1), grid_vertex(n, n, 3));
+  s.add_path(grid_vertex(n, 1, 9), grid_vertex(n, 9, 4));
+  s.add_path(grid_vertex(n, 1, 9), grid_vertex(n, 9, 4));
+  FG::order_overlapping_curves(s.network);
+  s.pull();
+  const double before = area(s.triangulation);
+  const std::vector<double> lengths = lengths_of_curves(s);
+  const FG::Refinement_report report = FG::refine(s.network);
+  BOOST_CHECK(report.is_complete());
+  BOOST_CHECK_GT(report.splits, 0u);
+  BOOST_CHECK_GE(report.smallest_free_angle, 25);
+  check_refined(s, before, lengths);
+
+  // The curves are the same lines on the mesh: no point of them has left its line, and the mesh with them is sound.
+  FG::Curve_extractor<Curve_setting::Network> extractor(s.network);
+  std::vector<Surface::Point> points;
+  extractor.points(0, std::back_inserter(points));
+  const Surface::Point a = points.front(), b = points.back();
+  for(const Surface::Point& p : points)
+    BOOST_CHECK_SMALL((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()), 1e-10);
+  const auto cut = FG::cut_along_curves(s.network, s.mesh);
+  BOOST_CHECK(cut.mesh().is_valid(false));
+  BOOST_CHECK_GT(FG::common_subdivision(s.triangulation, s.mesh).mesh().number_of_faces(), s.mesh.number_of_faces());
+
+  // They can be taken back, with all vertices.
+  s.network.clear();
+  s.triangulation.rollback();
+  BOOST_CHECK_EQUAL(s.triangulation.number_of_vertices(), static_cast<int>(s.mesh.number_of_vertices()));
+  BOOST_CHECK_CLOSE_FRACTION(area(s.triangulation), before, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(small_angles_between_curves_end)
+{
+  const int n = 16;
+  Curve_setting s(flat_grid(n, n, Diagonal_rule::RISING));
+  for(int j : {0, 1, 2, 5}) // angles of a few degrees at one vertex
+    s.add_path(grid_vertex(n, 0, 0), grid_vertex(n, n, j));
+  FG::order_overlapping_curves(s.network);
+  s.pull();
+  const double before = area(s.triangulation);
+  const std::vector<double> lengths = lengths_of_curves(s);
+  const FG::Refinement_report report = FG::refine(s.network);
+  BOOST_CHECK(report.is_complete());
+  BOOST_CHECK_GT(report.exempt, 0u);
+  BOOST_CHECK_LT(report.smallest_angle, 5);
+  BOOST_CHECK_GE(report.smallest_free_angle, 25);
+  check_refined(s, before, lengths);
+}
+
+BOOST_AUTO_TEST_CASE(sharp_cones_end)
+{
+  Curve_setting s(cone(5, 3, 0.2, 5)); // far less than 60 degrees about the apex
+  const double before = area(s.triangulation);
+  const FG::Refinement_report report = FG::refine(s.triangulation);
+  BOOST_CHECK(report.is_complete());
+  BOOST_CHECK_GT(report.exempt, 0u);
+  check_refined(s, before, {});
+}
+
+BOOST_AUTO_TEST_CASE(edges_have_the_wanted_length)
+{
+  Curve_setting s(cube(2));
+  s.add_path(0, 5);
+  s.pull();
+  const double before = area(s.triangulation);
+  const std::vector<double> lengths = lengths_of_curves(s);
+  FG::Refinement_options options;
+  options.longest_edge = 0.4;
+  BOOST_CHECK(FG::refine(s.network, options).is_complete());
+  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
+    BOOST_CHECK_LE(s.triangulation.length(2 * e), 0.4);
+  check_refined(s, before, lengths);
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_on_insertions_is_kept)
+{
+  Curve_setting s(needle_strip(6, 6, 100));
+  FG::Refinement_options options;
+  options.maximum_insertions = 10;
+  const FG::Refinement_report report = FG::refine(s.triangulation, options);
+  BOOST_CHECK(!report.is_complete());
+  BOOST_CHECK_GE(report.insertions + report.splits, 10u);
+  BOOST_CHECK_LE(report.insertions + report.splits, 12u); // one step may split two edges
+}
+
+BOOST_AUTO_TEST_CASE(exact_decisions)
+{
+  Certified_setting s(shaken(torus(10, 4, 3, 1), 0.1, 3));
+  s.add_path(0, 23);
+  s.pull();
+  const double before = area(s.triangulation);
+  const std::vector<double> lengths = lengths_of_curves(s);
+  const FG::Refinement_report report = FG::refine(s.network);
+  BOOST_CHECK(report.is_complete());
+  check_refined(s, before, lengths);
+}
