@@ -156,9 +156,7 @@ public:
   /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()`.
   Index split_edge(Index h, const Surface_location& location, std::size_t gap)
   {
-    return m_triangulation->split_edge(h, location, gap, [this](const internal::Edge_halves& halves) {
-      move_stack(halves.first, {halves.first, halves.second});
-    });
+    return internal::Segment_division<Edge_path_network>(*this).split_edge(h, location, gap);
   }
 
   /// Removes all curves. Linear in the segments.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +37,13 @@ public:
     });
   }
 
+  Index split_edge(Index h, const Surface_location& location, std::size_t gap)
+  {
+    return m_triangulation.split_edge(h, location, gap, [this](const Edge_halves& halves) {
+      move_stack(halves.first, {{halves.first, halves.second}}, null_index);
+    });
+  }
+
   /*
    * Divides segment s and those beside it; returns the first half of s. A point that rounding puts off the edge h goes
    * into a face beside it, and the segments move there, over a sliver that holds no vertex:
@@ -56,10 +64,9 @@ public:
     for(Index side : {h, Triangulation::twin(h)}) {
       if(half != null_index || m_triangulation.is_border(side) || m_triangulation.head(m_triangulation.next(side)) != x)
         continue;
-      half = move_stack(side,
-                        {{Triangulation::twin(m_triangulation.previous(side)),
-                          Triangulation::twin(m_triangulation.next(side))}},
-                        s);
+      half = move_stack(
+          side,
+          {{Triangulation::twin(m_triangulation.previous(side)), Triangulation::twin(m_triangulation.next(side))}}, s);
       if(m_triangulation.is_flippable(side))
         m_triangulation.flip(side);
     }
