@@ -10,6 +10,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -212,7 +213,7 @@ private:
     if(center->is_blocked)
       return split(center->halfedge);
     const auto location = Face_chart<Triangulation>(m_triangulation, center->halfedge).location(center->point);
-    if(!location)
+    if(!location || !has_room(*location, std::abs(center->point)))
       return false;
     const auto before = m_triangulation.log_position();
     const Index vertices = m_triangulation.number_of_vertices();
@@ -245,6 +246,17 @@ private:
       result = result || (is_spoke && is_constrained(h));
     });
     return result;
+  }
+
+  // Are weights in the input face fine enough for edges as short as `distance`?
+  bool has_room(const Surface_location& location, double distance) const
+  {
+    constexpr double resolution = 1e-9;
+    double longest = 0;
+    Index h = location.halfedge;
+    for(int i = 0; i < 3; ++i, h = m_triangulation.input().next(h))
+      longest = (std::max)(longest, m_triangulation.metric().length(m_triangulation.input(), h));
+    return distance > resolution * longest;
   }
 
   std::optional<Place> walk_to_circumcenter(Index h) const
@@ -318,10 +330,11 @@ private:
     if(m_triangulation.is_border(h))
       h = Triangulation::twin(h);
     const std::optional<Point_on_edge> point = point_on_edge(m_triangulation, h, split_position(h));
-    if(!point)
+    const double t = split_position(h);
+    if(!point || !has_room(point->location, (std::min)(t, 1 - t) * m_triangulation.length(h)))
       return false;
     try {
-      const Point_of_segment in_segment = point_of_segment(h, split_position(h) * m_triangulation.length(h));
+      const Point_of_segment in_segment = point_of_segment(h, t * m_triangulation.length(h));
       const Index x = m_splitter.split_edge(h, point->location, point->gap);
       m_points[x] = in_segment;
       ++m_counts.splits;
