@@ -6,6 +6,8 @@
 #include "mesh_input.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 
 #include <cstdint>
 #include <fstream>
@@ -27,6 +29,8 @@ struct Curve_request
   std::vector<Index> vertices; ///< a closed curve does not repeat the first
   bool is_pair = false;
   bool is_closed = false;
+  std::vector<CGAL::Flip_geodesics::Surface_location> points;  ///< instead of vertices: points anywhere
+  std::optional<CGAL::Flip_geodesics::Spline_kind> spline; ///< of the points, if they are control points
 };
 
 /// Curves that are shortened together, with the vertices where they are fixed; or instead the source of a tree.

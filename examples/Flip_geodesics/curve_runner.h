@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
@@ -63,6 +64,7 @@ struct Run_options
   bool is_certifying = false;
   std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
   bool is_shortest = false;          ///< replace paths of a tree that are not globally shortest
+  int rounds = 5; ///< how often the pieces of splines are halved
 };
 
 /// Passes flips on to the progress, and steps to a recorder if there is one.
@@ -127,7 +129,10 @@ public:
         grow(network, *request.tree_source, results);
       } else {
         build(network, request, results);
-        shorten(network, results);
+        if(request.curves.front().spline)
+          subdivide(network, request.curves.front(), results.front());
+        else
+          shorten(network, results);
       }
       certify(network, results);
       extract(network, results);
@@ -163,12 +168,14 @@ public:
     try {
       Network network(m_triangulation);
       build(network, request, results);
+      network.clear();
+      m_triangulation.rollback();
     } catch(const FG::Crossing_curves_error& error) {
       throw Bad_input(name + error.what() + "; separate the curves, or fix the vertex in a network");
     } catch(const FG::Ambiguous_order_error& error) {
       throw Bad_input(name + error.what() + "; move the curves to different edges");
     } catch(const FG::Error&) {
-      // Not a matter of the curves: reported when they are computed.
+      m_triangulation.rollback(); // not a matter of the curves: reported when they are computed
     }
   }
 
@@ -177,7 +184,7 @@ private:
   {
     Curve_result result;
     result.name = request.name;
-    if(!request.is_closed) {
+    if(!request.is_closed && !request.vertices.empty()) {
       result.source = request.vertices.front();
       result.target = request.vertices.back();
     }
@@ -206,6 +213,12 @@ private:
   {
     for(std::size_t c = 0; c < request.curves.size(); ++c) {
       const Stopwatch stopwatch;
+      if(!request.curves[c].points.empty()) {
+        const Index curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
+        results[c].search_s = stopwatch.seconds();
+        results[c].initial_segments = network.halfedges(curve).size();
+        continue;
+      }
       const std::vector<Index> halfedges = initial_halfedges(request.curves[c]);
       results[c].search_s = stopwatch.seconds();
       results[c].initial_segments = halfedges.size();
@@ -281,6 +294,25 @@ private:
     }
     if(recorder)
       m_record = recorder->finish();
+  }
+
+  // The control polygon becomes the spline.
+  void subdivide(Network& network, const Curve_request& request, Curve_result& result)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    auto spline = *request.spline == FG::Spline_kind::BEZIER ? FG::Geodesic_spline<Network>(network, 0)
+                                                             : FG::Geodesic_spline<Network>::cubic_b_spline(network, 0);
+    for(int i = 0; i < m_options.rounds; ++i)
+      spline.refine();
+    const FG::Shortening_report& report = spline.finish();
+    result.initial_length = network.initial_length(0);
+    result.length = network.length(0);
+    result.flips = report.flips;
+    result.flip_outs = report.flip_outs;
+    result.smallest_angle = report.curves.front().smallest_angle;
+    result.status = to_string(report.curves.front().status);
+    result.shorten_s = stopwatch.seconds();
   }
 
   void extract(Network& network, std::vector<Curve_result>& results)

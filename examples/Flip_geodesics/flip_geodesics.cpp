@@ -10,6 +10,7 @@
 #include "mesh_input.h"
 #include "page_file.h"
 #include "parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
+#include "point_input.h"
 #include "progress.h"
 #include "result_files.h"
 #include "run_summary.h"
@@ -42,7 +43,8 @@ struct Options
 {
   std::string mesh;
   std::optional<long long> from, to;
-  std::string pairs, edges, loop, network, segmentation;
+  std::string pairs, edges, loop, network, segmentation, points, bezier;
+  int rounds = 5;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
   std::optional<long long> source;
   std::optional<long long> random;
@@ -66,6 +68,11 @@ void add_options(CLI::App& app, Options& options)
   app.add_option("--loop", options.loop, "File: a closed loop of edges per line, each straightened by itself");
   app.add_option("--network", options.network,
                  "File: curves straightened together: a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
+  app.add_option("--points", options.points,
+                 "File: a geodesic per line, through points anywhere: `v`, `a,b,t` on an edge or `a,b,c,t,u` in a face");
+  app.add_option("--bezier", options.bezier,
+                 "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
+  app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved")->capture_default_str();
   app.add_option("--segmentation", options.segmentation,
                  "File: a label per line for each face; the network of the boundaries between labels");
   app.add_flag("--free-junctions", options.has_free_junctions,
@@ -111,10 +118,11 @@ void check_options(const Options& options)
   const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
                    (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
                    (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
-                   (options.has_seams ? 1 : 0) + (options.source ? 1 : 0);
+                   (options.has_seams ? 1 : 0) + (options.source ? 1 : 0) +
+                   (options.points.empty() ? 0 : 1) + (options.bezier.empty() ? 0 : 1);
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
-                    "--segmentation, --seams, --source");
+                    "--points, --bezier, --segmentation, --seams, --source");
   if(!options.source && (options.is_shortest || !options.map.empty()))
     throw Bad_input("--shortest and --map belong to --source; give a source");
   if(options.source && options.stop_length)
@@ -129,6 +137,10 @@ void check_options(const Options& options)
     throw Bad_input("--kernel " + options.kernel + ": not known; use double or certified");
   if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
     throw Bad_input("--mollify must lie between 0 and 1");
+  if(options.rounds < 0 || options.rounds > 16)
+    throw Bad_input("--rounds " + std::to_string(options.rounds) + ": give 0 to 16");
+  if(!options.bezier.empty() && options.stop_length)
+    throw Bad_input("--stop-length does not go with --bezier; leave it out");
   search_method(options.search);
   if(options.stop_length && !(*options.stop_length >= 0 && *options.stop_length <= 1))
     throw Bad_input("--stop-length must lie between 0 and 1");
@@ -154,6 +166,8 @@ std::vector<Network_request> read_requests(const Options& options, const Mesh& m
   const std::vector<Curve_request> curves =
       options.random           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), options.seed)
       : !options.pairs.empty() ? read_pairs(mesh, options.pairs)
+      : !options.points.empty() ? read_point_curves(mesh, options.points, false)
+      : !options.bezier.empty() ? read_point_curves(mesh, options.bezier, true)
       : !options.edges.empty() ? read_curves(mesh, options.edges, false)
       : !options.loop.empty()  ? read_curves(mesh, options.loop, true)
                                : single_pair(mesh, *options.from, *options.to);
@@ -257,7 +271,7 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
   using Runner = Curve_runner<Traits, Metric_>;
   const auto make_runner = [&] {
     return std::make_unique<Runner>(
-        mesh, metric, Run_options{search, is_certifying, options.stop_length, options.is_shortest}, progress);
+        mesh, metric, Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds}, progress);
   };
   const std::unique_ptr<Runner> runner = make_runner();
   for(const Network_request& request : requests)

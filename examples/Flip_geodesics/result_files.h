@@ -46,7 +46,8 @@ private:
   std::ofstream m_out;
 };
 
-/// Lines `curve a b t x y z`, one per point: (1 - t) a + t b on the input edge ab, or at a vertex if a is b.
+/// Lines `curve a b t x y z`, one per point: (1 - t) a + t b on the input edge ab, or at a vertex if a is b. A point
+/// inside a face is `curve a b c t u x y z`: (1 - t - u) a + t b + u c.
 class Polylines_file
 {
 public:
@@ -59,9 +60,14 @@ public:
   {
     if(!m_file.is_wanted())
       return;
-    for(const Curve_point& p : result.points)
-      m_file.stream() << curve << ' ' << p.on_surface.a << ' ' << p.on_surface.b << ' ' << p.on_surface.t << ' '
-                      << p.in_space.x() << ' ' << p.in_space.y() << ' ' << p.in_space.z() << '\n';
+    for(const Curve_point& p : result.points) {
+      m_file.stream() << curve << ' ' << p.on_surface.a << ' ' << p.on_surface.b << ' ';
+      if(p.on_surface.is_inside_face())
+        m_file.stream() << p.on_surface.c << ' ' << p.on_surface.t << ' ' << p.on_surface.u;
+      else
+        m_file.stream() << p.on_surface.t;
+      m_file.stream() << ' ' << p.in_space.x() << ' ' << p.in_space.y() << ' ' << p.in_space.z() << '\n';
+    }
   }
 
   void close() { m_file.close(); }
