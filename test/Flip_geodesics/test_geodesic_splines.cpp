@@ -6,6 +6,7 @@
 
 #include "generated_meshes.h"
 
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
@@ -209,6 +210,33 @@ BOOST_AUTO_TEST_CASE(cubic_b_splines_of_flat_surfaces_are_those_of_the_plane)
       BOOST_TEST(FG::certify(network).is_locally_shortest());
       BOOST_TEST(network.is_valid());
     }
+}
+
+// The thirds of a leg and the middles between them lie in one line, and the middle of the middles is a third again.
+BOOST_AUTO_TEST_CASE(splines_in_exact_decisions)
+{
+  using Traits = FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
+  using Certified = FG::Intrinsic_triangulation<Mesh, Traits>;
+  const Mesh mesh = to_mesh<Mesh>(torus(24, 12, 1, 0.4));
+  for(bool is_b_spline : {false, true}) {
+    Certified t(mesh);
+    FG::Edge_path_network<Certified> network(t);
+    std::vector<FG::Surface_location> points;
+    for(FG::Index v : {0, 15, 40, 65})
+      points.push_back(t.location(v));
+    const FG::Index curve = FG::add_curve_through(network, points);
+    FG::order_overlapping_curves(network);
+    using Spline = FG::Geodesic_spline<FG::Edge_path_network<Certified>>;
+    Spline spline = is_b_spline ? Spline::cubic_b_spline(network, curve) : Spline(network, curve);
+    for(int i = 0; i < 4; ++i) {
+      spline.refine();
+      BOOST_TEST(network.is_valid());
+      BOOST_TEST(t.is_valid());
+    }
+    BOOST_TEST(spline.finish().is_complete());
+    BOOST_TEST(FG::certify(network).is_locally_shortest());
+    BOOST_TEST(spline.number_of_pieces() == (is_b_spline ? 48u : 16u));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(refinement_to_a_tolerance)

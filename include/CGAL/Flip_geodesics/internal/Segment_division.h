@@ -6,10 +6,12 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -56,26 +58,68 @@ public:
    */
   Index divide(Index s, double t)
   {
+    for(int i = 0; i < most_slivers; ++i) {
+      const Sliver sliver = sliver_beside(m_network.halfedge(s));
+      if(sliver.halfedge == null_index)
+        break;
+      const bool is_along = sliver.halfedge == m_network.halfedge(s);
+      const double at = is_along ? sliver.place : 1 - sliver.place; // of its apex, along s
+      const Index first = move_to_apex(sliver.halfedge, s);
+      if(std::abs(t - at) <= same_place)
+        return first;
+      s = t < at ? first : m_network.next(first);
+      t = t < at ? t / at : (t - at) / (1 - at);
+    }
     const Index h = m_network.halfedge(s);
     Index half = null_index;
     const Index x = m_triangulation.insert(location_on_edge(m_triangulation, h, t), [&](const Edge_halves& halves) {
       half = move_stack(halves.first, {{halves.first, halves.second}}, s);
     });
-    for(Index side : {h, Triangulation::twin(h)}) {
-      if(half != null_index || m_triangulation.is_border(side) || m_triangulation.head(m_triangulation.next(side)) != x)
-        continue;
-      half = move_stack(
-          side,
-          {{Triangulation::twin(m_triangulation.previous(side)), Triangulation::twin(m_triangulation.next(side))}}, s);
-      if(m_triangulation.is_flippable(side))
-        m_triangulation.flip(side);
-    }
+    for(Index side : {h, Triangulation::twin(h)})
+      if(half == null_index && !m_triangulation.is_border(side) &&
+         m_triangulation.head(m_triangulation.next(side)) == x)
+        half = move_to_apex(side, s);
     if(half == null_index)
       throw Insertion_error("a segment cannot be divided: rounding puts the point outside of the faces beside it");
     return half;
   }
 
 private:
+  // Points that were rounded lie off the lines that they divide. Where such a line is divided again, a vertex this close
+  // to it, relative to its length, is taken to be on it.
+  static constexpr double same_place = 1e-12;
+  static constexpr int most_slivers = 64;
+
+  // A face on the left of a halfedge whose apex is next to the halfedge, that part of the way along it.
+  struct Sliver
+  {
+    Index halfedge = null_index;
+    double place = 0;
+  };
+
+  Sliver sliver_beside(Index h) const
+  {
+    for(Index side : {h, Triangulation::twin(h)}) {
+      if(m_triangulation.is_border(side))
+        continue;
+      const Index to_apex = Triangulation::twin(m_triangulation.previous(side));
+      const double place = m_triangulation.length(to_apex) / m_triangulation.length(side);
+      if(place < 1 - same_place && wedge_angle(m_triangulation, to_apex, side).value * place <= same_place)
+        return {side, place};
+    }
+    return {};
+  }
+
+  // Moves the segments on the edge of h over the apex on its left.
+  Index move_to_apex(Index h, Index watched)
+  {
+    const Index result = move_stack(
+        h, {{Triangulation::twin(m_triangulation.previous(h)), Triangulation::twin(m_triangulation.next(h))}}, watched);
+    if(m_triangulation.is_flippable(h))
+      m_triangulation.flip(h);
+    return result;
+  }
+
   // Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
   // them, in their order. Returns what the first half of a watched one has become.
   Index move_stack(Index h, const std::array<Index, 2>& chain, Index watched)
