@@ -12,6 +12,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -387,4 +388,55 @@ BOOST_AUTO_TEST_CASE(needles_end)
       }
       BOOST_TEST(setting.tree.is_valid());
     }
+}
+
+// Inserted vertices are sources and ends of paths like others; in the plane the map shows every point in its place.
+BOOST_AUTO_TEST_CASE(inserted_vertices)
+{
+  constexpr int n = 8;
+  const Mesh_soup soup = jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 5);
+  const Surface mesh = to_mesh<Surface>(soup);
+  const FG::Intrinsic_triangulation<Surface> plain(mesh);
+  Index inner = 70, border = 0;
+  while(plain.is_border(inner) || plain.is_border(inner ^ 1))
+    ++inner;
+  while(!plain.is_border(border ^ 1))
+    ++border;
+  const std::array<double, 3> inside = {{0.5, 0.3, 0.2}}, on_edge = {{0.6, 0.4, 0}};
+  const std::vector<FG::Surface_location> sources = {{inner, inside}, {inner, on_edge}, {border, on_edge}};
+  for(const FG::Surface_location& location : sources) {
+    Double_tree_setting setting(soup);
+    Random_numbers random(2);
+    setting.tree.grow(0); // before there were more vertices
+    const Index source = setting.triangulation.insert(location);
+    for(int i = 0; i < 20; ++i) {
+      const Index h = random.below(setting.triangulation.input().number_of_halfedges());
+      if(!setting.triangulation.input().is_border(h))
+        setting.triangulation.insert({h, {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}});
+    }
+    const auto place = [&](Index v) {
+      Coordinates p = {0, 0, 0};
+      const FG::Surface_location l = setting.triangulation.location(v);
+      Index h = l.halfedge;
+      for(int i = 0; i < 3; ++i, h = setting.triangulation.input().next(h))
+        for(int k = 0; k < 3 && l.weights[i] > 0; ++k)
+          p[k] += l.weights[i] / (l.weights[0] + l.weights[1] + l.weights[2]) *
+                  soup.points[setting.triangulation.input().tail(h)][k];
+      return p;
+    };
+    auto& tree = setting.tree;
+    BOOST_TEST(FG::to_string(tree.grow(source).status) == "LOCALLY_SHORTEST");
+    BOOST_TEST(tree.is_valid());
+    const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+    const Coordinates s = place(source), other = place(3);
+    BOOST_TEST(map.is_on_border == (location.halfedge == border));
+    const double turn = plane_angle(other[0] - s[0], other[1] - s[1]) - map.vertices[3].angle;
+    for(Index v = 0; v < setting.size(); ++v) {
+      if(v == source)
+        continue;
+      const Coordinates p = place(v);
+      BOOST_TEST(is_close(map.vertices[v].radius, distance(s, p), n));
+      BOOST_TEST(is_same_angle(map.vertices[v].angle + turn, plane_angle(p[0] - s[0], p[1] - s[1]), 2 * pi));
+    }
+  }
 }

@@ -241,3 +241,22 @@ BOOST_AUTO_TEST_CASE(tree_with_limited_effort)
   BOOST_TEST(setting.triangulation.log_position() == position);
   BOOST_TEST(FG::to_string(grown.status) == FG::to_string(report.status));
 }
+
+// The search knows the vertices of the input only: others keep geodesics, and are no sources.
+BOOST_AUTO_TEST_CASE(inserted_vertices)
+{
+  Setting setting(bumpy_sphere(8, 0.3, 1));
+  Random_numbers random(4);
+  for(int i = 0; i < 60; ++i)
+    setting.triangulation.insert({random.below(setting.triangulation.input().number_of_halfedges()), {{1, 1, 1}}});
+  Tree tree(setting.triangulation);
+  tree.grow(0);
+  const FG::Shortest_tree_report report = FG::make_shortest(tree);
+  BOOST_TEST(report.longer == 0u);
+  BOOST_TEST(report.longer_before > 0u);
+  BOOST_TEST(tree.is_valid(tolerance));
+  for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+    BOOST_TEST(tree.is_reached(v));
+  tree.grow(setting.triangulation.number_of_vertices() - 1);
+  BOOST_CHECK_THROW(FG::make_shortest(tree), FG::Vertex_out_of_range_error);
+}

@@ -94,6 +94,10 @@ public:
                             Visitor&& visitor = Visitor())
   {
     internal::check_vertex_index(*m_triangulation, source, 0);
+    if(m_labels.size() < static_cast<std::size_t>(m_triangulation->number_of_vertices())) { // some were inserted
+      m_labels = internal::Lazy_array<Label>(static_cast<std::size_t>(m_triangulation->number_of_vertices()));
+      m_epoch = 0;
+    }
     start(source, max_distance);
     run(visitor);
     if constexpr(Triangulation::Traits::Has_drift::value)
@@ -110,7 +114,7 @@ public:
   /// No path longer than this was wanted.
   double max_distance() const { return m_max_distance; }
 
-  /// Has the tree a path to vertex `v`?
+  /// Has the tree a path to vertex `v`? \pre `v` was there when the tree was grown
   bool is_reached(Index v) const { return state(v) == SETTLED; }
 
   /// The length of the path to `v`; infinite if there is none.
@@ -351,6 +355,8 @@ private:
     for(Index v : taken_off)
       for(Index spoke : internal::spokes(*m_triangulation, v))
         relax_forward(Triangulation::twin(spoke));
+    for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) // new edges can be shorter ways to other vertices
+      relax(h);
     run(visitor);
     if constexpr(Triangulation::Traits::Has_drift::value)
       measure(visitor);

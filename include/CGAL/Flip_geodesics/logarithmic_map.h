@@ -64,21 +64,25 @@ struct Logarithmic_map
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it starts at the source. By default that of the input's first
- *        halfedge of the vertex; ignored on the border, where the angles start at the border.
+ *        halfedge of the vertex; ignored on the border, where the angles start at the border,
+ *        and at an inserted vertex, where they start at the direction of its `location()`'s halfedge.
  */
 template <class Triangulation>
 Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Index zero = null_index)
 {
   const Triangulation& triangulation = tree.triangulation();
   CGAL_precondition(tree.source() != null_index);
-  CGAL_precondition(zero == null_index || triangulation.input().tail(zero) == tree.source());
+  CGAL_precondition(zero == null_index || triangulation.is_inserted(tree.source()) ||
+                    triangulation.input().tail(zero) == tree.source());
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
   Logarithmic_map map;
   map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
   map.vertices[tree.source()].radius = 0;
   map.total_angle = directions.total();
   map.is_on_border = directions.has_border();
-  const double start = zero == null_index || map.is_on_border ? 0 : directions.of_input(zero);
+  const double start = zero == null_index || map.is_on_border || triangulation.is_inserted(tree.source())
+                           ? 0
+                           : directions.of_input(zero);
 
   std::vector<Index> way; // from a vertex back to one whose angle is known
   for(Index v = 0; v < triangulation.number_of_vertices(); ++v) {

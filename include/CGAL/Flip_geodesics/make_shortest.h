@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -87,6 +88,8 @@ double longest_wanted(const Tree& tree)
  * \param most_windows where more are needed, the search is given up, and the tree stays as it is; 0 is for the number
  *        that `add_shortest_path()` takes
  * \throws Invalid_coordinate_error
+ * \throws Vertex_out_of_range_error if the source was inserted. Other inserted vertices have geodesics, which nothing
+ * is said about.
  */
 template <class Triangulation>
 Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size_t most_windows = 0)
@@ -94,6 +97,10 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size
   using Tree = Geodesic_tree<Triangulation>;
   constexpr double tolerance = Shortest_path_report::tolerance();
   CGAL_precondition(tree.source() != null_index);
+  if(tree.triangulation().is_inserted(tree.source()))
+    throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
+                                        std::to_string(tree.source()) + " was inserted",
+                                    {static_cast<std::size_t>(tree.source())});
   Shortest_tree_report report;
   most_windows = internal::window_limit(tree.triangulation(), most_windows);
   internal::Window_search<Triangulation> search(tree.triangulation(), tree.source());

@@ -60,18 +60,36 @@ public:
     return result;
   }
 
-  Shortening_status run(const std::vector<Index>& longer)
+  Shortening_status run(std::vector<Index> longer)
   {
     for(Index v : longer)
       m_tree.take_off(v);
+    const std::vector<Index> behind = inserted_behind_taken_off();
+    for(Index v : behind)
+      m_tree.take_off(v);
     for(Index v : longer)
       insert_last_leg(v);
+    longer.insert(longer.end(), behind.begin(), behind.end());
     return m_tree.regrow(longer).status;
   }
 
   std::size_t flips() const { return m_flips; }
 
 private:
+  // The search does not know inserted vertices; those whose paths pass a vertex that was taken off.
+  std::vector<Index> inserted_behind_taken_off() const
+  {
+    std::vector<Index> result;
+    for(Index v = m_triangulation.input().number_of_vertices(); v < m_triangulation.number_of_vertices(); ++v) {
+      Index w = v;
+      while(m_tree.incoming(w) != null_index)
+        w = m_triangulation.tail(m_tree.incoming(w));
+      if(m_tree.is_reached(v) && w != m_tree.source())
+        result.push_back(v);
+    }
+    return result;
+  }
+
   std::vector<Index> vertices_by_distance() const
   {
     std::vector<Index> order;

@@ -4,12 +4,16 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_VERTEX_DIRECTIONS_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
 
 #include <CGAL/assertions.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -29,27 +33,10 @@ public:
   Vertex_directions(const Triangulation& triangulation, Index vertex)
     : m_triangulation(triangulation)
   {
-    const auto& input = triangulation.input();
-    const Index start = input.outgoing(vertex);
-    if(start == null_index)
-      return;
-    Index first = start;
-    do { // clockwise up to the border, if there is one
-      const Index t = Triangulation::twin(first);
-      m_has_border = input.is_border(t);
-      first = m_has_border ? first : input.next(t);
-    } while(!m_has_border && first != start);
-
-    Index h = first;
-    do {
-      m_spokes.push_back(h);
-      m_angles.push_back(m_total);
-      if(input.is_border(h))
-        break;
-      const Index before = input.next(input.next(h));
-      m_total += input_corner(triangulation, before);
-      h = Triangulation::twin(before);
-    } while(h != first);
+    if(triangulation.is_inserted(vertex))
+      start_at(triangulation.location(vertex));
+    else
+      start_at_input_vertex(vertex);
   }
 
   /* The sum of the input angles at the vertex. */
@@ -67,7 +54,10 @@ public:
   /* The angle of a strip that starts at the vertex. */
   double operator()(const Strip<Triangulation>& strip) const
   {
-    return of_input(strip.reference()) + angle_from_reference(strip.end());
+    if(!m_is_inside_face)
+      return of_input(strip.reference()) + angle_from_reference(strip.end());
+    const double angle = std::arg(strip.end());
+    return angle < 0 ? angle + m_total : angle;
   }
 
   /* The angle of a halfedge of the triangulation that starts at the vertex. */
@@ -92,11 +82,48 @@ public:
   }
 
 private:
+  // An inserted point: flat, with one direction of reference inside a face, and two along an edge.
+  void start_at(const Surface_location& location)
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    const Index h = location.halfedge;
+    m_is_inside_face = kind(location) == Location_kind::FACE;
+    m_has_border = !m_is_inside_face && m_triangulation.input().is_border(Triangulation::twin(h));
+    m_spokes = {h, Triangulation::twin(h)};
+    m_angles = {0, pi};
+    m_total = m_has_border ? pi : 2 * pi;
+  }
+
+  void start_at_input_vertex(Index vertex)
+  {
+    const auto& input = m_triangulation.input();
+    const Index start = input.outgoing(vertex);
+    if(start == null_index)
+      return;
+    Index first = start;
+    do { // clockwise up to the border, if there is one
+      const Index t = Triangulation::twin(first);
+      m_has_border = input.is_border(t);
+      first = m_has_border ? first : input.next(t);
+    } while(!m_has_border && first != start);
+
+    Index h = first;
+    do {
+      m_spokes.push_back(h);
+      m_angles.push_back(m_total);
+      if(input.is_border(h))
+        break;
+      const Index before = input.next(input.next(h));
+      m_total += input_corner(m_triangulation, before);
+      h = Triangulation::twin(before);
+    } while(h != first);
+  }
+
   const Triangulation& m_triangulation;
   std::vector<Index> m_spokes;
   std::vector<double> m_angles;
   double m_total = 0;
-  bool m_has_border = false;
+  bool m_has_border = false, m_is_inside_face = false;
 };
 
 } // namespace internal
