@@ -72,9 +72,18 @@ def machine_description(programs):
 
 def run(programs, out, name, program, *arguments):
     """Runs a program with its output in a table; a failure ends everything."""
-    print(f"{name}: {program} {' '.join(map(str, arguments))}", file=sys.stderr)
-    with open(out / name, "w", encoding="utf-8") as table:
-        subprocess.run([str(programs / program), *map(str, arguments)], stdout=table, check=True)
+    run_each(programs, out, name, program, [arguments])
+
+
+def run_each(programs, out, name, program, runs):
+    """Runs a program once for each list of arguments, with all output in a table that has one header."""
+    rows = []
+    for arguments in runs:
+        print(f"{name}: {program} {' '.join(map(str, arguments))}", file=sys.stderr)
+        result = subprocess.run([str(programs / program), *map(str, arguments)], stdout=subprocess.PIPE, text=True,
+                                check=True)
+        rows += result.stdout.splitlines(keepends=True)[1 if rows else 0:]
+    (out / name).write_text("".join(rows), encoding="utf-8")
 
 
 def main():
@@ -94,7 +103,9 @@ def main():
         for search in ("lookback", "astar"):
             table(f"stages_{search}.csv", "query_stages", "--pairs", pairs, "--rounds", 5, "--search", search,
                   *generated, *real, *subdivided)
-        table("memory.csv", "memory_use", *generated, *real, *subdivided)
+        # A process each, since memory that was used once counts as resident afterwards.
+        run_each(arguments.programs, arguments.out, "memory.csv", "memory_use",
+                 [[mesh] for mesh in [*generated, *real, *subdivided]])
         table("opponents.csv", "compare_straightening", 100 if arguments.all else 10, *real, "torus:64000",
               "terrain:64000")
         table("exact.csv", "compare_distance_methods", 5 if arguments.all else 2, "torus:4000", "torus:16000",
