@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H
 
 #include "curve_input.h"
+#include "mesh_results.h"
 #include "progress.h"
 #include "scene.h"
 #include "shortening_recorder.h"
@@ -64,7 +65,8 @@ struct Run_options
   bool is_certifying = false;
   std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
   bool is_shortest = false;          ///< replace paths of a tree that are not globally shortest
-  int rounds = 5; ///< how often the pieces of splines are halved
+  int rounds = 5;                    ///< how often the pieces of splines are halved
+  Mesh_result_options meshes;
 };
 
 /// Passes flips on to the progress, and steps to a recorder if there is one.
@@ -136,8 +138,11 @@ public:
       }
       certify(network, results);
       extract(network, results);
+      m_mesh_results = make_mesh_results(m_options.meshes, m_mesh, network);
       network.clear();
       m_triangulation.rollback();
+    } catch(const Bad_input&) {
+      throw; // a file that cannot be written
     } catch(const std::exception& error) {
       m_record.reset();
       m_map.reset();
@@ -149,6 +154,9 @@ public:
     }
     return results;
   }
+
+  /// What was done to the triangulation of the last run, for people.
+  const std::string& mesh_results() const { return m_mesh_results; }
 
   /// Has the steps of the next runs recorded, in up to so many points per run; 0 is none.
   void set_most_recorded_points(std::size_t count) { m_most_recorded_points = count; }
@@ -344,6 +352,7 @@ private:
   Progress& m_progress;
   std::size_t m_most_recorded_points = 0;
   std::optional<Shortening_record> m_record;
+  std::string m_mesh_results;
   std::optional<CGAL::Flip_geodesics::Logarithmic_map> m_map;
   Triangulation m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;

@@ -53,6 +53,7 @@ struct Options
   std::optional<double> stop_length, mollify;
   int threads = 1;
   std::string polylines, stats, viewer, page, map;
+  Mesh_result_options meshes;
   bool is_quiet = false;
 };
 
@@ -68,10 +69,12 @@ void add_options(CLI::App& app, Options& options)
   app.add_option("--loop", options.loop, "File: a closed loop of edges per line, each straightened by itself");
   app.add_option("--network", options.network,
                  "File: curves straightened together: a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
-  app.add_option("--points", options.points,
-                 "File: a geodesic per line, through points anywhere: `v`, `a,b,t` on an edge or `a,b,c,t,u` in a face");
-  app.add_option("--bezier", options.bezier,
-                 "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
+  app.add_option(
+      "--points", options.points,
+      "File: a geodesic per line, through points anywhere: `v`, `a,b,t` on an edge or `a,b,c,t,u` in a face");
+  app.add_option(
+      "--bezier", options.bezier,
+      "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
   app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved")->capture_default_str();
   app.add_option("--segmentation", options.segmentation,
                  "File: a label per line for each face; the network of the boundaries between labels");
@@ -98,6 +101,12 @@ void add_options(CLI::App& app, Options& options)
   app.add_option("--mesh", options.viewer,
                  "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
   app.add_option("--page", options.page, "Write a page for a browser: surface, curves, and the flips step by step");
+  app.add_flag("--delaunay", options.meshes.is_delaunay, "Flip the other edges to constrained Delaunay");
+  app.add_option("--refine", options.meshes.refine, "Insert vertices until no angle is smaller, in degrees");
+  app.add_option("--subdivision", options.meshes.subdivision,
+                 "Write the common subdivision of mesh and triangulation: .off, .obj, .ply, .stl or .vtp");
+  app.add_option("--insert", options.meshes.insertion, "Write the mesh with the curves as edges, as above");
+  app.add_option("--cut", options.meshes.cut, "Write the mesh cut open along the curves, as above");
   app.add_flag("--quiet", options.is_quiet, "No table and no progress");
 }
 
@@ -118,8 +127,8 @@ void check_options(const Options& options)
   const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
                    (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
                    (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
-                   (options.has_seams ? 1 : 0) + (options.source ? 1 : 0) +
-                   (options.points.empty() ? 0 : 1) + (options.bezier.empty() ? 0 : 1);
+                   (options.has_seams ? 1 : 0) + (options.source ? 1 : 0) + (options.points.empty() ? 0 : 1) +
+                   (options.bezier.empty() ? 0 : 1);
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --segmentation, --seams, --source");
@@ -148,6 +157,7 @@ void check_options(const Options& options)
     throw Bad_input("--threads must lie between 1 and 1024");
   if(options.threads > 1 && !has_threads)
     throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
+  check_mesh_results(options.meshes);
   if(options.threads > 1 && !options.page.empty())
     throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
 }
@@ -164,13 +174,13 @@ std::vector<Network_request> read_requests(const Options& options, const Mesh& m
   if(options.source)
     return {tree_request(mesh, *options.source)};
   const std::vector<Curve_request> curves =
-      options.random           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), options.seed)
-      : !options.pairs.empty() ? read_pairs(mesh, options.pairs)
+      options.random            ? random_pairs(mesh, static_cast<std::size_t>(*options.random), options.seed)
+      : !options.pairs.empty()  ? read_pairs(mesh, options.pairs)
       : !options.points.empty() ? read_point_curves(mesh, options.points, false)
       : !options.bezier.empty() ? read_point_curves(mesh, options.bezier, true)
-      : !options.edges.empty() ? read_curves(mesh, options.edges, false)
-      : !options.loop.empty()  ? read_curves(mesh, options.loop, true)
-                               : single_pair(mesh, *options.from, *options.to);
+      : !options.edges.empty()  ? read_curves(mesh, options.edges, false)
+      : !options.loop.empty()   ? read_curves(mesh, options.loop, true)
+                                : single_pair(mesh, *options.from, *options.to);
   std::vector<Network_request> requests;
   for(const Curve_request& curve : curves)
     requests.push_back({{curve}, {}, {}});
@@ -271,7 +281,9 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
   using Runner = Curve_runner<Traits, Metric_>;
   const auto make_runner = [&] {
     return std::make_unique<Runner>(
-        mesh, metric, Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds}, progress);
+        mesh, metric,
+        Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds, options.meshes},
+        progress);
   };
   const std::unique_ptr<Runner> runner = make_runner();
   for(const Network_request& request : requests)
@@ -294,8 +306,10 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
     }
   }
   outputs.close(mesh);
-  if(!options.is_quiet)
+  if(!options.is_quiet) {
     outputs.summary().print(std::cout << title);
+    std::cout << runner->mesh_results();
+  }
   return outputs.has_failed() ? incomplete : success;
 }
 
@@ -304,6 +318,8 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
 {
   namespace FG = CGAL::Flip_geodesics;
   const std::vector<Network_request> requests = read_requests(options, mesh);
+  if(requests.size() != 1 && options.meshes.is_any_wanted())
+    throw Bad_input("--delaunay, --refine, --subdivision, --insert and --cut take one curve, or a network of several");
   if(options.kernel == "certified")
     return run<FG::Certified_intrinsic_triangulation_traits<Kernel>>(options, mesh, metric, requests, title);
   return run<FG::Intrinsic_triangulation_traits<Kernel>>(options, mesh, metric, requests, title);

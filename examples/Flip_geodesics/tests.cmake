@@ -9,6 +9,7 @@ foreach(
   example
   conforming_triangulation_example
   cross_field_example
+  cut_and_refine_example
   edge_length_metric_example
   exact_number_type_example
   geodesic_loop_example
@@ -137,6 +138,14 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   certified)
   flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
   flip_geodesics_add_program_test(map_without_source 2 "--source" torus.off --from 0 --to 1 --map map.csv)
+  flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" torus.off --from 0 --to 150 --delaunay --refine
+                                  25 --subdivision subdivision.off --insert inserted.ply)
+  flip_geodesics_add_program_test(cut 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt --cut cut.off)
+  flip_geodesics_add_program_test(bad_refine 2 "--refine" torus.off --from 0 --to 150 --refine 50)
+  flip_geodesics_add_program_test(bad_cut 2 "cut.xyz" torus.off --from 0 --to 150 --cut cut.xyz)
+  flip_geodesics_add_program_test(unwritable_cut 2 "no_such_folder/x.off" torus.off --from 0 --to 150 --cut
+                                  no_such_folder/x.off)
+  flip_geodesics_add_program_test(cut_of_many 2 "one curve" torus.off --random 3 --cut cut.off)
   flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "--network" --help)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Refines a triangulation that has a geodesic among its edges, takes its common subdivision with the mesh, and cuts the
+// mesh open along the geodesic.
+//
+//   cut_and_refine_example [MESH]
+
+#include "torus.h"
+
+#include <CGAL/Flip_geodesics.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace FG = CGAL::Flip_geodesics;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
+  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
+    std::cerr << "This is not a triangle mesh.\n";
+    return EXIT_FAILURE;
+  }
+
+  try {
+    Triangulation triangulation(mesh);
+    FG::Shortest_edge_path<Triangulation> search(triangulation);
+    Network network(triangulation);
+    network.add_curve(search(0, triangulation.number_of_vertices() / 2), false);
+    FG::shorten(network);
+
+    const auto cut = FG::cut_along_curves(network, mesh);
+    std::size_t on_cut = 0;
+    for(const auto e : cut.mesh().edges())
+      on_cut += get(cut.edge_is_constrained_map(), e) ? 1 : 0;
+    std::cout << "Cut open: " << cut.mesh().number_of_faces() << " faces, " << on_cut << " border edges at the cut.\n";
+
+    FG::Refinement_options options;
+    options.smallest_angle = 25;
+    const FG::Refinement_report report = FG::refine(network, options);
+    std::cout << "Refined: " << report.insertions + report.splits << " vertices more, smallest angle "
+              << report.smallest_angle << " degrees.\n";
+
+    const auto subdivision = FG::common_subdivision(triangulation, mesh);
+    std::cout << "Common subdivision: " << subdivision.mesh().number_of_faces() << " faces.\n";
+    return CGAL::IO::write_polygon_mesh("cut.off", cut.mesh()) &&
+                   CGAL::IO::write_polygon_mesh("subdivision.off", subdivision.mesh())
+               ? EXIT_SUCCESS
+               : EXIT_FAILURE;
+  } catch(const FG::Error& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
