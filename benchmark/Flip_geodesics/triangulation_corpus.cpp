@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Pulls random curves tight on every mesh given, flips the rest of the triangulation to constrained Delaunay, takes the
-// common subdivision with the mesh, inserts the curves into the mesh and cuts it open along them, checks what comes out
-// by counting and measuring, and writes a row of CSV for each of these. Times are processor time.
+// common subdivision with the mesh, inserts the curves into the mesh and cuts it open along them, refines, checks what
+// comes out by counting and measuring, and writes a row of CSV for each of these. In the rows of `refine`, count is the
+// vertices inserted, area_error the smallest angle of faces that are not exempt, and turned the faces that miss the
+// bound. Times are processor time.
 //
 // Exit status: 0 if every check holds; 1 if not; 2 on bad usage.
 
@@ -40,7 +42,8 @@ struct Options
   std::string kernel = "double";
   int curves = 4;
   unsigned seed = 1;
-  std::size_t most_crossings = 5000000;
+  std::size_t most_crossings = 5000000, most_insertions = 20000;
+  double angle = 25;
 };
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -149,6 +152,11 @@ public:
           "subdivide", [&] { return FG::common_subdivision(m_triangulation, m_mesh); }, crossings, 0);
     check_subdivision(
         "insert_icdt", [&] { return FG::insert_curves(m_network, m_mesh); }, occupied_edges(), 0);
+    if(m_options.angle > 0) {
+      refine();
+      check_subdivision(
+          "cut_refined", [&] { return FG::cut_along_curves(m_network, m_mesh); }, occupied_edges(), change_by_cut());
+    }
   }
 
 private:
@@ -164,7 +172,7 @@ private:
   int change_by_cut() const
   {
     int result = 0;
-    std::vector<int> degree(m_mesh.number_of_vertices(), 0);
+    std::vector<int> degree(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
     for(FG::Index e = 0; e < m_triangulation.number_of_edges(); ++e) {
       if(!m_network.is_occupied(2 * e) || m_triangulation.is_border(2 * e) || m_triangulation.is_border(2 * e + 1))
         continue;
@@ -172,8 +180,12 @@ private:
       ++degree[m_triangulation.tail(2 * e)];
       ++degree[m_triangulation.head(2 * e)];
     }
-    for(auto v : m_mesh.vertices())
-      result += (std::max)(degree[v] - (m_mesh.is_border(v) ? 0 : 1), 0);
+    std::vector<char> is_on_border(degree.size(), 0);
+    for(FG::Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+      if(m_triangulation.is_border(h))
+        is_on_border[m_triangulation.tail(h)] = 1;
+    for(std::size_t v = 0; v < degree.size(); ++v)
+      result += (std::max)(degree[v] - (is_on_border[v] != 0 ? 0 : 1), 0);
     return result;
   }
 
@@ -184,6 +196,32 @@ private:
     const double seconds = processor_seconds() - start;
     const bool is_right = report.is_complete() && FG::is_delaunay(m_triangulation) && m_network.is_valid();
     m_rows.write("delaunay", m_mesh, report.flips, seconds, 0, report.constrained, is_right ? "" : "not Delaunay");
+  }
+
+  // The number of faces that miss the bound is told, and is no error: some meshes need more vertices than are allowed.
+  void refine()
+  {
+    FG::Refinement_options bounds;
+    bounds.smallest_angle = m_options.angle;
+    bounds.maximum_insertions = m_options.most_insertions;
+    const double length = length_of_curves(), start = processor_seconds();
+    const FG::Refinement_report report = FG::refine(m_network, bounds);
+    const double seconds = processor_seconds() - start;
+    std::string problem;
+    if(!FG::is_delaunay(m_triangulation) || !m_triangulation.is_valid() || !m_network.is_valid())
+      problem = "not a valid Delaunay triangulation";
+    else if(!(std::abs(length_of_curves() - length) <= 1e-9 * length))
+      problem = "a curve has another length";
+    m_rows.write("refine", m_mesh, report.insertions + report.splits, seconds, report.smallest_free_angle,
+                 report.missed, problem);
+  }
+
+  double length_of_curves() const
+  {
+    double sum = 0;
+    for(FG::Index c = 0; c < m_network.number_of_curves(); ++c)
+      sum += m_network.length(c);
+    return sum;
   }
 
   template <class Make>
@@ -251,6 +289,8 @@ int main(int argc, char** argv)
   app.add_option("--curves", options.curves, "Paths on each mesh, less those that cross")->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
   app.add_option("--most-crossings", options.most_crossings, "No common subdivision with more")->capture_default_str();
+  app.add_option("--angle", options.angle, "Refine to this smallest angle; 0 is not at all")->capture_default_str();
+  app.add_option("--most-insertions", options.most_insertions, "No more vertices than that")->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
