@@ -376,6 +376,28 @@ def cross_field(tools):
     return [panel]
 
 
+@figure(1000, 420)
+def flattening(tools):
+    """A torus cut open along two geodesic loops and flattened, with lines of equal texture coordinates."""
+    tools.run('flattening_example')
+    mesh = read_obj(tools.folder / 'flattening.obj')
+    corners = [mesh['v'][v] for face in mesh['f'] for v in face]
+    flat = [(x, y, 0.0) for x, y in mesh['vt']]
+    faces = [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(mesh['f']))]
+    panels = []
+    for points, view in ((corners, (0, -0.9, 1)), (flat, (0, 0, 1))):
+        panel = Panel(size_of(points))
+        panel.surface(points, faces, is_smooth=False)
+        for axis, color in ((0, BLUE), (1, RED)):
+            values = [p[axis] for p in flat]
+            step = 0.1
+            first, last = round(min(values) / step), round(max(values) / step)
+            panel.contours(points, faces, values, [step * k for k in range(first, last + 1)], color, 0.0016)
+        panel.look(view)
+        panels.append(panel)
+    return panels
+
+
 @figure(900, 440)
 def logarithmic_map(tools):
     """The plane about one vertex, a grid and circles, laid over a scan by the logarithmic map."""

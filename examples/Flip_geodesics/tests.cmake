@@ -12,6 +12,7 @@ foreach(
   cut_and_refine_example
   edge_length_metric_example
   exact_number_type_example
+  flattening_example
   geodesic_loop_example
   geodesic_path_example
   geodesic_spline_example

@@ -10,6 +10,7 @@
 
 #include <CGAL/Flip_geodesics.h>
 #include <CGAL/Flip_geodesics/Conformal_flattening.h>
+#include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -180,6 +181,27 @@ BOOST_AUTO_TEST_CASE(a_torus_is_flattened_along_two_loops)
   const Flattening flattening(network); // as drawn: crossing curves are no obstacle to cutting
   BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-7);
   BOOST_TEST(flattening.layout_error() < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(straightened_seams_are_refined_first)
+{
+  const int n = 24, m = 12;
+  const Mesh mesh = to_mesh<Mesh>(torus(n, m, 3, 1));
+  Triangulation triangulation(mesh);
+  FG::Shortest_edge_path<Triangulation> search(triangulation);
+  Network network(triangulation);
+  for(const std::vector<FG::Index>& way : {std::vector<FG::Index>{0, 8, 16}, {0, 4 * n, 8 * n}})
+    network.add_curve(FG::shortest_halfedges_through(search, way, true), true);
+  network.fix_nodes_at(0);
+  FG::order_overlapping_curves(network);
+  FG::shorten(network);
+  FG::Refinement_options options;
+  options.smallest_angle = 20;
+  BOOST_TEST(FG::refine(network, options).is_complete());
+  const Flattening flattening(network);
+  BOOST_TEST(flattening.angle_error() <= 1e-10);
+  BOOST_TEST(flattening.layout_error() < 1e-11);
+  BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_disk_is_refused)

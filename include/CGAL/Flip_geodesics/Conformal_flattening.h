@@ -276,35 +276,43 @@ private:
     return false;
   }
 
+  // Directions are carried from face to face as angles, whose errors add up; differences of positions would magnify
+  // them wherever a side is short.
   template <class Network>
   void lay_out(const Network& network)
   {
+    constexpr double pi = boost::math::constants::pi<double>();
     m_points.assign(m_log_scales.size(), {0, 0});
     std::vector<char> is_placed(m_log_scales.size(), 0);
-    std::size_t largest = 0;
-    for(std::size_t f = 1; f < m_faces.size(); ++f)
-      if(true_lengths(f).area > true_lengths(largest).area)
-        largest = f;
-    const internal::Plane_triangle first = true_lengths(largest);
-    m_points[copy(m_faces[largest], 1)] = {first.lengths[0], 0};
-    m_points[copy(m_faces[largest], 2)] = first.apex();
-    for(int i = 0; i < 3; ++i)
-      is_placed[copy(m_faces[largest], i)] = 1;
-
+    std::vector<double> direction(m_faces.size(), 0); // of side 0
     double error = 0;
+    const auto put = [&](std::size_t f, int corner, const Point& p) {
+      const Index c = copy(m_faces[f], corner);
+      if(is_placed[c] == 0)
+        m_points[c] = p;
+      else
+        error = (std::max)(error, std::hypot(p[0] - m_points[c][0], p[1] - m_points[c][1]));
+      is_placed[c] = 1;
+    };
+
+    const std::size_t start = largest_face();
+    const internal::Plane_triangle first = scaled_face(start);
+    put(start, 0, {0, 0});
+    put(start, 1, {first.lengths[0], 0});
+    put(start, 2, first.apex());
     std::vector<char> is_reached(m_faces.size(), 0);
-    spread(network, largest, is_reached, [&](std::size_t f, int side, std::size_t next) {
+    spread(network, start, is_reached, [&](std::size_t f, int side, std::size_t next) {
       const Index h = Triangulation::twin(m_faces[f].halfedges[side]);
       int i = 0;
       while(m_faces[next].halfedges[i] != h)
         ++i;
-      const Point apex = place(next, i);
-      const Index c = copy(m_faces[next], (i + 2) % 3);
-      if(is_placed[c] == 0)
-        m_points[c] = apex;
-      else
-        error = (std::max)(error, std::hypot(apex[0] - m_points[c][0], apex[1] - m_points[c][1]));
-      is_placed[c] = 1;
+      const internal::Plane_triangle face = scaled_face(next);
+      direction[next] = side_direction(scaled_face(f), direction[f], side) + pi - side_direction(face, 0, i);
+      const int head = (i + 1) % 3;
+      const double along = side_direction(face, direction[next], head);
+      const Point& from = m_points[copy(m_faces[next], head)];
+      put(next, (i + 2) % 3,
+          {from[0] + face.lengths[head] * std::cos(along), from[1] + face.lengths[head] * std::sin(along)});
     });
     double size = 0;
     for(const Point& p : m_points)
@@ -312,7 +320,25 @@ private:
     m_layout_error = error / size;
   }
 
-  internal::Plane_triangle true_lengths(std::size_t f) const
+  static double side_direction(const internal::Plane_triangle& face, double of_side_0, int side)
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    double result = of_side_0;
+    for(int corner = 1; corner <= side; ++corner)
+      result += pi - face.angle(corner);
+    return result;
+  }
+
+  std::size_t largest_face() const
+  {
+    std::size_t largest = 0;
+    for(std::size_t f = 1; f < m_faces.size(); ++f)
+      if(scaled_face(f).area > scaled_face(largest).area)
+        largest = f;
+    return largest;
+  }
+
+  internal::Plane_triangle scaled_face(std::size_t f) const
   {
     const Intrinsic_face& face = m_faces[f];
     std::array<double, 3> lengths;
@@ -320,17 +346,6 @@ private:
       lengths[i] =
           face.lengths[i] * std::exp((m_log_scales[copy(face, i)] + m_log_scales[copy(face, (i + 1) % 3)]) / 2);
     return internal::Plane_triangle(lengths);
-  }
-
-  // Where the corner opposite to side i of a face comes to lie, the ends of the side being placed.
-  Point place(std::size_t f, int i) const
-  {
-    const internal::Plane_triangle face = true_lengths(f);
-    const internal::Plane_triangle turned({face.lengths[i], face.lengths[(i + 1) % 3], face.lengths[(i + 2) % 3]});
-    const Point a = m_points[copy(m_faces[f], i)], b = m_points[copy(m_faces[f], (i + 1) % 3)];
-    const Point apex = turned.apex();
-    const double x = (b[0] - a[0]) / turned.lengths[0], y = (b[1] - a[1]) / turned.lengths[0];
-    return {a[0] + x * apex[0] - y * apex[1], a[1] + y * apex[0] + x * apex[1]};
   }
 
   template <class Origin>
