@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A partial differential equation with its boundary on a geodesic: the temperature of a surface that is heated evenly and
-// kept at zero along a geodesic path. The path is made of edges of the triangulation, so that the values on it are met
-// exactly; the unknowns are the vertices of the mesh.
+// A partial differential equation with its boundary on a curve: the temperature of a surface that is heated evenly and
+// kept at zero along a geodesic path between two vertices, or along the geodesic Bezier curve of more vertices as
+// control points. The curve is made of edges of the triangulation, so that the values on it are met exactly; the
+// unknowns are the vertices of the mesh.
 //
-//   poisson_example [MESH SOURCE TARGET]
+//   poisson_example [MESH VERTEX VERTEX...]
 //
 // Writes poisson.ply, the mesh with the property `u` at its vertices.
 
@@ -49,12 +50,24 @@ std::vector<FG::Index> vertices_on(const Network& network)
   return result;
 }
 
+// Of the control points that the one curve of the network passes.
+void draw_bezier_curve(Network& network, const std::vector<FG::Index>& control_points)
+{
+  constexpr int rounds = 5;
+  for(FG::Index v : control_points)
+    network.fix_nodes_at(v);
+  FG::order_overlapping_curves(network);
+  FG::Geodesic_spline<Network> spline(network, 0);
+  for(int round = 0; round < rounds; ++round)
+    spline.refine();
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  const bool has_mesh = argc == 4 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : argc == 1 && make_torus(mesh) > 0;
+  const bool has_mesh = argc > 3 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : argc == 1 && make_torus(mesh) > 0;
   if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
@@ -63,20 +76,27 @@ int main(int argc, char** argv)
   auto temperature = mesh.add_property_map<Mesh::Vertex_index, double>("v:u", 0).first;
   try {
     Triangulation triangulation(mesh);
-    const FG::Index source = argc == 4 ? std::stoi(argv[2]) : 0;
-    const FG::Index target = argc == 4 ? std::stoi(argv[3]) : triangulation.number_of_vertices() / 2;
+    std::vector<FG::Index> vertices = {0, 1450, 2190, 2420}; // of the torus
+    if(argc > 3)
+      vertices.clear();
+    for(int i = 2; i < argc; ++i)
+      vertices.push_back(std::stoi(argv[i]));
+
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     Network network(triangulation);
-    network.add_curve(search(source, target), false);
-    FG::shorten(network);
-    FG::flip_to_delaunay(triangulation); // all edges but those of the path
+    network.add_curve(FG::shortest_halfedges_through(search, vertices), false);
+    if(vertices.size() == 2)
+      FG::shorten(network);
+    else
+      draw_bezier_curve(network, vertices);
+    FG::flip_to_delaunay(triangulation); // all edges but those of the curve
 
     const FG::Dirichlet_problem<Operators> problem(Operators(triangulation), vertices_on(network));
     const Eigen::VectorXd heat = Eigen::VectorXd::Ones(triangulation.number_of_vertices());
     const Eigen::VectorXd u = problem.solve(heat, Eigen::VectorXd::Zero(triangulation.number_of_vertices()));
     for(Mesh::Vertex_index v : mesh.vertices())
       temperature[v] = u[triangulation.index(v)];
-    std::cout << "Kept at 0 at " << network.halfedges(0).size() + 1 << " vertices on a geodesic; largest value "
+    std::cout << "Kept at 0 at " << network.halfedges(0).size() + 1 << " vertices on the curve; largest value "
               << u.maxCoeff() << ".\n";
   } catch(const std::exception& error) {
     std::cerr << error.what() << '\n';
