@@ -146,7 +146,7 @@ public:
    * the others on its edge. The point is rounded to a location on the input, and the segments bent by as much.
    * \return the first half of the segment, whose head is the new vertex
    * \pre 0 < `t` < 1
-   * \throws Insertion_error if rounding puts the point outside of the faces at the edge; else as `insert()`
+   * \throws as `Intrinsic_triangulation::split_edge()`
    */
   Index divide_segment(Index s, double t)
   {

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
@@ -22,8 +23,8 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsRef
  *
- * A chain of geodesic B&eacute;zier curves on the surface, by de Casteljau's algorithm with geodesics for straight lines
- * [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008].
+ * A chain of geodesic B&eacute;zier curves on the surface, by de Casteljau's algorithm with geodesics for straight
+ * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008].
  *
  * A curve of a network is the control polygon: its fixed nodes are the control points, and the geodesics between them
  * its *legs*. To divide a piece of the chain at its middle, the middles of its legs become vertices, the control points
@@ -112,8 +113,10 @@ public:
   }
 
   /*!
-   * Frees the control points that are not on the curve, so that geodesics join those that are.
-   * \return the report of the last shortening
+   * Frees the control points that are not on the curve, so that geodesics join those that are. With traits that decide
+   * exactly, the result is certified: a point that divides a segment is rounded, and lies on it only by definition, so
+   * that a decision about the faces beside it can be wrong by as much.
+   * \return the report of the last shortening; `PRECISION_LIMIT` for a curve that was to be exact and is not
    * \throws as `refine()`
    */
   const Shortening_report& finish()
@@ -128,6 +131,7 @@ public:
         legs.push_back(leg);
     m_legs = legs;
     pull_straight();
+    check_exactly();
     return m_report;
   }
 
@@ -252,7 +256,19 @@ private:
       throw Invalid_curve_error("a control polygon has a leg that shrinks to a point");
   }
 
-  // Divides the working legs, and joins halves of neighbours within a piece to the legs of the next level. Are there any?
+  void check_exactly()
+  {
+    if constexpr(!Triangulation::Traits::Has_drift::value) {
+      const Network_certificate certificate = certify(m_network);
+      for(std::size_t c = 0; c < m_report.curves.size(); ++c)
+        if(m_report.curves[c].status == Shortening_status::LOCALLY_SHORTEST &&
+           !certificate.curves[c].is_locally_shortest())
+          m_report.curves[c].status = Shortening_status::PRECISION_LIMIT;
+    }
+  }
+
+  // Divides the working legs, and joins halves of neighbours within a piece to the legs of the next level. Are there
+  // any?
   bool divide_working_legs()
   {
     std::vector<Cut> cuts(m_legs.size());

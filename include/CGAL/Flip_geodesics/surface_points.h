@@ -28,9 +28,9 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsBuilders
 /// The location of vertex `v` of a mesh. \throws Vertex_out_of_range_error if it is none, or isolated
 template <class Triangulation>
-Surface_location
-surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
-                 typename boost::graph_traits<typename Triangulation::Triangle_mesh>::vertex_descriptor v)
+Surface_location surface_location(
+    const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
+    typename boost::graph_traits<typename Triangulation::Triangle_mesh>::vertex_descriptor v)
 {
   const Index i = triangulation.index(v);
   if(i == null_index || triangulation.input().outgoing(i) == null_index)
@@ -52,11 +52,11 @@ surface_location(const Triangulation& triangulation, const typename Triangulatio
  *         not sum to one within 1e-6
  */
 template <class Triangulation, class FT>
-Surface_location
-surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
-                 const std::pair<typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor,
-                                 std::array<FT, 3>>& location,
-                 double snap = 1e-12)
+Surface_location surface_location(
+    const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+    const std::pair<typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor,
+                    std::array<FT, 3>>& location,
+    double snap = 1e-12)
 {
   if(location.first == boost::graph_traits<typename Triangulation::Triangle_mesh>::null_face())
     throw Invalid_location_error("a location is in no face");
@@ -116,7 +116,7 @@ public:
       std::array<double, 3> weights;
       for(int i = 0; i < 3; ++i)
         weights[i] = cross(corners[(i + 1) % 3].position - point, corners[(i + 2) % 3].position - point);
-      note(Point_side<Triangulation>::face_of_gap(word, gap), weights);
+      note(Point_side<Triangulation>::face_of_gap(word, gap), weights, gap);
     }
   }
 
@@ -130,10 +130,22 @@ public:
     return canonical_location(m_triangulation.input(), result);
   }
 
+  /* The best face as a gap of the word, and weights there that are all positive. */
+  Surface_location result_inside() const
+  {
+    constexpr double least = 1.0 / (1LL << 50);
+    Surface_location result = m_best;
+    const double sum = result.weights[0] + result.weights[1] + result.weights[2];
+    for(double& weight : result.weights)
+      weight = (std::max)(weight / sum, least);
+    return result;
+  }
+  std::size_t gap() const { return m_gap; }
+
 private:
   static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
-  void note(Index face, const std::array<double, 3>& weights)
+  void note(Index face, const std::array<double, 3>& weights, std::size_t gap)
   {
     const double sum = weights[0] + weights[1] + weights[2];
     const double smallest = (std::min)({weights[0], weights[1], weights[2]}) / sum;
@@ -141,6 +153,7 @@ private:
       return;
     m_smallest = smallest;
     m_best = {face, weights};
+    m_gap = gap;
   }
 
   // In the face on the left of an edge along an input edge, or in that which holds the edge.
@@ -156,7 +169,7 @@ private:
       weights[i] = (1 - along.real()) * (from[i] / from_sum) + along.real() * (to[i] / to_sum);
     if(along.imag() != 0)
       add_height(word, h, along.imag(), weights);
-    note(input.is_border(h) ? twin_index(h) : h, weights);
+    note(input.is_border(h) ? twin_index(h) : h, weights, 0);
   }
 
   // Moves weights to the left of the edge by a part of its length.
@@ -181,6 +194,7 @@ private:
 
   const Triangulation& m_triangulation;
   Surface_location m_best;
+  std::size_t m_gap = 0;
   double m_smallest = -std::numeric_limits<double>::infinity();
 };
 
@@ -205,9 +219,9 @@ Surface_location location_on_edge(const Triangulation& triangulation, Index h, d
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * The input location, rounded, of the point of an intrinsic face with barycentric coordinates at the tail of `h`, its
- * head, and the third vertex: among the input faces along the face's sides, the one that holds it. Every input face that
- * meets the intrinsic face is among them.
- * \pre `h` is not on the border, and the coordinates are not negative and sum to one
+ * head, and the third vertex: among the input faces along the face's sides, the one that holds it. Every input face
+ * that meets the intrinsic face is among them. \pre `h` is not on the border, and the coordinates are not negative and
+ * sum to one
  */
 template <class Triangulation>
 Surface_location location_in_face(const Triangulation& triangulation, Index h, const std::array<double, 3>& coordinates)

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_DIVISION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_DIVISION_H
 
+#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
@@ -47,11 +47,14 @@ public:
   }
 
   /*
-   * Divides segment s and those beside it; returns the first half of s. A point that rounding puts off the edge h goes
-   * into a face beside it, and the segments move there, over a sliver that holds no vertex:
+   * Divides segment s and those beside it; returns the first half of s. The point is rounded to a location in one of
+   * the input faces that the edge crosses, and lies on the edge by definition from then on.
    *
-   *       x                        x          The sliver is flipped away if it can be, as the next point to divide ax,
-   *    /     .                  /  |  .       off by rounding as well, could lie beyond ab.
+   * An edge that was divided before and was straightened since can have the old point beside it, off by rounding: it is
+   * the apex of a sliver that holds no vertex. There the segments are moved over the sliver, which is flipped away.
+   *
+   *       x                        x
+   *    /     .                  /  |  .
    *   a ----- b      ==>       a   |   b
    *    .     /                  .  |  /
    *       d                        d
@@ -71,22 +74,20 @@ public:
       t = t < at ? t / at : (t - at) / (1 - at);
     }
     const Index h = m_network.halfedge(s);
+    const Crossing_word word = m_triangulation.crossing_word(h);
+    Location_finder<Triangulation> finder(m_triangulation);
+    finder.look_along(word, t);
     Index half = null_index;
-    const Index x = m_triangulation.insert(location_on_edge(m_triangulation, h, t), [&](const Edge_halves& halves) {
-      half = move_stack(halves.first, {{halves.first, halves.second}}, s);
-    });
-    for(Index side : {h, Triangulation::twin(h)})
-      if(half == null_index && !m_triangulation.is_border(side) &&
-         m_triangulation.head(m_triangulation.next(side)) == x)
-        half = move_to_apex(side, s);
-    if(half == null_index)
-      throw Insertion_error("a segment cannot be divided: rounding puts the point outside of the faces beside it");
+    m_triangulation.split_edge(h, word.along != null_index ? finder.result() : finder.result_inside(), finder.gap(),
+                               [&](const Edge_halves& halves) {
+                                 half = move_stack(halves.first, {{halves.first, halves.second}}, s);
+                               });
     return half;
   }
 
 private:
-  // Points that were rounded lie off the lines that they divide. Where such a line is divided again, a vertex this close
-  // to it, relative to its length, is taken to be on it.
+  // Points that were rounded lie off the lines that they divide. Where such a line is divided again, a vertex this
+  // close to it, relative to its length, is taken to be on it.
   static constexpr double same_place = 1e-12;
   static constexpr int most_slivers = 64;
 
