@@ -124,6 +124,15 @@ def read_obj(path):
     return result
 
 
+def read_off(path):
+    """The points and faces of an OFF file in text."""
+    numbers = iter(' '.join(line.split('#')[0] for line in path.read_text().splitlines()).split()[1:])
+    points, faces = int(next(numbers)), int(next(numbers))
+    next(numbers)
+    return ([tuple(float(next(numbers)) for _ in range(3)) for _ in range(points)],
+            [tuple(int(next(numbers)) for _ in range(int(next(numbers)))) for _ in range(faces)])
+
+
 class Graph:
     """Shortest paths of edges, to make loops and networks from."""
 
@@ -374,6 +383,26 @@ def cross_field(tools):
     panel.tubes(page.curves.values(), RED, 0.009)
     panel.look((0, -0.8, 1))
     return [panel]
+
+
+@figure(1000, 380)
+def refinement(tools):
+    """A coarse torus with a geodesic inserted as edges, and its common subdivision with the refined triangulation."""
+    mesh = tools.torus(24, 12)
+    ends = ('--from', 169, '--to', 257)
+    page = tools.curves(mesh, *ends)
+    panels = []
+    for arguments in (('--insert',), ('--refine', 25, '--subdivision')):
+        result = tools.folder / 'result.off'
+        tools.run('flip_geodesics', mesh, *ends, '--quiet', *arguments, result)
+        points, faces = read_off(result)
+        panel = Panel(size_of(points))
+        panel.surface(points, faces, is_smooth=False)
+        panel.edges(points, faces, width=0.0022)
+        panel.tubes(page.curves.values(), RED, 0.009)
+        panel.look((0, -0.8, 1))
+        panels.append(panel)
+    return panels
 
 
 @figure(1000, 420)
