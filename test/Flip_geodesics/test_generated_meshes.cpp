@@ -5,7 +5,6 @@
 
 #define BOOST_TEST_MODULE generated_meshes
 
-#include "closed_forms.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "invalid_meshes.h"
@@ -537,78 +536,6 @@ BOOST_AUTO_TEST_CASE(the_flat_torus_is_flat, *within)
   BOOST_TEST(metric(0, 4) == 2);    // along the side a, around the end
   BOOST_TEST(metric(15, 0) == 1.5); // along the side b
   BOOST_TEST(metric(0, 6) == 2.5);
-}
-
-// ---------------------------------------------------------------- closed forms, compared with other routes
-
-BOOST_AUTO_TEST_CASE(distances_on_boxes, *within)
-{
-  BOOST_TEST(box_distance(32, 32, 32, {0, 10, 16}, {24, 0, 28}) == std::sqrt(1300.));
-  BOOST_TEST(box_distance(1, 1, 1, {0, 0, 0}, {1, 1, 1}) == std::sqrt(5.));
-  BOOST_TEST(box_distance(1, 1, 1, {0, 0, 0}, {1, 1, 0}) == std::sqrt(2.));
-  BOOST_TEST(box_distance(1, 1, 1, {0.5, 0.5, 0}, {0.5, 0.5, 1}) == 2);
-  BOOST_TEST(box_distance(1, 1, 2, {0, 0, 0}, {1, 1, 2}) == std::sqrt(8.));
-  // The spider and the fly: the shortest of the ways over one, two and three further sides is the longest in sides.
-  BOOST_TEST(box_distance(30, 12, 12, {0, 6, 1}, {30, 6, 11}) == 40);
-  BOOST_TEST(box_distance(1, 2, 3, {0, 0, 1}, {0, 0, 1}) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(distances_on_boxes_form_a_metric)
-{
-  const std::vector<Coordinates> points = box(2, 3, 5, 2).points;
-  for(const Coordinates& p : points)
-    for(const Coordinates& q : points) {
-      const double pq = box_distance(2, 3, 5, p, q);
-      BOOST_TEST(pq >= distance(p, q) - 1e-12);
-      BOOST_TEST(pq == box_distance(2, 3, 5, q, p), boost::test_tools::tolerance(1e-12));
-      BOOST_TEST(pq <= box_distance(2, 3, 5, p, points[9]) + box_distance(2, 3, 5, points[9], q) + 1e-12);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(distances_on_tetrahedra, *within)
-{
-  const double edge = 4 * std::sqrt(8.);
-  const std::vector<Coordinates> points = tetrahedron(4).points;
-  for(int i = 0; i < 4; ++i)
-    for(int j = 0; j < 4; ++j)
-      BOOST_TEST(tetrahedron_distance(4, points[i], points[j]) == (i == j ? 0 : edge));
-  BOOST_TEST(tetrahedron_distance(4, {0, 0, 4}, {0, 0, -4}) == edge); // midpoints of opposite edges
-  const Coordinates base_centre = {4. / 3, 4. / 3, -4. / 3};
-  BOOST_TEST(tetrahedron_distance(4, {-4, 4, -4}, {4, 4, 4}) == edge);
-  BOOST_TEST(tetrahedron_distance(4, {-4. / 3, 4. / 3, 4. / 3}, {4, -4, -4}) == edge * 2 / std::sqrt(3.));
-  BOOST_TEST(tetrahedron_distance(4, base_centre, {4, -4, -4}) == edge / std::sqrt(3.));
-}
-
-// Within a face the distance is that in space, and everywhere it is symmetric and satisfies the triangle inequality.
-BOOST_AUTO_TEST_CASE(distances_on_tetrahedra_form_a_metric)
-{
-  const Mesh_soup soup = tetrahedron(4);
-  const auto is_on_face = [](const Coordinates& p, int sign) { return p[0] * sign + p[1] * sign + p[2] == -4; };
-  for(const Coordinates& p : soup.points)
-    for(const Coordinates& q : soup.points) {
-      const double pq = tetrahedron_distance(4, p, q);
-      BOOST_TEST(pq >= distance(p, q) - 1e-6);
-      BOOST_TEST(std::abs(pq - tetrahedron_distance(4, q, p)) < 1e-6);
-      for(int sign : {-1, 1})
-        if(is_on_face(p, sign) && is_on_face(q, sign))
-          BOOST_TEST(std::abs(pq - distance(p, q)) < 1e-6);
-      for(const Coordinates& r : soup.points)
-        if(tetrahedron_distance(4, p, r) + tetrahedron_distance(4, r, q) < pq - 1e-6)
-          BOOST_ERROR("triangle inequality");
-    }
-}
-
-BOOST_AUTO_TEST_CASE(distances_on_cylinders_and_cones, *within)
-{
-  BOOST_TEST(cylinder_distance(4, 3, std::sqrt(2.), 9, 0, 3 + 4 * 2) == std::hypot(2, 6));
-  BOOST_TEST(cylinder_distance(4, 3, std::sqrt(2.), 9, 0, 2) == 4);
-  BOOST_TEST(cone_distance(3, 4, pi / 2) == 5);
-  BOOST_TEST(cone_distance(3, 4, pi) == 7);
-  BOOST_TEST(cone_distance(3, 4, 4) == 7);
-  BOOST_TEST(cone_distance(3, 3, 0) == 0);
-  const Mesh_soup cone = cone_disk(5, 4, 3); // along a sector, where the chord is in the mesh
-  BOOST_TEST(distance(cone.points[disk_vertex(5, 2, 0)], cone.points[disk_vertex(5, 4, 1)]) ==
-             cone_distance(2, 4, 3. / 5));
 }
 
 // ---------------------------------------------------------------- invalid inputs
