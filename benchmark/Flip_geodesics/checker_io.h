@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iomanip>
 #include <istream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <ostream>
@@ -82,7 +83,8 @@ public:
 
   void fail() const
   {
-    throw Bad_input("line " + std::to_string(m_line_number) + " of the polylines is not `curve a b t x y z`");
+    throw Bad_input("line " + std::to_string(m_line_number) +
+                    " of the polylines is neither `curve a b t x y z` nor `curve a b c t u x y z`");
   }
 
 private:
@@ -97,7 +99,22 @@ private:
   std::size_t m_line_number;
 };
 
-/// Reads lines `curve a b t x y z`; empty lines and lines that begin with # are comments.
+inline Polyline_point read_polyline_point(Line_reader& reader, bool is_inside)
+{
+  Polyline_point point{};
+  point.a = reader.read_vertex();
+  point.b = reader.read_vertex();
+  point.c = is_inside ? reader.read_vertex() : null_index;
+  point.t = reader.read_number();
+  point.u = is_inside ? reader.read_number() : 0;
+  for(double& coordinate : point.position)
+    coordinate = reader.read_number();
+  reader.expect_end();
+  return point;
+}
+
+/// Reads lines `curve a b t x y z`, or `curve a b c t u x y z` where curves start, end or bend inside faces or, with c
+/// equal to b, on edges; empty lines and lines that begin with # are comments.
 /// \throws Bad_input if a line is not like that, or if a curve is in two parts
 inline std::vector<Polyline> read_polylines(std::istream& in)
 {
@@ -115,14 +132,9 @@ inline std::vector<Polyline> read_polylines(std::istream& in)
         throw Bad_input("line " + std::to_string(number) + " of the polylines continues an earlier curve");
       curves.push_back({id, {}});
     }
-    Polyline_point point{};
-    point.a = reader.read_vertex();
-    point.b = reader.read_vertex();
-    point.t = reader.read_number();
-    for(double& coordinate : point.position)
-      coordinate = reader.read_number();
-    reader.expect_end();
-    curves.back().points.push_back(point);
+    std::istringstream fields(line);
+    const auto count = std::distance(std::istream_iterator<std::string>(fields), std::istream_iterator<std::string>());
+    curves.back().points.push_back(read_polyline_point(reader, count == 9));
   }
   return curves;
 }
@@ -136,6 +148,56 @@ inline std::vector<std::string> split_at_commas(std::string line)
   for(std::string field; std::getline(stream, field, ',');)
     fields.push_back(field);
   return fields;
+}
+
+/// Reads a place as it is asked for: `v`, `a,b,t` or `a,b,c,t,u`.
+inline Place read_place(const std::string& word)
+{
+  std::vector<double> n;
+  for(const std::string& field : split_at_commas(word))
+    n.push_back(std::strtod(field.c_str(), nullptr));
+  if(n.size() == 1)
+    return Place::vertex(Index(n[0]));
+  if(n.size() == 3)
+    return Place::on_edge(Index(n[0]), Index(n[1]), n[2]);
+  if(n.size() != 5)
+    throw Bad_input("'" + word + "' is not a point");
+  return {Index(n[0]), Index(n[1]), Index(n[2]), n[3], n[4]};
+}
+
+/*
+ * Reads which points the curves are to pass, and adds that to the curves: a line per curve, the first one for curve 0. Of
+ * splines only the ends are given, and they may bend inside all faces and on all edges; after `o` they are closed.
+ */
+inline void read_way_points(std::istream& in, bool are_splines, std::vector<Polyline>& curves)
+{
+  std::vector<Polyline> asked;
+  for(std::string line; std::getline(in, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    Polyline curve{};
+    std::vector<Place> places;
+    for(std::string word; words >> word;)
+      if(word == "o" || word == "s")
+        curve.must_be_closed = word == "o";
+      else
+        places.push_back(read_place(word));
+    if(places.empty())
+      continue;
+    if(are_splines)
+      places = curve.must_be_closed ? std::vector<Place>() : std::vector<Place>{places.front(), places.back()};
+    curve.way_points = places;
+    curve.may_bend_inside = are_splines;
+    asked.push_back(curve);
+  }
+  for(Polyline& curve : curves) {
+    if(curve.id < 0 || std::size_t(curve.id) >= asked.size())
+      throw Bad_input("curve " + std::to_string(curve.id) + " was not asked for");
+    const std::vector<Polyline_point> points = curve.points;
+    const long id = curve.id;
+    curve = asked[std::size_t(id)];
+    curve.id = id;
+    curve.points = points;
+  }
 }
 
 inline Curve_stats parse_stats(std::map<std::string, std::string>& row)

@@ -20,44 +20,74 @@ constexpr long double infinite_angle = std::numeric_limits<long double>::infinit
 /// Two directions at a vertex that differ by less (radians) are taken for the same when a joint is called blocked.
 constexpr long double same_direction_tolerance = 1e-9L;
 
-/// A direction at the vertex of `corner`: in its face, turned counterclockwise by `offset` from the halfedge `corner`.
+/*
+ * A direction at a vertex: in the face of the halfedge `from`, which starts there, turned counterclockwise from it by
+ * `offset`. At another place, where the surface is flat: the offset from some halfedge, up to the sum of all angles.
+ */
 struct Direction
 {
-  Index corner = null_index;
+  Index from = null_index;
   long double offset = 0;
+  long double flat_angle = 0;  // the sum of all angles of a place that is no vertex
+  long double uncertainty = 0; // since the other end of the segment is rounded, or this one
 };
 
-/// The end of a segment at a vertex, known by its curve and a number within the curve.
+/// The end of a segment at a place, known by its curve and a number within the curve.
 struct Strand_end
 {
   Direction direction;
   std::size_t curve, number;
 };
 
-/// The ends of segments at each vertex.
-using Strand_ends = std::map<Index, std::vector<Strand_end>>;
+/// The ends of segments at each place.
+using Strand_ends = std::map<Place, std::vector<Strand_end>>;
 
 inline long double corner_angle(const Mesh& mesh, Index c) { return Corner<long double>(mesh, c).angle(); }
 
-/// The direction at `v` along the edge to its neighbour `u`.
-inline Direction direction_along_edge(const Mesh& mesh, Index v, Index u)
+/// The angle by which halfedge h is turned from another of its face.
+inline long double turn_within_face(const Mesh& mesh, Index from, Index h)
 {
-  const Index h = mesh.halfedge(v, u);
-  if(h != null_index)
-    return {h, 0};
-  const Index corner = Mesh::next(mesh.halfedge(u, v)); // the mesh is on the other side of this border edge only
-  return {corner, corner_angle(mesh, corner)};
+  if(h == from)
+    return 0;
+  return h == Mesh::next(from) ? pi - corner_angle(mesh, h) : corner_angle(mesh, from) - pi;
 }
 
-/// The angle of the faces from `a` counterclockwise to `b` at the same vertex; infinite if the border is in between.
+/// The direction at a place inside a face, or on an edge, that is turned by `angle` from halfedge h of a face there.
+inline Direction flat_direction(const Mesh& mesh, const Place& place, Index h, long double angle)
+{
+  const Index along = mesh.halfedge(place.a, place.b), against = mesh.halfedge(place.b, place.a);
+  if(place.is_in_face()) {
+    const long double offset = std::fmod(turn_within_face(mesh, along, h) + angle + 4 * pi, 2 * pi);
+    return {along, offset, 2 * pi, 0};
+  }
+  const bool is_left = along != null_index && along / 3 == h / 3;
+  const long double from_edge = std::remainder(turn_within_face(mesh, is_left ? along : against, h) + angle, 2 * pi);
+  // Between 0 and pi but for rounding.
+  const long double offset = from_edge < -pi / 2 ? pi : (std::max)(from_edge, 0.0L);
+  if(along == null_index || against == null_index)
+    return {is_left ? along : against, offset, pi, 0};
+  return {along, is_left ? offset : pi + offset, 2 * pi, 0};
+}
+
+/// The direction at the place along halfedge h, if it is on its edge.
+inline Direction direction_along_edge(const Mesh& mesh, const Place& place, Index h, bool is_towards_head)
+{
+  if(!place.is_vertex())
+    return flat_direction(mesh, place, h, is_towards_head ? 0 : pi);
+  return is_towards_head ? Direction{h} : Direction{Mesh::next(h), corner_angle(mesh, Mesh::next(h))};
+}
+
+/// The angle of the faces from `a` counterclockwise to `b` at the same place; infinite if the border is in between.
 inline long double angle_counterclockwise(const Mesh& mesh, const Direction& a, const Direction& b)
 {
-  if(a.corner == b.corner && a.offset <= b.offset)
+  if(a.from == b.from && a.offset <= b.offset)
     return b.offset - a.offset;
-  long double angle = corner_angle(mesh, a.corner) - a.offset;
-  Index c = mesh.next_around_vertex(a.corner);
-  for(; c != null_index && c != b.corner; c = mesh.next_around_vertex(c)) {
-    if(c == a.corner)
+  if(a.flat_angle > 0)
+    return a.flat_angle > 1.5L * pi ? a.flat_angle + b.offset - a.offset : infinite_angle;
+  long double angle = corner_angle(mesh, a.from) - a.offset;
+  Index c = mesh.next_around_vertex(a.from);
+  for(; c != null_index && c != b.from; c = mesh.next_around_vertex(c)) {
+    if(c == a.from)
       return infinite_angle; // not the same fan: the surface is pinched at this vertex
     angle += corner_angle(mesh, c);
   }
@@ -92,7 +122,7 @@ inline Joint_angles joint_angles(const Mesh& mesh, const Direction& incoming, co
 {
   Joint_angles result;
   const auto look_at_side = [&](const Direction& a, const Direction& b) {
-    const long double angle = angle_counterclockwise(mesh, a, b);
+    const long double angle = angle_counterclockwise(mesh, a, b) + a.uncertainty + b.uncertainty;
     result.smallest = (std::min)(result.smallest, angle);
     if(angle < result.smallest_unblocked && (angle >= pi || !is_blocked(mesh, a, b, other_strands)))
       result.smallest_unblocked = angle;

@@ -71,6 +71,13 @@ public:
     return found != m_halfedges.end() && found->first == wanted.first ? found->second : null_index;
   }
 
+  /// The halfedge from `a` to `b` of the face with the corners a, b, c counterclockwise, `null_index` if there is none.
+  Index halfedge_of_face(Index a, Index b, Index c) const
+  {
+    const Index h = halfedge(a, b);
+    return h != null_index && vertex(previous(h)) == c ? h : null_index;
+  }
+
   bool is_edge(Index a, Index b) const { return halfedge(a, b) != null_index || halfedge(b, a) != null_index; }
 
   /// The next corner counterclockwise about the vertex of `c`, `null_index` past the border.

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_BENCHMARK_CHECKER_STRIP_H
 
 #include "checker_mesh.h"
+#include "checker_place.h"
 
 #include <algorithm>
 #include <array>
@@ -115,18 +116,19 @@ struct Corner
 };
 
 /*
- * A strip of faces from the vertex `source` to the vertex `target`: the halfedges crossed, each with the face that is
- * left on its left, so that it runs from the right to the left of the traveller. Without crossing it is one edge.
+ * A strip of faces from the place `source` to the place `target`: the halfedges crossed, each with the face that is
+ * left on its left, so that it runs from the right to the left of the traveller. Without crossing both places lie in
+ * one face, or on an edge of it.
  *
  *          left                        crossed[0]: right -> left
- *         /  ^ \                       source: opposite of crossed[0] in the first face
- *   source   |   target                target: opposite of the last one's twin in the last face
+ *         /  ^ \                       source: in the face of crossed[0], not on its edge
+ *   source   |   target                target: in the face of the last one's twin, not on its edge
  *         \  | /
  *          right
  */
 struct Strip
 {
-  Index source, target;
+  Place source, target;
   std::vector<Index> crossed;
 
   Strip reversed(const Mesh& mesh) const
@@ -138,9 +140,31 @@ struct Strip
   }
 };
 
+/// The coordinates of places inside faces and on edges are rounded: the places may be as far off as this fraction of
+/// the longest edge of their face.
+constexpr long double place_rounding = 4e-15L;
+
+/// How far a place in the face of h may be off.
+inline long double uncertainty(const Mesh& mesh, Index h, const Place& place)
+{
+  if(place.is_vertex())
+    return 0;
+  return place_rounding * (std::max)({edge_length<long double>(mesh, h), edge_length<long double>(mesh, Mesh::next(h)),
+                                      edge_length<long double>(mesh, Mesh::previous(h))});
+}
+
+/// The vector between two places in the face of h, which points along the positive x axis.
+template <class NT>
+Vector_2<NT> vector_in_face(const Mesh& mesh, Index h, const Place& from, const Place& to)
+{
+  const Vector_2<NT> edge{edge_length<NT>(mesh, h), NT(0)};
+  const auto change = [&](Index v) { return NT(weight<NT>(to, v) - weight<NT>(from, v)); };
+  return edge * change(mesh.vertex(Mesh::next(h))) +
+         Corner<NT>(mesh, h).previous_from_next(edge) * change(mesh.vertex(Mesh::previous(h)));
+}
+
 /*
- * A strip in the plane. The source is the origin, the edge from there to the right end of the first crossed edge points
- * along the positive x axis.
+ * A strip in the plane. The source is the origin, the first crossed edge points along the positive x axis.
  *
  * The vector of a crossed edge is a product of corners and carries a relative error only; a new vertex is put at the
  * end of the shorter edge that leads to it. So vertices near the source keep a small error, and whoever wants those
@@ -161,62 +185,103 @@ public:
   {
     const Index first = strip.crossed.front();
     m_gates.reserve(strip.crossed.size());
-    m_gates.push_back(first_gate(mesh, first));
-    for(std::size_t i = 0; i < strip.crossed.size(); ++i)
-      add_face(mesh, strip.crossed[i], i + 1 < strip.crossed.size() ? strip.crossed[i + 1] : null_index);
+    m_gates.push_back(first_gate(mesh, first, strip.source));
+    for(std::size_t i = 0; i + 1 < strip.crossed.size(); ++i)
+      add_gate(mesh, strip.crossed[i], strip.crossed[i + 1]);
+    m_target = target_beyond(mesh, strip.crossed.back(), strip.target);
+    m_uncertainty = uncertainty(mesh, first, strip.source) +
+                    uncertainty(mesh, mesh.twin(strip.crossed.back()), strip.target);
   }
 
   const std::vector<Gate>& gates() const { return m_gates; }
   const Vector_2<NT>& target() const { return m_target; }
 
-  /// The angle at the source from the first face's right edge to the line to the target, counterclockwise.
-  long double direction() const { return angle_between(Vector_2<NT>{NT(1), NT(0)}, m_target); }
+  /// How far the line to the target may be off, since its ends are rounded.
+  long double uncertainty_of_line() const { return m_uncertainty; }
 
-private:
-  static Gate first_gate(const Mesh& mesh, Index crossed)
+  /// The angle at the source from the line to the first crossed edge's right end, or from the edge itself if the source
+  /// is no vertex, to the line to the target, counterclockwise.
+  long double direction(bool is_vertex) const
   {
-    const Index corner = Mesh::previous(crossed);
-    const Vector_2<NT> right{edge_length<NT>(mesh, corner), NT(0)};
-    const Vector_2<NT> left = Corner<NT>(mesh, corner).previous_from_next(right);
-    return {right, left, Corner<NT>(mesh, crossed).next_from_previous(-right)};
+    return angle_between(is_vertex ? m_gates.front().right : m_gates.front().edge, m_target);
   }
 
-  // The face beyond `crossed`; `next` is the edge through which it is left, null_index if it is the last.
-  void add_face(const Mesh& mesh, Index crossed, Index next)
+private:
+  // The two other sides of the face on the left of `crossed`, which is `edge`, as vectors to its apex.
+  struct To_apex
+  {
+    Vector_2<NT> from_tail, from_head;
+
+    To_apex(const Mesh& mesh, Index crossed, const Vector_2<NT>& edge)
+      : from_tail(Corner<NT>(mesh, crossed).previous_from_next(edge))
+      , from_head(Corner<NT>(mesh, Mesh::next(crossed)).next_from_previous(-edge))
+    {
+    }
+  };
+
+  static Gate first_gate(const Mesh& mesh, Index crossed, const Place& source)
+  {
+    const Vector_2<NT> edge{edge_length<NT>(mesh, crossed), NT(0)};
+    const To_apex to_apex(mesh, crossed, edge);
+    const NT at_right = weight<NT>(source, mesh.vertex(crossed)),
+             at_left = weight<NT>(source, mesh.vertex(Mesh::next(crossed))),
+             at_apex = weight<NT>(source, mesh.vertex(Mesh::previous(crossed)));
+    return {-(edge * at_left + to_apex.from_tail * at_apex), edge * at_right - to_apex.from_head * at_apex, edge};
+  }
+
+  // The gate through which the face beyond the last one is left.
+  void add_gate(const Mesh& mesh, Index crossed, Index next)
   {
     const Gate gate = m_gates.back();
     const Index at_left = mesh.twin(crossed);
-    const Index at_right = Mesh::next(at_left);
-    const Vector_2<NT> from_right = Corner<NT>(mesh, at_right).next_from_previous(gate.edge);
-    const Vector_2<NT> from_left = Corner<NT>(mesh, at_left).previous_from_next(-gate.edge);
-    const bool right_is_nearer = dot(from_right, from_right) < dot(from_left, from_left);
-    const Vector_2<NT> apex = right_is_nearer ? gate.right + from_right : gate.left + from_left;
-    if(next == null_index)
-      m_target = apex;
-    else if(next == at_right)
+    const To_apex to_apex(mesh, at_left, -gate.edge);
+    const Vector_2<NT>&from_left = to_apex.from_tail, &from_right = to_apex.from_head;
+    const Vector_2<NT> apex = from_nearer(gate, from_right, from_left);
+    if(next == Mesh::next(at_left))
       m_gates.push_back({gate.right, apex, from_right});
     else
       m_gates.push_back({apex, gate.left, -from_left});
   }
 
+  Vector_2<NT> target_beyond(const Mesh& mesh, Index crossed, const Place& target) const
+  {
+    const Gate& gate = m_gates.back();
+    const Index at_left = mesh.twin(crossed);
+    const To_apex to_apex(mesh, at_left, -gate.edge);
+    const NT w_left = weight<NT>(target, mesh.vertex(at_left)),
+             w_right = weight<NT>(target, mesh.vertex(Mesh::next(at_left))),
+             w_apex = weight<NT>(target, mesh.vertex(Mesh::previous(at_left)));
+    return from_nearer(gate, to_apex.from_head * w_apex + gate.edge * w_left,
+                       to_apex.from_tail * w_apex - gate.edge * w_right);
+  }
+
+  // A point by its vectors from the ends of a gate.
+  static Vector_2<NT> from_nearer(const Gate& gate, const Vector_2<NT>& from_right, const Vector_2<NT>& from_left)
+  {
+    const bool right_is_nearer = dot(from_right, from_right) < dot(from_left, from_left);
+    return right_is_nearer ? gate.right + from_right : gate.left + from_left;
+  }
+
   std::vector<Gate> m_gates;
   Vector_2<NT> m_target;
+  long double m_uncertainty = 0;
 };
 
 /*
  * The largest angle by which an end of a crossed edge lies on the wrong side of the line from source to target, seen
  * from the source, over those ends that are nearer to the source than to the target. 0: the line stays in the strip
- * as far as these ends can tell.
+ * as far as these ends can tell. An end that is beyond the line by no more than its own uncertainty is not.
  */
 template <class NT>
 long double bend_seen_from_source(const Unfolded_strip<NT>& strip)
 {
   const Vector_2<NT>& line = strip.target();
+  const NT slack = NT(strip.uncertainty_of_line()) * length(line);
   long double bend = 0;
   const auto look_at = [&](const Vector_2<NT>& p, const NT& side) {
     const Vector_2<NT> rest = line - p;
     const bool is_nearer = dot(p, p) <= dot(rest, rest) * NT(1.000001L); // one in the middle counts for both ends
-    if(is_nearer && side * cross(line, p) < 0)
+    if(is_nearer && side * cross(line, p) + slack < 0)
       bend = (std::max)(bend, std::fabs(angle_between(line, p)));
   };
   for(const auto& gate : strip.gates()) {

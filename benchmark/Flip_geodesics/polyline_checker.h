@@ -5,6 +5,8 @@
 
 #include "checker_joint.h"
 #include "checker_mesh.h"
+#include "checker_place.h"
+#include "checker_points.h"
 #include "checker_strip.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -23,8 +25,8 @@
  * Are the curves geodesic? An answer from the input mesh and the written points alone, sharing no code with the
  * library.
  *
- * A curve is cut at the vertices that it passes. Each segment in between crosses a strip of faces, given by the edges
- * of its points. The strip is unfolded into the plane and its ends are joined by a straight line; the segment is
+ * A curve is cut at its stops: the vertices that it passes, and its ends and way points on edges and inside faces. Each
+ * segment in between crosses a strip of faces, given by the edges of its points. The strip is unfolded into the plane and its ends are joined by a straight line; the segment is
  * geodesic if and only if this line stays inside the strip, that is, if each crossed edge has one end on either side of
  * it. So the verdict rests on the crossed edges and not on the positions of the crossing points, whose rounding makes
  * turning angles meaningless where two crossings are close together; the points must then lie on the line.
@@ -47,49 +49,10 @@ struct Tolerances
   long double length = 1e-6L;          // of the length reported
 };
 
-/// The unit roundoff of the `double` values that were written.
-constexpr long double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-
 /// Points closer than this fraction of the segment or of the longest crossed edge are one point for `raw_bend`.
 constexpr long double merge_distance = 1e-10L;
 
-/// The point (1 - t) a + t b of the edge ab, or the vertex a if a == b, and where the file says it is.
-struct Polyline_point
-{
-  Index a, b;
-  double t;
-  std::array<double, 3> position;
-
-  bool is_vertex() const { return a == b; }
-};
-
-struct Polyline
-{
-  long id;
-  std::vector<Polyline_point> points;
-};
-
-struct Curve_report
-{
-  std::size_t points = 0, segments = 0;
-  std::size_t broken = 0;  // points and segments that do not fit on the mesh
-  std::string first_break; // where and why
-  long double strip_bend = 0;
-  long double point_deviation = 0;
-  long double raw_bend = 0; // the largest turn at a crossing of the polyline as written
-  long double min_vertex_angle = infinite_angle;
-  long double min_unblocked_angle = infinite_angle;
-  std::size_t bent_vertices = 0; // joints with an angle below pi, blocked or not
-  long double length = 0;
-
-  void add_break(const std::string& where_and_why)
-  {
-    if(broken++ == 0)
-      first_break = where_and_why;
-  }
-};
-
-/// The written points first .. last of a curve, both at vertices, and the directions in which it leaves them.
+/// The written points first .. last of a curve, both stops, and the directions in which it leaves them.
 struct Segment
 {
   Strip strip;
@@ -102,6 +65,7 @@ struct Traced_curve
 {
   std::vector<Segment> segments;
   bool is_closed = false;
+  std::set<std::size_t> way_points; // as numbers of written points
   Curve_report report;
 };
 
@@ -113,52 +77,7 @@ struct Joint_options
   bool curves_block_each_other = false; // they were shortened together, and not each alone
 };
 
-// ------------------------------------------------------------------------------------------- do the points fit? --
-
-inline std::string at_point(std::size_t i) { return "point " + std::to_string(i) + ": "; }
-
-/// Where `point` should be, up to the rounding of whoever wrote it: that of the coordinates, and a trillionth of the
-/// edge.
-inline bool is_position_right(const Mesh& mesh, const Polyline_point& point)
-{
-  const Mesh::Point &p = mesh.point(point.a), &q = mesh.point(point.b);
-  const long double t = point.is_vertex() ? 0 : point.t;
-  const std::array<long double, 3> edge = difference<long double>(p, q);
-  const long double edge_error = 1e-12L * length(edge);
-  for(int i = 0; i < 3; ++i) {
-    const long double size = (std::max)(std::fabs(p[i]), std::fabs(q[i]));
-    const long double error = std::fabs(p[i] + t * edge[i] - point.position[i]);
-    if(!(error <= 32 * unit_roundoff * size + edge_error))
-      return false;
-  }
-  return true;
-}
-
-/// What is wrong with a single point, nothing if it is right.
-inline std::string point_error(const Mesh& mesh, const Polyline_point& point)
-{
-  if(point.a >= mesh.number_of_vertices() || point.b >= mesh.number_of_vertices())
-    return "there is no such vertex";
-  if(!point.is_vertex() && !mesh.is_edge(point.a, point.b))
-    return "there is no edge from " + std::to_string(point.a) + " to " + std::to_string(point.b);
-  if(!(point.t >= 0 && point.t <= 1))
-    return "t is not between 0 and 1";
-  if(!is_position_right(mesh, point))
-    return "the coordinates are not those of the point on the edge";
-  return std::string();
-}
-
-inline bool check_points(const Mesh& mesh, const Polyline& curve, Curve_report& report)
-{
-  for(std::size_t i = 0; i < curve.points.size(); ++i) {
-    const std::string error = point_error(mesh, curve.points[i]);
-    if(!error.empty())
-      report.add_break(at_point(i) + error);
-  }
-  if(report.broken == 0 && !(curve.points.front().is_vertex() && curve.points.back().is_vertex()))
-    report.add_break("the curve does not begin and end at a vertex");
-  return report.broken == 0;
-}
+// ---------------------------------------------------------------------------------------------- the strips --
 
 /// Whether `c` is a halfedge of the edge of `point`.
 inline bool is_on(const Mesh& mesh, Index c, const Polyline_point& point)
@@ -180,7 +99,7 @@ inline std::size_t extend_strip(const Mesh& mesh, const Polyline& curve, const S
     const Polyline_point& point = curve.points[i];
     const Index right = Mesh::next(entered), left = Mesh::previous(entered);
     if(i == segment.last)
-      return mesh.vertex(left) == point.a ? i + 1 : i;
+      return lies_beyond(mesh, entered, strip.target) ? i + 1 : i;
     if(!is_on(mesh, right, point) && !is_on(mesh, left, point))
       return i;
     strip.crossed.push_back(is_on(mesh, right, point) ? right : left);
@@ -195,7 +114,7 @@ inline std::size_t find_strip(const Mesh& mesh, const Polyline& curve, Segment& 
   std::size_t reached = segment.first + 1;
   for(const Index c : {mesh.halfedge(crossing.a, crossing.b), mesh.halfedge(crossing.b, crossing.a)}) {
     // On two triangles glued back to back both sides start well.
-    if(c == null_index || mesh.vertex(Mesh::previous(c)) != segment.strip.source || reached > segment.last)
+    if(c == null_index || !lies_beyond(mesh, c, segment.strip.source) || reached > segment.last)
       continue;
     Strip strip{segment.strip.source, segment.strip.target, {}};
     reached = (std::max)(reached, extend_strip(mesh, curve, segment, c, strip));
@@ -231,7 +150,8 @@ long double largest_deviation(const Unfolded_strip<NT>& unfolded, const std::vec
   const NT line = length(unfolded.target());
   for(std::size_t i = 0; i < points.size(); ++i) {
     const NT distance = cross(unfolded.target(), points[i]) / line;
-    const NT rounding = NT(4 * unit_roundoff) * length(unfolded.gates()[i].edge);
+    const NT rounding =
+        NT(4 * unit_roundoff) * length(unfolded.gates()[i].edge) + NT(unfolded.uncertainty_of_line());
     const NT deviation = ((distance < 0 ? NT(-distance) : distance) - rounding) / line;
     result = (std::max)(result, static_cast<long double>(deviation));
   }
@@ -264,6 +184,18 @@ long double largest_turn(const Unfolded_strip<NT>& unfolded, const std::vector<V
   return result;
 }
 
+/// The direction at the source of an unfolded strip that crosses halfedge `crossed` first.
+template <class NT>
+Direction direction_at_source(const Mesh& mesh, const Place& source, Index crossed, const Unfolded_strip<NT>& unfolded,
+                              long double uncertainty)
+{
+  Direction result{Mesh::previous(crossed), unfolded.direction(true)};
+  if(!source.is_vertex())
+    result = flat_direction(mesh, source, crossed, unfolded.direction(false));
+  result.uncertainty = uncertainty;
+  return result;
+}
+
 /// Unfolds the strip from both ends and adds its figures to `report`. \returns whether that was possible
 template <class NT>
 bool measure_strip(const Mesh& mesh, const Polyline& curve, Segment& segment, Curve_report& report)
@@ -273,8 +205,10 @@ bool measure_strip(const Mesh& mesh, const Polyline& curve, Segment& segment, Cu
   const long double line = static_cast<long double>(length(forward.target()));
   if(!std::isfinite(line) || !std::isfinite(static_cast<long double>(length(backward.target()))))
     return false; // a face has an edge of length zero
-  segment.at_source = {Mesh::previous(segment.strip.crossed.front()), forward.direction()};
-  segment.at_target = {Mesh::previous(reversed.crossed.front()), backward.direction()};
+  const long double uncertainty = forward.uncertainty_of_line() > 0 ? forward.uncertainty_of_line() / line : 0;
+  segment.at_source =
+      direction_at_source(mesh, segment.strip.source, segment.strip.crossed.front(), forward, uncertainty);
+  segment.at_target = direction_at_source(mesh, reversed.source, reversed.crossed.front(), backward, uncertainty);
   const long double bend = (std::max)(bend_seen_from_source(forward), bend_seen_from_source(backward));
   report.strip_bend = (std::max)(report.strip_bend, line > 0 ? bend : pi);
   report.length += line;
@@ -286,15 +220,38 @@ bool measure_strip(const Mesh& mesh, const Polyline& curve, Segment& segment, Cu
   return true;
 }
 
-/// A segment along an edge.
-inline bool measure_edge(const Mesh& mesh, Segment& segment, Curve_report& report)
+/// The direction at `from` to another place in the same face, that of h, or on the edge of h if both lie there.
+template <class NT>
+Direction direction_in_face(const Mesh& mesh, Index h, const Place& from, const Place& to)
 {
-  const Index source = segment.strip.source, target = segment.strip.target;
-  if(!mesh.is_edge(source, target))
+  const Index apex = mesh.vertex(Mesh::previous(h));
+  if(weight<NT>(from, apex) == 0 && weight<NT>(to, apex) == 0)
+    return direction_along_edge(mesh, from, h, weight<NT>(to, mesh.vertex(h)) < weight<NT>(from, mesh.vertex(h)));
+  while(from.is_vertex() && mesh.vertex(h) != from.a)
+    h = Mesh::next(h);
+  const long double angle = angle_between(Vector_2<NT>{NT(1), NT(0)}, vector_in_face<NT>(mesh, h, from, to));
+  return from.is_vertex() ? Direction{h, angle} : flat_direction(mesh, from, h, angle);
+}
+
+/// A segment along an edge or through the inside of one face. \returns whether there is such a face
+template <class NT>
+bool measure_in_face(const Mesh& mesh, Segment& segment, Curve_report& report)
+{
+  const Place &source = segment.strip.source, &target = segment.strip.target;
+  const Index h = common_halfedge(mesh, source, target);
+  if(h == null_index || source == target)
     return false;
-  segment.at_source = direction_along_edge(mesh, source, target);
-  segment.at_target = direction_along_edge(mesh, target, source);
-  report.length += length(difference<long double>(mesh.point(source), mesh.point(target)));
+  segment.at_source = direction_in_face<NT>(mesh, h, source, target);
+  segment.at_target = direction_in_face<NT>(mesh, h, target, source);
+  const Index apex = mesh.vertex(Mesh::previous(h));
+  const bool is_on_edge = weight<NT>(source, apex) == 0 && weight<NT>(target, apex) == 0;
+  const NT along = weight<NT>(target, mesh.vertex(h)) - weight<NT>(source, mesh.vertex(h));
+  const long double line = static_cast<long double>(is_on_edge ? NT(edge_length<NT>(mesh, h) * (along < 0 ? -along : along))
+                                                               : length(vector_in_face<NT>(mesh, h, source, target)));
+  const long double uncertain = uncertainty(mesh, h, source) + uncertainty(mesh, h, target);
+  if(!is_on_edge && uncertain > 0)
+    segment.at_source.uncertainty = segment.at_target.uncertainty = uncertain / line;
+  report.length += line;
   return true;
 }
 
@@ -303,8 +260,8 @@ void trace_segment(const Mesh& mesh, const Polyline& curve, Segment segment, Tra
 {
   Curve_report& report = traced.report;
   if(segment.last == segment.first + 1) {
-    if(!measure_edge(mesh, segment, report))
-      return report.add_break(at_point(segment.last) + "there is no edge from the vertex before to this one");
+    if(!measure_in_face<NT>(mesh, segment, report))
+      return report.add_break(at_point(segment.last) + "there is no edge or face with the stop before and this one");
   } else {
     const std::size_t reached = find_strip(mesh, curve, segment);
     if(reached <= segment.last)
@@ -325,14 +282,15 @@ Traced_curve trace_curve(const Mesh& mesh, const Polyline& curve)
   report.points = points.size();
   if(points.empty() || !check_points(mesh, curve, report))
     return traced;
-  const auto is_at_start = [&](const Polyline_point& p) { return p.is_vertex() && p.a == points.front().a; };
+  const auto is_at_start = [&](const Polyline_point& p) { return p.is_stop() && p.place() == points.front().place(); };
   if(std::all_of(points.begin(), points.end(), is_at_start))
     return traced;
   traced.is_closed = is_at_start(points.back());
+  traced.way_points = find_way_points(curve, report);
   std::size_t first = 0;
   for(std::size_t i = 1; i < points.size(); ++i)
-    if(points[i].is_vertex()) {
-      const Strip ends{points[first].a, points[i].a, {}};
+    if(points[i].is_stop()) {
+      const Strip ends{points[first].place(), points[i].place(), {}};
       trace_segment<NT>(mesh, curve, Segment{ends, first, i, {}, {}}, traced);
       ++report.segments;
       first = i;
@@ -372,13 +330,15 @@ inline void measure_joint(const Mesh& mesh, const Strand_ends& ends, std::size_t
 
 /// Measures the joints of an unbroken curve; `ends` are those of all curves that may block it, itself included.
 inline void measure_joints(const Mesh& mesh, const Strand_ends& ends, std::size_t curve, Traced_curve& traced,
-                           const Joint_options& options, const Tolerances& tolerances)
+                           const Joint_options& options, const Tolerances& tolerances, bool may_bend_inside)
 {
   const std::size_t n = traced.segments.size();
   if(traced.report.broken > 0)
     return;
   const auto is_fixed = [&](std::size_t y) {
-    return options.fixed_vertices.count(traced.segments[y].strip.source) > 0;
+    const Place& place = traced.segments[y].strip.source;
+    return traced.way_points.count(traced.segments[y].first) > 0 ||
+           (place.is_vertex() ? options.fixed_vertices.count(place.a) > 0 : may_bend_inside);
   };
   for(std::size_t y = 1; y < n; ++y)
     if(!is_fixed(y))
@@ -435,7 +395,7 @@ inline std::vector<Curve_report> check_curves(const Mesh& mesh, const std::vecto
     if(!options.curves_block_each_other)
       add_strand_ends(traced[i], i, own_ends);
     const Strand_ends& ends = options.curves_block_each_other ? all_ends : own_ends;
-    measure_joints(mesh, ends, i, traced[i], options, tolerances);
+    measure_joints(mesh, ends, i, traced[i], options, tolerances, curves[i].may_bend_inside);
     reports.push_back(traced[i].report);
   }
   return reports;

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Runs flip_geodesics on random pairs of vertices of many meshes, has check_polylines check every curve, and collects
-one CSV row a curve. A mesh that is rejected, crashes or takes too long has one row too.
+one CSV row a curve. A mesh that is rejected, crashes or takes too long has one row too. With --curves points or splines
+the curves go through random points anywhere, or have them as control points; sample_points draws them.
 
     run_corpus.py --program build/flip_geodesics --checker build/check_polylines --meshes DIR --out results
+    run_corpus.py --curves points --sampler build/sample_points ... --out results_of_points
     run_corpus.py --summarise results
 
 Meshes are shared out by their number modulo n (--shard i/n, i from 0 to n-1), so that any batch scheduler can spread
@@ -142,15 +144,27 @@ def join_rows(run_row, stats, checked):
     return rows or [run_row]
 
 
+def asked_curves(path, folder, arguments):
+    """What program and checker are told about the curves. A mesh that the sampler rejects is left to the program."""
+    if arguments.curves == "pairs":
+        return ["--random", str(arguments.pairs), "--seed", str(arguments.seed)], []
+    points = os.path.join(folder, "points.txt")
+    options = ["--splines"] if arguments.curves == "splines" else []
+    with open(points, "w", encoding="utf-8") as file:
+        subprocess.run([arguments.sampler, path, "--curves", str(arguments.pairs), "--seed", str(arguments.seed),
+                        *options], stdout=file, stderr=subprocess.DEVNULL, timeout=arguments.timeout, check=False)
+    return (["--bezier", points], ["--splines", points]) if options else (["--points", points], ["--points", points])
+
+
 def process_mesh(mesh, category, arguments):
     """Runs program and checker on one mesh; returns its rows."""
     path = os.path.join(arguments.meshes, mesh)
     with tempfile.TemporaryDirectory(prefix="run_corpus_") as folder:
         polylines, stats, checked = (os.path.join(folder, name) for name in ("curves.txt", "stats.csv", "check.csv"))
+        asked_of_program, asked_of_checker = asked_curves(path, folder, arguments)
         start = time.monotonic()
-        status, message = run([arguments.program, path, "--random", str(arguments.pairs), "--seed",
-                               str(arguments.seed), "--kernel", arguments.kernel, "--polylines", polylines,
-                               "--stats", stats, "--quiet"], arguments.timeout)
+        status, message = run([arguments.program, path, *asked_of_program, "--kernel", arguments.kernel, "--polylines",
+                               polylines, "--stats", stats, "--quiet"], arguments.timeout)
         seconds = time.monotonic() - start
         row = {"mesh": mesh, "category": category, "seconds": f"{seconds:.3f}", "message": message,
                "exit_status": "" if status is None else status}
@@ -161,8 +175,8 @@ def process_mesh(mesh, category, arguments):
         if row["outcome"] != "computed":
             return [row]
         open(polylines, "a", encoding="utf-8").close()  # no curve may have had any points
-        status, message = run([arguments.checker, path, polylines, "--stats", stats, "--csv", checked, "--quiet"],
-                              arguments.timeout)
+        status, message = run([arguments.checker, path, polylines, *asked_of_checker, "--stats", stats, "--csv", checked,
+                               "--quiet"], arguments.timeout)
         row["checker_exit_status"] = "timeout" if status is None else status
         if status not in (0, 1):
             row.update(outcome="not checked", message=message)
@@ -195,7 +209,7 @@ class Shard:
     @staticmethod
     def check_settings(path, arguments):
         """Rows of different settings do not belong into one file."""
-        settings = {name: getattr(arguments, name) for name in ("pairs", "seed", "kernel")}
+        settings = {name: getattr(arguments, name) for name in ("curves", "pairs", "seed", "kernel")}
         if os.path.exists(path):
             with open(path, encoding="utf-8") as file:
                 before = json.load(file)
@@ -348,7 +362,10 @@ def parse_arguments():
     parser.add_argument("--meshes", metavar="DIR", help="the folder of the meshes, searched with all below it")
     parser.add_argument("--manifest", metavar="TSV", help="a table with columns `file` (below --meshes) and `category`")
     parser.add_argument("--categories", metavar="A,B", help="these only; without a manifest, the names of folders")
-    parser.add_argument("--pairs", type=int, default=10, help="random pairs of vertices a mesh (default %(default)s)")
+    parser.add_argument("--curves", choices=["pairs", "points", "splines"], default="pairs",
+                        help="between vertices, through points anywhere, or splines (default %(default)s)")
+    parser.add_argument("--sampler", help="sample_points, for --curves points and splines")
+    parser.add_argument("--pairs", type=int, default=10, help="random curves a mesh (default %(default)s)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--kernel", default="double")
     parser.add_argument("--out", metavar="DIR", help="the folder of the results")
@@ -358,10 +375,11 @@ def parse_arguments():
     parser.add_argument("--keep", action="store_true", help="keep the files of meshes on which a curve is wrong")
     arguments = parser.parse_args()
     if not arguments.summarise:
-        for name in ("program", "checker", "meshes", "out"):
+        programs = ["program", "checker"] + (["sampler"] if arguments.curves != "pairs" else [])
+        for name in programs + ["meshes", "out"]:
             if getattr(arguments, name) is None:
                 parser.error(f"--{name} is needed")
-        for name in ("program", "checker"):
+        for name in programs:
             path = shutil.which(getattr(arguments, name))
             if path is None:
                 parser.error(f"{getattr(arguments, name)} is not a program")

@@ -46,8 +46,9 @@ private:
   std::ofstream m_out;
 };
 
-/// Lines `curve a b t x y z`, one per point: (1 - t) a + t b on the input edge ab, or at a vertex if a is b. A point
-/// inside a face is `curve a b c t u x y z`: (1 - t - u) a + t b + u c.
+/// Lines `curve a b t x y z`, one per point: (1 - t) a + t b, where an input edge ab is crossed, or at a vertex if a is b.
+/// Where a curve starts, ends or may bend inside a face the line is `curve a b c t u x y z`: (1 - t - u) a + t b + u c,
+/// the corners counterclockwise; on an edge as well, with c equal to b and u zero.
 class Polylines_file
 {
 public:
@@ -62,8 +63,10 @@ public:
       return;
     for(const Curve_point& p : result.points) {
       m_file.stream() << curve << ' ' << p.on_surface.a << ' ' << p.on_surface.b << ' ';
-      if(p.on_surface.is_inside_face())
-        m_file.stream() << p.on_surface.c << ' ' << p.on_surface.t << ' ' << p.on_surface.u;
+      const bool is_inserted = !p.on_surface.is_vertex() && p.on_surface.vertex != CGAL::Flip_geodesics::null_index;
+      if(is_inserted)
+        m_file.stream() << (p.on_surface.is_inside_face() ? p.on_surface.c : p.on_surface.b) << ' ' << p.on_surface.t
+                        << ' ' << p.on_surface.u;
       else
         m_file.stream() << p.on_surface.t;
       m_file.stream() << ' ' << p.in_space.x() << ' ' << p.in_space.y() << ' ' << p.in_space.z() << '\n';

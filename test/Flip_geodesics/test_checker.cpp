@@ -6,13 +6,13 @@
 
 #define BOOST_TEST_MODULE test_checker
 #include "checker_io.h"
+#include "folded_grid.h"
 #include "polyline_checker.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -21,113 +21,6 @@
 using namespace polyline_checker;
 
 namespace {
-
-using Lift = std::function<Mesh::Point(long double, long double)>; // from the plane into space
-
-/*
- * Squares of side 1 with one diagonal each, `width` times `height`, put into space by `lift`, which is isometric on
- * each square, up to a factor. With `is_rolled_up` the right border is the left one.
- */
-struct Grid
-{
-  int width, height;
-  Lift lift;
-  bool is_rolled_up = false;
-
-  int columns() const { return is_rolled_up ? width : width + 1; }
-  Index vertex(int x, int y) const { return Index(y * columns() + (is_rolled_up ? x % width : x)); }
-
-  Mesh mesh() const
-  {
-    std::vector<Mesh::Point> points;
-    for(int y = 0; y <= height; ++y)
-      for(int x = 0; x < columns(); ++x)
-        points.push_back(lift(x, y));
-    std::vector<Mesh::Face> faces;
-    for(int y = 0; y < height; ++y)
-      for(int x = 0; x < width; ++x) {
-        faces.push_back({vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1)});
-        faces.push_back({vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1)});
-      }
-    return Mesh(points, faces);
-  }
-};
-
-Polyline_point vertex_point(const Grid& grid, int x, int y)
-{
-  return {grid.vertex(x, y), grid.vertex(x, y), 0, grid.lift(x, y)};
-}
-
-// The point (1 - t) (ax, ay) + t (bx, by), written from the nearer end.
-Polyline_point edge_point(const Grid& grid, int ax, int ay, int bx, int by, double t)
-{
-  if(t > 0.5)
-    return edge_point(grid, bx, by, ax, ay, 1 - t);
-  const Mesh::Point p = grid.lift(ax, ay), q = grid.lift(bx, by);
-  Polyline_point point{grid.vertex(ax, ay), grid.vertex(bx, by), t, {}};
-  for(int i = 0; i < 3; ++i)
-    point.position[i] = p[i] + t * (q[i] - p[i]);
-  return point;
-}
-
-// The straight line between two grid points, 0 <= slope <= 1, without a grid point in between: the grid edges that it
-// crosses, in order.
-Polyline straight_line(const Grid& grid, int sx, int sy, int tx, int ty)
-{
-  const long double slope = (long double)(ty - sy) / (tx - sx);
-  std::vector<std::pair<long double, Polyline_point>> crossings; // with x, along the line
-  const auto add = [&](long double x, int ax, int ay, int bx, int by, long double t) {
-    if(x > sx + 1e-9L && x < tx - 1e-9L) // not the edges of the two ends
-      crossings.emplace_back(x, edge_point(grid, ax, ay, bx, by, double(t)));
-  };
-  for(int i = sx; i < tx; ++i) {
-    const long double y = sy + slope * (i - sx);
-    const int row = int(std::floor(y));
-    add(i, i, row, i, row + 1, y - row); // vertical edge
-    for(int j = row; j <= row + 1; ++j) {
-      const long double x = slope > 0 ? sx + (j - sy) / slope : sx - 1;
-      if(x > i && x < i + 1)
-        add(x, i, j, i + 1, j, x - i);                                 // horizontal edge
-      const long double t = (sy + slope * (i - sx) - j) / (1 - slope); // diagonal edge
-      if(t > 0 && t < 1)
-        add(i + t, i, j, i + 1, j + 1, t);
-    }
-  }
-  std::sort(crossings.begin(), crossings.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
-  Polyline line{0, {vertex_point(grid, sx, sy)}};
-  for(const auto& crossing : crossings)
-    line.points.push_back(crossing.second);
-  line.points.push_back(vertex_point(grid, tx, ty));
-  return line;
-}
-
-Polyline joined(Polyline line, const Polyline& rest)
-{
-  line.points.insert(line.points.end(), rest.points.begin() + 1, rest.points.end());
-  return line;
-}
-
-Lift plane(double scale = 1, double x0 = 0, double y0 = 0)
-{
-  return [=](long double x, long double y) { return Mesh::Point{double(x0 + scale * x), double(y0 + scale * y), x0}; };
-}
-
-Lift folded_at(int crease)
-{
-  return [=](long double x, long double y) {
-    return x <= crease ? Mesh::Point{double(x), double(y), 0}
-                       : Mesh::Point{double(crease), double(y), double(x - crease)};
-  };
-}
-
-// A prism with `sides` sides of width 1: the cylinder as a mesh has it.
-Lift rolled_up(int sides)
-{
-  return [=](long double x, long double y) {
-    const long double radius = 0.5L / std::sin(pi / sides), angle = 2 * pi * std::fmod(x, (long double)sides) / sides;
-    return Mesh::Point{double(radius * std::cos(angle)), double(radius * std::sin(angle)), double(y)};
-  };
-}
 
 Curve_report check(const Mesh& mesh, const Polyline& curve) { return check_curves(mesh, {curve}).front(); }
 
@@ -461,6 +354,130 @@ BOOST_AUTO_TEST_CASE(by_its_own_end)
 
 BOOST_AUTO_TEST_SUITE_END()
 
+BOOST_AUTO_TEST_SUITE(stops)
+
+// A stop at any point of the plane: in the triangle that it lies in, on an edge, or at a vertex.
+Polyline_point stop(const Grid& grid, double x, double y)
+{
+  const int i = int(x), j = int(y);
+  const double s = x - i, t = y - j;
+  const Index a = grid.vertex(i, j), c = grid.vertex(i + 1, j + 1), b = grid.vertex(i + 1, j), d = grid.vertex(i, j + 1);
+  const Mesh::Point position = grid.lift(x, y);
+  if(s == 0 && t == 0)
+    return {a, a, 0, position};
+  if(t == 0)
+    return {a, b, s, position, b, 0};
+  if(s == t)
+    return {a, c, s, position, c, 0};
+  if(t < s)
+    return {a, b, s - t, position, c, t};
+  return {a, c, s, position, d, t - s};
+}
+
+// Crosses the diagonal of its square between two stops on either side.
+Polyline over_diagonal(const Grid& grid, double x, double y, double u, double v)
+{
+  const double r = (x - y) / ((x - y) - (u - v)), at = x + r * (u - x);
+  return {0, {stop(grid, x, y), edge_point(grid, int(x), int(y), int(x) + 1, int(y) + 1, at - int(x)), stop(grid, u, v)}};
+}
+
+BOOST_AUTO_TEST_CASE(straight_between_stops)
+{
+  const Grid grid{4, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const auto expect_length = [&](const Polyline& curve, long double length) {
+    const Curve_report report = check(mesh, curve);
+    BOOST_TEST(report.first_break == "");
+    BOOST_TEST(is_geodesic(report));
+    BOOST_TEST(report.segments == 1u);
+    BOOST_TEST(std::fabs(report.length / length - 1) < 1e-14L);
+  };
+  expect_length(over_diagonal(grid, 1.75, 1.25, 1.25, 1.5), std::hypot(0.5L, 0.25L));
+  expect_length(over_diagonal(grid, 1.5, 1, 1.25, 1.75), std::hypot(0.25L, 0.75L));
+  expect_length({0, {stop(grid, 1.5, 1.25), stop(grid, 1.75, 1.25)}}, 0.25L);  // in one face
+  expect_length({0, {stop(grid, 1.5, 1.5), stop(grid, 1.75, 1)}}, std::hypot(0.25L, 0.5L)); // between two edges
+  expect_length({0, {stop(grid, 1.25, 1.25), stop(grid, 1.75, 1.75)}}, std::sqrt(0.5L)); // along one
+  expect_length({0, {stop(grid, 1, 1), stop(grid, 1.75, 1)}}, 0.75L);
+  expect_length({0, {stop(grid, 1, 1), stop(grid, 1.75, 1.25)}}, std::hypot(0.75L, 0.25L));
+}
+
+BOOST_AUTO_TEST_CASE(angles_at_stops)
+{
+  const Grid grid{4, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const auto expect_angle = [&](const std::vector<std::pair<double, double>>& places, long double angle) {
+    Polyline curve{0, {}};
+    for(const auto& [x, y] : places)
+      curve.points.push_back(stop(grid, x, y));
+    for(int turn = 0; turn < 2; ++turn) {
+      const Curve_report report = check(mesh, curve);
+      BOOST_TEST(report.first_break == "");
+      BOOST_TEST(std::fabs(report.min_vertex_angle - angle) < 1e-12L);
+      BOOST_TEST(report.min_unblocked_angle == report.min_vertex_angle);
+      BOOST_TEST(is_geodesic(report) == (angle > 3.14L));
+      Polyline allowed = curve;
+      for(const Polyline_point& point : curve.points)
+        allowed.way_points.push_back(point.place());
+      BOOST_TEST(is_geodesic(check(mesh, allowed)));
+      std::swap(allowed.way_points[0], allowed.way_points[1]);
+      BOOST_TEST(check(mesh, allowed).broken > 0u);
+      std::reverse(curve.points.begin(), curve.points.end());
+    }
+  };
+  expect_angle({{1.5, 1.25}, {1.75, 1.25}, {1.875, 1.25}}, pi);      // inside a face
+  expect_angle({{1.5, 1.25}, {1.75, 1.25}, {1.75, 1.5}}, pi / 2);
+  expect_angle({{1.5, 1.25}, {1.5, 1.5}, {1.5, 1.75}}, pi);          // over an edge
+  expect_angle({{1.5, 1.25}, {1.5, 1.5}, {1.25, 1.5}}, pi / 2);      // in the face on the other side
+  expect_angle({{1.25, 1.25}, {1.5, 1.5}, {1.75, 1.75}}, pi);        // along the edge
+  expect_angle({{1.25, 1.25}, {1.5, 1.5}, {1.5, 1.75}}, 3 * pi / 4); // from along the edge into a face
+  expect_angle({{0.25, 0}, {0.5, 0}, {0.5, 0.25}}, pi / 2);          // on the border, where one side is open
+  expect_angle({{0.25, 0}, {0.5, 0}, {0.75, 0}}, pi);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_stops)
+{
+  const Grid grid{4, 4, plane()};
+  const Mesh mesh = grid.mesh();
+  const Polyline right = over_diagonal(grid, 1.75, 1.25, 1.25, 1.5);
+  Polyline turned = right, outside = right, moved = right, unmarked = right, elsewhere = right, bent = right;
+  std::swap(turned.points[0].b, turned.points[0].c);
+  outside.points[0].u = 1;
+  moved.points[0].position[0] += 1e-9;
+  unmarked.points[0] = edge_point(grid, 1, 1, 2, 1, 0.5);
+  elsewhere.points[2] = stop(grid, 3.25, 3.5);
+  for(const Polyline& wrong : {turned, outside, moved, unmarked, elsewhere})
+    BOOST_TEST(check(mesh, wrong).broken > 0u);
+  bent.points[2] = stop(grid, 1.25, 1.5 + 1e-4);
+  BOOST_TEST(check(mesh, bent).broken == 0u);
+  BOOST_TEST(!is_geodesic(check(mesh, bent)));
+  bent.must_be_closed = true;
+  BOOST_TEST(check(mesh, bent).broken == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(as_asked_for)
+{
+  const auto read = [](const std::string& asked, bool are_splines) {
+    std::vector<Polyline> curves(2);
+    curves[1].id = 1;
+    std::istringstream in(asked);
+    read_way_points(in, are_splines, curves);
+    return curves;
+  };
+  const auto points = read("# a comment\n3 1,2,0.25 # another\n\n0 1,2,3,0.25,0.5 4\n", false);
+  BOOST_TEST((points[0].way_points == std::vector<Place>{Place::vertex(3), Place::on_edge(1, 2, 0.25)}));
+  BOOST_TEST((points[1].way_points[1] == Place{1, 2, 3, 0.25, 0.5}));
+  const auto splines = read("1 2 3 4\no 1 2 3\n", true);
+  BOOST_TEST((splines[0].way_points == std::vector<Place>{Place::vertex(1), Place::vertex(4)}));
+  BOOST_TEST(splines[0].may_bend_inside);
+  BOOST_TEST(splines[1].must_be_closed);
+  BOOST_CHECK_THROW(read("1 2\n", false), Bad_input); // there are two curves
+  BOOST_TEST(is_same_place({1, 2, 3, 0.25, 0.5}, {2, 3, 1, 0.5, 0.25}));
+  BOOST_TEST(is_same_place({1, 2, 3, 0.25, 0}, Place::on_edge(2, 1, 0.75)));
+  BOOST_TEST(!is_same_place({1, 2, 3, 0.25, 1e-12}, Place::on_edge(2, 1, 0.75)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
 BOOST_AUTO_TEST_SUITE(files)
 
 const std::string two_lines = "# curve a b t x y z\n\n0 0 0 0 0 0 0\r\n0 1 1 0 1 0 0\n";
@@ -485,6 +502,9 @@ BOOST_AUTO_TEST_CASE(polylines)
   BOOST_TEST(curves[1].id == 7);
   BOOST_TEST(curves[1].points[0].b == 2u);
   BOOST_TEST(curves[1].points[0].t == 0.25);
+  const std::vector<Polyline> inside = read("0 0 1 2 0.25 0.5 0.25 0.5 0\n0 0 1 1 0.5 0 0.5 0 0\n");
+  BOOST_TEST((inside[0].points[0].place() == Place{0, 1, 2, 0.25, 0.5}));
+  BOOST_TEST(inside[0].points[1].place().is_on_edge());
   for(const std::string wrong :
       {"0 1 1 0 1 0\n", "0 1 1 0 1 0 0 0\n", "0 a 1 0 1 0 0\n", "7 0 0 0 0 0 0\n0 1 1 0 1 0 0\n"})
     BOOST_CHECK_THROW(read(two_lines + wrong), Bad_input);
