@@ -113,6 +113,8 @@ launcher=()
 if command -v ccache > /dev/null; then
   launcher=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
   export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+  # What it takes to use precompiled headers as well.
+  export CCACHE_SLOPPINESS=pch_defines,time_macros
   # Without a home that can be written, the cache goes where everything else goes.
   if ! [ -w "${HOME:-/nonexistent}" ]; then
     export CCACHE_DIR=${CCACHE_DIR:-$build_dir/ccache}
