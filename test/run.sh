@@ -27,6 +27,7 @@ case "${1-}" in
 esac
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+source "$root/package_info/install_packages.sh"
 build_dir=${BUILD_DIR:-$root/build}
 mkdir -p "$build_dir"
 build_dir=$(cd "$build_dir" && pwd)
@@ -34,35 +35,6 @@ jobs=${JOBS:-$(nproc 2>/dev/null || echo 2)}
 start=$SECONDS
 
 say() { printf '\n== %s  [%d s]\n' "$*" "$((SECONDS - start))"; }
-
-install_packages() {
-  if ! command -v dpkg > /dev/null; then
-    echo "No Debian packages here; going on with what is installed."
-    return
-  fi
-  local package missing=()
-  for package in "$@"; do
-    dpkg -s "$package" 2> /dev/null | grep -q '^Status: install ok installed' || missing+=("$package")
-  done
-  if [ ${#missing[@]} -eq 0 ]; then
-    return
-  fi
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    as_root=(sudo)
-    # Without a terminal sudo must not ask for a password.
-    [ -t 0 ] || as_root=(sudo -n)
-    if ! "${as_root[@]}" true 2> /dev/null; then
-      echo "Packages are missing. Install them with this line, then start again:" >&2
-      echo "su -c 'apt-get update && apt-get install -y --no-install-recommends ${missing[*]}'" >&2
-      exit 1
-    fi
-  fi
-  say "installing ${missing[*]}"
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" \
-    < /dev/null
-}
 
 passed=0
 failed=0

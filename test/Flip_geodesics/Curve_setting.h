@@ -7,6 +7,8 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
@@ -22,6 +24,11 @@
 namespace Flip_geodesics_test {
 
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Length_map =
+    boost::associative_property_map<std::map<boost::graph_traits<Surface>::edge_descriptor, double>>;
+using Length_metric = CGAL::Flip_geodesics::Edge_length_metric<Surface, Length_map>;
+using Length_triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<
+    Surface, CGAL::Flip_geodesics::Intrinsic_triangulation_traits<Length_metric::Kernel>, Length_metric>;
 
 /// A mesh, a triangulation of it and a network, that live together.
 template <class Triangulation_>

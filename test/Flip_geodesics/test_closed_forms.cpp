@@ -7,6 +7,7 @@
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 
@@ -23,19 +24,7 @@ namespace FG = CGAL::Flip_geodesics;
 using FG::Shortening_status;
 using namespace Flip_geodesics_test;
 
-using Edge = boost::graph_traits<Surface>::edge_descriptor;
-using Length_map = boost::associative_property_map<std::map<Edge, double>>;
-using Length_metric = FG::Edge_length_metric<Surface, Length_map>;
-using Length_triangulation =
-    FG::Intrinsic_triangulation<Surface, FG::Intrinsic_triangulation_traits<Length_metric::Kernel>, Length_metric>;
-
 namespace {
-
-#ifdef FLIP_GEODESICS_LONG_TESTS
-constexpr int scale = 50;
-#else
-constexpr int scale = 1;
-#endif
 
 constexpr double tolerance = 1e-10; // relative, of lengths
 const auto within_1e_9 = boost::unit_test::tolerance(1e-9);
@@ -170,7 +159,7 @@ BOOST_AUTO_TEST_CASE(flat_tori)
   const double a = 3, b = 2;
   const Mesh_soup soup = torus(n, m, 3, 1);
   const Surface mesh = to_mesh<Surface>(soup);
-  std::map<Edge, double> lengths = edge_lengths(mesh, Flat_torus_metric{n, m, a, b});
+  std::map<Surface::Edge_index, double> lengths = edge_lengths(mesh, Flat_torus_metric{n, m, a, b});
   Length_triangulation triangulation(mesh, Length_metric(mesh, Length_map(lengths)));
   for(int p = -4; p <= 4; ++p)
     for(int q = 0; q <= 4; ++q) {

@@ -6,6 +6,7 @@
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
@@ -34,12 +35,6 @@ using Network = FG::Edge_path_network<Triangulation>;
 using Archetype = Edge_path_graph_archetype<Network>;
 
 namespace {
-
-#ifdef FLIP_GEODESICS_LONG_TESTS
-constexpr int scale = 50;
-#else
-constexpr int scale = 1;
-#endif
 
 // Lengths are sums of rounded numbers: what they may grow by rounding alone, relatively.
 constexpr double length_rounding = 4e-14;

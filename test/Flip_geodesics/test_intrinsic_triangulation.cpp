@@ -6,6 +6,7 @@
 #include "generated_meshes.h"
 #include "lawson.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -41,12 +42,6 @@ using Length_triangulation =
     FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Length_metric::Kernel>, Length_metric>;
 
 namespace {
-
-#ifdef FLIP_GEODESICS_LONG_TESTS
-constexpr int scale = 50;
-#else
-constexpr int scale = 1;
-#endif
 
 std::vector<Mesh_soup> soups()
 {

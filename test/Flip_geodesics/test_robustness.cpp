@@ -6,6 +6,7 @@
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/extract.h>
 
@@ -22,19 +23,7 @@
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
 
-using Edge = boost::graph_traits<Surface>::edge_descriptor;
-using Length_map = boost::associative_property_map<std::map<Edge, double>>;
-using Length_metric = FG::Edge_length_metric<Surface, Length_map>;
-using Length_triangulation =
-    FG::Intrinsic_triangulation<Surface, FG::Intrinsic_triangulation_traits<Length_metric::Kernel>, Length_metric>;
-
 namespace {
-
-#ifdef FLIP_GEODESICS_LONG_TESTS
-constexpr int scale = 50;
-#else
-constexpr int scale = 1;
-#endif
 
 // Coordinates that are multiples of 1/64 below 64: they can be moved by 2^26 and stay exact.
 Mesh_soup rounded(const Mesh_soup& soup)
@@ -329,8 +318,8 @@ void touch_with_point(const Surface::Point& p)
 void touch_with_length(double length)
 {
   const Surface mesh = to_mesh<Surface>(octahedron(1));
-  std::map<Edge, double> lengths;
-  for(Edge e : edges(mesh))
+  std::map<Surface::Edge_index, double> lengths;
+  for(Surface::Edge_index e : edges(mesh))
     lengths[e] = 1;
   lengths[*edges(mesh).begin()] = length;
   touch_everything(Length_triangulation(mesh, Length_metric(mesh, Length_map(lengths))));

@@ -6,6 +6,7 @@
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -24,12 +25,6 @@ using FG::Shortening_status;
 using namespace Flip_geodesics_test;
 
 namespace {
-
-#ifdef FLIP_GEODESICS_LONG_TESTS
-constexpr int scale = 50;
-#else
-constexpr int scale = 1;
-#endif
 
 // Sums of lengths in another order.
 constexpr double rounding = 1e-13;

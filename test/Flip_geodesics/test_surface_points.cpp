@@ -6,6 +6,7 @@
 
 #include "generated_meshes.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
@@ -42,12 +43,6 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Plain = FG::Intrinsic_triangulation<Mesh>;
 using Certified = FG::Intrinsic_triangulation<Mesh, FG::Certified_intrinsic_triangulation_traits<Kernel>>;
-
-#ifdef FLIP_GEODESICS_LONG_TESTS
-constexpr int scale = 50;
-#else
-constexpr int scale = 1;
-#endif
 
 std::vector<Mesh_soup> soups()
 {

@@ -8,6 +8,7 @@
 #include "generated_meshes.h"
 #include "lawson.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/extract.h>
 
@@ -33,12 +34,6 @@ static_assert(!std::is_convertible<Traits_archetype::FT, double>::value &&
               "the archetype's numbers convert to nothing");
 
 namespace {
-
-#ifdef FLIP_GEODESICS_LONG_TESTS
-constexpr int scale = 50;
-#else
-constexpr int scale = 1;
-#endif
 
 struct Curve
 {

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# For examples/run.sh and test/run.sh, which read this file with `source`.
+
+# install_packages(package...): installs those Debian packages that are missing, as root or by sudo. Without Debian
+# packages it goes on with what there is; without the rights it prints the command and ends the script.
+install_packages() {
+  if ! command -v dpkg > /dev/null; then
+    echo "No Debian packages here; going on with what is installed."
+    return
+  fi
+  local package missing=()
+  for package in "$@"; do
+    dpkg -s "$package" 2> /dev/null | grep -q '^Status: install ok installed' || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    return
+  fi
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    as_root=(sudo)
+    # Without a terminal sudo must not ask for a password.
+    [ -t 0 ] || as_root=(sudo -n)
+    if ! "${as_root[@]}" true 2> /dev/null; then
+      echo "Packages are missing. Install them with this line, then start again:" >&2
+      echo "su -c 'apt-get update && apt-get install -y --no-install-recommends ${missing[*]}'" >&2
+      exit 1
+    fi
+  fi
+  echo "== installing ${missing[*]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" \
+    < /dev/null
+}
