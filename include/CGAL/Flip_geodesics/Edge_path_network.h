@@ -319,13 +319,11 @@ public:
     }
     Index h = a.halfedge;
     do {
-      const Index t = Triangulation::twin(h);
-      if(m_triangulation->is_border(t)) {
+      h = m_triangulation->extend_turn_clockwise(result.turn, h);
+      if(h == null_index) {
         result.state = Wedge_state::BORDER;
         return result;
       }
-      m_triangulation->extend_turn(result.turn, t);
-      h = m_triangulation->next(t);
       if(m_triangulation->is_straight(result.turn, a.halfedge, h)) {
         result.state = Wedge_state::STRAIGHT;
         return result;

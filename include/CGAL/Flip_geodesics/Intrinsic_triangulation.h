@@ -8,9 +8,9 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Crossing_words.h>
+#include <CGAL/Flip_geodesics/internal/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Insertion_log.h>
-#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
@@ -116,11 +116,7 @@ public:
 
   /// Over a mesh with a metric. Complexity: see the class.
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
-    : m_input(mesh)
-    , m_metric(metric)
-    , m_traits(traits)
-    , m_edges(static_cast<std::size_t>(m_input.number_of_halfedges() / 2))
-    , m_outgoing(static_cast<std::size_t>(m_input.number_of_vertices()))
+    : m_halfedges(Input_mesh(mesh), metric, traits)
   {
   }
 
@@ -134,31 +130,31 @@ public:
   /// @{
 
   /// The input mesh, numbered by consecutive integers.
-  const Input_mesh& input() const { return m_input; }
+  const Input_mesh& input() const { return m_halfedges.input(); }
   /// Where the lengths of the input's edges come from.
-  const Metric& metric() const { return m_metric; }
+  const Metric& metric() const { return m_halfedges.metric(); }
   /// The arithmetic.
-  const Traits& traits() const { return m_traits; }
+  const Traits& traits() const { return m_halfedges.traits(); }
 
   /// The number of vertices: the input's, and those inserted, which come after them.
-  Index number_of_vertices() const { return static_cast<Index>(m_outgoing.size()); }
+  Index number_of_vertices() const { return m_halfedges.number_of_vertices(); }
   /// The number of halfedges, twice the number of edges.
   Index number_of_halfedges() const { return 2 * number_of_edges(); }
   /// The number of edges, the input's and those of inserted points; flips do not change it.
-  Index number_of_edges() const { return static_cast<Index>(m_edges.size()); }
+  Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
   /// The index of a vertex or halfedge of the input mesh, `null_index` if it is not one.
   template <class Descriptor>
   Index index(Descriptor d) const
   {
-    return m_input.index(d);
+    return input().index(d);
   }
 
   /// The input mesh's vertex with index `v`. \pre `v` was not inserted
-  vertex_descriptor vertex(Index v) const { return m_input.vertex(v); }
+  vertex_descriptor vertex(Index v) const { return input().vertex(v); }
 
   /// The input mesh's halfedge with index `h`.
-  halfedge_descriptor input_halfedge(Index h) const { return m_input.halfedge(h); }
+  halfedge_descriptor input_halfedge(Index h) const { return input().halfedge(h); }
 
   /// @}
   /// \name Connectivity
@@ -172,7 +168,7 @@ public:
   static Index edge(Index h) { return h >> 1; }
 
   /// The next halfedge around the face. \pre `h` is not on the border
-  Index next(Index h) const { return record(h).encoded_next - 1; }
+  Index next(Index h) const { return record(h).next(); }
   /// The previous halfedge around the face. \pre `h` is not on the border
   Index previous(Index h) const { return next(next(h)); }
   /// The vertex at which `h` starts.
@@ -180,30 +176,23 @@ public:
   /// The vertex at which `h` ends.
   Index head(Index h) const { return record(twin(h)).tail; }
   /// Has `h` no face on its left?
-  bool is_border(Index h) const { return record(h).encoded_next == Halfedge_record::border; }
+  bool is_border(Index h) const { return record(h).is_border(); }
 
   /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
-  Index clockwise(Index h) const
-  {
-    const Index t = twin(h);
-    return is_border(t) ? null_index : next(t);
-  }
+  Index clockwise(Index h) const { return record(twin(h)).next_if_any(); }
 
   /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
   Index counterclockwise(Index h) const { return is_border(h) ? null_index : twin(previous(h)); }
 
-  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
-  Index outgoing(Index v) const
+  /// Announces that both faces of the edge of `h` will be read soon: a hint to the cache, without any effect.
+  void prefetch_faces(Index h) const
   {
-    if(m_outgoing[v] == 0) {
-      const Index h = is_inserted(v) ? null_index : m_input.outgoing(v);
-      if(h == null_index)
-        return null_index;
-      record(h);
-      m_outgoing[v] = h + 1;
-    }
-    return m_outgoing[v] - 1;
+    m_halfedges.prefetch_face(h);
+    m_halfedges.prefetch_face(twin(h));
   }
+
+  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
+  Index outgoing(Index v) const { return m_halfedges.outgoing(v); }
 
   /// @}
   /// \name Geometry
@@ -225,18 +214,29 @@ public:
   /// The squared length of edge `edge(h)`, in the traits' number type.
   FT squared_length(Index h) const
   {
-    return m_traits.compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
+    return traits().compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
   }
 
   /// The length of edge `edge(h)`, rounded to double.
-  double length(Index h) const { return m_traits.compute_length_object()(geometry(is_border(h) ? twin(h) : h)); }
+  double length(Index h) const { return traits().compute_length_object()(geometry(is_border(h) ? twin(h) : h)); }
+
+  /*!
+   * Adds to a turn about the tail of `h` the corner on the right of `h`, and moves on.
+   * \return the next halfedge clockwise, `null_index` where the border intervenes and nothing is added
+   */
+  Index extend_turn_clockwise(Turn& turn, Index h) const
+  {
+    const Halfedge_record& in = record(twin(h));
+    if(in.is_border())
+      return null_index;
+    extend_turn_over(turn, in);
+    return in.next();
+  }
 
   /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
   void extend_turn(Turn& turn, Index h) const
   {
-    const Halfedge_record& in = record(h); // from here on the whole face is known
-    const Halfedge_record& out = known_record(in.encoded_next - 1);
-    m_traits.extend_turn_object()(turn, in.geometry, out.geometry, known_record(out.encoded_next - 1).geometry);
+    extend_turn_over(turn, record(h)); // from here on the whole face is known
   }
 
   /*!
@@ -245,7 +245,7 @@ public:
    */
   bool is_straight(const Turn& turn, Index from, Index to) const
   {
-    const Uncertain<Comparison_result> comparison = m_traits.compare_turn_with_straight_object()(turn);
+    const Uncertain<Comparison_result> comparison = traits().compare_turn_with_straight_object()(turn);
     if constexpr(!Traits::Has_drift::value)
       if(!comparison.is_certain())
         return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics)(from, to) != SMALLER;
@@ -259,7 +259,7 @@ public:
     const auto found = m_exact_faces.find(h);
     if(found != m_exact_faces.end())
       return found->second;
-    return m_exact_faces.emplace(h, m_metric.exact_face(m_input, h)).first->second;
+    return m_exact_faces.emplace(h, metric().exact_face(input(), h)).first->second;
   }
 
   /// How the decisions that were left open by the traits were taken, since construction.
@@ -268,11 +268,12 @@ public:
   /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
   bool is_reflex_at_head(Index h) const
   {
-    const Index tp = previous(twin(h));
+    const Halfedge_record& at_h = record(h);
+    const Index tp = m_halfedges.known(record(twin(h)).next()).next();
     Turn turn;
-    extend_turn(turn, h);
-    extend_turn(turn, tp);
-    return is_straight(turn, twin(tp), next(h));
+    extend_turn_over(turn, at_h);
+    extend_turn_over(turn, m_halfedges.known(tp));
+    return is_straight(turn, twin(tp), at_h.next());
   }
 
   /*!
@@ -288,7 +289,7 @@ public:
     if(is_border(h) || is_border(t) || next(h) == t || next(t) == h)
       return true; // at a vertex of degree 1, opposite are the base angles of an isosceles face
     const Index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
-    const Uncertain<bool> result = m_traits.is_locally_delaunay_object()(geometry(h), geometry(hn), geometry(hp),
+    const Uncertain<bool> result = traits().is_locally_delaunay_object()(geometry(h), geometry(hn), geometry(hp),
                                                                          geometry(t), geometry(tn), geometry(tp));
     if constexpr(!Traits::Has_drift::value)
       if(!result.is_certain())
@@ -318,33 +319,29 @@ public:
   void flip(Index h)
   {
     const Index t = twin(h);
-    Halfedge_record &at_h = imported_record(h), &at_t = imported_record(t); // from here on both faces are known
-    const Index hn = at_h.encoded_next - 1, tn = at_t.encoded_next - 1;
+    Halfedge_record &at_h = m_halfedges[h], &at_t = m_halfedges[t]; // from here on both faces are known
+    const Index hn = at_h.next(), tn = at_t.next();
     CGAL_precondition_msg(hn != t && tn != h, "an edge at a vertex of degree 1 cannot be flipped");
-    Halfedge_record &at_hn = known_record(hn), &at_tn = known_record(tn);
-    const Index hp = at_hn.encoded_next - 1, tp = at_tn.encoded_next - 1;
-    Halfedge_record &at_hp = known_record(hp), &at_tp = known_record(tp);
+    Halfedge_record &at_hn = m_halfedges.known(hn), &at_tn = m_halfedges.known(tn);
+    const Index hp = at_hn.next(), tp = at_tn.next();
+    Halfedge_record &at_hp = m_halfedges.known(hp), &at_tp = m_halfedges.known(tp);
 
-    const auto flipped = m_traits.flip_object()(at_h.geometry, at_hn.geometry, at_hp.geometry, at_t.geometry,
+    const auto flipped = traits().flip_object()(at_h.geometry, at_hn.geometry, at_hp.geometry, at_t.geometry,
                                                 at_tn.geometry, at_tp.geometry);
-    Edge_record& e = m_edges[edge(h)];
-    const internal::Quad_crossings crossing(e.crossings_plus_one - 1, crossings(edge(hn)), crossings(edge(hp)),
+    const internal::Quad_crossings crossing(crossings(edge(h)), crossings(edge(hn)), crossings(edge(hp)),
                                             crossings(edge(tn)), crossings(edge(tp)));
-    m_log.push_back({h, hp, tn, m_edges[edge(hp)].version, m_edges[edge(tn)].version, crossing.rotation_at_i(),
-                     e.version, e.crossings_plus_one, at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
+    m_log.push_back({h, hp, tn, version(edge(hp)), version(edge(tn)), crossing.rotation_at_i(), version(edge(h)),
+                     crossings(edge(h)) + 1, at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
 
-    move_outgoing(at_h.tail, h, tn);
-    move_outgoing(at_t.tail, t, hn);
-    e.version = static_cast<Index>(m_log.size());
-    e.crossings_plus_one = crossing.other_diagonal() + 1;
-    at_h = {hp + 1, at_tp.tail, flipped.h}; // the face (h, hp, tn)
-    at_t = {tp + 1, at_hp.tail, flipped.t}; // the face (t, tp, hn)
-    at_hp.encoded_next = tn + 1;
-    at_tp.encoded_next = hn + 1;
-    at_hn.encoded_next = t + 1;
-    at_tn.encoded_next = h + 1;
-    at_tn.geometry = flipped.tn;
-    at_tp.geometry = flipped.tp;
+    m_halfedges.move_outgoing(at_h.tail, h, tn);
+    m_halfedges.move_outgoing(at_t.tail, t, hn);
+    m_halfedges.version(edge(h)) = static_cast<Index>(m_log.size());
+    m_halfedges.crossings_plus_one(edge(h)) = crossing.other_diagonal() + 1;
+    m_halfedges.link_face(h, hp, tn);
+    m_halfedges.link_face(t, tp, hn);
+    at_h.tail = at_tp.tail;
+    at_t.tail = at_hp.tail;
+    set_geometries(h, flipped.h, flipped.t, tn, flipped.tn, tp, flipped.tp);
     refresh_inaccurate({h, t, tn, tp});
   }
 
@@ -369,7 +366,7 @@ public:
   /// @{
 
   /// Was vertex `v` inserted? The others are the input's.
-  bool is_inserted(Index v) const { return v >= m_input.number_of_vertices(); }
+  bool is_inserted(Index v) const { return v >= input().number_of_vertices(); }
 
   /*!
    * Where vertex `v` is on the input, told in one way only: an input vertex by a halfedge that starts there, with
@@ -380,8 +377,8 @@ public:
   Surface_location location(Index v) const
   {
     if(is_inserted(v))
-      return m_points[static_cast<std::size_t>(v - m_input.number_of_vertices())];
-    return internal::canonical_location(m_input, {m_input.outgoing(v), {{1, 0, 0}}});
+      return m_points[static_cast<std::size_t>(v - input().number_of_vertices())];
+    return internal::canonical_location(input(), {input().outgoing(v), {{1, 0, 0}}});
   }
 
   /*!
@@ -417,9 +414,9 @@ public:
   template <class OnSplit>
   Index insert(const Surface_location& location, const OnSplit& on_split)
   {
-    const Surface_location point = internal::canonical_location(m_input, location);
+    const Surface_location point = internal::canonical_location(input(), location);
     if(kind(point) == Location_kind::VERTEX)
-      return m_input.tail(point.halfedge);
+      return input().tail(point.halfedge);
     internal::Located_point place = internal::Point_locator<Intrinsic_triangulation>(*this, m_statistics)(point);
     if(place.vertex != null_index)
       return place.vertex;
@@ -441,7 +438,7 @@ public:
       h = twin(h);
       gap = static_cast<std::size_t>((std::max)(crossings(edge(h)), 0)) - gap;
     }
-    return insert_at({h, gap, true, null_index}, internal::canonical_location(m_input, location), on_split);
+    return insert_at({h, gap, true, null_index}, internal::canonical_location(input(), location), on_split);
   }
 
   /// @}
@@ -449,7 +446,7 @@ public:
   /// @{
 
   /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
-  Index crossings(Index e) const { return m_edges[e].crossings_plus_one - 1; }
+  Index crossings(Index e) const { return m_halfedges.crossings_plus_one(e) - 1; }
 
   /*!
    * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone. Derived from
@@ -458,7 +455,7 @@ public:
   Crossing_word crossing_word(Index h) const { return m_words(*this, h); }
 
   /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
-  Index version(Index e) const { return m_edges[e].version; }
+  Index version(Index e) const { return m_halfedges.version(e); }
 
   /*!
    * How many input edges start strictly inside the wedge from halfedge `from` clockwise to halfedge `to` of one vertex;
@@ -484,9 +481,9 @@ public:
   /// @{
 
   /// The label of edge `e`.
-  Index label(Index e) const { return m_edges[e].label; }
+  Index label(Index e) const { return m_halfedges.label(e); }
   /// Sets the label of edge `e`.
-  void set_label(Index e, Index label) { m_edges[e].label = label; }
+  void set_label(Index e, Index label) { m_halfedges.label(e) = label; }
 
   /// @}
 
@@ -497,7 +494,7 @@ public:
   bool is_valid(double tolerance = 1e-9) const
   {
     for(Index h = 0; h < number_of_halfedges(); ++h)
-      if(known_record(h).encoded_next > 0 && !internal::is_valid_halfedge(*this, h, tolerance, is_known(twin(h))))
+      if(m_halfedges.known(h).encoded_next > 0 && !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges.known(twin(h)).is_known()))
         return false;
     return true;
   }
@@ -508,97 +505,41 @@ private:
   template <class>
   friend class internal::Insertion_log;
 
-  struct Halfedge_record
-  {
-    static constexpr Index untouched = 0, border = -1;
-
-    Index encoded_next; // untouched, border, or one more than the next halfedge
-    Index tail;
-    Halfedge_geometry geometry;
-  };
-
-  // One cache line with two doubles per halfedge. All zeros is an edge of the input whose faces are not known yet.
-  struct Edge_record
-  {
-    Halfedge_record sides[2];
-    Index crossings_plus_one;
-    Index version;
-    Index label;
-  };
-
+  using Halfedge_store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
+  using Halfedge_record = typename Halfedge_store::Record;
   using Insertion_record = internal::Insertion_record<Halfedge_geometry>;
 
-  bool is_known(Index h) const { return known_record(h).encoded_next != Halfedge_record::untouched; }
+  // Of a face that is known from here on.
+  const Halfedge_record& record(Index h) const { return m_halfedges[h]; }
 
-  Halfedge_record& known_record(Index h) const { return m_edges[h >> 1].sides[h & 1]; }
-
-  Halfedge_record& imported_record(Index h) const
+  void extend_turn_over(Turn& turn, const Halfedge_record& in) const
   {
-    Halfedge_record& r = known_record(h);
-    if(r.encoded_next == Halfedge_record::untouched)
-      import_face(h);
-    return r;
-  }
-
-  const Halfedge_record& record(Index h) const { return imported_record(h); }
-
-  void import_face(Index h) const
-  {
-    if(m_input.is_border(h)) {
-      known_record(h).tail = m_input.tail(h);
-      known_record(h).encoded_next = Halfedge_record::border;
-      return;
-    }
-    const Index hn = m_input.next(h), hp = m_input.next(hn);
-    if(m_input.next(hp) != h)
-      throw Invalid_mesh_error("the face at vertex " + std::to_string(m_input.tail(h)) + " is not a triangle",
-                               {static_cast<std::size_t>(m_input.tail(h))});
-    // From the smallest side on, so that the bits do not depend on which side is touched first.
-    const Index first = (std::min)({h, hn, hp});
-    const Index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
-    const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
-    for(int i = 0; i < 3; ++i) {
-      known_record(sides[i]) = {sides[(i + 1) % 3] + 1, m_input.tail(sides[i]), geometry[i]};
-      if(m_outgoing[m_input.tail(sides[i])] == 0)
-        m_outgoing[m_input.tail(sides[i])] = sides[i] + 1;
-    }
-  }
-
-  void link_face(Index a, Index b, Index c)
-  {
-    known_record(a).encoded_next = b + 1;
-    known_record(b).encoded_next = c + 1;
-    known_record(c).encoded_next = a + 1;
+    const Halfedge_record& out = m_halfedges.known(in.next());
+    traits().extend_turn_object()(turn, in.geometry, out.geometry, m_halfedges.known(out.next()).geometry);
   }
 
   void set_geometries(Index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_t, Index tn,
                       const Halfedge_geometry& at_tn, Index tp, const Halfedge_geometry& at_tp)
   {
-    known_record(h).geometry = at_h;
-    known_record(twin(h)).geometry = at_t;
-    known_record(tn).geometry = at_tn;
-    known_record(tp).geometry = at_tp;
+    m_halfedges.known(h).geometry = at_h;
+    m_halfedges.known(twin(h)).geometry = at_t;
+    m_halfedges.known(tn).geometry = at_tn;
+    m_halfedges.known(tp).geometry = at_tp;
   }
 
   void refresh_inaccurate(const std::array<Index, 4>& halfedges)
   {
     for(Index h : halfedges)
-      if(m_traits.is_inaccurate_object()(geometry(h)))
+      if(traits().is_inaccurate_object()(geometry(h)))
         internal::refresh_face(*this, h);
-  }
-
-  void move_outgoing(Index v, Index from, Index to)
-  {
-    if(m_outgoing[v] == from + 1)
-      m_outgoing[v] = to + 1;
   }
 
   void set_geometries_of_face(Index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
                               const Halfedge_geometry& at_hp)
   {
-    known_record(h).geometry = at_h;
-    known_record(next(h)).geometry = at_hn;
-    known_record(previous(h)).geometry = at_hp;
+    m_halfedges.known(h).geometry = at_h;
+    m_halfedges.known(next(h)).geometry = at_hn;
+    m_halfedges.known(previous(h)).geometry = at_hp;
   }
 
   template <class OnSplit>
@@ -634,23 +575,18 @@ private:
       return set_geometries_of_face(flip.h, flip.old_h, flip.old_t, flip.old_tn);
     const Index h = flip.h, t = twin(h);
     const Index hp = next(h), tn = next(hp), tp = next(t), hn = next(tp);
-    move_outgoing(tail(h), h, tp);
-    move_outgoing(tail(t), t, hp);
-    m_edges[edge(h)].version = flip.old_version;
-    m_edges[edge(h)].crossings_plus_one = flip.old_crossings;
-    link_face(h, hn, hp);
-    link_face(t, tn, tp);
-    known_record(h).tail = known_record(tn).tail;
-    known_record(t).tail = known_record(hn).tail;
+    m_halfedges.move_outgoing(tail(h), h, tp);
+    m_halfedges.move_outgoing(tail(t), t, hp);
+    m_halfedges.version(edge(h)) = flip.old_version;
+    m_halfedges.crossings_plus_one(edge(h)) = flip.old_crossings;
+    m_halfedges.link_face(h, hn, hp);
+    m_halfedges.link_face(t, tn, tp);
+    m_halfedges.known(h).tail = m_halfedges.known(tn).tail;
+    m_halfedges.known(t).tail = m_halfedges.known(hn).tail;
     set_geometries(h, flip.old_h, flip.old_t, tn, flip.old_tn, tp, flip.old_tp);
   }
 
-  Input_mesh m_input;
-  Metric m_metric;
-  Traits m_traits;
-  // Mutable, since faces of the input are copied when they are first read.
-  mutable internal::Lazy_array<Edge_record> m_edges;
-  mutable internal::Lazy_array<Index> m_outgoing; // one more than a halfedge, 0 where none is known
+  mutable Halfedge_store m_halfedges; // mutable, since faces of the input are copied when they are first read
   mutable internal::Crossing_words<Intrinsic_triangulation> m_words;
   mutable Decision_statistics m_statistics;
   mutable std::unordered_map<Index, internal::Exact_face> m_exact_faces;

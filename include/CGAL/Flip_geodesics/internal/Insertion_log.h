@@ -38,7 +38,7 @@ public:
   void begin(const Located_point& place, const Surface_location& point)
   {
     Triangulation& t = m_triangulation;
-    checked_index_bound(2 * (t.m_edges.size() + 3));
+    checked_index_bound(2 * (static_cast<std::size_t>(t.number_of_edges()) + 3));
     const Index h = place.halfedge;
     const bool has_two_faces = place.is_on_edge && !t.is_border(Triangulation::twin(h));
     typename Triangulation::Insertion_record record = {t.number_of_edges(), {}, t.head(h), {}};
@@ -50,28 +50,28 @@ public:
         record.geometry[i] = t.geometry(side);
     }
     t.m_insertions.push_back(record);
-    const auto& e = t.m_edges[Triangulation::edge(h)];
-    t.m_log.push_back({h, null_index, static_cast<Index>(t.m_insertions.size()) - 1, 0, 0, 0, e.version,
-                       e.crossings_plus_one, Geometry(), Geometry(), Geometry(), Geometry()});
+    const Index e = Triangulation::edge(h);
+    t.m_log.push_back({h, null_index, static_cast<Index>(t.m_insertions.size()) - 1, 0, 0, 0, t.version(e),
+                       t.crossings(e) + 1, Geometry(), Geometry(), Geometry(), Geometry()});
     t.m_points.push_back(point);
-    t.m_outgoing.resize(t.m_outgoing.size() + 1);
+    t.m_halfedges.add_vertex();
   }
 
   /* A new edge, whose sides are in no face yet; the halfedge with the word. */
   Index add_edge(const Crossing_word& word)
   {
     const Index e = m_triangulation.number_of_edges(), h = 2 * e;
-    m_triangulation.m_edges.resize(static_cast<std::size_t>(e) + 1);
+    m_triangulation.m_halfedges.add_edge();
     set_word(h, word);
-    m_triangulation.known_record(h).tail = word.tail;
-    m_triangulation.known_record(Triangulation::twin(h)).tail = word.head;
+    m_triangulation.m_halfedges.known(h).tail = word.tail;
+    m_triangulation.m_halfedges.known(Triangulation::twin(h)).tail = word.head;
     return h;
   }
 
   /* Moves the tail of h: the word is that from its new tail on. */
   void shorten_edge(Index h, const Crossing_word& word)
   {
-    m_triangulation.known_record(h).tail = word.tail;
+    m_triangulation.m_halfedges.known(h).tail = word.tail;
     set_word(h, word);
   }
 
@@ -82,23 +82,21 @@ public:
     const auto& record = t.m_insertions.back();
     while(t.number_of_edges() > record.number_of_edges) {
       const Index e = t.number_of_edges() - 1;
-      t.m_words.forget(e, t.m_edges[e].version);
-      t.m_edges[e] = {};
-      t.m_edges.resize(static_cast<std::size_t>(e));
+      t.m_words.forget(e, t.version(e));
+      t.m_halfedges.remove_last_edge();
     }
-    t.m_outgoing[t.number_of_vertices() - 1] = 0;
-    t.m_outgoing.resize(t.m_outgoing.size() - 1);
+    t.m_halfedges.remove_last_vertex();
     t.m_points.pop_back();
-    t.m_edges[Triangulation::edge(log.h)].version = log.old_version;
-    t.m_edges[Triangulation::edge(log.h)].crossings_plus_one = log.old_crossings;
-    t.known_record(Triangulation::twin(log.h)).tail = record.head_of_h;
+    t.m_halfedges.version(Triangulation::edge(log.h)) = log.old_version;
+    t.m_halfedges.crossings_plus_one(Triangulation::edge(log.h)) = log.old_crossings;
+    t.m_halfedges.known(Triangulation::twin(log.h)).tail = record.head_of_h;
     for(int i = 0; i < 6 && record.faces[i] != null_index; i += 3)
-      t.link_face(record.faces[i], record.faces[i + 1], record.faces[i + 2]);
+      t.m_halfedges.link_face(record.faces[i], record.faces[i + 1], record.faces[i + 2]);
     for(int i = 0; i < 6 && record.faces[i] != null_index; ++i) {
       const Index h = record.faces[i];
-      t.known_record(h).geometry = record.geometry[i];
-      if(t.m_outgoing[t.tail(h)] > t.number_of_halfedges()) // of an edge that is gone
-        t.m_outgoing[t.tail(h)] = h + 1;
+      t.m_halfedges.known(h).geometry = record.geometry[i];
+      if(t.outgoing(t.tail(h)) >= t.number_of_halfedges()) // of an edge that is gone
+        t.m_halfedges.set_outgoing(t.tail(h), h);
     }
     t.m_insertions.pop_back();
   }
@@ -108,10 +106,11 @@ private:
 
   void set_word(Index h, const Crossing_word& word)
   {
-    auto& e = m_triangulation.m_edges[Triangulation::edge(h)];
-    e.version = static_cast<Index>(m_triangulation.m_log.size());
-    e.crossings_plus_one = word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
-    m_triangulation.m_words.store(h, e.version, word);
+    const Index e = Triangulation::edge(h), version = static_cast<Index>(m_triangulation.m_log.size());
+    m_triangulation.m_halfedges.version(e) = version;
+    m_triangulation.m_halfedges.crossings_plus_one(e) =
+        word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
+    m_triangulation.m_words.store(h, version, word);
   }
 
   Triangulation& m_triangulation;

@@ -89,10 +89,10 @@ public:
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
     const Index a = m_log.add_edge(to_a), b = m_log.add_edge(to_b),
                 o = m_log.add_edge(to_o);
-    m_triangulation.link_face(h, twin(b), a);
-    m_triangulation.link_face(hn, twin(o), b);
-    m_triangulation.link_face(hp, twin(a), o);
-    m_triangulation.m_outgoing[m_x] = a + 1;
+    m_triangulation.m_halfedges.link_face(h, twin(b), a);
+    m_triangulation.m_halfedges.link_face(hn, twin(o), b);
+    m_triangulation.m_halfedges.link_face(hp, twin(a), o);
+    m_triangulation.m_halfedges.set_outgoing(m_x, a);
     lay_out_faces({h, hn, hp});
   }
 
@@ -164,11 +164,11 @@ private:
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
     const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o);
     m_log.shorten_edge(t, to_a);
-    m_triangulation.known_record(twin(xb)).encoded_next = Triangulation::Halfedge_record::border;
-    m_triangulation.move_outgoing(b, t, twin(xb));
-    m_triangulation.m_outgoing[m_x] = xb + 1;
-    m_triangulation.link_face(h, xo, hp);
-    m_triangulation.link_face(xb, hn, twin(xo));
+    m_triangulation.m_halfedges.known(twin(xb)).encoded_next = Triangulation::Halfedge_record::border;
+    m_triangulation.m_halfedges.move_outgoing(b, t, twin(xb));
+    m_triangulation.m_halfedges.set_outgoing(m_x, xb);
+    m_triangulation.m_halfedges.link_face(h, xo, hp);
+    m_triangulation.m_halfedges.link_face(xb, hn, twin(xo));
     lay_out_faces({h, xb});
     return {h, xb};
   }
@@ -182,12 +182,12 @@ private:
     const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o),
                 xp = m_log.add_edge(to_p);
     m_log.shorten_edge(t, to_a);
-    m_triangulation.move_outgoing(b, t, twin(xb));
-    m_triangulation.m_outgoing[m_x] = xb + 1;
-    m_triangulation.link_face(h, xo, hp);
-    m_triangulation.link_face(xb, hn, twin(xo));
-    m_triangulation.link_face(t, tn, twin(xp));
-    m_triangulation.link_face(twin(xb), xp, tp);
+    m_triangulation.m_halfedges.move_outgoing(b, t, twin(xb));
+    m_triangulation.m_halfedges.set_outgoing(m_x, xb);
+    m_triangulation.m_halfedges.link_face(h, xo, hp);
+    m_triangulation.m_halfedges.link_face(xb, hn, twin(xo));
+    m_triangulation.m_halfedges.link_face(t, tn, twin(xp));
+    m_triangulation.m_halfedges.link_face(twin(xb), xp, tp);
     lay_out_faces({h, xb, t, twin(xb)});
     return {h, xb};
   }
@@ -209,11 +209,11 @@ private:
     const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o),
                 xx = m_log.add_edge(around_b);
     m_log.shorten_edge(t, to_a);
-    m_triangulation.move_outgoing(b, t, twin(xb));
-    m_triangulation.m_outgoing[m_x] = xb + 1;
-    m_triangulation.link_face(h, xo, hp);
-    m_triangulation.link_face(xb, twin(xb), twin(xx));
-    m_triangulation.link_face(xx, t, twin(xo));
+    m_triangulation.m_halfedges.move_outgoing(b, t, twin(xb));
+    m_triangulation.m_halfedges.set_outgoing(m_x, xb);
+    m_triangulation.m_halfedges.link_face(h, xo, hp);
+    m_triangulation.m_halfedges.link_face(xb, twin(xb), twin(xx));
+    m_triangulation.m_halfedges.link_face(xx, t, twin(xo));
     lay_out_faces({h, xb, xx});
     return {h, xb};
   }
