@@ -5,13 +5,13 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_queue.h>
 #include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <queue>
 #include <vector>
 
 namespace CGAL {
@@ -61,9 +61,9 @@ public:
   void run_queue()
   {
     while(!m_queue.empty() && !m_has_ended) {
-      const Candidate candidate = m_queue.top();
+      const Queued_wedge candidate = m_queue.top();
       m_queue.pop();
-      if(is_current(candidate) && is_free(candidate.joint))
+      if(is_current(candidate) && is_free(candidate.joint()))
         take_step(candidate);
     }
   }
@@ -71,6 +71,8 @@ public:
   /// Looks at all joints of a curve again.
   void queue_curve(Index curve)
   {
+    // A fan of faces is a chain of loads, each waiting for the one before; these do not wait for each other.
+    m_network.for_each_segment(curve, [&](Index s) { m_triangulation.prefetch_faces(m_network.halfedge(s)); });
     m_network.for_each_segment(curve, [&](Index s) {
       if(m_network.next(s) != null_index) {
         queue({s, Side::LEFT});
@@ -84,23 +86,6 @@ public:
   std::size_t steps() const { return m_steps; }
 
 private:
-  struct Candidate
-  {
-    double key;
-    Joint joint;
-    Index outgoing;
-
-    // std::priority_queue hands out the largest: the smallest angle, then the older segment, then the left side.
-    bool operator<(const Candidate& other) const
-    {
-      if(key != other.key)
-        return key > other.key;
-      if(joint.incoming != other.joint.incoming)
-        return joint.incoming > other.joint.incoming;
-      return joint.side > other.joint.side;
-    }
-  };
-
   struct Curve_state
   {
     Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
@@ -119,40 +104,45 @@ private:
   {
     const Wedge wedge = m_network.wedge(joint);
     if(wedge.state == Wedge_state::FREE)
-      m_queue.push({m_triangulation.traits().turn_key_object()(wedge.turn), joint, m_network.next(joint.incoming)});
+      m_queue.push({turn_key(wedge.turn), joint, m_network.next(joint.incoming)});
   }
 
-  bool is_current(const Candidate& candidate) const
+  double turn_key(const typename Triangulation::Turn& turn) const
   {
-    const Index x = candidate.joint.incoming;
-    return m_network.is_alive(x) && m_network.next(x) == candidate.outgoing &&
+    return m_triangulation.traits().turn_key_object()(turn);
+  }
+
+  bool is_current(const Queued_wedge& candidate) const
+  {
+    const Index x = candidate.joint().incoming;
+    return m_network.is_alive(x) && m_network.next(x) == candidate.outgoing() &&
            m_curves[m_network.curve(x)].status == Shortening_status::LOCALLY_SHORTEST;
   }
 
   bool is_free(const Joint& joint) const { return m_network.wedge(joint).state == Wedge_state::FREE; }
 
-  void take_step(const Candidate& candidate)
+  void take_step(const Queued_wedge& candidate)
   {
     if(!m_visitor.go_further())
       return end(Shortening_status::STOPPED_BY_VISITOR);
-    if(candidate.joint.incoming == candidate.outgoing)
+    if(candidate.joint().incoming == candidate.outgoing())
       shorten_single_segment_loop(candidate);
     else
       shorten_joint(candidate);
   }
 
-  void shorten_joint(const Candidate& candidate)
+  void shorten_joint(const Queued_wedge& candidate)
   {
-    const Index curve = m_network.curve(candidate.joint.incoming);
+    const Index curve = m_network.curve(candidate.joint().incoming);
     const auto start = m_triangulation.log_position();
-    const double change = flip_out(candidate.joint);
+    const double change = flip_out(candidate.joint());
     const bool is_longer = can_err && is_visible(change, curve) && change > 0;
-    const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key, curve, change);
+    const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key(), curve, change);
     if(is_longer || decision != Stop_decision::CONTINUE) {
       m_triangulation.rollback(start); // longer can only be wrong: the angle was below pi by rounding alone
       return obey(decision, curve);
     }
-    apply(candidate.joint, change);
+    apply(candidate.joint(), change);
     finish_step(curve);
   }
 
@@ -227,24 +217,24 @@ private:
    * All of it happens in a flat annulus that holds no vertex and no other strand, and ends shorter than it began; the
    * manual's section on termination has the proof.
    */
-  void shorten_single_segment_loop(const Candidate& candidate)
+  void shorten_single_segment_loop(const Queued_wedge& candidate)
   {
-    const Index s = candidate.joint.incoming, curve = m_network.curve(s);
+    const Index s = candidate.joint().incoming, curve = m_network.curve(s);
     const auto start = m_triangulation.log_position();
     const auto place = m_network.stack_place(s);
     const double length_before = m_curves[curve].length;
 
-    perturb_and_flip_out({s, candidate.joint.side});
+    perturb_and_flip_out({s, candidate.joint().side});
     std::size_t patience = can_err ? 10000 : (std::numeric_limits<std::size_t>::max)();
     while(!m_network.is_contracted(curve) && patience-- > 0 &&
-          shorten_somewhere(curve, opposite_side(candidate.joint.side)))
+          shorten_somewhere(curve, opposite_side(candidate.joint().side)))
     {
     }
 
     const double change = m_curves[curve].length - length_before;
     add_length(curve, -change);
     const bool is_shorter = !can_err || change < 0;
-    const Stop_decision decision = is_shorter ? ask(candidate.key, curve, change) : Stop_decision::CONTINUE;
+    const Stop_decision decision = is_shorter ? ask(candidate.key(), curve, change) : Stop_decision::CONTINUE;
     if(is_shorter && decision == Stop_decision::CONTINUE) {
       add_length(curve, change);
       return finish_step(curve);
@@ -337,7 +327,7 @@ private:
   Triangulation& m_triangulation;
   const StopPredicate& m_stop;
   Visitor& m_visitor;
-  std::priority_queue<Candidate> m_queue;
+  Wedge_queue m_queue;
   std::vector<Curve_state> m_curves;
   double m_length = 0, m_initial_length = 0;
   std::size_t m_flips = 0, m_steps = 0;
