@@ -44,7 +44,8 @@ struct Curve_point
 struct Curve_result
 {
   std::string name;
-  Index source = CGAL::Flip_geodesics::null_index, target = CGAL::Flip_geodesics::null_index; ///< -1 if it is closed
+  Index source = CGAL::Flip_geodesics::null_index; ///< -1 if it is closed or starts at no vertex
+  Index target = CGAL::Flip_geodesics::null_index;
   std::size_t initial_segments = 0;
   double initial_length = std::numeric_limits<double>::quiet_NaN();
   double length = std::numeric_limits<double>::quiet_NaN();
@@ -52,6 +53,7 @@ struct Curve_result
   double smallest_angle = std::numeric_limits<double>::quiet_NaN();
   std::string status = "ERROR";
   std::string certificate = "none";                  ///< the verdict of `certify()`, if it was asked for
+  bool is_closed = false;
   double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
   std::string error;                                 ///< why the status is ERROR
   std::vector<Curve_point> points;
@@ -102,6 +104,7 @@ class Curve_runner
 {
   using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Metric_>;
   using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
+  using Recorder = std::optional<Shortening_recorder<Network>>;
 
 public:
   Curve_runner(const Mesh& mesh, const Metric_& metric, const Run_options& options, Progress& progress)
@@ -127,6 +130,7 @@ public:
     m_map.reset();
     try {
       Network network(m_triangulation);
+      Recorder recorder;
       if(request.tree_source) {
         grow(network, *request.tree_source, results);
       } else {
@@ -134,15 +138,16 @@ public:
         if(request.curves.front().spline)
           subdivide(network, request.curves.front(), results.front());
         else
-          shorten(network, results);
+          shorten(network, results, recorder);
       }
       certify(network, results);
       extract(network, results);
-      m_mesh_results = make_mesh_results(m_options.meshes, m_mesh, network);
+      m_mesh_results = improve_triangulation(m_options.meshes, network);
+      record(network, recorder);
+      if(m_mesh_files)
+        m_mesh_files->write(m_mesh, network);
       network.clear();
       m_triangulation.rollback();
-    } catch(const Bad_input&) {
-      throw; // a file that cannot be written
     } catch(const std::exception& error) {
       m_record.reset();
       m_map.reset();
@@ -160,6 +165,9 @@ public:
 
   /// Has the steps of the next runs recorded, in up to so many points per run; 0 is none.
   void set_most_recorded_points(std::size_t count) { m_most_recorded_points = count; }
+
+  /// Has meshes with the edges of the next runs written to files; null for none.
+  void set_mesh_files(Mesh_files* files) { m_mesh_files = files; }
 
   /// The record of the last run, if it was wanted and has not failed.
   const std::optional<Shortening_record>& record() const { return m_record; }
@@ -195,6 +203,7 @@ private:
   {
     Curve_result result;
     result.name = request.name;
+    result.is_closed = request.is_closed;
     if(!request.is_closed && !request.vertices.empty()) {
       result.source = request.vertices.front();
       result.target = request.vertices.back();
@@ -214,6 +223,7 @@ private:
   {
     Curve_result failed;
     failed.name = result.name;
+    failed.is_closed = result.is_closed;
     failed.source = result.source;
     failed.target = result.target;
     failed.error = why.substr(0, why.find('\n'));
@@ -281,10 +291,9 @@ private:
     return FG::halfedges_through(m_triangulation, request.vertices, request.is_closed);
   }
 
-  void shorten(Network& network, std::vector<Curve_result>& results)
+  void shorten(Network& network, std::vector<Curve_result>& results, Recorder& recorder)
   {
     namespace FG = CGAL::Flip_geodesics;
-    std::optional<Shortening_recorder<Network>> recorder;
     if(m_most_recorded_points > 0)
       recorder.emplace(network, m_most_recorded_points);
     const Stopwatch stopwatch;
@@ -303,8 +312,18 @@ private:
       results[c].status = to_string(curve.status);
       results[c].shorten_s = seconds;
     }
-    if(recorder)
-      m_record = recorder->finish();
+  }
+
+  // Where vertices are inserted the record has no steps but the finished triangulation.
+  void record(const Network& network, Recorder& recorder)
+  {
+    if(m_most_recorded_points == 0)
+      return;
+    if(!recorder || m_options.meshes.refine)
+      recorder.emplace(network, m_most_recorded_points);
+    m_record = recorder->finish();
+    if(m_record->steps.empty() && number_of_points(*m_record) > m_most_recorded_points)
+      m_record.reset();
   }
 
   // The control polygon becomes the spline.
@@ -326,6 +345,11 @@ private:
     result.shorten_s = stopwatch.seconds();
   }
 
+  static Index vertex_at(const CGAL::Flip_geodesics::Surface_point& p)
+  {
+    return p.is_vertex() ? p.a : CGAL::Flip_geodesics::null_index;
+  }
+
   void extract(Network& network, std::vector<Curve_result>& results)
   {
     CGAL::Flip_geodesics::Curve_extractor<Network> extractor(network);
@@ -333,6 +357,10 @@ private:
       const Stopwatch stopwatch;
       for(const auto& p : extractor.surface_points(static_cast<Index>(c)))
         results[c].points.push_back({p, extractor.point(p)});
+      if(!results[c].is_closed && !results[c].points.empty()) {
+        results[c].source = vertex_at(results[c].points.front().on_surface);
+        results[c].target = vertex_at(results[c].points.back().on_surface);
+      }
       results[c].extract_s = stopwatch.seconds();
     }
   }
@@ -356,6 +384,7 @@ private:
   std::size_t m_most_recorded_points = 0;
   std::optional<Shortening_record> m_record;
   std::string m_mesh_results;
+  Mesh_files* m_mesh_files = nullptr;
   std::optional<CGAL::Flip_geodesics::Logarithmic_map> m_map;
   Triangulation m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;

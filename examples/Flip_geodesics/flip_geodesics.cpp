@@ -44,11 +44,11 @@ struct Options
   std::string mesh;
   std::optional<long long> from, to;
   std::string pairs, edges, loop, network, segmentation, points, bezier;
-  int rounds = 5;
+  std::optional<int> rounds;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
   std::optional<long long> source;
   std::optional<long long> random;
-  std::uint64_t seed = 1;
+  long long seed = 1;
   std::string kernel = "double", search = "lookback";
   std::optional<double> stop_length, mollify;
   int threads = 1;
@@ -75,7 +75,7 @@ void add_options(CLI::App& app, Options& options)
   app.add_option(
       "--bezier", options.bezier,
       "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
-  app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved")->capture_default_str();
+  app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved; 5 if not given");
   app.add_option("--segmentation", options.segmentation,
                  "File: a label per line for each face; the network of the boundaries between labels");
   app.add_flag("--free-junctions", options.has_free_junctions,
@@ -122,6 +122,20 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
   throw Bad_input("--search " + name + ": not known; use lookback, astar or dijkstra");
 }
 
+// Each result in a file of its own.
+void check_names_of_results(const Options& options)
+{
+  std::vector<std::string> names;
+  for(const std::string& name : {options.polylines, options.stats, options.viewer, options.page, options.map,
+                                 options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
+    if(!name.empty())
+      names.push_back(name);
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if(twice != names.end())
+    throw Bad_input(*twice + ": two results cannot go to one file; name another one");
+}
+
 void check_options(const Options& options)
 {
   const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
@@ -140,14 +154,19 @@ void check_options(const Options& options)
     throw Bad_input("--free-junctions belongs to --segmentation; give a segmentation");
   if(options.from.has_value() != options.to.has_value())
     throw Bad_input("--from and --to belong together; give both");
-  if(options.random && *options.random < 1)
-    throw Bad_input("--random " + std::to_string(*options.random) + ": give 1 or more");
+  constexpr long long most_at_random = 10000000;
+  if(options.random && (*options.random < 1 || *options.random > most_at_random))
+    throw Bad_input("--random " + std::to_string(*options.random) + ": give 1 to " + std::to_string(most_at_random));
+  if(options.seed < 0)
+    throw Bad_input("--seed " + std::to_string(options.seed) + ": give 0 or more");
   if(options.kernel != "double" && options.kernel != "certified")
     throw Bad_input("--kernel " + options.kernel + ": not known; use double or certified");
   if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
     throw Bad_input("--mollify must lie between 0 and 1");
-  if(options.rounds < 0 || options.rounds > 16)
-    throw Bad_input("--rounds " + std::to_string(options.rounds) + ": give 0 to 16");
+  if(options.rounds && (*options.rounds < 0 || *options.rounds > 16))
+    throw Bad_input("--rounds " + std::to_string(*options.rounds) + ": give 0 to 16");
+  if(options.rounds && options.bezier.empty())
+    throw Bad_input("--rounds belongs to --bezier; give control points");
   if(!options.bezier.empty() && options.stop_length)
     throw Bad_input("--stop-length does not go with --bezier; leave it out");
   search_method(options.search);
@@ -158,6 +177,7 @@ void check_options(const Options& options)
   if(options.threads > 1 && !has_threads)
     throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
   check_mesh_results(options.meshes);
+  check_names_of_results(options);
   if(options.threads > 1 && !options.page.empty())
     throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
 }
@@ -174,7 +194,7 @@ std::vector<Network_request> read_requests(const Options& options, const Mesh& m
   if(options.source)
     return {tree_request(mesh, *options.source)};
   const std::vector<Curve_request> curves =
-      options.random            ? random_pairs(mesh, static_cast<std::size_t>(*options.random), options.seed)
+      options.random            ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))
       : !options.pairs.empty()  ? read_pairs(mesh, options.pairs)
       : !options.points.empty() ? read_point_curves(mesh, options.points, false)
       : !options.bezier.empty() ? read_point_curves(mesh, options.bezier, true)
@@ -197,6 +217,7 @@ public:
     , m_viewer(options.viewer)
     , m_page(options.page)
     , m_map(options.map)
+    , m_meshes(options.meshes)
   {
     m_scene.title = options.mesh.substr(options.mesh.find_last_of("/\\") + 1);
   }
@@ -225,11 +246,14 @@ public:
 
   void write(const CGAL::Flip_geodesics::Logarithmic_map& map) { m_map.write(map); }
 
+  Mesh_files& mesh_files() { return m_meshes; }
+
   void close(const Mesh& mesh)
   {
     m_map.close();
     m_polylines.close();
     m_stats.close();
+    m_meshes.close();
     m_viewer.write(mesh, m_scene);
     m_page.write(mesh, m_scene);
   }
@@ -247,7 +271,7 @@ private:
                          r.initial_length,
                          r.length,
                          r.flips,
-                         r.source == CGAL::Flip_geodesics::null_index,
+                         r.is_closed,
                          m_run,
                          {}};
     for(const Curve_point& p : r.points)
@@ -260,6 +284,7 @@ private:
   Viewer_file m_viewer;
   Page_file m_page;
   Map_file m_map;
+  Mesh_files m_meshes;
   Scene m_scene;
   std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
   Run_summary m_summary;
@@ -282,7 +307,7 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
   const auto make_runner = [&] {
     return std::make_unique<Runner>(
         mesh, metric,
-        Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds, options.meshes},
+        Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds.value_or(5), options.meshes},
         progress);
   };
   const std::unique_ptr<Runner> runner = make_runner();
@@ -291,6 +316,7 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
       runner->check(request);
 
   Outputs outputs(options);
+  runner->set_mesh_files(&outputs.mesh_files());
   const auto write = [&](const Network_request& request, const std::vector<Curve_result>& results) {
     outputs.write(results, runner->record());
     if(runner->map())
@@ -351,6 +377,8 @@ int main(int argc, char** argv)
   Options options;
   add_options(app, options);
   try {
+    if(std::find(argv + 1, argv + argc, std::string()) != argv + argc)
+      throw Bad_input("an argument is empty; leave its option out or give it a value");
     app.parse(argc, argv);
     CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
     return run(options);

@@ -4,6 +4,8 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_MESH_RESULTS_H
 
 #include "mesh_input.h"
+#include "output_file.h"
+#include "vtp_file.h"
 
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/refine.h>
@@ -12,7 +14,9 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -40,26 +44,14 @@ inline void check_mesh_results(const Mesh_result_options& options)
       throw Bad_input(name + ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
 }
 
-inline void write_mesh_result(const std::string& name, const Mesh& mesh)
-{
-  bool is_written = false;
-  {
-    const Captured_output captured;
-    is_written = CGAL::IO::write_polygon_mesh(name, mesh, CGAL::parameters::stream_precision(17));
-  }
-  if(!is_written)
-    throw Bad_input(name + ": cannot be written; choose another place");
-}
-
-/// Does what is wanted to the triangulation of a network whose curves are finished. Returns lines for people.
+/// Flips and refines the triangulation of a network whose curves are finished. Returns lines for people.
 template <class Network>
-std::string make_mesh_results(const Mesh_result_options& options, const Mesh& mesh, Network& network)
+std::string improve_triangulation(const Mesh_result_options& options, Network& network)
 {
   namespace FG = CGAL::Flip_geodesics;
   std::ostringstream text;
-  auto& triangulation = network.triangulation();
   if(options.is_delaunay) {
-    const FG::Delaunay_report report = FG::flip_to_delaunay(triangulation);
+    const FG::Delaunay_report report = FG::flip_to_delaunay(network.triangulation());
     text << "delaunay " << report.flips << " flips, " << report.constrained << " edges held by curves\n";
   }
   if(options.refine) {
@@ -70,14 +62,79 @@ std::string make_mesh_results(const Mesh_result_options& options, const Mesh& me
          << " edges split; smallest angle " << report.smallest_angle << " degrees, " << report.smallest_free_angle
          << " without " << report.exempt << " exempt faces; " << report.missed << " missed\n";
   }
-  if(!options.subdivision.empty())
-    write_mesh_result(options.subdivision, FG::common_subdivision(triangulation, mesh).mesh());
-  if(!options.insertion.empty())
-    write_mesh_result(options.insertion, FG::insert_curves(network, mesh).mesh());
-  if(!options.cut.empty())
-    write_mesh_result(options.cut, FG::cut_along_curves(network, mesh).mesh());
   return text.str();
 }
+
+/// A mesh without curves; the format follows from the extension, as `check_mesh_results()` knows them.
+class Mesh_file
+{
+public:
+  /// An empty name means that nothing is to be written.
+  explicit Mesh_file(const std::string& name)
+    : m_format(extension(name))
+    , m_file(name)
+  {
+  }
+
+  bool is_wanted() const { return m_file.is_wanted(); }
+
+  void write(const Mesh& mesh)
+  {
+    const Captured_output captured;
+    std::ostream& out = m_file.stream();
+    const auto digits = CGAL::parameters::stream_precision(std::numeric_limits<double>::max_digits10);
+    if(m_format == "off")
+      CGAL::IO::write_OFF(out, mesh, digits);
+    else if(m_format == "obj")
+      CGAL::IO::write_OBJ(out, mesh, digits);
+    else if(m_format == "ply")
+      CGAL::IO::write_PLY(out, mesh, digits);
+    else if(m_format == "stl")
+      CGAL::IO::write_STL(out, mesh, digits);
+    else
+      Vtp_writer(mesh).write(out);
+  }
+
+  void close() { m_file.close(); }
+
+private:
+  std::string m_format;
+  Output_file m_file;
+};
+
+/// The meshes that have the edges of a triangulation, or its curves.
+class Mesh_files
+{
+public:
+  explicit Mesh_files(const Mesh_result_options& options)
+    : m_subdivision(options.subdivision)
+    , m_insertion(options.insertion)
+    , m_cut(options.cut)
+  {
+  }
+
+  template <class Network>
+  void write(const Mesh& mesh, const Network& network)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    if(m_subdivision.is_wanted())
+      m_subdivision.write(FG::common_subdivision(network.triangulation(), mesh).mesh());
+    if(m_insertion.is_wanted())
+      m_insertion.write(FG::insert_curves(network, mesh).mesh());
+    if(m_cut.is_wanted())
+      m_cut.write(FG::cut_along_curves(network, mesh).mesh());
+  }
+
+  void close()
+  {
+    m_subdivision.close();
+    m_insertion.close();
+    m_cut.close();
+  }
+
+private:
+  Mesh_file m_subdivision, m_insertion, m_cut;
+};
 
 } // namespace program
 

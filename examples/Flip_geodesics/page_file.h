@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_PAGE_FILE_H
 
 #include "json_text.h"
+#include "output_file.h"
 #include "page_template.h"
-#include "result_files.h"
 #include "scene.h"
 
 #include <cstddef>

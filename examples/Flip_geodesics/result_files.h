@@ -4,47 +4,13 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_RESULT_FILES_H
 
 #include "curve_runner.h"
+#include "output_file.h"
 
-#include <fstream>
-#include <limits>
 #include <string>
 #include <utility>
 
 // The files with lines for programs: polylines and statistics. They are written as the curves come.
 namespace program {
-
-/// A text file that is written with all digits of a double, and that complains if it cannot be.
-class Output_file
-{
-public:
-  /// An empty name means that nothing is to be written.
-  explicit Output_file(const std::string& name)
-    : m_name(name)
-  {
-    if(m_name.empty())
-      return;
-    m_out.open(m_name, std::ios::binary);
-    m_out.precision(std::numeric_limits<double>::max_digits10);
-    if(!m_out)
-      throw Bad_input(m_name + ": cannot be written; choose another place");
-  }
-
-  bool is_wanted() const { return !m_name.empty(); }
-  std::ostream& stream() { return m_out; }
-
-  void close()
-  {
-    if(!is_wanted())
-      return;
-    m_out.close();
-    if(!m_out)
-      throw Bad_input(m_name + ": could not be written to its end; look for space on the disk");
-  }
-
-private:
-  std::string m_name;
-  std::ofstream m_out;
-};
 
 /// Lines `curve a b t x y z`, one per point: (1 - t) a + t b, where an input edge ab is crossed, or at a vertex if a is b.
 /// Where a curve starts, ends or may bend inside a face the line is `curve a b c t u x y z`: (1 - t - u) a + t b + u c,

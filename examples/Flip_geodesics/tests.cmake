@@ -148,6 +148,17 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(bad_cut 2 "cut.xyz" torus.off --from 0 --to 150 --cut cut.xyz)
   flip_geodesics_add_program_test(unwritable_cut 2 "no_such_folder/x.off" torus.off --from 0 --to 150 --cut
                                   no_such_folder/x.off)
+  flip_geodesics_add_program_test(vtp 0 LOCALLY_SHORTEST torus.off --from 0 --to 150 --cut cut.vtp --insert insert.stl)
+  # A failure leaves what an earlier run has written, and nothing half-written.
+  file(WRITE ${example_dir}/earlier.csv "kept\n")
+  flip_geodesics_add_program_test(failure_after_output 2 "no_such_folder/x.html" torus.off --from 0 --to 150 --stats
+                                  earlier.csv --page no_such_folder/x.html)
+  add_test(NAME program_earlier_results COMMAND ${CMAKE_COMMAND} -E compare_files earlier.csv kept.csv
+           WORKING_DIRECTORY ${example_dir})
+  file(WRITE ${example_dir}/kept.csv "kept\n")
+  set_tests_properties(program_earlier_results PROPERTIES DEPENDS program_failure_after_output)
+  flip_geodesics_add_program_test(one_file_for_two 2 "twice.csv: two" torus.off --random 2 --stats twice.csv
+                                  --polylines twice.csv)
   flip_geodesics_add_program_test(cut_of_many 2 "one curve" torus.off --random 3 --cut cut.off)
   flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "--network" --help)
@@ -227,6 +238,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(truncated 2 "truncated.off" truncated.off --random 2)
   flip_geodesics_add_program_test(huge_header 2 "huge.off" huge.off --random 2)
   flip_geodesics_add_program_test(none_at_random 2 "--random 0" torus.off --random 0)
+  flip_geodesics_add_program_test(too_many_at_random 2 "--random 99" torus.off --random 99999999999)
+  flip_geodesics_add_program_test(bad_seed 2 "--seed -1" torus.off --random 2 --seed -1)
+  flip_geodesics_add_program_test(rounds_of_nothing 2 "--bezier" torus.off --random 2 --rounds 3)
   flip_geodesics_add_program_test(less_than_none 2 "--random -3" torus.off --random -3)
   flip_geodesics_add_program_test(no_curve 2 "no_curve.txt" torus.off --network no_curve.txt)
   flip_geodesics_add_program_test(loose_fixed_vertex 2 "vertex 9" torus.off --network loose_network.txt)

@@ -4,8 +4,9 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H
 
 #include "gltf_file.h"
-#include "result_files.h"
+#include "output_file.h"
 #include "scene.h"
+#include "vtp_file.h"
 
 #include <algorithm>
 #include <ostream>
@@ -40,7 +41,7 @@ public:
     else if(m_format == "ply")
       write_ply(mesh);
     else if(m_format == "vtp")
-      write_vtp(mesh);
+      Vtp_writer(mesh, m_curves).write(out());
     else if(m_format == "glb")
       Gltf_writer(mesh, scene).write(out());
     else
@@ -49,12 +50,6 @@ public:
   }
 
 private:
-  struct Polyline
-  {
-    std::size_t curve;
-    std::vector<Point_3> points;
-  };
-
   static std::string check_format(const std::string& name)
   {
     const std::string polylines = ".polylines.txt";
@@ -80,7 +75,7 @@ private:
     const auto write = [&](const Point_3& p) { out() << prefix << p.x() << ' ' << p.y() << ' ' << p.z() << '\n'; };
     for(const auto v : mesh.vertices())
       write(mesh.point(v));
-    for(const Polyline& curve : m_curves)
+    for(const Scene_polyline& curve : m_curves)
       std::for_each(curve.points.begin(), curve.points.end(), write);
   }
 
@@ -101,7 +96,7 @@ private:
     out() << "o surface\n";
     write_faces(mesh, "f", 1);
     std::size_t next = mesh.number_of_vertices() + 1;
-    for(const Polyline& curve : m_curves) {
+    for(const Scene_polyline& curve : m_curves) {
       out() << "o curve_" << curve.curve << "\nl";
       for(std::size_t i = 0; i < curve.points.size(); ++i)
         out() << ' ' << next++;
@@ -118,79 +113,17 @@ private:
     write_points(mesh, "");
     write_faces(mesh, "3", 0);
     std::size_t next = mesh.number_of_vertices();
-    for(const Polyline& curve : m_curves) {
+    for(const Scene_polyline& curve : m_curves) {
       for(std::size_t i = 0; i + 1 < curve.points.size(); ++i)
         out() << next + i << ' ' << next + i + 1 << ' ' << curve.curve << '\n';
       next += curve.points.size();
     }
   }
 
-  void write_vtp(const Mesh& mesh)
-  {
-    out() << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-          << "<PolyData>\n<Piece NumberOfPoints=\"" << mesh.number_of_vertices() + m_number_of_points
-          << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << m_curves.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
-          << mesh.number_of_faces() << "\">\n<Points>\n"
-          << "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
-    write_points(mesh, "");
-    out() << "</DataArray>\n</Points>\n";
-    write_vtp_curve_numbers(mesh);
-    write_vtp_lines(mesh);
-    write_vtp_faces(mesh);
-    out() << "</Piece>\n</PolyData>\n</VTKFile>\n";
-  }
-
-  void begin_vtp_array(const char* name)
-  {
-    out() << "<DataArray type=\"Int64\" Name=\"" << name << "\" format=\"ascii\">\n";
-  }
-  void end_vtp_array() { out() << "</DataArray>\n"; }
-
-  // Cells are counted lines first; faces belong to curve -1.
-  void write_vtp_curve_numbers(const Mesh& mesh)
-  {
-    out() << "<CellData Scalars=\"curve\">\n";
-    begin_vtp_array("curve");
-    for(const Polyline& curve : m_curves)
-      out() << curve.curve << '\n';
-    for(std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      out() << "-1\n";
-    end_vtp_array();
-    out() << "</CellData>\n";
-  }
-
-  void write_vtp_lines(const Mesh& mesh)
-  {
-    out() << "<Lines>\n";
-    begin_vtp_array("connectivity");
-    for(std::size_t i = 0; i < m_number_of_points; ++i)
-      out() << mesh.number_of_vertices() + i << '\n';
-    end_vtp_array();
-    begin_vtp_array("offsets");
-    std::size_t end = 0;
-    for(const Polyline& curve : m_curves)
-      out() << (end += curve.points.size()) << '\n';
-    end_vtp_array();
-    out() << "</Lines>\n";
-  }
-
-  void write_vtp_faces(const Mesh& mesh)
-  {
-    out() << "<Polys>\n";
-    begin_vtp_array("connectivity");
-    write_faces(mesh, "", 0);
-    end_vtp_array();
-    begin_vtp_array("offsets");
-    for(std::size_t f = 1; f <= mesh.number_of_faces(); ++f)
-      out() << 3 * f << '\n';
-    end_vtp_array();
-    out() << "</Polys>\n";
-  }
-
   // The polylines alone, as CGAL's demo reads them: a line each, the number of points and the points.
   void write_polylines()
   {
-    for(const Polyline& curve : m_curves) {
+    for(const Scene_polyline& curve : m_curves) {
       out() << curve.points.size();
       for(const Point_3& p : curve.points)
         out() << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
@@ -200,7 +133,7 @@ private:
 
   std::string m_format;
   Output_file m_file;
-  std::vector<Polyline> m_curves;
+  std::vector<Scene_polyline> m_curves;
   std::size_t m_number_of_points = 0;
 };
 
