@@ -11,11 +11,9 @@ panels, or a PNG file. The file in fig/ has the function's name.
 """
 
 import argparse
-import heapq
 import math
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -28,7 +26,7 @@ root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics/page')]
 
 from figure_drawing import BLUE, GREEN, INK, ORANGE, RED, WHITE, Panel, make_small, size_of, write_png  # noqa: E402
-from read_page import Page  # noqa: E402
+from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_polylines  # noqa: E402
 
 figures = {}
 
@@ -41,177 +39,12 @@ def figure(width, height):
     return register
 
 
-class Tools:
-    """The programs, the meshes, and a folder for what is in between."""
-
-    def __init__(self, build, folder):
-        self.programs = build / 'examples/Flip_geodesics'
-        self.data = build / 'data'
-        self.folder = Path(folder)
-
-    def run(self, program, *arguments):
-        """Runs a program in the folder; examples that run.sh does not build are built first."""
-        if not (self.programs / program).exists():
-            subprocess.run(['cmake', '--build', self.programs.parents[1], '--target', program], check=True)
-        subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL,
-                       cwd=self.folder)
-
-    def mesh(self, name):
-        """A mesh of CGAL's data set."""
-        found = sorted(self.data.rglob(name))
-        if not found:
-            sys.exit(f'figures.py: no {name} in {self.data}; run examples/run.sh first')
-        return found[0]
-
-    def torus(self, around, along):
-        """A torus with bumps; vertex i * along + j has angle i / around about the axis and j / along about the tube."""
-        self.run('generate_torus', self.folder / 'torus.off', around, along)
-        return self.folder / 'torus.off'
-
-    def lines(self, name, curves):
-        """A file with a line of numbers, or words, per curve."""
-        path = self.folder / name
-        path.write_text(''.join(' '.join(map(str, curve)) + '\n' for curve in curves))
-        return path
-
-    def curves(self, mesh, *arguments):
-        """The page that the program writes of some curves."""
-        page = self.folder / 'page.html'
-        self.run('flip_geodesics', mesh, *arguments, '--quiet', '--page', page)
-        return Page(page)
-
-
-    def screenshot(self, page, state, width, height):
-        """A picture of a page as Debian's Chromium shows it; `state` stands behind the # of the address."""
-        browser = shutil.which('chromium')
-        if browser is None:
-            sys.exit('figures.py: needs chromium for this figure')
-        picture = self.folder / 'screenshot.png'
-        subprocess.run([browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-                        '--no-first-run', '--disable-background-networking', '--disable-component-update',
-                        '--disable-sync', f'--user-data-dir={self.folder}/profile', '--hide-scrollbars',
-                        f'--window-size={width},{height}', '--virtual-time-budget=20000', f'--screenshot={picture}',
-                        f'{page.as_uri()}#{state}'], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return picture
-
-
-def read_ply(path, name):
-    """The points and faces of a PLY file in text, and the numbers called `name` at its points."""
-    lines = iter(path.read_text().splitlines())
-    counts, columns = {}, []
-    for line in lines:
-        words = line.split()
-        if words[0] == 'element':
-            counts[words[1]] = int(words[2])
-        elif words[0] == 'property' and list(counts) == ['vertex']:
-            columns.append(words[2])
-        elif words[0] == 'end_header':
-            break
-    rows = [[float(x) for x in next(lines).split()] for _ in range(counts['vertex'])]
-    faces = [tuple(map(int, next(lines).split()[1:])) for _ in range(counts['face'])]
-    return [tuple(row[:3]) for row in rows], faces, [row[columns.index(name)] for row in rows]
-
-
-def read_obj(path):
-    """The lines of an OBJ file by their first word: numbers, of which those of faces and lines count from 0."""
-    result = {'v': [], 'vt': [], 'f': [], 'l': []}
-    for line in path.read_text().splitlines():
-        word, *rest = line.split()
-        if word in ('v', 'vt'):
-            result[word].append(tuple(map(float, rest)))
-        elif word in ('f', 'l'):
-            result[word].append(tuple(int(x.split('/')[0]) - 1 for x in rest))
-    return result
-
-
-def read_off(path):
-    """The points and faces of an OFF file in text."""
-    numbers = iter(' '.join(line.split('#')[0] for line in path.read_text().splitlines()).split()[1:])
-    points, faces = int(next(numbers)), int(next(numbers))
-    next(numbers)
-    return ([tuple(float(next(numbers)) for _ in range(3)) for _ in range(points)],
-            [tuple(int(next(numbers)) for _ in range(int(next(numbers)))) for _ in range(faces)])
-
-
-class Graph:
-    """Shortest paths of edges, to make loops and networks from."""
-
-    def __init__(self, points, faces):
-        self.points, self.faces = points, faces
-        self.neighbours = [set() for _ in points]
-        for f in faces:
-            for i in range(3):
-                self.neighbours[f[i]].update((f[i - 1], f[(i + 1) % 3]))
-
-    def nearest(self, place):
-        return min(range(len(self.points)), key=lambda v: math.dist(self.points[v], place))
-
-    def path(self, source, target):
-        distance, parent, queue = {source: 0.0}, {}, [(0.0, source)]
-        while queue:
-            d, v = heapq.heappop(queue)
-            if v == target:
-                break
-            if d > distance[v]:
-                continue
-            for w in self.neighbours[v]:
-                far = d + math.dist(self.points[v], self.points[w])
-                if far < distance.get(w, math.inf):
-                    distance[w], parent[w] = far, v
-                    heapq.heappush(queue, (far, w))
-        path = [target]
-        while path[-1] != source:
-            path.append(parent[path[-1]])
-        return path[::-1]
-
-    def loop(self, way_points):
-        result = []
-        for a, b in zip(way_points, way_points[1:] + way_points[:1]):
-            result += self.path(a, b)[:-1]
-        return result
-
-
 def ring(graph, center, u, v, radius, count=6):
     """A loop of edges about a limb: past the vertices that are nearest to points on a circle."""
     angles = [2 * math.pi * k / count for k in range(count)]
     way_points = [graph.nearest([c + radius * (math.cos(t) * a + math.sin(t) * b) for c, a, b in zip(center, u, v)])
                   for t in angles]
     return graph.loop([w for w, before in zip(way_points, way_points[-1:] + way_points) if w != before])
-
-
-def region_borders(graph, seeds):
-    """The mesh's edges between the regions of vertices that are closest to each seed, as chains of vertices."""
-    label, queue = {}, [(0.0, seed, i) for i, seed in enumerate(seeds)]
-    while queue:
-        d, v, i = heapq.heappop(queue)
-        if v in label:
-            continue
-        label[v] = i
-        for w in graph.neighbours[v]:
-            if w not in label:
-                heapq.heappush(queue, (d + math.dist(graph.points[v], graph.points[w]), w, i))
-    face_label = {f: max(label[v] for v in f) for f in graph.faces}
-    owners = {}
-    for f in graph.faces:
-        for i in range(3):
-            owners.setdefault(frozenset((f[i - 1], f[i])), []).append(face_label[f])
-    neighbours = {}
-    for edge, labels in owners.items():
-        if len(set(labels)) > 1:
-            a, b = edge
-            neighbours.setdefault(a, set()).add(b)
-            neighbours.setdefault(b, set()).add(a)
-    nodes = {v for v, others in neighbours.items() if len(others) != 2}
-    chains = []
-    for start in sorted(nodes):
-        while neighbours[start]:
-            chain = [start, neighbours[start].pop()]
-            neighbours[chain[1]].discard(start)
-            while chain[-1] not in nodes:
-                chain.append(neighbours[chain[-1]].pop())
-                neighbours[chain[-1]].discard(chain[-2])
-            chains.append(chain)
-    return chains, nodes
 
 
 @figure(900, 440)
@@ -245,12 +78,19 @@ def teaser(tools):
     return [left, right]
 
 
-def detour(tools):
+def detour(tools, *arguments):
     """A path of edges on a coarse torus that makes a detour, straightened."""
     along = 12
     places = [(15, 3), (15, 2), *((i, 1) for i in range(15, 22)), (21, 2), (21, 3)]
     path = [i * along + j for i, j in places]
-    return tools.curves(tools.torus(24, along), '--edges', tools.lines('path', [path]))
+    return tools.curves(tools.torus(24, along), '--edges', tools.lines('path', [path]), *arguments)
+
+
+def intrinsic_edges(page, state):
+    """All edges of the triangulation of the first run at a state."""
+    untouched = {frozenset((f[i], f[i - 1])) for f in page.faces for i in range(3)}
+    untouched -= {frozenset((a, b)) for _, a, b in page.runs[0].input_edges}
+    return [[page.points[v] for v in side] for side in untouched] + state.edges
 
 
 @figure(900, 400)
@@ -299,23 +139,84 @@ def flips(tools):
     return panels
 
 
-@figure(900, 440)
+REGIONS = '#b9c4d6', '#d8cdb4', '#b7d0bd', '#d6b9c1', '#c7bfdb', '#cfd3a8', '#a9ccd3'
+
+
+@figure(1000, 350)
 def network(tools):
-    """Borders between regions of a scan: as edges of the mesh, and straightened with their nodes fixed."""
+    """Boundaries of a segmentation of a scan: as edges of the mesh, pulled tight, and stopped early with free junctions."""
     mesh = tools.mesh('bunny00.off')
     start = tools.curves(mesh, '--random', 1)
     graph = Graph(start.points, start.faces)
     spiral = [(0.5 * math.sqrt(k / 14), 2.4 * k) for k in range(14)]
     seeds = {graph.nearest((r * math.cos(t), r * math.sin(t), side)) for side in (-0.5, 0.5) for r, t in spiral}
-    chains, nodes = region_borders(graph, sorted(seeds))
-    page = tools.curves(mesh, '--network', tools.lines('network', chains))
+    label = graph.regions(sorted(seeds))
+    labels = [max(label[v] for v in f) for f in start.faces]
+    segmentation = tools.lines('labels.seg', [[x] for x in labels])
+    tight = tools.curves(mesh, '--segmentation', segmentation)
+    gaps = tools.curves(mesh, '--segmentation', segmentation, '--free-junctions', '--stop-length', 0.85)
     panels = []
-    for lines, name in (([[start.points[v] for v in chain] for chain in chains], ORANGE), (page.curves.values(), BLUE)):
+    for lines, name in ((tight.runs[0].state(0).lines, ORANGE), (tight.curves.values(), BLUE),
+                        (gaps.curves.values(), GREEN)):
         panel = Panel(size_of(start.points))
-        panel.surface(start.points, start.faces)
-        panel.tubes(lines, name, 0.006)
-        panel.balls([start.points[v] for v in nodes], RED, 0.013)
+        for region in set(labels):
+            faces = [f for f, x in zip(start.faces, labels) if x == region]
+            panel.surface(start.points, faces, REGIONS[region % len(REGIONS)])
+        panel.tubes(lines, name, 0.005)
         panel.look((0.35, 0.2, 1))
+        panels.append(panel)
+    return panels
+
+
+@figure(900, 400)
+def seams(tools):
+    """The seams of a textured torus, as edges and straightened; thin lines are those of equal texture coordinates."""
+    around, along = 72, 36
+    points, _ = read_off(tools.torus(around, along))
+    mesh, corners, plane = tools.folder / 'textured.obj', [], []
+    with mesh.open('w') as out:
+        out.writelines('v {} {} {}\n'.format(*p) for p in points)
+        for i in range(around):
+            for j in range(along):
+                # Where the sheet is cut: in zigzags about the tube, and about the hole.
+                du = around if i < 8 + abs((j + 6) % 12 - 6) else 0
+                dv = along if j < 5 + abs((i + 4) % 8 - 4) else 0
+                a, b, c, d = ((i + x, j + y) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+                for face in ((a, b, c), (a, c, d)):
+                    for k, m in face:
+                        corners.append(points[k % around * along + m % along])
+                        plane.append(((k + du) / around, (m + dv) / along))
+                        out.write('vt {} {}\n'.format(*plane[-1]))
+                    texts = (f'{k % around * along + m % along + 1}/{n}' for (k, m), n in zip(face, (-3, -2, -1)))
+                    out.write('f {} {} {}\n'.format(*texts))
+    page = tools.curves(mesh, '--seams')
+    panels = []
+    for lines, name in ((page.runs[0].state(0).lines, ORANGE), (page.curves.values(), BLUE)):
+        panel = Panel(size_of(points))
+        panel.surface(page.points, page.faces)
+        faces = [(k, k + 1, k + 2) for k in range(0, len(corners), 3)]
+        for axis, count in ((0, 24), (1, 12)):
+            panel.contours(corners, faces, [p[axis] for p in plane], [(k + 0.5) / count for k in range(2 * count)], INK, 0.0012)
+        panel.tubes(lines, name, 0.009)
+        panel.look((0.75, -0.35, 1), up=(0, 0, 1))
+        panels.append(panel)
+    return panels
+
+
+@figure(900, 400)
+def drawn_polyline(tools):
+    """A polyline across the faces of a mesh; the path of edges that it is snapped to, and the geodesic that it becomes."""
+    tools.run('drawn_polyline_example')
+    drawn, tight, snapped = read_polylines(tools.folder / 'drawn_polyline.polylines.txt')
+    points, faces = read_off(tools.torus(48, 24))
+    panels = []
+    for shown in (((drawn, RED),), ((snapped, ORANGE), (tight, BLUE))):
+        panel = Panel(size_of(points))
+        panel.surface(points, faces, is_smooth=False)
+        panel.edges(points, faces)
+        for line, name in shown:
+            panel.tubes([line], name, 0.009)
+        panel.look((0, -0.9, 1))
         panels.append(panel)
     return panels
 
@@ -405,6 +306,57 @@ def refinement(tools):
     return panels
 
 
+@figure(900, 400)
+def delaunay(tools):
+    """The triangulation about a geodesic as flips have left it, and flipped to constrained Delaunay."""
+    panels = []
+    for arguments in ((), ('--delaunay',)):
+        page = detour(tools, *arguments)
+        state = page.runs[0].state(-1)
+        panel = Panel(size_of(page.points))
+        panel.surface(page.points, page.faces, is_smooth=False)
+        panel.tubes(intrinsic_edges(page, state), INK, 0.003)
+        panel.tubes(state.lines, RED, 0.009)
+        panel.look((0.1, -0.6, 1), target=(0.0, -0.85, 0.2), zoom=1.5)
+        panels.append(panel)
+    return panels
+
+
+@figure(900, 400)
+def cut(tools):
+    """A torus, cut open along closed geodesics into pieces, which are moved apart."""
+    around, along = 96, 48
+    mesh = tools.torus(around, along)
+    loops = [['o', *(i * along + j for j in range(along))] for i in range(0, around, around // 3)]
+    result = tools.folder / 'cut.off'
+    network = tools.lines('network', loops)
+    tools.run('flip_geodesics', mesh, '--network', network, '--cut', result, '--quiet')
+    points, faces = read_off(result)
+    pieces = Graph(points, faces).components()
+    panels = []
+    for distance in (0, 0.25):
+        moved = list(points)
+        for piece in pieces:
+            middle = [sum(points[v][i] for v in piece) / len(piece) for i in range(3)]
+            for v in piece:
+                moved[v] = tuple(x + distance * m for x, m in zip(points[v], middle))
+        panel = Panel(size_of(points))
+        panel.surface(moved, faces)
+        panel.tubes(boundaries(moved, faces), RED, 0.008)
+        panel.look((0, -0.9, 1))
+        panels.append(panel)
+    return panels
+
+
+def boundaries(points, faces):
+    """The edges of one face only."""
+    owners = {}
+    for f in faces:
+        for i in range(3):
+            owners.setdefault(frozenset((f[i - 1], f[i])), []).append(f)
+    return [[points[v] for v in edge] for edge, owning in owners.items() if len(owning) == 1]
+
+
 @figure(1000, 420)
 def flattening(tools):
     """A torus cut open along two geodesic loops and flattened, with lines of equal texture coordinates."""
@@ -449,17 +401,52 @@ def logarithmic_map(tools):
     return panels
 
 
+@figure(900, 420)
+def tree(tools):
+    """The tree of geodesics from one vertex of a torus, and what is replaced in it to make all paths shortest."""
+    mesh = tools.torus(36, 18)
+    source = 9
+    trees = [tools.curves(mesh, '--source', source, *arguments) for arguments in ((), ('--shortest',))]
+    lines = [{tuple(line) for line in page.curves.values()} for page in trees]
+    panels = []
+    for page, own, other in zip(trees, lines, lines[::-1]):
+        panel = Panel(size_of(page.points))
+        panel.surface(page.points, page.faces)
+        panel.tubes([list(line) for line in own & other], BLUE, 0.0035)
+        panel.tubes([list(line) for line in own - other], RED if page is trees[0] else GREEN, 0.006)
+        panel.balls([page.points[source]], ORANGE, 0.025)
+        panel.look((0, -0.9, 1))
+        panels.append(panel)
+    return panels
+
+
+@figure(900, 420)
+def shortest_path(tools):
+    """A geodesic that is only locally shortest (orange), and the shortest path between the same vertices (blue)."""
+    mesh = tools.torus(48, 24)
+    ends = 0, 660
+    tools.run('shortest_path_example', mesh, *ends)
+    shortest, = read_polylines(tools.folder / 'shortest_path.polylines.txt')
+    page = tools.curves(mesh, '--from', ends[0], '--to', ends[1])
+    panels = []
+    for view in ((0, -0.9, 1), (0, 0.9, 1)):
+        panel = Panel(size_of(page.points))
+        panel.surface(page.points, page.faces)
+        panel.tubes(page.curves.values(), ORANGE, 0.009)
+        panel.tubes([shortest], BLUE, 0.009)
+        panel.balls([page.points[v] for v in ends], RED, 0.025)
+        panel.look(view)
+        panels.append(panel)
+    return panels
+
+
 @figure(900, 380)
 def spline(tools):
-    """A geodesic between points inside faces, and the Bezier curve of four such points."""
+    """A geodesic between points inside faces, and the Bezier curve and the B-spline of four such points."""
     mesh = tools.torus(20, 10)  # on which the example's faces lie well
     page = tools.curves(mesh, '--random', 1)
     tools.run('geodesic_spline_example', mesh)
-    curves = []
-    for line in (tools.folder / 'geodesic_spline.polylines.txt').read_text().splitlines():
-        numbers = [float(x) for x in line.split()[1:]]
-        curves.append(list(zip(numbers[0::3], numbers[1::3], numbers[2::3])))
-    geodesic, bezier = curves
+    geodesic, bezier, b_spline = read_polylines(tools.folder / 'geodesic_spline.polylines.txt')
 
     def point(face, first):  # the example's weights, from one corner of a face on
         corners = [page.points[page.faces[face][(first + k) % 3]] for k in range(3)]
@@ -473,6 +460,7 @@ def spline(tools):
         panel.edges(page.points, page.faces)
         panel.tubes([geodesic], BLUE, 0.008)
         panel.tubes([bezier], RED, 0.01)
+        panel.tubes([b_spline], GREEN, 0.01)
         panel.balls(controls, ORANGE, 0.025)
         panel.look(view, up=(0, 0, 1))
         panels.append(panel)

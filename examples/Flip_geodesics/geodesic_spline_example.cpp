@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A geodesic between points inside of faces, and a Bezier curve whose control points are inside of faces.
+// A geodesic between points inside of faces, and a Bezier curve and a B-spline whose control points are inside of faces.
 //
 //   geodesic_spline_example [MESH]
 
@@ -38,16 +38,19 @@ int main(int argc, char** argv)
   for(unsigned i : {0u, 40u, 90u, 130u})
     points.push_back({Mesh::Face_index(i), {{0.5, 0.3, 0.2}}});
 
-  std::vector<Kernel::Point_3> path, curve;
+  std::vector<Kernel::Point_3> path, curve, spline;
   try {
     const auto geodesic = FG::geodesic_path(mesh, points.front(), points.back(), std::back_inserter(path));
     const auto bezier = FG::geodesic_spline(mesh, points, FG::Spline_kind::BEZIER, std::back_inserter(curve),
                                             CGAL::parameters::number_of_iterations(6));
+    const auto b_spline = FG::geodesic_spline(mesh, points, FG::Spline_kind::CUBIC_B_SPLINE, std::back_inserter(spline));
     std::cout << "The geodesic is " << geodesic.report.curves.front().length << " long, the Bezier curve "
-              << bezier.report.curves.front().length << ".\n";
+              << bezier.report.curves.front().length << ", the B-spline " << b_spline.report.curves.front().length
+              << ".\n";
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return write_polylines<Kernel::Point_3>("geodesic_spline.polylines.txt", {path, curve}) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return write_polylines<Kernel::Point_3>("geodesic_spline.polylines.txt", {path, curve, spline}) ? EXIT_SUCCESS
+                                                                                                  : EXIT_FAILURE;
 }

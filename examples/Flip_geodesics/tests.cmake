@@ -10,6 +10,7 @@ foreach(
   conforming_triangulation_example
   cross_field_example
   cut_and_refine_example
+  drawn_polyline_example
   edge_length_metric_example
   exact_number_type_example
   flattening_example

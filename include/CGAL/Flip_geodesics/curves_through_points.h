@@ -102,8 +102,8 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic from one point of the surface to another, each a face and barycentric coordinates.
- * \sa `geodesic_path_through()`
+ * Computes a geodesic from one point of the surface to another, each a face and barycentric coordinates. Parameters,
+ * exceptions and complexity are those of `geodesic_path_through()`.
  */
 template <class TriangleMesh, class FT, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

@@ -78,7 +78,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * \ingroup PkgFlipGeodesicsDelaunay
  *
  * The same for all edges: the result is the intrinsic Delaunay triangulation or, if a network lives in the
- * triangulation, the intrinsic constrained Delaunay triangulation of its curves, the iCDT [SC20, section 6.3].
+ * triangulation, the intrinsic constrained Delaunay triangulation of its curves, the iCDT [SC20, section 6.3]. Throws as
+ * the first overload. Complexity: linear in the mesh and the flips.
  */
 template <class Triangulation>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation)
@@ -91,7 +92,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation)
  *
  * The edges near the curves of a network, in increasing order: of the faces that touch a vertex which a curve passes,
  * and so on for `rings` rings of vertices. For local use of `flip_to_delaunay()`, at a cost that does not depend on the
- * mesh.
+ * mesh: \f$O(k \log k)\f$ for k edges.
  */
 template <class Network>
 std::vector<Index> edges_near_curves(const Network& network, int rings = 1)

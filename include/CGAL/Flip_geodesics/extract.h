@@ -103,7 +103,7 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Index h, 
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * The point of a surface point in space. Only with a metric that has points.
+ * The point of a surface point in space, in constant time. Only with a metric that has points.
  */
 template <class Triangulation>
 auto point_in_space(const Triangulation& triangulation, const Surface_point& p)

@@ -129,6 +129,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Invalid_curve_error, Crossing_curves_error, Ambiguous_order_error,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ *
+ * Complexity: as `geodesic_path()`, without a search.
  */
 template <class TriangleMesh, class VertexRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -155,9 +157,13 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  *
  * \param mesh a triangle mesh
  * \param curves a range of ranges of vertices, each two in a row sharing an edge; a curve whose last vertex is its
- * first is a closed loop \param out receives one `std::vector` of points per curve, in order \param np as for
- * `geodesic_path()` \return the end of the output, and the report, with one entry per curve \throws as
- * `geodesic_loop()`
+ *        first is a closed loop
+ * \param out receives one `std::vector` of points per curve, in order
+ * \param np as for `geodesic_path()`
+ * \return the end of the output, and the report, with one entry per curve
+ * \throws as `geodesic_loop()`
+ *
+ * Complexity: as `geodesic_loop()`, with the flips of all curves.
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

@@ -76,6 +76,8 @@ Index halfedge_between(const Triangulation& triangulation, Index v, Index w)
  * \param vertices a range of vertex indices; a closed curve does not repeat the first
  * \throws Vertex_out_of_range_error
  * \throws Invalid_curve_error if there are fewer than two vertices, or two in a row share no edge
+ *
+ * Complexity: linear in the degrees of the vertices.
  */
 template <class Triangulation, class VertexRange>
 std::vector<Index> halfedges_through(const Triangulation& triangulation, const VertexRange& vertices, bool is_closed)

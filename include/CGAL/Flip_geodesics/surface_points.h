@@ -50,6 +50,8 @@ Surface_location surface_location(
  * \param snap a barycentric coordinate, not negative and below 1/3
  * \throws Invalid_location_error if the face is null, a coordinate is less than `-snap` or no number, or the three do
  *         not sum to one within 1e-6
+ *
+ * Complexity: constant.
  */
 template <class Triangulation, class FT>
 Surface_location surface_location(
@@ -204,7 +206,7 @@ private:
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * The input location, rounded, of the point that divides intrinsic edge `edge(h)`: `t` of the way from the tail of `h`
- * to its head. It lies on an input edge exactly if the whole edge does.
+ * to its head. It lies on an input edge exactly if the whole edge does. Linear in the input edges that are crossed.
  * \pre 0 < `t` < 1
  */
 template <class Triangulation>
@@ -220,8 +222,8 @@ Surface_location location_on_edge(const Triangulation& triangulation, Index h, d
  *
  * The input location, rounded, of the point of an intrinsic face with barycentric coordinates at the tail of `h`, its
  * head, and the third vertex: among the input faces along the face's sides, the one that holds it. Every input face
- * that meets the intrinsic face is among them. \pre `h` is not on the border, and the coordinates are not negative and
- * sum to one
+ * that meets the intrinsic face is among them. Linear in the input edges that the sides cross. \pre `h` is not on the
+ * border, and the coordinates are not negative and sum to one
  */
 template <class Triangulation>
 Surface_location location_in_face(const Triangulation& triangulation, Index h, const std::array<double, 3>& coordinates)

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What the figures are made with: the programs and meshes, readers of their files, and paths of edges."""
+
+import heapq
+import math
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from read_page import Page
+
+
+class Tools:
+    """The programs, the meshes, and a folder for what is in between."""
+
+    def __init__(self, build, folder):
+        self.programs = build / 'examples/Flip_geodesics'
+        self.data = build / 'data'
+        self.folder = Path(folder)
+
+    def run(self, program, *arguments):
+        """Runs a program in the folder; examples that run.sh does not build are built first."""
+        if not (self.programs / program).exists():
+            subprocess.run(['cmake', '--build', self.programs.parents[1], '--target', program], check=True)
+        subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL,
+                       cwd=self.folder)
+
+    def mesh(self, name):
+        """A mesh of CGAL's data set."""
+        found = sorted(self.data.rglob(name))
+        if not found:
+            sys.exit(f'figures.py: no {name} in {self.data}; run examples/run.sh first')
+        return found[0]
+
+    def torus(self, around, along):
+        """A torus with bumps; vertex i * along + j has angle i / around about the axis and j / along about the tube."""
+        self.run('generate_torus', self.folder / 'torus.off', around, along)
+        return self.folder / 'torus.off'
+
+    def lines(self, name, curves):
+        """A file with a line of numbers, or words, per curve."""
+        path = self.folder / name
+        path.write_text(''.join(' '.join(map(str, curve)) + '\n' for curve in curves))
+        return path
+
+    def curves(self, mesh, *arguments):
+        """The page that the program writes of some curves."""
+        page = self.folder / 'page.html'
+        self.run('flip_geodesics', mesh, *arguments, '--quiet', '--page', page)
+        return Page(page)
+
+
+    def screenshot(self, page, state, width, height):
+        """A picture of a page as Debian's Chromium shows it; `state` stands behind the # of the address."""
+        browser = shutil.which('chromium')
+        if browser is None:
+            sys.exit('figures.py: needs chromium for this figure')
+        picture = self.folder / 'screenshot.png'
+        subprocess.run([browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+                        '--no-first-run', '--disable-background-networking', '--disable-component-update',
+                        '--disable-sync', f'--user-data-dir={self.folder}/profile', '--hide-scrollbars',
+                        f'--window-size={width},{height}', '--virtual-time-budget=20000', f'--screenshot={picture}',
+                        f'{page.as_uri()}#{state}'], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return picture
+
+
+def read_ply(path, name):
+    """The points and faces of a PLY file in text, and the numbers called `name` at its points."""
+    lines = iter(path.read_text().splitlines())
+    counts, columns = {}, []
+    for line in lines:
+        words = line.split()
+        if words[0] == 'element':
+            counts[words[1]] = int(words[2])
+        elif words[0] == 'property' and list(counts) == ['vertex']:
+            columns.append(words[2])
+        elif words[0] == 'end_header':
+            break
+    rows = [[float(x) for x in next(lines).split()] for _ in range(counts['vertex'])]
+    faces = [tuple(map(int, next(lines).split()[1:])) for _ in range(counts['face'])]
+    return [tuple(row[:3]) for row in rows], faces, [row[columns.index(name)] for row in rows]
+
+
+def read_obj(path):
+    """The lines of an OBJ file by their first word: numbers, of which those of faces and lines count from 0."""
+    result = {'v': [], 'vt': [], 'f': [], 'l': []}
+    for line in path.read_text().splitlines():
+        word, *rest = line.split()
+        if word in ('v', 'vt'):
+            result[word].append(tuple(map(float, rest)))
+        elif word in ('f', 'l'):
+            result[word].append(tuple(int(x.split('/')[0]) - 1 for x in rest))
+    return result
+
+
+def read_off(path):
+    """The points and faces of an OFF file in text."""
+    numbers = iter(' '.join(line.split('#')[0] for line in path.read_text().splitlines()).split()[1:])
+    points, faces = int(next(numbers)), int(next(numbers))
+    next(numbers)
+    return ([tuple(float(next(numbers)) for _ in range(3)) for _ in range(points)],
+            [tuple(int(next(numbers)) for _ in range(int(next(numbers)))) for _ in range(faces)])
+
+
+def read_polylines(path):
+    """The polylines of a file in the format of CGAL's demo."""
+    polylines = []
+    for line in path.read_text().splitlines():
+        numbers = [float(x) for x in line.split()[1:]]
+        polylines.append(list(zip(numbers[0::3], numbers[1::3], numbers[2::3])))
+    return polylines
+
+
+class Graph:
+    """Shortest paths of edges, to make loops and networks from."""
+
+    def __init__(self, points, faces):
+        self.points, self.faces = points, faces
+        self.neighbours = [set() for _ in points]
+        for f in faces:
+            for i in range(3):
+                self.neighbours[f[i]].update((f[i - 1], f[(i + 1) % 3]))
+
+    def nearest(self, place):
+        return min(range(len(self.points)), key=lambda v: math.dist(self.points[v], place))
+
+    def path(self, source, target):
+        distance, parent, queue = {source: 0.0}, {}, [(0.0, source)]
+        while queue:
+            d, v = heapq.heappop(queue)
+            if v == target:
+                break
+            if d > distance[v]:
+                continue
+            for w in self.neighbours[v]:
+                far = d + math.dist(self.points[v], self.points[w])
+                if far < distance.get(w, math.inf):
+                    distance[w], parent[w] = far, v
+                    heapq.heappush(queue, (far, w))
+        path = [target]
+        while path[-1] != source:
+            path.append(parent[path[-1]])
+        return path[::-1]
+
+    def loop(self, way_points):
+        result = []
+        for a, b in zip(way_points, way_points[1:] + way_points[:1]):
+            result += self.path(a, b)[:-1]
+        return result
+
+    def regions(self, seeds):
+        """For each vertex the number of the seed that is closest along edges."""
+        label, queue = {}, [(0.0, seed, i) for i, seed in enumerate(seeds)]
+        while queue:
+            d, v, i = heapq.heappop(queue)
+            if v in label:
+                continue
+            label[v] = i
+            for w in self.neighbours[v]:
+                if w not in label:
+                    heapq.heappush(queue, (d + math.dist(self.points[v], self.points[w]), w, i))
+        return label
+
+    def components(self):
+        """The vertices of each connected part."""
+        left, parts = set(range(len(self.points))), []
+        while left:
+            part, found = [], [left.pop()]
+            while found:
+                v = found.pop()
+                part.append(v)
+                found += self.neighbours[v] & left
+                left -= self.neighbours[v]
+            parts.append(part)
+        return parts
