@@ -216,7 +216,7 @@ def drawn_polyline(tools):
         panel.edges(points, faces)
         for line, name in shown:
             panel.tubes([line], name, 0.009)
-        panel.look((0, -0.9, 1))
+        panel.look((0.15, -1, 0.5), up=(0, 0, 1), target=(0.1, -1, 0.2), zoom=1.5)
         panels.append(panel)
     return panels
 
@@ -424,12 +424,12 @@ def tree(tools):
 def shortest_path(tools):
     """A geodesic that is only locally shortest (orange), and the shortest path between the same vertices (blue)."""
     mesh = tools.torus(48, 24)
-    ends = 0, 660
+    ends = 6, 620
     tools.run('shortest_path_example', mesh, *ends)
     shortest, = read_polylines(tools.folder / 'shortest_path.polylines.txt')
     page = tools.curves(mesh, '--from', ends[0], '--to', ends[1])
     panels = []
-    for view in ((0, -0.9, 1), (0, 0.9, 1)):
+    for view in ((0, -0.9, 1), (0, 0.9, -1)):
         panel = Panel(size_of(page.points))
         panel.surface(page.points, page.faces)
         panel.tubes(page.curves.values(), ORANGE, 0.009)

@@ -32,7 +32,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh;
   const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh, 48, 24) > 0;
-  const int source = argc > 3 ? std::atoi(argv[2]) : 0, target = argc > 3 ? std::atoi(argv[3]) : 660;
+  const int source = argc > 3 ? std::atoi(argv[2]) : 6, target = argc > 3 ? std::atoi(argv[3]) : 620;
   if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
