@@ -334,9 +334,6 @@ void check_delaunay(const Mesh_soup& soup, const Traits& traits, int attempts)
 
 // ---------------------------------------------------------------- lengths instead of points
 
-using Length_map = boost::associative_property_map<std::map<boost::graph_traits<Surface>::edge_descriptor, double>>;
-using Length_metric = CGAL::Flip_geodesics::Edge_length_metric<Surface, Length_map>;
-
 /// A grid of right triangles with the sides 3, 4, 5, given by these lengths.
 template <class NT>
 void check_right_triangles(int n)

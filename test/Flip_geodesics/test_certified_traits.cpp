@@ -43,8 +43,6 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Certified_traits = FG::Certified_intrinsic_triangulation_traits<Kernel>;
 using Recording = Recording_traits<Kernel>;
 using Lengths = std::map<boost::graph_traits<Surface>::edge_descriptor, double>;
-using Length_map = boost::associative_property_map<const Lengths>;
-using Length_metric = FG::Edge_length_metric<Surface, boost::const_associative_property_map<Lengths>>;
 
 Mesh_soup turned(const Mesh_soup& soup)
 {
@@ -234,10 +232,10 @@ void judge_lengths(const std::string& name, const Mesh_soup& soup, const LengthF
   using Triangulation = FG::Intrinsic_triangulation<Surface, Recording, Length_metric>;
   Decision_observer observer;
   Surface mesh = to_mesh<Surface>(soup);
-  const Lengths lengths = edge_lengths(mesh, length);
-  const auto map = boost::make_assoc_property_map(lengths);
+  Lengths lengths = edge_lengths(mesh, length);
+  const Length_map map(lengths);
   Triangulation triangulation(mesh, Length_metric(mesh, map), Recording(observer));
-  judge_work(name, triangulation, Shape_of_lengths<Surface, decltype(map)>(mesh, map), rounds, observer, totals);
+  judge_work(name, triangulation, Shape_of_lengths<Surface, Length_map>(mesh, map), rounds, observer, totals);
 }
 
 } // namespace
@@ -406,9 +404,9 @@ BOOST_AUTO_TEST_CASE(lengths_that_violate_the_triangle_inequality_by_less_than_r
   const auto has_face = [](double a, double b, double c) {
     Surface mesh = to_mesh<Surface>(single_triangle());
     const double lengths[] = {a, b, c};
-    const Lengths map = edge_lengths(mesh, [&](int u, int v) { return lengths[u + v - 1]; });
+    Lengths map = edge_lengths(mesh, [&](int u, int v) { return lengths[u + v - 1]; });
     FG::Intrinsic_triangulation<Surface, Certified_traits, Length_metric> triangulation(
-        mesh, Length_metric(mesh, boost::make_assoc_property_map(map)));
+        mesh, Length_metric(mesh, Length_map(map)));
     try {
       triangulation.outgoing(0);
       return true;
