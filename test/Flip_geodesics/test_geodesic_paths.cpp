@@ -4,8 +4,11 @@
 
 #include "generated_meshes.h"
 
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -172,6 +175,41 @@ BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
   }
   BOOST_TEST(stopped == 1);
   BOOST_TEST(thrown == 1);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one)
+{
+  Mesh mesh = to_mesh<Mesh>(jittered_grid(12, 12, Diagonal_rule::RISING, 0.2, 5));
+  using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
+  const Lengths lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  for(Mesh::Edge_index e : mesh.edges())
+    put(lengths, e, std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)))));
+  using Metric = FG::Edge_length_metric<Mesh, Lengths>;
+  using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Metric>;
+  using Search = FG::Shortest_edge_path<Triangulation>;
+  const Triangulation triangulation(mesh, Metric(mesh, lengths));
+  Search dijkstra(triangulation, FG::Search_method::DIJKSTRA), a_star(triangulation, FG::Search_method::A_STAR),
+      look_back(triangulation, FG::Search_method::LOOK_BACK);
+  for(const auto& [s, t] : random_pairs(mesh, 20, 3)) {
+    const auto path = dijkstra(triangulation.index(s), triangulation.index(t));
+    for(Search* search : {&a_star, &look_back}) {
+      BOOST_TEST(((*search)(triangulation.index(s), triangulation.index(t)) == path));
+      BOOST_TEST(search->settled_vertices() == dijkstra.settled_vertices());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_search_towards_a_point_that_is_no_number_says_so)
+{
+  Mesh mesh = to_mesh<Mesh>(flat_grid(6, 6, Diagonal_rule::RISING));
+  mesh.point(Vertex(40)) = Kernel::Point_3(std::nan(""), 0, 0);
+  const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
+  for(auto method : {FG::Search_method::LOOK_BACK, FG::Search_method::A_STAR, FG::Search_method::DIJKSTRA}) {
+    FG::Shortest_edge_path<FG::Intrinsic_triangulation<Mesh>> search(triangulation, method);
+    BOOST_CHECK_THROW(search(0, 40), FG::Invalid_coordinate_error);
+    BOOST_CHECK_THROW(search(40, 0), FG::Invalid_coordinate_error);
+    BOOST_TEST(search(0, 3).size() == 3u); // and what lies elsewhere is found
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_queue_hands_out_by_priority_and_then_by_vertex)

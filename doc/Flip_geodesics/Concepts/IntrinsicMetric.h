@@ -41,10 +41,17 @@ public:
   /// whatever there is where it has no usable one.
   double weight(const Mesh& mesh, Index h) const;
 
+  /// What a lower bound needs to know of a vertex, such as the coordinates of its point; copied freely. An empty class
+  /// says that there is no bound but zero.
+  typedef unspecified_type Place;
+
+  /// The place of vertex `v`.
+  Place place(const Mesh& mesh, Index v) const;
+
   /// A lower bound of the length of all edge paths between two vertices, for the search of a shortest one. It is 0
   /// from a vertex to itself, and from the two ends of an edge to one vertex it differs by no more than the edge's
   /// weight.
-  double distance_lower_bound(const Mesh& mesh, Index v, Index w) const;
+  double distance_lower_bound(const Place& p, const Place& q) const;
 
   /// The geometry of the face on the left of `h`, from `h` on, made by one of the functors of `traits`.
   /// \throws Degenerate_face_error, Invalid_coordinate_error if the face has no usable shape

@@ -87,7 +87,9 @@ public:
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Index h) const { return Base::weight(mesh, h) + m_added; }
 
+  using typename Base::Place;
   using Base::distance_lower_bound;
+  using Base::place;
 
   /// The point of vertex `v`. Only over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Index v) const { return Base::point(mesh, v); }

@@ -14,6 +14,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -86,11 +87,21 @@ public:
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Index h) const
   {
-    return distance(mesh, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    return distance_lower_bound(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
+  }
+
+  /// The coordinates of a point, as the doubles they round to.
+  using Place = std::array<double, 3>;
+
+  /// Where vertex `v` is.
+  Place place(const Mesh& mesh, Index v) const
+  {
+    decltype(auto) p = point(mesh, v);
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
   /// A lower bound of the distance on the surface: the distance through space.
-  double distance_lower_bound(const Mesh& mesh, Index v, Index w) const { return distance(mesh, v, w); }
+  double distance_lower_bound(const Place& p, const Place& q) const { return std::sqrt(squared_distance(p, q)); }
 
   /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face. \throws as `length()`
   template <class Traits>
@@ -107,11 +118,9 @@ public:
   internal::Exact_face exact_face(const Mesh& mesh, Index h) const
   {
     std::array<double, 9> coordinates;
-    for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
-      decltype(auto) p = point(mesh, mesh.tail(h));
-      coordinates[3 * i] = CGAL::to_double(p.x());
-      coordinates[3 * i + 1] = CGAL::to_double(p.y());
-      coordinates[3 * i + 2] = CGAL::to_double(p.z());
+    for(std::size_t i = 0; i < 9; i += 3, h = mesh.next(h)) {
+      const Place p = place(mesh, mesh.tail(h));
+      std::copy(p.begin(), p.end(), coordinates.begin() + i);
     }
     return internal::exact_face_from_points(coordinates);
   }
@@ -125,8 +134,8 @@ public:
   {
     using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
     const auto point_of = [&](Index v) {
-      decltype(auto) p = point(mesh, v);
-      return Exact_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      const Place p = place(mesh, v);
+      return Exact_point(p[0], p[1], p[2]);
     };
     return internal::Planar_sine<Mesh, decltype(point_of)>(mesh, point_of)(a, b, steps, sine);
   }
@@ -135,22 +144,16 @@ private:
   // Throws what length() throws, but takes no root.
   void check_length(const Mesh& mesh, Index h) const
   {
-    const double square = squared_distance(mesh, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    const double square = squared_distance(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
     if(!(square > 1e-139 && square < 1e139))
       length(mesh, h);
   }
 
-  double squared_distance(const Mesh& mesh, Index v, Index w) const
+  static double squared_distance(const Place& p, const Place& q)
   {
-    decltype(auto) p = point(mesh, v);
-    decltype(auto) q = point(mesh, w);
-    const double x = CGAL::to_double(q.x()) - CGAL::to_double(p.x());
-    const double y = CGAL::to_double(q.y()) - CGAL::to_double(p.y());
-    const double z = CGAL::to_double(q.z()) - CGAL::to_double(p.z());
+    const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
     return x * x + y * y + z * z;
   }
-
-  double distance(const Mesh& mesh, Index v, Index w) const { return std::sqrt(squared_distance(mesh, v, w)); }
 
   VertexPointMap m_points;
 };
@@ -191,8 +194,16 @@ public:
     return CGAL::to_double(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
-  /// Zero: lengths alone say nothing of the distance.
-  double distance_lower_bound(const Mesh&, Index, Index) const { return 0; }
+  /// Nothing: lengths alone do not say where a vertex is.
+  struct Place
+  {
+  };
+
+  /// Nothing.
+  Place place(const Mesh&, Index) const { return Place(); }
+
+  /// Zero.
+  double distance_lower_bound(Place, Place) const { return 0; }
 
   /*!
    * The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -23,11 +24,12 @@ namespace Flip_geodesics {
 /// How an edge path is searched.
 enum class Search_method {
   /// A path that is to be pulled tight: close to a shortest one on the surface, rather than shortest along edges. The
-  /// distance of a vertex is measured along straight lines from up to four vertices back on the path to it, and not as
-  /// less than the path's length over 1.2. So paths that zigzag along a straight line count as nearly straight, where
+  /// distance of a vertex is measured along straight lines from up to two vertices back on the path to it, and not as
+  /// less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly straight, where
   /// shortest edge paths swerve to where the edges happen to point; `shorten()` flips several times fewer edges on
-  /// smooth meshes, and the search visits fewer vertices. The same as `DIJKSTRA` where the metric has no lower bound,
-  /// but for paths whose lengths differ by less than a fifth of an edge.
+  /// smooth meshes. The bound for the remaining way counts 1.05 times, so that the search does not compare ways that are
+  /// all nearly as short. It visits a third of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the metric
+  /// has no lower bound.
   LOOK_BACK,
   A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
   DIJKSTRA ///< a shortest edge path, in all directions
@@ -66,15 +68,16 @@ public:
   {
     check_vertex(source);
     check_vertex(target);
-    start(source);
+    start(source, target);
     while(!m_queue.empty()) {
       const Index v = m_queue.pop();
       if(m_labels[v].stamp == m_epoch + 1)
         continue; // has been reached on a shorter way since
-      settle(v);
+      m_labels[v].stamp = m_epoch + 1;
+      ++m_settled;
       if(v == target)
         return path_to(target);
-      relax_neighbors(v, target);
+      relax_neighbors(v);
     }
     throw Disconnected_endpoints_error("no path of edges joins vertex " + std::to_string(source) + " and vertex " +
                                            std::to_string(target),
@@ -85,6 +88,8 @@ public:
   std::size_t settled_vertices() const { return m_settled; }
 
 private:
+  using Place = typename Triangulation::Metric::Place;
+
   struct Label
   {
     double distance;
@@ -95,14 +100,16 @@ private:
   // A vertex on the path to the one that is being settled, and what is known of the way from there.
   struct Ancestor
   {
-    Index vertex;
+    Place place;
     double distance; // of the ancestor
     double length;   // of the path on from it
   };
 
-  static constexpr std::size_t most_ancestors = 4;
-  // Zigzag along a straight line on a regular triangulation is longer by 2 / sqrt(3) = 1.155 at most.
-  static constexpr double most_zigzag = 1.2;
+  static constexpr bool has_bound = !std::is_empty<Place>::value;
+  static constexpr std::size_t most_ancestors = 2;
+  // Zigzag along a straight line is longer by 2 / sqrt(3) at most on a regular triangulation, by sqrt(2) on a grid.
+  static constexpr double most_zigzag = 1.5;
+  static constexpr double haste = 1.05;
 
   void check_vertex(Index v) const
   {
@@ -112,8 +119,13 @@ private:
                                       {static_cast<std::size_t>(v)});
   }
 
-  void start(Index source)
+  void start(Index source, Index target)
   {
+    const auto& metric = m_triangulation->metric();
+    m_target = metric.place(m_triangulation->input(), target);
+    const double bound = metric.distance_lower_bound(metric.place(m_triangulation->input(), source), m_target);
+    m_bound_weight = m_method == Search_method::LOOK_BACK ? haste : 1;
+    m_is_directed = has_bound && m_method != Search_method::DIJKSTRA && std::isfinite(bound);
     m_epoch += 2;
     m_settled = 0;
     m_queue.clear();
@@ -121,74 +133,66 @@ private:
     m_queue.push(0, source);
   }
 
-  void settle(Index v)
-  {
-    m_labels[v].stamp = m_epoch + 1;
-    ++m_settled;
-    m_number_of_ancestors = 0;
-    if(m_method == Search_method::LOOK_BACK)
-      collect_ancestors(v);
-  }
-
-  void collect_ancestors(Index v)
-  {
-    double length = 0;
-    Index incoming = m_labels[v].incoming;
-    while(incoming != null_index && m_number_of_ancestors < most_ancestors) {
-      const Index a = m_triangulation->input().tail(incoming);
-      length += m_triangulation->metric().weight(m_triangulation->input(), incoming);
-      m_ancestors[m_number_of_ancestors++] = {a, m_labels[a].distance, length};
-      incoming = m_labels[a].incoming;
-    }
-  }
-
-  void relax_neighbors(Index v, Index target)
+  void relax_neighbors(Index v)
   {
     const auto& input = m_triangulation->input();
-    const Index first = input.outgoing(v);
+    const Label label = m_labels[v];
+    const Index first = label.incoming == null_index ? input.outgoing(v) : Triangulation::twin(label.incoming);
     if(first == null_index)
       return;
-    const double distance = m_labels[v].distance;
+    collect_ancestors(label);
     Index h = first;
     do {
-      relax(v, distance, h, target);
+      relax(v, label.distance, h);
       h = input.next(Triangulation::twin(h)); // along the border, too
     } while(h != first);
   }
 
-  void relax(Index v, double distance_of_v, Index h, Index target)
+  void collect_ancestors(const Label& label)
+  {
+    m_number_of_ancestors = 0;
+    if(!has_bound || m_method != Search_method::LOOK_BACK)
+      return;
+    const auto& input = m_triangulation->input();
+    const auto& metric = m_triangulation->metric();
+    double length = 0;
+    Index incoming = label.incoming;
+    while(incoming != null_index && m_number_of_ancestors < most_ancestors) {
+      const Index a = input.tail(incoming);
+      length += metric.weight(input, incoming);
+      m_ancestors[m_number_of_ancestors++] = {metric.place(input, a), m_labels[a].distance, length};
+      incoming = m_labels[a].incoming;
+    }
+  }
+
+  void relax(Index v, double distance_of_v, Index h)
   {
     const auto& input = m_triangulation->input();
+    const auto& metric = m_triangulation->metric();
     const Index w = input.tail(Triangulation::twin(h));
     Label& label = m_labels[w];
     if(label.stamp == m_epoch + 1)
       return;
-    const double weight = m_triangulation->metric().weight(input, h);
+    const double weight = metric.weight(input, h);
     if(!(weight >= 0) || std::isinf(weight))
       internal::throw_unusable_length(weight, v, w);
-    const double distance = distance_looking_back(w, distance_of_v + weight, weight);
+    const Place place = metric.place(input, w);
+    const double distance = distance_looking_back(place, distance_of_v + weight, weight);
     if(label.stamp == m_epoch && label.distance <= distance)
       return;
     label = {distance, h, m_epoch};
-    m_queue.push(distance + lower_bound(w, target), w);
+    m_queue.push(m_is_directed ? distance + m_bound_weight * metric.distance_lower_bound(place, m_target) : distance, w);
   }
 
-  // The distance of w, or what it is from an ancestor on if that is less.
-  double distance_looking_back(Index w, double distance, double weight) const
+  // The distance of a vertex, or what it is from an ancestor on if that is less.
+  double distance_looking_back(const Place& place, double distance, double weight) const
   {
     for(std::size_t i = 0; i < m_number_of_ancestors; ++i) {
       const Ancestor& a = m_ancestors[i];
-      const double straight = m_triangulation->metric().distance_lower_bound(m_triangulation->input(), a.vertex, w);
+      const double straight = m_triangulation->metric().distance_lower_bound(a.place, place);
       distance = (std::min)(distance, a.distance + (std::max)(straight, (a.length + weight) / most_zigzag));
     }
     return distance;
-  }
-
-  double lower_bound(Index v, Index target) const
-  {
-    return m_method == Search_method::DIJKSTRA
-               ? 0
-               : m_triangulation->metric().distance_lower_bound(m_triangulation->input(), v, target);
   }
 
   std::vector<Index> path_to(Index target) const
@@ -206,6 +210,9 @@ private:
   internal::Vertex_queue m_queue;
   std::array<Ancestor, most_ancestors> m_ancestors;
   std::size_t m_number_of_ancestors = 0;
+  Place m_target = Place();
+  double m_bound_weight = 1;
+  bool m_is_directed = false;
   Index m_epoch = 0;
   std::size_t m_settled = 0;
 };

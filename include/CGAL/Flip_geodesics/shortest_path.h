@@ -159,7 +159,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Index s
     report.length = network.length(0);
   }
 
-  report.lower_bound = triangulation.metric().distance_lower_bound(triangulation.input(), source, target);
+  const auto& metric = triangulation.metric();
+  report.lower_bound = metric.distance_lower_bound(metric.place(triangulation.input(), source),
+                                                   metric.place(triangulation.input(), target));
   if(is_sound)
     report.lower_bound = (std::max)(report.lower_bound,
                                     (std::min)({windows.lower_bound(), windows.distance(target), report.first_length}));

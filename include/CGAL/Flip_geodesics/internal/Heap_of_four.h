@@ -23,8 +23,12 @@ inline std::uint64_t ordered_bits(double number)
 
 /*
  * A priority queue, the smallest entry first: a heap with four children per node, half as deep as a binary one, and
- * siblings share a cache line or two. The way down always goes to a leaf, since the last entry, which fills the hole,
- * belongs near one; it is taken without branches, of which half would be foretold wrongly.
+ * siblings share a cache line or two. The smallest sibling is found without branches, of which half would be foretold
+ * wrongly.
+ *
+ * What is popped leaves a hole at the top, which the next push fills: what was popped leads to entries that are soon due,
+ * and they stay near the top. If there is none, the last entry fills the hole, which goes all the way down first, since
+ * that entry belongs near a leaf.
  *
  * \tparam Entry has a static member `is_before(a, b)`, a total order: 1 or 0
  */
@@ -34,14 +38,27 @@ class Heap_of_four
   static constexpr std::size_t arity = 4;
 
 public:
-  bool empty() const { return m_entries.empty(); }
-  void clear() { m_entries.clear(); }
+  bool empty() const { return m_entries.size() == (m_has_hole ? 1 : 0); }
+  void clear()
+  {
+    m_entries.clear();
+    m_has_hole = false;
+  }
 
   /* The smallest entry. \pre not empty */
-  const Entry& top() const { return m_entries.front(); }
+  const Entry& top()
+  {
+    fill_hole();
+    return m_entries.front();
+  }
 
   void push(const Entry& entry)
   {
+    if(m_has_hole) {
+      m_has_hole = false;
+      sift_down(entry);
+      return;
+    }
     m_entries.push_back(entry);
     sift_up(m_entries.size() - 1, entry);
   }
@@ -49,10 +66,8 @@ public:
   /* Removes the smallest entry. \pre not empty */
   void pop()
   {
-    const Entry last = m_entries.back();
-    m_entries.pop_back();
-    if(!m_entries.empty())
-      sift_up(hole_at_leaf(), last);
+    fill_hole();
+    m_has_hole = true;
   }
 
 private:
@@ -69,30 +84,60 @@ private:
     entries[hole] = entry;
   }
 
-  // Moves the smallest child up all the way down, and returns where nobody is left.
-  std::size_t hole_at_leaf()
+  // Puts an entry into the hole at the top, or as far below as smaller ones come.
+  void sift_down(const Entry& entry)
   {
     Entry* const entries = m_entries.data();
     const std::size_t size = m_entries.size();
-    std::size_t hole = 0, child = 1;
-    for(; child + arity <= size; child = arity * hole + 1) {
+    std::size_t hole = 0;
+    for(std::size_t child = 1; child < size; child = arity * hole + 1) {
+      const std::size_t smallest = smallest_sibling(child);
+      if(Entry::is_before(entries[smallest], entry) == 0)
+        break;
+      entries[hole] = entries[smallest];
+      hole = smallest;
+    }
+    entries[hole] = entry;
+  }
+
+  void fill_hole()
+  {
+    if(!m_has_hole)
+      return;
+    m_has_hole = false;
+    const Entry last = m_entries.back();
+    m_entries.pop_back();
+    if(m_entries.empty())
+      return;
+    Entry* const entries = m_entries.data();
+    const std::size_t size = m_entries.size();
+    std::size_t hole = 0;
+    for(std::size_t child = 1; child < size; child = arity * hole + 1) {
+      const std::size_t smallest = smallest_sibling(child);
+      entries[hole] = entries[smallest];
+      hole = smallest;
+    }
+    sift_up(hole, last);
+  }
+
+  // Of the children of a node, the first of which is `child`.
+  std::size_t smallest_sibling(std::size_t child) const
+  {
+    const Entry* const entries = m_entries.data();
+    const std::size_t size = m_entries.size();
+    if(child + arity <= size) {
       const std::size_t a = child + Entry::is_before(entries[child + 1], entries[child]);
       const std::size_t b = child + 2 + Entry::is_before(entries[child + 3], entries[child + 2]);
-      const std::size_t smallest = a ^ ((a ^ b) & (0 - Entry::is_before(entries[b], entries[a])));
-      entries[hole] = entries[smallest];
-      hole = smallest;
+      return a ^ ((a ^ b) & (0 - Entry::is_before(entries[b], entries[a])));
     }
-    if(child < size) {
-      std::size_t smallest = child;
-      for(std::size_t i = child + 1; i < size; ++i)
-        smallest += (i - smallest) * Entry::is_before(entries[i], entries[smallest]);
-      entries[hole] = entries[smallest];
-      hole = smallest;
-    }
-    return hole;
+    std::size_t smallest = child;
+    for(std::size_t i = child + 1; i < size; ++i)
+      smallest += (i - smallest) * Entry::is_before(entries[i], entries[smallest]);
+    return smallest;
   }
 
   std::vector<Entry> m_entries;
+  bool m_has_hole = false; // at the top
 };
 
 } // namespace internal

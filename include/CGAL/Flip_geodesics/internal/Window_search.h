@@ -182,8 +182,11 @@ private:
 
   double to_target(Index v) const
   {
-    return m_target == null_index ? 0
-                                  : m_triangulation.metric().distance_lower_bound(m_triangulation.input(), v, m_target);
+    if(m_target == null_index)
+      return 0;
+    const auto& metric = m_triangulation.metric();
+    return metric.distance_lower_bound(metric.place(m_triangulation.input(), v),
+                                       metric.place(m_triangulation.input(), m_target));
   }
 
   // A path to v has been found.
