@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/Sparse_array.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -73,7 +73,7 @@ public:
       const Index v = m_queue.pop();
       if(m_labels[v].stamp == m_epoch + 1)
         continue; // has been reached on a shorter way since
-      m_labels[v].stamp = m_epoch + 1;
+      m_labels.writable(v).stamp = m_epoch + 1;
       ++m_settled;
       if(v == target)
         return path_to(target);
@@ -129,7 +129,7 @@ private:
     m_epoch += 2;
     m_settled = 0;
     m_queue.clear();
-    m_labels[source] = {0, null_index, m_epoch};
+    m_labels.writable(source) = {0, null_index, m_epoch};
     m_queue.push(0, source);
   }
 
@@ -170,7 +170,7 @@ private:
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
     const Index w = input.tail(Triangulation::twin(h));
-    Label& label = m_labels[w];
+    const Label& label = m_labels[w];
     if(label.stamp == m_epoch + 1)
       return;
     const double weight = metric.weight(input, h);
@@ -180,7 +180,7 @@ private:
     const double distance = distance_looking_back(place, distance_of_v + weight, weight);
     if(label.stamp == m_epoch && label.distance <= distance)
       return;
-    label = {distance, h, m_epoch};
+    m_labels.writable(w) = {distance, h, m_epoch};
     m_queue.push(m_is_directed ? distance + m_bound_weight * metric.distance_lower_bound(place, m_target) : distance, w);
   }
 
@@ -206,7 +206,7 @@ private:
 
   const Triangulation* m_triangulation;
   Search_method m_method;
-  internal::Lazy_array<Label> m_labels;
+  internal::Sparse_array<Label> m_labels;
   internal::Vertex_queue m_queue;
   std::array<Ancestor, most_ancestors> m_ancestors;
   std::size_t m_number_of_ancestors = 0;
