@@ -39,18 +39,22 @@ struct Shortest_tree_report
 
 namespace internal {
 
+/* Which paths are longer than shortest ones, and by how much. False if one is shorter, so that the search has failed. */
 template <class Tree, class Search>
-void count_longer(const Tree& tree, const Search& search, double tolerance, std::size_t& count, double& excess)
+bool count_longer(const Tree& tree, const Search& search, double tolerance, std::size_t& count, double& excess)
 {
   count = 0;
   excess = 0;
+  bool is_consistent = true;
   for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v) {
     if(!search.is_reached(v) || search.distance(v) > tree.max_distance() || v == tree.source())
       continue;
     const double ratio = tree.distance(v) / search.distance(v) - 1;
     count += ratio > tolerance ? 1 : 0;
     excess = (std::max)(excess, tree.is_reached(v) ? ratio : 0);
+    is_consistent = is_consistent && ratio >= -tolerance;
   }
+  return is_consistent;
 }
 
 } // namespace internal
@@ -110,7 +114,9 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size
   for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v)
     report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
 
-  internal::count_longer(tree, search, tolerance, report.longer_before, report.largest_excess_before);
+  const bool is_consistent =
+      internal::count_longer(tree, search, tolerance, report.longer_before, report.largest_excess_before);
+  report.is_confirmed = report.is_confirmed && is_consistent;
   report.longer = report.longer_before;
   report.largest_excess = report.largest_excess_before;
   if(report.windows > most_windows)

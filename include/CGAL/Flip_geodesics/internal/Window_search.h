@@ -286,8 +286,10 @@ private:
     offer(input.tail(hp), through, id, null_index);
     Split& split = m_splits[w.halfedge];
     const bool is_best = !split.is_set || through < split.distance;
-    const bool is_left_of_best = split.is_set && crossing <= split.crossing;
-    const bool is_right_of_best = split.is_set && crossing >= split.crossing;
+    // Towards more windows: which of two rays along one line is on the left is a matter of rounding.
+    const double equal = 1e-9 * f.length;
+    const bool is_left_of_best = split.is_set && crossing <= split.crossing + equal;
+    const bool is_right_of_best = split.is_set && crossing >= split.crossing - equal;
     if(is_best)
       split = {through, crossing, true};
     // One that is not the best at the apex is of no use beyond the best one's ray.
