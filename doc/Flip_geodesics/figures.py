@@ -168,6 +168,22 @@ def network(tools):
     return panels
 
 
+@figure(900, 420)
+def early_stop(tools):
+    """A network whose curves were stopped at nine tenths of their lengths and saved; and loaded and pulled tight."""
+    mesh = tools.torus(96, 48)
+    tools.run('network_early_stop_example', mesh)
+    points, faces = read_off(mesh)
+    panels = []
+    for name, shade in (('network', ORANGE), ('finished_network', BLUE)):
+        panel = Panel(size_of(points))
+        panel.surface(points, faces)
+        panel.tubes(read_polylines(tools.folder / f'{name}.polylines.txt'), shade, 0.008)
+        panel.look((0, -0.9, 1))
+        panels.append(panel)
+    return panels
+
+
 @figure(900, 400)
 def seams(tools):
     """The seams of a textured torus, as edges and straightened; thin lines are those of equal texture coordinates."""
@@ -286,22 +302,24 @@ def cross_field(tools):
     return [panel]
 
 
-@figure(1000, 380)
+@figure(1000, 330)
 def refinement(tools):
-    """A coarse torus with a geodesic inserted as edges, and its common subdivision with the refined triangulation."""
+    """A coarse torus with a geodesic inserted as edges; the refined triangulation; its common subdivision with the mesh."""
     mesh = tools.torus(24, 12)
-    ends = ('--from', 169, '--to', 257)
-    page = tools.curves(mesh, *ends)
+    result = tools.folder / 'result.off'
     panels = []
-    for arguments in (('--insert',), ('--refine', 25, '--subdivision')):
-        result = tools.folder / 'result.off'
-        tools.run('flip_geodesics', mesh, *ends, '--quiet', *arguments, result)
-        points, faces = read_off(result)
-        panel = Panel(size_of(points))
-        panel.surface(points, faces, is_smooth=False)
-        panel.edges(points, faces, width=0.0022)
+    for arguments in (('--insert', result), ('--refine', 25), ('--refine', 25, '--subdivision', result)):
+        page = tools.curves(mesh, '--from', 169, '--to', 257, *arguments)
+        panel = Panel(size_of(page.points))
+        if result in arguments:
+            points, faces = read_off(result)
+            panel.surface(points, faces, is_smooth=False)
+            panel.edges(points, faces, width=0.0025)
+        else:
+            panel.surface(page.points, page.faces, is_smooth=False)
+            panel.tubes(intrinsic_edges(page, page.runs[0].state(-1)), INK, 0.0025)
         panel.tubes(page.curves.values(), RED, 0.009)
-        panel.look((0, -0.8, 1))
+        panel.look((0, -0.8, 1), target=(-0.35, -0.62, 0.3), zoom=2.1)
         panels.append(panel)
     return panels
 

@@ -53,7 +53,7 @@ struct Curve_result
   double smallest_angle = std::numeric_limits<double>::quiet_NaN();
   std::string status = "ERROR";
   std::string certificate = "none";                  ///< the verdict of `certify()`, if it was asked for
-  bool is_closed = false;
+  bool is_closed = false, is_of_tree = false;
   double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
   std::string error;                                 ///< why the status is ERROR
   std::vector<Curve_point> points;
@@ -276,6 +276,7 @@ private:
         continue;
       network.add_curve(std::vector<Index>{h}, false);
       results.push_back(common);
+      results.back().is_of_tree = true;
       results.back().name = "to vertex " + std::to_string(v);
       results.back().source = m_triangulation.tail(h);
       results.back().target = v;

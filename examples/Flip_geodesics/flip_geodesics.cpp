@@ -272,6 +272,7 @@ private:
                          r.length,
                          r.flips,
                          r.is_closed,
+                         r.is_of_tree,
                          m_run,
                          {}};
     for(const Curve_point& p : r.points)

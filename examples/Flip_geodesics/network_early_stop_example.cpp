@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Smooths the boundaries between regions of a mesh: a network of curves is straightened together, but a stop predicate
-// ends it before they are geodesics, and a visitor watches and may interrupt. The network is saved and loaded again.
+// ends it before they are geodesics, and a visitor watches and may interrupt. The network is saved, loaded again, and
+// pulled tight to the end.
 //
 //   network_early_stop_example [MESH [LENGTH_RATIO]]
 
@@ -51,6 +52,15 @@ int region(const Mesh& mesh, Mesh::Face_index f)
   return (p.x() > 0.1 ? 1 : 0) + (p.y() > 0.1 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
 }
 
+bool write_curves(const char* file, const Network& network)
+{
+  std::vector<std::vector<Point_3>> curves(network.number_of_curves());
+  FG::Curve_extractor<Network> extractor(network);
+  for(FG::Index c = 0; c < network.number_of_curves(); ++c)
+    extractor.points(c, std::back_inserter(curves[c]));
+  return write_polylines(file, curves);
+}
+
 int main(int argc, char** argv)
 {
   Mesh mesh;
@@ -64,7 +74,6 @@ int main(int argc, char** argv)
   for(const auto f : mesh.faces())
     regions[f] = region(mesh, f);
 
-  std::vector<std::vector<Point_3>> curves;
   Counting_visitor visitor;
   try {
     Triangulation triangulation(mesh);
@@ -73,20 +82,18 @@ int main(int argc, char** argv)
     FG::shorten(network, FG::Curve_length_ratio_stop_predicate(ratio), visitor);
     std::ofstream out("network.flips");
     FG::write_network(out, network);
+    out.close();
     network.clear();
     triangulation.rollback();
 
-    out.close();
     std::ifstream in("network.flips");
     FG::read_network(in, network); // as it was before
-    curves.resize(network.number_of_curves());
-    FG::Curve_extractor<Network> extractor(network);
-    for(FG::Index c = 0; c < network.number_of_curves(); ++c)
-      extractor.points(c, std::back_inserter(curves[c]));
+    const bool is_written = write_curves("network.polylines.txt", network);
+    std::cout << network.number_of_curves() << " curves after " << visitor.steps << " steps.\n";
+    FG::shorten(network);
+    return is_written && write_curves("finished_network.polylines.txt", network) ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  std::cout << curves.size() << " curves after " << visitor.steps << " steps.\n";
-  return write_polylines("network.polylines.txt", curves) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -92,7 +92,7 @@ private:
         << ",\"status\":" << json_string(curve.status) << ",\"certificate\":" << json_string(curve.certificate)
         << ",\"initialLength\":" << json_number(curve.initial_length) << ",\"length\":" << json_number(curve.length)
         << ",\"flips\":" << curve.flips << ",\"closed\":" << (curve.is_closed ? "true" : "false")
-        << ",\"run\":" << curve.run << '}';
+        << ",\"tree\":" << (curve.is_of_tree ? "true" : "false") << ",\"run\":" << curve.run << '}';
   }
 
   // All points in a row, and where each polyline starts.

@@ -22,6 +22,7 @@ struct Scene_curve
   double initial_length = 0, length = 0;
   std::size_t flips = 0;
   bool is_closed = false;
+  bool is_of_tree = false; ///< an edge of a tree of geodesics
   std::size_t run = 0; ///< curves with one number were shortened together
   std::vector<Point_3> points;
 };

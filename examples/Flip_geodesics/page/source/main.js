@@ -47,9 +47,11 @@ class Page {
     if (wish.has('step')) this.goTo(Number(wish.get('step')) || 0);
   }
 
+  // The edges of a tree have one color.
   color(i) {
     const palette = palettes[this.theme];
-    return palette[i % palette.length];
+    const { run, tree } = this.scene.curves[i];
+    return palette[(tree ? run : i) % palette.length];
   }
 
   chooseTheme(theme) {
@@ -82,7 +84,7 @@ class Page {
     swatch.style.background = this.color(i);
     const numbers = document.createElement('span');
     numbers.className = 'numbers';
-    const share = curve.initialLength > 0 ? `${((100 * curve.length) / curve.initialLength).toFixed(2)} % of its edge path, ` : '';
+    const share = curve.initialLength > 0 && !curve.tree ? `${((100 * curve.length) / curve.initialLength).toFixed(2)} % of its edge path, ` : '';
     const status = document.createElement('span');
     status.textContent = curve.status + (curve.certificate === 'none' ? '' : `, ${curve.certificate}`);
     if (curve.status !== 'LOCALLY_SHORTEST') status.className = 'other';
@@ -90,7 +92,8 @@ class Page {
     const length = document.createElement('span');
     length.className = 'length';
     length.textContent = format(curve.length);
-    button.append(swatch, `curve ${curve.number}${curve.closed ? ', closed' : ''}`, length, numbers);
+    const name = curve.tree ? curve.name : `curve ${curve.number}${curve.closed ? ', closed' : ''}`;
+    button.append(swatch, name, length, numbers);
     button.title = curve.name;
     button.addEventListener('click', () => this.chooseRun(curve.run, i));
     row.append(box, button);
