@@ -97,6 +97,8 @@ public:
   auto location(int v) const { return m_triangulation.location(v); }
   int clockwise(int h) const { return m_triangulation.clockwise(h); }
   decltype(auto) exact_input_face(int h) const { return m_triangulation.exact_input_face(h); }
+  decltype(auto) precise_edge(int h) const { return m_triangulation.precise_edge(h); }
+  decltype(auto) precise_input_halfedge(int h) const { return m_triangulation.precise_input_halfedge(h); }
   int input_edges_in_wedge(int from, int to) const { return m_triangulation.input_edges_in_wedge(from, to); }
 
 private:
@@ -116,7 +118,7 @@ class Wedge_comparison<Intrinsic_triangulation<TriangleMesh, Flip_geodesics_test
   using View = Flip_geodesics_test::Plain_view<Triangulation>;
 
 public:
-  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics)
+  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics, bool = true)
     : m_triangulation(triangulation)
     , m_statistics(statistics)
   {
@@ -128,7 +130,7 @@ public:
     const std::optional<Comparison_result> filtered = observer.filtered;
     observer.filtered.reset();
     const Comparison_result result =
-        filtered ? *filtered : Wedge_comparison<View>(View(m_triangulation), m_statistics)(from, to);
+        filtered ? *filtered : Wedge_comparison<View>(View(m_triangulation), m_statistics, true)(from, to);
     if(observer.on_decision)
       observer.on_decision({from, to, result, filtered.has_value()});
     return result;

@@ -10,6 +10,7 @@
 #include "lawson.h"
 #include "random_curves.h"
 
+#include <CGAL/Flip_geodesics/internal/Precise_wedge.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -359,6 +360,54 @@ BOOST_AUTO_TEST_CASE(error_bounds_hold)
   std::cout << "errors are at most " << largest_share << " of their bounds, which are at most " << largest_bound
             << "\n";
   BOOST_TEST(largest_share < 1);
+}
+
+// The lengths of edges and the angles between neighbors, as numbers of 106 bits, against 300 digits.
+BOOST_AUTO_TEST_CASE(error_bounds_of_precise_edges_hold)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface, Certified_traits>;
+  using Shape = Shape_of_points<Surface>;
+  const auto real = [](const FG::internal::Double_double& a) { return Real(a.high) + Real(a.low); };
+  double largest_share = 0, largest_bound = 0;
+  int edges = 0, unbounded = 0;
+  for(const std::vector<Named_soup>& soups : {soups_full_of_ties(), soups_near_ties(), generic_soups()})
+    for(const Named_soup& named : soups) {
+      Surface mesh = to_mesh<Surface>(named.soup);
+      Triangulation triangulation(mesh);
+      Random_numbers random(2);
+      flip_at_random(triangulation, 2000 * scale, random);
+      Referee<Triangulation, Shape> referee(triangulation, Shape(mesh));
+      for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+        const int next = triangulation.clockwise(h);
+        if(next == -1)
+          continue;
+        ++edges;
+        const FG::internal::Precise_wedge<Triangulation> wedge(triangulation, h, next);
+        if(!wedge.has_bound()) {
+          ++unbounded;
+          continue;
+        }
+        const auto& end = wedge.from().end;
+        const Real length = boost::multiprecision::sqrt(squared_norm({real(end.x), real(end.y)}));
+        const Real exact_length = referee.length(triangulation.crossing_word(h));
+        FG::internal::Double_double_vector turn = {{1, 0}, {}};
+        double bound = 0;
+        wedge.extend(turn, bound);
+        const Real_vector computed = {real(turn.x), real(turn.y)}, exact = referee.rotation(h, next);
+        const Real factor = boost::multiprecision::sqrt(squared_norm(computed) / squared_norm(exact));
+        const Real_vector error = computed - Real_vector{factor, 0} * exact;
+        const Real shares[] = {boost::multiprecision::abs(length - exact_length) / (wedge.from().end_error * length),
+                               boost::multiprecision::sqrt(squared_norm(error) / squared_norm(computed)) / bound};
+        for(const Real& share : shares)
+          largest_share = (std::max)(largest_share, share.convert_to<double>());
+        largest_bound = (std::max)(largest_bound, bound);
+      }
+    }
+  std::cout << edges << " edges: errors are at most " << largest_share << " of their bounds, which are at most "
+            << largest_bound << "; " << unbounded << " have none\n";
+  BOOST_TEST(largest_share < 1);
+  BOOST_TEST(largest_bound < 1e-12);
+  BOOST_TEST(20 * unbounded < edges);
 }
 
 // An edge all but opposite to its reference halfedge had the angle -pi instead of pi by rounding.

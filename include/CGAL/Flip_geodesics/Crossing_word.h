@@ -37,9 +37,9 @@ struct Crossing_word
     result.face = face;
     result.tail = head;
     result.head = tail;
-    result.crossed.reserve(crossed.size());
-    for(std::size_t i = crossed.size(); i-- > 0;)
-      result.crossed.push_back(internal::twin_index(crossed[i]));
+    result.crossed.resize(crossed.size());
+    for(std::size_t i = 0; i < crossed.size(); ++i)
+      result.crossed[i] = internal::twin_index(crossed[crossed.size() - 1 - i]);
     return result;
   }
 

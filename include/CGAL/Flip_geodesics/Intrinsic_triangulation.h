@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Crossing_words.h>
+#include <CGAL/Flip_geodesics/internal/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Insertion_log.h>
@@ -30,7 +30,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -241,26 +240,24 @@ public:
 
   /*!
    * Is the turn, which leads clockwise about a vertex from halfedge `from` to halfedge `to`, at least \f$\pi\f$?
-   * \pre the turn has at least one corner; `from == to` means all the way round
+   * \pre the turn has at least one corner, and was below \f$\pi\f$ before the last one; `from == to` means all the way
+   * round
    */
   bool is_straight(const Turn& turn, Index from, Index to) const
   {
     const Uncertain<Comparison_result> comparison = traits().compare_turn_with_straight_object()(turn);
     if constexpr(!Traits::Has_drift::value)
       if(!comparison.is_certain())
-        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics)(from, to) != SMALLER;
+        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics, true)(from, to) != SMALLER;
     return comparison.make_certain() != SMALLER;
   }
 
-  /// The input face on the left of input halfedge `h` in exact numbers, of a type that is not documented. Kept, since
-  /// hard decisions come in crowds.
-  const internal::Exact_face& exact_input_face(Index h) const
-  {
-    const auto found = m_exact_faces.find(h);
-    if(found != m_exact_faces.end())
-      return found->second;
-    return m_exact_faces.emplace(h, metric().exact_face(input(), h)).first->second;
-  }
+  /// Of types that are not documented: the input face on the left of input halfedge `h` in exact numbers; the halfedge,
+  /// and the edge of `h`, if its ends are input vertices, in numbers of about 100 bits. All are kept, since hard
+  /// decisions come in crowds.
+  const internal::Exact_face& exact_input_face(Index h) const { return m_history.exact_face(*this, h); }
+  const internal::Precise_halfedge& precise_input_halfedge(Index h) const { return m_history.input_halfedge(*this, h); }
+  internal::Precise_edge precise_edge(Index h) const { return m_history.edge(*this, h); }
 
   /// How the decisions that were left open by the traits were taken, since construction.
   const Decision_statistics& decision_statistics() const { return m_statistics; }
@@ -293,7 +290,7 @@ public:
                                                                          geometry(t), geometry(tn), geometry(tp));
     if constexpr(!Traits::Has_drift::value)
       if(!result.is_certain())
-        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics)
+        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics, true)
                    .compare_sum({twin(hn), hp}, {twin(tn), tp}) != LARGER;
     return result.make_certain();
   }
@@ -353,7 +350,7 @@ public:
   void rollback(Log_position position = 0)
   {
     for(; m_log.size() > position; m_log.pop_back()) {
-      m_words.forget(edge(m_log.back().h), static_cast<Index>(m_log.size()));
+      m_history.forget(edge(m_log.back().h), static_cast<Index>(m_log.size()));
       undo(m_log.back());
     }
   }
@@ -452,7 +449,7 @@ public:
    * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone. Derived from
    * the flip log when it is first asked for, and kept: in total about as many words as the edge's history has joints.
    */
-  Crossing_word crossing_word(Index h) const { return m_words(*this, h); }
+  Crossing_word crossing_word(Index h) const { return m_history.word(*this, h); }
 
   /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
   Index version(Index e) const { return m_halfedges.version(e); }
@@ -494,7 +491,8 @@ public:
   bool is_valid(double tolerance = 1e-9) const
   {
     for(Index h = 0; h < number_of_halfedges(); ++h)
-      if(m_halfedges.known(h).encoded_next > 0 && !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges.known(twin(h)).is_known()))
+      if(m_halfedges.known(h).encoded_next > 0 &&
+         !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges.known(twin(h)).is_known()))
         return false;
     return true;
   }
@@ -587,9 +585,8 @@ private:
   }
 
   mutable Halfedge_store m_halfedges; // mutable, since faces of the input are copied when they are first read
-  mutable internal::Crossing_words<Intrinsic_triangulation> m_words;
+  mutable internal::Edge_history<Intrinsic_triangulation> m_history;
   mutable Decision_statistics m_statistics;
-  mutable std::unordered_map<Index, internal::Exact_face> m_exact_faces;
   std::vector<Flip_record> m_log;
   std::vector<Insertion_record> m_insertions;
   std::vector<Surface_location> m_points; // of the inserted vertices

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,26 +22,75 @@ namespace internal {
  *
  * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the
  * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
- * touches k or l at the ends. The words of edges at an inserted point are given when it is inserted. Only the edges that
- * the asked ones descend from are visited, and each once: about as many as the curve had segments, not as there were
- * flips. Words are kept until the flip or split that made their edge is taken back.
+ * touches k or l at the ends. The words of edges at an inserted point are given when it is inserted. Only the edges
+ * that the asked ones descend from are visited, and each once: about as many as the curve had segments, not as there
+ * were flips. Words are kept until the flip or split that made their edge is taken back.
  */
 template <class Triangulation>
 class Crossing_words
 {
 public:
+  /* An edge of the input, or one as a flip or split made it, with a direction. */
+  struct Edge_version
+  {
+    Index halfedge, version;
+  };
+
+  /* The word of an edge's first halfedge; and of the diagonal kl that a flip made, how many input edges lie between the
+   * first faces of ki and of kl about k, and between those of li and of lk about l; -1 if these are not known. */
+  struct Derived_word
+  {
+    Crossing_word word;
+    Index spokes_at_tail, spokes_at_head;
+  };
+
   /* The word of halfedge h, from tail to head. */
   Crossing_word operator()(const Triangulation& triangulation, Index h)
   {
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
+    if(wanted.version == 0)
+      return input_word(triangulation, h);
     resolve(triangulation, wanted);
-    return word(triangulation, wanted);
+    const Crossing_word& stored = derived(Triangulation::edge(h), wanted.version).word;
+    return (h & 1) == 0 ? stored : stored.reversed();
   }
 
-  /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made. */
-  void store(Index h, Index version, const Crossing_word& word)
+  /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made.
+   */
+  void store(Index h, Index version, const Crossing_word& word) { store(h, version, Derived_word{word, -1, -1}); }
+
+  /* Derives a word, and those that it descends from, if they are not known yet. */
+  void resolve(const Triangulation& triangulation, const Edge_version& wanted)
   {
-    m_words.emplace(key(Triangulation::edge(h), version), (h & 1) == 0 ? word : word.reversed());
+    if(is_known(wanted))
+      return;
+    m_pending = {wanted};
+    while(!m_pending.empty()) {
+      const Edge_version next = m_pending.back();
+      if(is_known(next)) {
+        m_pending.pop_back();
+        continue;
+      }
+      const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
+      const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
+      if(!is_known(ki) || !is_known(il)) {
+        m_pending.push_back(ki);
+        m_pending.push_back(il);
+        continue;
+      }
+      // The flip leaves h = l->k and its twin k->l.
+      store(Triangulation::twin(flip.h), next.version, join(triangulation, ki, flip.rotation, il));
+      m_pending.pop_back();
+    }
+  }
+
+  /* What is known of an edge. \pre a flip or split made it, and it has been resolved */
+  const Derived_word& derived(Index e, Index version) const { return m_words.at(key(e, version)); }
+
+  /* Tells edges and what made them. */
+  static std::uint64_t key(Index e, Index version)
+  {
+    return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e);
   }
 
   /* Forgets the word of an edge that a flip or split made, since that is taken back. */
@@ -53,43 +103,29 @@ public:
 private:
   using Flip_record = typename Triangulation::Flip_record;
 
-  struct Edge_version
+  // A word, and whether it is that of the other direction.
+  struct Directed_word
   {
-    Index halfedge, version;
+    const Crossing_word& word;
+    bool is_reversed;
+
+    Word_end tail() const { return is_reversed ? head_end(word) : tail_end(word); }
+    Word_end head() const { return is_reversed ? tail_end(word) : head_end(word); }
   };
 
-  // The word of halfedge h of an edge in the version that a flip or split gave it, or in the input's.
-  Crossing_word word(const Triangulation& triangulation, const Edge_version& wanted) const
+  static Crossing_word input_word(const Triangulation& triangulation, Index h)
   {
-    const Index h = wanted.halfedge;
-    if(wanted.version == 0)
-      return {h, {}, null_index, triangulation.input().tail(h), triangulation.input().tail(Triangulation::twin(h))};
-    const Crossing_word& stored = m_words.at(key(Triangulation::edge(h), wanted.version));
-    return (h & 1) == 0 ? stored : stored.reversed();
+    return {h, {}, null_index, triangulation.input().tail(h), triangulation.input().tail(Triangulation::twin(h))};
   }
 
-  // Depth first over the flips that made the edges, on a stack of our own: histories are as deep as curves are long.
-  void resolve(const Triangulation& triangulation, const Edge_version& wanted)
+  // The word of an edge in the version that a flip or split gave it; `input_edge` holds that of one of the input.
+  Directed_word word(const Triangulation& triangulation, const Edge_version& wanted, Crossing_word& input_edge) const
   {
-    std::vector<Edge_version> pending = {wanted};
-    while(!pending.empty()) {
-      const Edge_version next = pending.back();
-      if(is_known(next)) {
-        pending.pop_back();
-        continue;
-      }
-      const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
-      const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
-      if(!is_known(ki) || !is_known(il)) {
-        pending.push_back(ki);
-        pending.push_back(il);
-        continue;
-      }
-      // The flip leaves h = l->k and its twin k->l.
-      store(Triangulation::twin(flip.h), next.version,
-            join(triangulation, word(triangulation, ki), flip.rotation, word(triangulation, il)));
-      pending.pop_back();
-    }
+    const Index h = wanted.halfedge;
+    if(wanted.version != 0)
+      return {derived(Triangulation::edge(h), wanted.version).word, (h & 1) != 0};
+    input_edge = input_word(triangulation, h);
+    return {input_edge, false};
   }
 
   bool is_known(const Edge_version& wanted) const
@@ -97,23 +133,31 @@ private:
     return wanted.version == 0 || m_words.count(key(Triangulation::edge(wanted.halfedge), wanted.version)) != 0;
   }
 
-  static Crossing_word join(const Triangulation& triangulation, const Crossing_word& ki, Index rotation,
-                            const Crossing_word& il)
+  Derived_word join(const Triangulation& triangulation, const Edge_version& ki, Index rotation,
+                    const Edge_version& il) const
   {
-    Word_path<Triangulation> path(triangulation, ki.tail, tail_anchor(triangulation, ki));
-    path.cross(ki.crossed, 0, ki.crossed.size());
-    path.turn(ki.head, rotation > 0 ? head_anchor(triangulation, ki) : null_index, rotation);
-    path.cross(il.crossed, 0, il.crossed.size());
-    return path.finish(il.head, head_anchor(triangulation, il));
+    Crossing_word input_ki, input_il;
+    const Directed_word first = word(triangulation, ki, input_ki), second = word(triangulation, il, input_il);
+    const Word_end k = first.tail(), i = first.head(), l = second.head();
+    Word_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k));
+    path.cross(first.word, first.is_reversed);
+    path.turn(i.vertex, rotation > 0 ? head_anchor(triangulation, i) : null_index, rotation);
+    path.cross(second.word, second.is_reversed);
+    Crossing_word joined = path.finish(l.vertex, head_anchor(triangulation, l));
+    if(!path.is_left_turn()) // the flip was wrong, by rounding
+      return {std::move(joined), -1, -1};
+    return {std::move(joined), path.spokes_at_start(), path.spokes_at_end()};
   }
 
-  // An edge of the input, or one and the flip or split that made it.
-  static std::uint64_t key(Index e, Index version)
+  void store(Index h, Index version, Derived_word word)
   {
-    return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e);
+    if((h & 1) != 0)
+      word.word = word.word.reversed();
+    m_words.emplace(key(Triangulation::edge(h), version), std::move(word));
   }
 
-  std::unordered_map<std::uint64_t, Crossing_word> m_words;
+  std::unordered_map<std::uint64_t, Derived_word> m_words;
+  std::vector<Edge_version> m_pending; // depth first, not by recursion: histories are as deep as curves are long
 };
 
 } // namespace internal

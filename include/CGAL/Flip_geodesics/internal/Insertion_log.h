@@ -82,7 +82,7 @@ public:
     const auto& record = t.m_insertions.back();
     while(t.number_of_edges() > record.number_of_edges) {
       const Index e = t.number_of_edges() - 1;
-      t.m_words.forget(e, t.version(e));
+      t.m_history.forget(e, t.version(e));
       t.m_halfedges.remove_last_edge();
     }
     t.m_halfedges.remove_last_vertex();
@@ -110,7 +110,7 @@ private:
     m_triangulation.m_halfedges.version(e) = version;
     m_triangulation.m_halfedges.crossings_plus_one(e) =
         word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
-    m_triangulation.m_words.store(h, version, word);
+    m_triangulation.m_history.store_word(h, version, word);
   }
 
   Triangulation& m_triangulation;

@@ -5,16 +5,19 @@
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Touched_vertices.h>
 #include <CGAL/Flip_geodesics/internal/Unfolding_chain.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -73,13 +76,12 @@ private:
   bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched) const
   {
     double passed = 0; // the part of the line that has been followed
-    bool is_exact_needed = false;
+    Gate_sides_beyond_doubles precise(*this, word);
     for(std::size_t i = 0; i < strip.gates().size(); ++i) {
       const Gate& gate = strip.gates()[i];
       Gate_sides sides = in_double(strip, gate);
-      is_exact_needed = is_exact_needed || sides.left == ZERO || sides.right == ZERO;
-      sides.left = sides.left == ZERO ? exact_side(word, i, true) : sides.left;
-      sides.right = sides.right == ZERO ? exact_side(word, i, false) : sides.right;
+      sides.left = sides.left == ZERO ? precise.side(i, true) : sides.left;
+      sides.right = sides.right == ZERO ? precise.side(i, false) : sides.right;
       if(sides.left == NEGATIVE || sides.right == NEGATIVE)
         return false;
       if(sides.left == ZERO && sides.right == ZERO) {
@@ -91,7 +93,7 @@ private:
             m_triangulation.input().tail(sides.left == ZERO ? Triangulation::twin(gate.crossed) : gate.crossed));
       }
     }
-    m_statistics.by_strip += is_exact_needed ? 0 : 1;
+    m_statistics.by_strip += precise.is_exact_needed() ? 0 : 1;
     return true;
   }
 
@@ -122,13 +124,54 @@ private:
 
   static Sign sign(double value, double error) { return value > error ? POSITIVE : (value < -error ? NEGATIVE : ZERO); }
 
-  // The sign of the sine of the angle from the line to an end of a gate.
-  Sign exact_side(const Crossing_word& word, std::size_t gate, bool is_left) const
+  // On which side of the line an end of a gate lies, by a strip of about 100 bits that is unfolded when it is first
+  // needed, or else exactly.
+  class Gate_sides_beyond_doubles
   {
-    const Unfolding_chains<Triangulation> unfolding(m_triangulation);
-    const Sign side = Exact_sign(m_statistics)({unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
-    return is_left ? side : CGAL::opposite(side);
-  }
+    using Strip_beyond_doubles = Precise_strip<Triangulation>;
+
+  public:
+    Gate_sides_beyond_doubles(const Straight_strip& owner, const Crossing_word& word)
+      : m_triangulation(owner.m_triangulation)
+      , m_statistics(owner.m_statistics)
+      , m_word(word)
+    {
+    }
+
+    Sign side(std::size_t gate, bool is_left)
+    {
+      const Uncertain<Sign> quick = quick_side(gate, is_left);
+      const Sign result = quick.is_certain() ? quick.make_certain() : exact_side(gate, is_left);
+      return is_left ? result : CGAL::opposite(result);
+    }
+
+    bool is_exact_needed() const { return m_is_exact_needed; }
+
+  private:
+    Uncertain<Sign> quick_side(std::size_t gate, bool is_left)
+    {
+      if(m_triangulation.is_inserted(m_word.tail) || m_triangulation.is_inserted(m_word.head))
+        return Uncertain<Sign>::indeterminate();
+      if(!m_strip)
+        m_strip.emplace(m_triangulation, m_word, true);
+      const auto& ends = m_strip->gates()[gate];
+      return m_strip->side(is_left ? ends.left : ends.right);
+    }
+
+    // The sign of the sine of the angle from the line to an end of a gate.
+    Sign exact_side(std::size_t gate, bool is_left)
+    {
+      m_is_exact_needed = true;
+      const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+      return Exact_sign(m_statistics)({unfolding.gate(m_word, gate, is_left), unfolding.head(m_word, true)});
+    }
+
+    const Triangulation& m_triangulation;
+    Decision_statistics& m_statistics;
+    const Crossing_word& m_word;
+    std::optional<Strip_beyond_doubles> m_strip;
+    bool m_is_exact_needed = false;
+  };
 
   const Triangulation& m_triangulation;
   Decision_statistics& m_statistics;

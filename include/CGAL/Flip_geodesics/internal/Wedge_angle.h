@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -23,6 +24,15 @@ struct Wedge_angle
 {
   double value;
   double error;
+
+  /* EQUAL if the error hides which it is. */
+  Comparison_result compare_with_straight() const
+  {
+    const double pi = boost::math::constants::pi<double>();
+    if(!(std::abs(value - pi) > error))
+      return EQUAL;
+    return value < pi ? SMALLER : LARGER;
+  }
 };
 
 /* Bounds the error of an input corner, and of a sum of few. */

@@ -5,14 +5,12 @@
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/Precise_wedge.h>
 #include <CGAL/Flip_geodesics/internal/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
 
 #include <CGAL/enum.h>
 
-#include <boost/math/constants/constants.hpp>
-
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -21,8 +19,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Compares angles with pi: the sign of the exact real number that the input defines. In stages: strips in double;
- * points in one plane; arithmetic in the field of all roots.
+ * Compares angles with pi: the sign of the exact real number that the input defines. In stages: strips in double,
+ * unless a filter as good as them has failed; points in one plane; edges as vectors of about 100 bits; arithmetic in
+ * the field of all roots.
  */
 template <class Triangulation>
 class Wedge_comparison
@@ -34,32 +33,38 @@ public:
     Index from, to;
   };
 
-  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics)
+  /* If a filter has failed, the angles that are left, or their sum, are known to be strictly between 0 and 2 pi where
+   * no face is without area. */
+  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics, bool is_filtered = false)
     : m_triangulation(triangulation)
     , m_statistics(statistics)
+    , m_is_filtered(is_filtered)
   {
   }
 
   Comparison_result operator()(Index from, Index to) const
   {
-    const Comparison_result quick = quickly(wedge_angle(m_triangulation, from, to));
-    if(quick != EQUAL)
-      return quick;
+    if(!m_is_filtered) {
+      const Comparison_result quick = by_strips({{from, to}});
+      if(quick != EQUAL)
+        return quick;
+    }
     const Wedge_words words = words_of({from, to});
     Sign sine;
-    if(m_triangulation.metric().sine_in_plane(m_triangulation.input(), words.from, words.to, words.steps, sine))
+    if(m_triangulation.metric().sine_in_plane(m_triangulation.input(), words.from, words.to, words.steps, sine)) {
       count_plane(sine);
-    else
-      sine = exact_sine({words});
-    return comparison(sine);
+      return comparison(sine);
+    }
+    const Comparison_result quick = by_vectors({{from, to}});
+    return quick != EQUAL ? quick : comparison(exact_sine({words}));
   }
 
   /* The sum of two angles, each at most pi. */
   Comparison_result compare_sum(const Wedge& a, const Wedge& b) const
   {
-    const Wedge_angle at_a = wedge_angle(m_triangulation, a.from, a.to);
-    const Wedge_angle at_b = wedge_angle(m_triangulation, b.from, b.to);
-    const Comparison_result quick = quickly({at_a.value + at_b.value, at_a.error + at_b.error});
+    Comparison_result quick = m_is_filtered ? EQUAL : by_strips({a, b});
+    if(quick == EQUAL)
+      quick = by_vectors({a, b});
     return quick != EQUAL ? quick : comparison(exact_sine({words_of(a), words_of(b)}));
   }
 
@@ -70,17 +75,32 @@ private:
     Index steps; // input corners between their reference halfedges
   };
 
-  // EQUAL if the error hides the sign.
-  Comparison_result quickly(const Wedge_angle& angle) const
+  // The sum of angles; EQUAL if the errors hide the sign.
+  Comparison_result by_vectors(const std::vector<Wedge>& wedges) const
   {
-    const double pi = boost::math::constants::pi<double>();
-    if(!(std::abs(angle.value - pi) > angle.error))
-      return EQUAL;
-    ++m_statistics.by_strip;
-    return angle.value < pi ? SMALLER : LARGER;
+    Precise_angle_sum<Triangulation> sum;
+    for(const Wedge& wedge : wedges)
+      sum.add(Precise_wedge<Triangulation>(m_triangulation, wedge.from, wedge.to));
+    if(m_is_filtered && !sum.has_bound())
+      return by_strips(wedges);
+    const Comparison_result result = sum.compare_with_straight();
+    m_statistics.by_strip += result != EQUAL ? 1 : 0;
+    return result;
   }
 
-  // Near pi: the sine's sign is that of pi - angle.
+  Comparison_result by_strips(const std::vector<Wedge>& wedges) const
+  {
+    Wedge_angle sum = {0, 0};
+    for(const Wedge& wedge : wedges) {
+      const Wedge_angle angle = wedge_angle(m_triangulation, wedge.from, wedge.to);
+      sum = {sum.value + angle.value, sum.error + angle.error};
+    }
+    const Comparison_result result = sum.compare_with_straight();
+    m_statistics.by_strip += result != EQUAL ? 1 : 0;
+    return result;
+  }
+
+  // Near pi, and wherever the angle is between 0 and 2 pi, the sine's sign is that of pi - angle.
   static Comparison_result comparison(Sign sine)
   {
     return sine == POSITIVE ? SMALLER : (sine == ZERO ? EQUAL : LARGER);
@@ -119,6 +139,7 @@ private:
 
   const Triangulation& m_triangulation;
   Decision_statistics& m_statistics;
+  bool m_is_filtered;
 };
 
 } // namespace internal

@@ -52,18 +52,42 @@ Index anchor(const Triangulation& triangulation, Index v, Index face)
   return null_index;
 }
 
+/* An end of a word as seen from there: the input halfedge that it leaves along, the first one that it crosses, a
+ * halfedge of its first face, each `null_index` if there is none; and the vertex. */
+struct Word_end
+{
+  Index along, crossed, face, vertex;
+};
+
+inline Word_end tail_end(const Crossing_word& word)
+{
+  return {word.along, word.crossed.empty() ? null_index : word.crossed.front(), word.first_face(), word.tail};
+}
+
+inline Word_end head_end(const Crossing_word& word)
+{
+  return {word.along == null_index ? null_index : twin_index(word.along),
+          word.crossed.empty() ? null_index : twin_index(word.crossed.back()), word.last_face(), word.head};
+}
+
 /*
  * The anchor of the tail of a word in its first face. Over an input halfedge that the word runs along, that halfedge,
  * whose face is on the left. The directions of edges at a vertex are told from here.
  */
 template <class Triangulation>
+Index tail_anchor(const Triangulation& triangulation, const Word_end& tail)
+{
+  if(tail.along != null_index)
+    return tail.along;
+  if(tail.crossed != null_index && !triangulation.is_inserted(tail.vertex))
+    return triangulation.input().next(triangulation.input().next(tail.crossed));
+  return anchor(triangulation, tail.vertex, tail.face);
+}
+
+template <class Triangulation>
 Index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
 {
-  if(word.along != null_index)
-    return word.along;
-  if(!word.crossed.empty() && !triangulation.is_inserted(word.tail))
-    return triangulation.input().next(triangulation.input().next(word.crossed.front()));
-  return anchor(triangulation, word.tail, word.first_face());
+  return tail_anchor(triangulation, tail_end(word));
 }
 
 /*
@@ -71,13 +95,18 @@ Index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
  * first direction of an input edge, strictly, that a turn clockwise about the head meets.
  */
 template <class Triangulation>
+Index head_anchor(const Triangulation& triangulation, const Word_end& head)
+{
+  if(head.along == null_index)
+    return tail_anchor(triangulation, head);
+  const Index along = twin_index(head.along);
+  return triangulation.is_inserted(head.vertex) ? along : triangulation.input().next(along);
+}
+
+template <class Triangulation>
 Index head_anchor(const Triangulation& triangulation, const Crossing_word& word)
 {
-  if(word.along != null_index)
-    return triangulation.is_inserted(word.head) ? word.along : triangulation.input().next(word.along);
-  if(!word.crossed.empty() && !triangulation.is_inserted(word.head))
-    return triangulation.input().next(triangulation.input().next(twin_index(word.crossed.back())));
-  return anchor(triangulation, word.head, word.last_face());
+  return head_anchor(triangulation, head_end(word));
 }
 
 /* The direction of an input edge after `spoke`, clockwise about vertex v. */

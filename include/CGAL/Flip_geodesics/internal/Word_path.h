@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +47,16 @@ public:
       cross(letters[i]);
   }
 
+  /* Crosses the letters of a word, or of its other direction. */
+  void cross(const Crossing_word& word, bool is_reversed)
+  {
+    m_word.crossed.reserve(m_word.crossed.size() + word.crossed.size());
+    if(!is_reversed)
+      return cross(word.crossed, 0, word.crossed.size());
+    for(std::size_t i = word.crossed.size(); i-- > 0;)
+      cross(twin_index(word.crossed[i]));
+  }
+
   /* Turns clockwise about vertex v over a number of input edges, that in the direction of `spoke` first. */
   void turn(Index v, Index spoke, Index number)
   {
@@ -53,22 +64,34 @@ public:
       cross(spoke);
   }
 
-  /* The word of the straight path; this one ends at a vertex, in the input face of its anchor. */
+  /* Hands out the word of the straight path; this one ends at a vertex, in the input face of its anchor. */
   Crossing_word finish(Index end, Index end_anchor)
   {
     m_word.head = end;
     Index first_anchor = m_start_anchor, last_anchor = end_anchor;
     auto first = m_word.crossed.begin(), last = m_word.crossed.end();
-    for(; first != last && touches(m_word.tail, first_anchor, *first); ++first)
+    for(; first != last && touches(m_word.tail, first_anchor, *first); ++first) {
+      m_is_left_turn = m_is_left_turn && *first != first_anchor;
       first_anchor = across(m_word.tail, *first, first_anchor);
-    for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last)
+    }
+    m_spokes_at_start = static_cast<Index>(first - m_word.crossed.begin());
+    for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last) {
+      m_is_left_turn = m_is_left_turn && twin_index(*(last - 1)) == last_anchor;
       last_anchor = across(end, twin_index(*(last - 1)), last_anchor);
+    }
+    m_spokes_at_end = static_cast<Index>(m_word.crossed.end() - last);
     m_word.crossed.erase(last, m_word.crossed.end());
     m_word.crossed.erase(m_word.crossed.begin(), first);
     if(m_word.crossed.empty())
       place_in_face(first_anchor, last_anchor);
-    return m_word;
+    return std::move(m_word);
   }
+
+  /* How many input edges that touch the start have been left out, and how many that touch the end. */
+  Index spokes_at_start() const { return m_spokes_at_start; }
+  Index spokes_at_end() const { return m_spokes_at_end; }
+  /* Does the straight path leave the start counterclockwise of this one, and arrive at the end clockwise of it? */
+  bool is_left_turn() const { return m_is_left_turn; }
 
 private:
   const auto& input() const { return m_triangulation.input(); }
@@ -122,6 +145,8 @@ private:
   const Triangulation& m_triangulation;
   Index m_start_anchor;
   Crossing_word m_word;
+  Index m_spokes_at_start = 0, m_spokes_at_end = 0;
+  bool m_is_left_turn = true;
 };
 
 } // namespace internal

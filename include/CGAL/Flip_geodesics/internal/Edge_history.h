@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_EDGE_HISTORY_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_EDGE_HISTORY_H
+
+#include <CGAL/Flip_geodesics/internal/Crossing_words.h>
+#include <CGAL/Flip_geodesics/internal/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/Precise_face.h>
+#include <CGAL/Flip_geodesics/internal/Precise_strip.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * What is derived of an intrinsic triangulation's edges from its flip log and kept until they are taken back: crossing
+ * words; and, for the decisions that doubles leave open, vectors of about 100 bits. Also the input's faces in the
+ * numbers of these and of exact decisions.
+ *
+ * Vectors are derived as the words are, each once: the diagonal kl that a flip made is ki, turned on at i by the input
+ * corners that the log tells, and il. So an edge takes constant time, however many edges it crosses. Where too many
+ * digits cancel, which takes needles, the edge is unfolded from the input instead. Edges with an end at an inserted
+ * vertex have no bound.
+ */
+template <class Triangulation>
+class Edge_history
+{
+  using Words = Crossing_words<Triangulation>;
+  using Edge_version = typename Words::Edge_version;
+  using Derived_word = typename Words::Derived_word;
+  using Flip_record = typename Triangulation::Flip_record;
+
+public:
+  /* The word of halfedge h, from tail to head. */
+  Crossing_word word(const Triangulation& triangulation, Index h) { return m_words(triangulation, h); }
+
+  /* As Crossing_words::store(). */
+  void store_word(Index h, Index version, const Crossing_word& word) { m_words.store(h, version, word); }
+
+  /* The edge of halfedge h, from its tail to its head. */
+  Precise_edge edge(const Triangulation& triangulation, Index h)
+  {
+    const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
+    m_words.resolve(triangulation, wanted);
+    resolve(triangulation, wanted);
+    return known_edge(triangulation, wanted);
+  }
+
+  /* The face on the left of input halfedge h. */
+  const Exact_face& exact_face(const Triangulation& triangulation, Index h)
+  {
+    const auto found = m_exact_faces.find(h);
+    if(found != m_exact_faces.end())
+      return found->second;
+    return m_exact_faces.emplace(h, triangulation.metric().exact_face(triangulation.input(), h)).first->second;
+  }
+
+  /* The input halfedge h, with the direction of the next one. */
+  const Precise_halfedge& input_halfedge(const Triangulation& triangulation, Index h)
+  {
+    const auto found = m_halfedges.find(h);
+    if(found != m_halfedges.end())
+      return found->second;
+    const auto& input = triangulation.input();
+    const auto face = triangulation.metric().face_geometry(input, h, Precise_face_traits());
+    const Index hn = input.next(h), hp = input.next(hn);
+    m_halfedges.emplace(hn, face[1]);
+    m_halfedges.emplace(hp, face[2]);
+    return m_halfedges.emplace(h, face[0]).first->second;
+  }
+
+  /* Forgets the edge that a flip or split made, since that is taken back. */
+  void forget(Index e, Index version)
+  {
+    m_words.forget(e, version);
+    if(!m_edges.empty())
+      m_edges.erase(Words::key(e, version));
+  }
+
+private:
+  // What a derived edge may err by; and how many crossings are unfolded faster than edges are derived.
+  static constexpr double largest_error = 0x1p-64;
+  static constexpr std::size_t few_crossings = 4;
+
+  Precise_edge known_edge(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    const Index h = wanted.halfedge;
+    if(wanted.version == 0)
+      return input_edge(triangulation, h);
+    const Precise_edge& stored = m_edges.at(Words::key(Triangulation::edge(h), wanted.version));
+    return (h & 1) == 0 ? stored : stored.reversed();
+  }
+
+  Precise_edge input_edge(const Triangulation& triangulation, Index h)
+  {
+    const Index inside = triangulation.input().is_border(h) ? Triangulation::twin(h) : h;
+    return precise_input_edge(h, input_halfedge(triangulation, inside));
+  }
+
+  bool is_known(const Edge_version& wanted) const
+  {
+    return wanted.version == 0 || m_edges.count(Words::key(Triangulation::edge(wanted.halfedge), wanted.version)) != 0;
+  }
+
+  // Depth first, as in Crossing_words. \pre the word is known
+  void resolve(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    m_pending = {wanted};
+    while(!m_pending.empty()) {
+      const Edge_version next = m_pending.back();
+      if(is_known(next)) {
+        m_pending.pop_back();
+        continue;
+      }
+      const Index e = Triangulation::edge(next.halfedge);
+      const Derived_word& word = m_words.derived(e, next.version);
+      const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
+      if(word.spokes_at_tail < 0 || word.word.crossed.size() <= few_crossings) {
+        store(e, next.version, unfolded(triangulation, word.word));
+      } else {
+        const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
+        if(!is_known(ki) || !is_known(il)) {
+          m_pending.push_back(ki);
+          m_pending.push_back(il);
+          continue;
+        }
+        const Precise_edge kl =
+            joined(triangulation, known_edge(triangulation, ki), flip.rotation, known_edge(triangulation, il), word);
+        if(!(kl.end_error < largest_error))
+          store(e, next.version, unfolded(triangulation, word.word));
+        else // the flip leaves h = l->k
+          store(e, next.version, (flip.h & 1) != 0 ? kl : kl.reversed());
+      }
+      m_pending.pop_back();
+    }
+  }
+
+  void store(Index e, Index version, const Precise_edge& edge) { m_edges.emplace(Words::key(e, version), edge); }
+
+  Precise_edge unfolded(const Triangulation& triangulation, const Crossing_word& word)
+  {
+    if(triangulation.is_inserted(word.tail) || triangulation.is_inserted(word.head))
+      return {};
+    if(word.along != null_index)
+      return input_edge(triangulation, word.along);
+    return Precise_strip<Triangulation>(triangulation, word, false).edge();
+  }
+
+  Precise_edge joined(const Triangulation& triangulation, const Precise_edge& ki, Index rotation,
+                      const Precise_edge& il, const Derived_word& word)
+  {
+    if(!ki.has_bound() || !il.has_bound())
+      return {};
+    const auto& input = triangulation.input();
+    Turn turn = {ki.head_direction, ki.direction_error, ki.head_reference};
+    turn_clockwise(triangulation, turn, rotation + ki.first_corner);
+    if(turn.spoke != il.tail_reference)
+      return {};
+    const Double_double_vector end = ki.end + turn.direction * il.end;
+    const double ways = ki.length * ki.end_error + il.length * (turn.error + il.end_error) +
+                        2 * (ki.length + il.length) * double_double_vector_error;
+
+    turn = {turn.direction * il.head_direction, turn.error + il.direction_error + double_double_vector_error,
+            il.head_reference};
+    turn_clockwise(triangulation, turn, word.spokes_at_head + il.first_corner);
+
+    // The first face is farther counterclockwise about k than that of ki.
+    Turn back = {{{1, 0}, {}}, 0, ki.tail_reference};
+    for(Index i = 0; i < word.spokes_at_tail; ++i)
+      back.spoke = Triangulation::twin(input.next(input.next(back.spoke)));
+    const Index reference = back.spoke;
+    turn_clockwise(triangulation, back, word.spokes_at_tail);
+
+    Precise_edge result = {end * back.direction, turn.direction * back.direction, 0, 0, 0, reference, turn.spoke, 0};
+    result.length = internal::length(result.end);
+    result.end_error = (ways / result.length + back.error + double_double_vector_error) * (1 + 0x1p-18);
+    result.direction_error = (turn.error + back.error + double_double_vector_error) * (1 + 0x1p-18);
+    return result;
+  }
+
+  // The direction of a spoke, an input halfedge.
+  struct Turn
+  {
+    Double_double_vector direction;
+    double error;
+    Index spoke;
+  };
+
+  void turn_clockwise(const Triangulation& triangulation, Turn& turn, Index corners)
+  {
+    for(Index i = 0; i < corners; ++i) {
+      const Index t = Triangulation::twin(turn.spoke);
+      const Precise_halfedge& corner = input_halfedge(triangulation, t);
+      turn = {-(turn.direction * corner.next), turn.error + corner.error + double_double_vector_error,
+              triangulation.input().next(t)};
+    }
+  }
+
+  Words m_words;
+  std::unordered_map<std::uint64_t, Precise_edge> m_edges;
+  std::unordered_map<Index, Precise_halfedge> m_halfedges;
+  std::unordered_map<Index, Exact_face> m_exact_faces;
+  std::vector<Edge_version> m_pending;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_EDGE_HISTORY_H
