@@ -170,9 +170,9 @@ def network(tools):
 
 @figure(900, 420)
 def early_stop(tools):
-    """A network whose curves were stopped at nine tenths of their lengths and saved; and loaded and pulled tight."""
+    """A network whose curves were stopped at 95 % of their lengths and saved; and loaded and pulled tight."""
     mesh = tools.torus(96, 48)
-    tools.run('network_early_stop_example', mesh)
+    tools.run('network_early_stop_example', mesh, 0.95)
     points, faces = read_off(mesh)
     panels = []
     for name, shade in (('network', ORANGE), ('finished_network', BLUE)):
