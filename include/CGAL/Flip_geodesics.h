@@ -18,6 +18,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>

@@ -5,6 +5,7 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -21,6 +22,7 @@
 #include <exception>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -177,9 +179,9 @@ BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
   BOOST_TEST(thrown == 1);
 }
 
-BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one)
+BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one_and_landmarks_direct_it)
 {
-  Mesh mesh = to_mesh<Mesh>(jittered_grid(12, 12, Diagonal_rule::RISING, 0.2, 5));
+  Mesh mesh = to_mesh<Mesh>(jittered_grid(20, 20, Diagonal_rule::RISING, 0.2, 5));
   using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
   const Lengths lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
   for(Mesh::Edge_index e : mesh.edges())
@@ -190,13 +192,57 @@ BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one)
   const Triangulation triangulation(mesh, Metric(mesh, lengths));
   Search dijkstra(triangulation, FG::Search_method::DIJKSTRA), a_star(triangulation, FG::Search_method::A_STAR),
       look_back(triangulation, FG::Search_method::LOOK_BACK);
-  for(const auto& [s, t] : random_pairs(mesh, 20, 3)) {
-    const auto path = dijkstra(triangulation.index(s), triangulation.index(t));
+  const FG::Landmark_distances landmarks(dijkstra);
+  Search directed(triangulation, landmarks);
+  const auto length_of = [&](const std::vector<FG::Index>& path) {
+    return std::accumulate(path.begin(), path.end(), 0.0,
+                           [&](double sum, FG::Index h) { return sum + triangulation.length(h); });
+  };
+  std::size_t settled = 0, settled_with_landmarks = 0;
+  for(const auto& [source, target] : random_pairs(mesh, 20, 3)) {
+    const FG::Index s = triangulation.index(source), t = triangulation.index(target);
+    const auto path = dijkstra(s, t);
+    settled += dijkstra.settled_vertices();
     for(Search* search : {&a_star, &look_back}) {
-      BOOST_TEST(((*search)(triangulation.index(s), triangulation.index(t)) == path));
+      BOOST_TEST(((*search)(s, t) == path));
       BOOST_TEST(search->settled_vertices() == dijkstra.settled_vertices());
     }
+    BOOST_TEST(landmarks.distance_lower_bound(s, t) <= length_of(path));
+    BOOST_TEST(landmarks.distance_lower_bound(s, t) == landmarks.distance_lower_bound(t, s));
+    BOOST_TEST(landmarks.distance_lower_bound(s, s) == 0);
+    BOOST_TEST(length_of(directed(s, t)) < 1.03 * length_of(path));
+    settled_with_landmarks += directed.settled_vertices();
   }
+  BOOST_TEST(3 * settled_with_landmarks < settled);
+}
+
+// The path round the end of a wall, which the line through space knows nothing of.
+BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
+{
+  Mesh_soup soup = flat_grid(40, 40, Diagonal_rule::RISING);
+  const auto is_in_wall = [&](const auto& face) {
+    const auto& p = soup.points[face[0]];
+    return p[0] > 18 && p[0] < 22 && p[1] < 35;
+  };
+  soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(), is_in_wall), soup.triangles.end());
+  Mesh mesh = to_mesh<Mesh>(soup);
+  const Vertex alone = mesh.add_vertex(Kernel::Point_3(0, 0, 9)), source(41 * 2 + 5), target(41 * 2 + 35);
+  const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
+  using Search = FG::Shortest_edge_path<FG::Intrinsic_triangulation<Mesh>>;
+  Search look_back(triangulation, FG::Search_method::LOOK_BACK);
+  const FG::Landmark_distances landmarks(look_back);
+  Search directed(triangulation, landmarks);
+  look_back(triangulation.index(source), triangulation.index(target));
+  directed(triangulation.index(source), triangulation.index(target));
+  BOOST_TEST(2 * directed.settled_vertices() < look_back.settled_vertices());
+
+  std::vector<Path> paths, directed_paths;
+  const Pairs pairs = {{source, target}, {source, alone}, {Vertex(0), Vertex(40)}};
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths));
+  FG::geodesic_paths(mesh, landmarks, pairs, std::back_inserter(directed_paths));
+  BOOST_CHECK_THROW(std::rethrow_exception(directed_paths[1].error), FG::Disconnected_endpoints_error);
+  for(const std::size_t i : {0u, 2u})
+    BOOST_TEST(directed_paths[i].report.length == paths[i].report.length, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(a_search_towards_a_point_that_is_no_number_says_so)

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_PATHS_H
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
@@ -56,8 +57,9 @@ class Path_workspace
 public:
   using Result = Geodesic_path<typename Types::Metric::Point_3>;
 
-  Path_workspace(const TriangleMesh& mesh, const NamedParameters& np)
+  Path_workspace(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np)
     : m_mesh(mesh)
+    , m_landmarks(landmarks)
     , m_np(np)
   {
   }
@@ -67,7 +69,7 @@ public:
     Result result;
     try {
       if(!m_state)
-        m_state = std::make_unique<State>(m_mesh, m_np);
+        m_state = std::make_unique<State>(m_mesh, m_landmarks, m_np);
       compute(*m_state, source, target, result);
       m_state->triangulation.rollback();
     } catch(...) {
@@ -79,14 +81,17 @@ public:
   }
 
 private:
+  using Search = Shortest_edge_path<Triangulation>;
+
   struct State
   {
     Triangulation triangulation;
-    Shortest_edge_path<Triangulation> search;
+    Search search;
 
-    State(const TriangleMesh& mesh, const NamedParameters& np)
+    State(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np)
       : triangulation(make_triangulation(mesh, np))
-      , search(triangulation, Search_method::LOOK_BACK)
+      , search(landmarks == nullptr ? Search(triangulation, Search_method::LOOK_BACK)
+                                    : Search(triangulation, *landmarks))
     {
     }
   };
@@ -101,6 +106,7 @@ private:
   }
 
   const TriangleMesh& m_mesh;
+  const Landmark_distances* m_landmarks; // null if there are none
   const NamedParameters& m_np;
   std::unique_ptr<State> m_state;
 };
@@ -128,6 +134,26 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
                     });
 }
 #endif
+
+template <class ConcurrencyTag, class TriangleMesh, class PairRange, class OutputIterator, class NamedParameters>
+OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances* landmarks, const PairRange& pairs,
+                              OutputIterator out, const NamedParameters& np)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  using Tag =
+      std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag, Sequential_tag>;
+#else
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag asks for threads, but the program is not linked to TBB");
+  using Tag = Sequential_tag;
+#endif
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Workspace = Path_workspace<TriangleMesh, NamedParameters>;
+  const std::vector<std::pair<Vertex, Vertex>> ends(std::begin(pairs), std::end(pairs));
+  std::vector<typename Workspace::Result> results(ends.size());
+  compute_paths<Workspace>(Tag(), ends, results, [&] { return std::make_unique<Workspace>(mesh, landmarks, np); });
+  return std::move(results.begin(), results.end(), out);
+}
 
 } // namespace internal
 
@@ -157,20 +183,28 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairR
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
                               const NamedParameters& np = parameters::default_values())
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  using Tag =
-      std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag, Sequential_tag>;
-#else
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag asks for threads, but the program is not linked to TBB");
-  using Tag = Sequential_tag;
-#endif
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Workspace = internal::Path_workspace<TriangleMesh, NamedParameters>;
-  const std::vector<std::pair<Vertex, Vertex>> ends(std::begin(pairs), std::end(pairs));
-  std::vector<typename Workspace::Result> results(ends.size());
-  internal::compute_paths<Workspace>(Tag(), ends, results, [&] { return std::make_unique<Workspace>(mesh, np); });
-  return std::move(results.begin(), results.end(), out);
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, np);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Computes the same with searches that are directed by landmarks, which pays if there are thousands of pairs. A path may
+ * take another way round a hole or a bump than without, which is about as long.
+ *
+ * \param mesh a triangle mesh
+ * \param landmarks made for this mesh and its metric
+ * \param pairs a range of `std::pair`s of vertices, source and target
+ * \param out receives a `Geodesic_path` with the mesh's points per pair, in the order of the pairs
+ * \param np as above
+ * \return the end of the output
+ */
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances& landmarks, const PairRange& pairs,
+                              OutputIterator out, const NamedParameters& np = parameters::default_values())
+{
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, np);
 }
 
 } // namespace Flip_geodesics

@@ -3,11 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTEST_EDGE_PATH_H
 #define CGAL_FLIP_GEODESICS_SHORTEST_EDGE_PATH_H
 
+#include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Sparse_array.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +31,7 @@ enum class Search_method {
   /// less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly straight, where
   /// shortest edge paths swerve to where the edges happen to point; `shorten()` flips several times fewer edges on
   /// smooth meshes. The bound for the remaining way counts 1.05 times, so that the search does not compare ways that are
-  /// all nearly as short. It visits a third of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the metric
+  /// all nearly as short, and visits a third of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the metric
   /// has no lower bound.
   LOOK_BACK,
   A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
@@ -53,8 +56,20 @@ public:
   explicit Shortest_edge_path(const Triangulation& triangulation, Search_method method = Search_method::A_STAR)
     : m_triangulation(&triangulation)
     , m_method(method)
+    , m_haste(method == Search_method::LOOK_BACK ? haste : 1)
     , m_labels(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
+  }
+
+  /// Looks back and is directed by landmarks, which have to live as long; the bound counts 1.02 times then, since it is
+  /// nearly met. \pre they were made for this mesh
+  Shortest_edge_path(const Triangulation& triangulation, const Landmark_distances& landmarks)
+    : Shortest_edge_path(triangulation, Search_method::LOOK_BACK)
+  {
+    CGAL_precondition(landmarks.number_of_vertices() ==
+                      static_cast<std::size_t>(triangulation.input().number_of_vertices()));
+    m_landmarks = &landmarks;
+    m_haste = haste_with_landmarks;
   }
 
   /*!
@@ -68,13 +83,9 @@ public:
   {
     check_vertex(source);
     check_vertex(target);
-    start(source, target);
-    while(!m_queue.empty()) {
-      const Index v = m_queue.pop();
-      if(m_labels[v].stamp == m_epoch + 1)
-        continue; // has been reached on a shorter way since
-      m_labels.writable(v).stamp = m_epoch + 1;
-      ++m_settled;
+    start(source);
+    direct(source, target);
+    for(Index v = settle_next(); v != null_index; v = settle_next()) {
       if(v == target)
         return path_to(target);
       relax_neighbors(v);
@@ -83,6 +94,25 @@ public:
                                            std::to_string(target),
                                        {static_cast<std::size_t>(source), static_cast<std::size_t>(target)});
   }
+
+  /*!
+   * Calls `visit(v, distance)` for each vertex to which paths lead from `source`, with its distance as this search
+   * measures it: in the order of distance.
+   * \throws Vertex_out_of_range_error, Invalid_coordinate_error as above
+   */
+  template <class Visit>
+  void visit_all(Index source, const Visit& visit)
+  {
+    check_vertex(source);
+    start(source);
+    for(Index v = settle_next(); v != null_index; v = settle_next()) {
+      visit(v, m_labels[v].distance);
+      relax_neighbors(v);
+    }
+  }
+
+  /// The triangulation whose input is searched.
+  const Triangulation& triangulation() const { return *m_triangulation; }
 
   /// The number of vertices that the last search settled.
   std::size_t settled_vertices() const { return m_settled; }
@@ -109,7 +139,8 @@ private:
   static constexpr std::size_t most_ancestors = 2;
   // Zigzag along a straight line is longer by 2 / sqrt(3) at most on a regular triangulation, by sqrt(2) on a grid.
   static constexpr double most_zigzag = 1.5;
-  static constexpr double haste = 1.05;
+  // What the bound is multiplied by. Landmarks give bounds that are nearly met.
+  static constexpr double haste = 1.05, haste_with_landmarks = 1.02;
 
   void check_vertex(Index v) const
   {
@@ -119,18 +150,40 @@ private:
                                       {static_cast<std::size_t>(v)});
   }
 
-  void start(Index source, Index target)
+  void start(Index source)
   {
-    const auto& metric = m_triangulation->metric();
-    m_target = metric.place(m_triangulation->input(), target);
-    const double bound = metric.distance_lower_bound(metric.place(m_triangulation->input(), source), m_target);
-    m_bound_weight = m_method == Search_method::LOOK_BACK ? haste : 1;
-    m_is_directed = has_bound && m_method != Search_method::DIJKSTRA && std::isfinite(bound);
+    m_target = null_index;
+    m_is_bounded = false;
     m_epoch += 2;
     m_settled = 0;
     m_queue.clear();
     m_labels.writable(source) = {0, null_index, m_epoch};
     m_queue.push(0, source);
+  }
+
+  void direct(Index source, Index target)
+  {
+    if(m_method == Search_method::DIJKSTRA)
+      return;
+    const auto& metric = m_triangulation->metric();
+    m_target = target;
+    m_target_place = metric.place(m_triangulation->input(), target);
+    m_is_bounded = has_bound && std::isfinite(metric.distance_lower_bound(
+                                    metric.place(m_triangulation->input(), source), m_target_place));
+  }
+
+  // The next vertex, `null_index` if there is none.
+  Index settle_next()
+  {
+    while(!m_queue.empty()) {
+      const Index v = m_queue.pop();
+      if(m_labels[v].stamp == m_epoch + 1)
+        continue; // has been reached on a shorter way since
+      m_labels.writable(v).stamp = m_epoch + 1;
+      ++m_settled;
+      return v;
+    }
+    return null_index;
   }
 
   void relax_neighbors(Index v)
@@ -181,7 +234,15 @@ private:
     if(label.stamp == m_epoch && label.distance <= distance)
       return;
     m_labels.writable(w) = {distance, h, m_epoch};
-    m_queue.push(m_is_directed ? distance + m_bound_weight * metric.distance_lower_bound(place, m_target) : distance, w);
+    m_queue.push(distance + bound_to_target(w, place), w);
+  }
+
+  double bound_to_target(Index v, const Place& place) const
+  {
+    double bound = m_is_bounded ? m_triangulation->metric().distance_lower_bound(place, m_target_place) : 0;
+    if(m_landmarks != nullptr && m_target != null_index)
+      bound = (std::max)(bound, m_landmarks->distance_lower_bound(v, m_target));
+    return m_haste * bound;
   }
 
   // The distance of a vertex, or what it is from an ancestor on if that is less.
@@ -206,13 +267,15 @@ private:
 
   const Triangulation* m_triangulation;
   Search_method m_method;
+  double m_haste;
   internal::Sparse_array<Label> m_labels;
   internal::Vertex_queue m_queue;
   std::array<Ancestor, most_ancestors> m_ancestors;
   std::size_t m_number_of_ancestors = 0;
-  Place m_target = Place();
-  double m_bound_weight = 1;
-  bool m_is_directed = false;
+  const Landmark_distances* m_landmarks = nullptr;
+  Index m_target = null_index; // none if the search goes in all directions
+  Place m_target_place = Place();
+  bool m_is_bounded = false; // by the metric
   Index m_epoch = 0;
   std::size_t m_settled = 0;
 };
