@@ -5,11 +5,15 @@
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/hilbert_sort.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -77,13 +81,42 @@ inline Mesh flat_grid(double triangles)
   return grid_mesh(n, n, false, false, [](double u, double v) { return Point(u, v, 0); });
 }
 
+/// The same mesh with its vertices, and so its faces, numbered along a Hilbert curve.
+inline Mesh in_hilbert_order(const Mesh& mesh)
+{
+  std::vector<Mesh::Vertex_index> order(mesh.vertices().begin(), mesh.vertices().end());
+  using Points = Mesh::Property_map<Mesh::Vertex_index, Point>;
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, Points>(mesh.points()));
+  Mesh result;
+  result.reserve(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
+  std::vector<Mesh::Vertex_index> renumbered(order.size());
+  for(const Mesh::Vertex_index v : order)
+    renumbered[v] = result.add_vertex(mesh.point(v));
+  std::vector<std::array<Mesh::Vertex_index, 3>> triangles;
+  for(const Mesh::Face_index f : mesh.faces()) {
+    triangles.emplace_back();
+    auto corner = triangles.back().begin();
+    for(const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      *corner++ = renumbered[v];
+  }
+  std::sort(triangles.begin(), triangles.end(), [](const auto& a, const auto& b) {
+    return *std::min_element(a.begin(), a.end()) < *std::min_element(b.begin(), b.end());
+  });
+  for(const auto& t : triangles)
+    result.add_face(t[0], t[1], t[2]);
+  return result;
+}
+
 /*!
  * A mesh by name: `torus:N`, `terrain:N`, `grid:N` of about N triangles, or a file; followed by `+K` it is subdivided
- * K times [Loop's scheme].
+ * K times [Loop's scheme], and by `~`, numbered along a Hilbert curve.
  * \throws std::runtime_error
  */
 inline Mesh make_mesh(const std::string& name)
 {
+  if(!name.empty() && name.back() == '~')
+    return in_hilbert_order(make_mesh(name.substr(0, name.size() - 1)));
   const std::size_t plus = name.rfind('+');
   const bool is_subdivided =
       plus != std::string::npos && name.find_first_not_of("0123456789", plus + 1) == std::string::npos;
@@ -112,9 +145,9 @@ inline std::string short_name(const std::string& name)
 {
   const std::size_t slash = name.rfind('/');
   std::string result = slash == std::string::npos ? name : name.substr(slash + 1);
-  const std::size_t dot = result.rfind('.'), plus = result.rfind('+');
+  const std::size_t dot = result.rfind('.'), end = result.find_first_of("+~", dot == std::string::npos ? 0 : dot);
   if(dot != std::string::npos && result.find(':') == std::string::npos)
-    result.erase(dot, (plus == std::string::npos ? result.size() : plus) - dot);
+    result.erase(dot, (end == std::string::npos ? result.size() : end) - dot);
   return result;
 }
 

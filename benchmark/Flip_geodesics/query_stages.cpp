@@ -7,9 +7,10 @@
 //   search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash
 //
 // Each time is the median over the rounds. `edge_segments` counts the segments of Dijkstra's path, `segments` those of
-// the path that was straightened, `hash` the bits of the extracted curve.
+// the path that was straightened, `hash` the bits of the extracted curve. `landmarks` looks back and is directed by
+// landmarks, which are made before and not counted.
 //
-// Usage: query_stages [--pairs N] [--seed S] [--rounds R] [--search lookback|astar|dijkstra] MESH...
+// Usage: query_stages [--pairs N] [--seed S] [--rounds R] [--search lookback|landmarks|astar|dijkstra] MESH...
 
 #include "benchmark_meshes.h"
 #include "edge_dijkstra.h"
@@ -23,6 +24,7 @@
 #include <cstring>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -45,6 +47,7 @@ struct Options
 };
 
 const std::map<std::string, FG::Search_method> search_methods = {{"lookback", FG::Search_method::LOOK_BACK},
+                                                                 {"landmarks", FG::Search_method::LOOK_BACK},
                                                                  {"astar", FG::Search_method::A_STAR},
                                                                  {"dijkstra", FG::Search_method::DIJKSTRA}};
 
@@ -96,6 +99,10 @@ public:
     , m_search(m_triangulation, search_methods.at(options.search))
     , m_dijkstra(m_mesh)
   {
+    if(options.search == "landmarks") {
+      m_landmarks = std::make_unique<FG::Landmark_distances>(m_search);
+      m_search = Search(m_triangulation, *m_landmarks);
+    }
   }
 
   void run()
@@ -151,6 +158,7 @@ private:
   Mesh m_mesh;
   Triangulation m_triangulation;
   Search m_search;
+  std::unique_ptr<FG::Landmark_distances> m_landmarks;
   Edge_dijkstra<Mesh> m_dijkstra;
 };
 

@@ -7,7 +7,8 @@
 Without --all everything is small and done in about 5 minutes; with it, meshes reach 5 million triangles. Real meshes are
 read from the CGAL data of Debian's package libcgal-dev, if it is installed; more can be given.
 
-stages.csv      the stages of queries, with Dijkstra's algorithm interleaved    query_stages
+stages_*.csv    the stages of queries, with Dijkstra's algorithm interleaved    query_stages
+order.csv       the same as the meshes are numbered, and along a Hilbert curve  query_stages
 memory.csv      resident memory                                                 memory_use
 opponents.csv   flips, iterative unfolding, iterative relaxation                compare_straightening
 kernels.csv     single operations, plain and certified                          kernels
@@ -100,9 +101,11 @@ def main():
         def table(name, program, *options):
             run(arguments.programs, arguments.out, name, program, *options)
 
-        for search in ("lookback", "astar"):
+        for search in ("lookback", "landmarks", "astar"):
             table(f"stages_{search}.csv", "query_stages", "--pairs", pairs, "--rounds", 5, "--search", search,
                   *generated, *real, *subdivided)
+        numbered = [mesh + order for mesh in [*real, *subdivided] for order in ("", "~")]
+        table("order.csv", "query_stages", "--pairs", 2 * pairs, "--rounds", 1, *numbered)
         # A process each, since memory that was used once counts as resident afterwards.
         run_each(arguments.programs, arguments.out, "memory.csv", "memory_use",
                  [[mesh] for mesh in [*generated, *real, *subdivided]])

@@ -270,7 +270,7 @@ private:
   double m_haste;
   internal::Sparse_array<Label> m_labels;
   internal::Vertex_queue m_queue;
-  std::array<Ancestor, most_ancestors> m_ancestors;
+  std::array<Ancestor, most_ancestors> m_ancestors = {};
   std::size_t m_number_of_ancestors = 0;
   const Landmark_distances* m_landmarks = nullptr;
   Index m_target = null_index; // none if the search goes in all directions
