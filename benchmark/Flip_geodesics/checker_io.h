@@ -166,8 +166,8 @@ inline Place read_place(const std::string& word)
 }
 
 /*
- * Reads which points the curves are to pass, and adds that to the curves: a line per curve, the first one for curve 0. Of
- * splines only the ends are given, and they may bend inside all faces and on all edges; after `o` they are closed.
+ * Reads which points the curves are to pass, and adds that to the curves: a line per curve, the first one for curve 0.
+ * Of splines only the ends are given, and they may bend inside all faces and on all edges; after `o` they are closed.
  */
 inline void read_way_points(std::istream& in, bool are_splines, std::vector<Polyline>& curves)
 {

@@ -67,9 +67,9 @@ inline std::string place_error(const Mesh& mesh, const Place& place)
     return "there is no edge from " + std::to_string(place.a) + " to " + std::to_string(place.b);
   if(place.is_in_face() && mesh.halfedge_of_face(place.a, place.b, place.c) == null_index)
     return "there is no face with these corners in this order";
-  const bool is_inside = place.is_vertex() ? place.t == 0 && place.u == 0
-                                           : place.t > 0 && (place.is_in_face() ? place.u > 0 : place.u == 0) &&
-                                                 place.t + place.u < 1;
+  const bool is_inside =
+      place.is_vertex() ? place.t == 0 && place.u == 0
+                        : place.t > 0 && (place.is_in_face() ? place.u > 0 : place.u == 0) && place.t + place.u < 1;
   return is_inside ? std::string() : "t and u are not coordinates of a point inside";
 }
 

@@ -22,8 +22,8 @@ namespace polyline_checker {
 /// The unit roundoff of the `double` values that were written.
 constexpr long double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
-/// A point of a curve: where it crosses the edge ab, at (1 - t) a + t b, or a stop, if it is a vertex (a == b) or there is
-/// a vertex c: the stop of `place()`. And where the file says it is.
+/// A point of a curve: where it crosses the edge ab, at (1 - t) a + t b, or a stop, if it is a vertex (a == b) or there
+/// is a vertex c: the stop of `place()`. And where the file says it is.
 struct Polyline_point
 {
   Index a, b;

@@ -189,8 +189,8 @@ public:
     for(std::size_t i = 0; i + 1 < strip.crossed.size(); ++i)
       add_gate(mesh, strip.crossed[i], strip.crossed[i + 1]);
     m_target = target_beyond(mesh, strip.crossed.back(), strip.target);
-    m_uncertainty = uncertainty(mesh, first, strip.source) +
-                    uncertainty(mesh, mesh.twin(strip.crossed.back()), strip.target);
+    m_uncertainty =
+        uncertainty(mesh, first, strip.source) + uncertainty(mesh, mesh.twin(strip.crossed.back()), strip.target);
   }
 
   const std::vector<Gate>& gates() const { return m_gates; }

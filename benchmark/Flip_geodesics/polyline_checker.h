@@ -26,10 +26,11 @@
  * library.
  *
  * A curve is cut at its stops: the vertices that it passes, and its ends and way points on edges and inside faces. Each
- * segment in between crosses a strip of faces, given by the edges of its points. The strip is unfolded into the plane and its ends are joined by a straight line; the segment is
- * geodesic if and only if this line stays inside the strip, that is, if each crossed edge has one end on either side of
- * it. So the verdict rests on the crossed edges and not on the positions of the crossing points, whose rounding makes
- * turning angles meaningless where two crossings are close together; the points must then lie on the line.
+ * segment in between crosses a strip of faces, given by the edges of its points. The strip is unfolded into the plane
+ * and its ends are joined by a straight line; the segment is geodesic if and only if this line stays inside the strip,
+ * that is, if each crossed edge has one end on either side of it. So the verdict rests on the crossed edges and not on
+ * the positions of the crossing points, whose rounding makes turning angles meaningless where two crossings are close
+ * together; the points must then lie on the line.
  *
  * `strip_bend` is the largest angle by which an end of a crossed edge lies beyond the line, seen from the nearer end of
  * the line. The taut string in the strip has to go around that end, and turns by at least this angle, in total, on its
@@ -150,8 +151,7 @@ long double largest_deviation(const Unfolded_strip<NT>& unfolded, const std::vec
   const NT line = length(unfolded.target());
   for(std::size_t i = 0; i < points.size(); ++i) {
     const NT distance = cross(unfolded.target(), points[i]) / line;
-    const NT rounding =
-        NT(4 * unit_roundoff) * length(unfolded.gates()[i].edge) + NT(unfolded.uncertainty_of_line());
+    const NT rounding = NT(4 * unit_roundoff) * length(unfolded.gates()[i].edge) + NT(unfolded.uncertainty_of_line());
     const NT deviation = ((distance < 0 ? NT(-distance) : distance) - rounding) / line;
     result = (std::max)(result, static_cast<long double>(deviation));
   }
@@ -246,8 +246,9 @@ bool measure_in_face(const Mesh& mesh, Segment& segment, Curve_report& report)
   const Index apex = mesh.vertex(Mesh::previous(h));
   const bool is_on_edge = weight<NT>(source, apex) == 0 && weight<NT>(target, apex) == 0;
   const NT along = weight<NT>(target, mesh.vertex(h)) - weight<NT>(source, mesh.vertex(h));
-  const long double line = static_cast<long double>(is_on_edge ? NT(edge_length<NT>(mesh, h) * (along < 0 ? -along : along))
-                                                               : length(vector_in_face<NT>(mesh, h, source, target)));
+  const long double line =
+      static_cast<long double>(is_on_edge ? NT(edge_length<NT>(mesh, h) * (along < 0 ? -along : along))
+                                          : length(vector_in_face<NT>(mesh, h, source, target)));
   const long double uncertain = uncertainty(mesh, h, source) + uncertainty(mesh, h, target);
   if(!is_on_edge && uncertain > 0)
     segment.at_source.uncertainty = segment.at_target.uncertainty = uncertain / line;

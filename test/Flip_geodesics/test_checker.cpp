@@ -361,7 +361,8 @@ Polyline_point stop(const Grid& grid, double x, double y)
 {
   const int i = int(x), j = int(y);
   const double s = x - i, t = y - j;
-  const Index a = grid.vertex(i, j), c = grid.vertex(i + 1, j + 1), b = grid.vertex(i + 1, j), d = grid.vertex(i, j + 1);
+  const Index a = grid.vertex(i, j), c = grid.vertex(i + 1, j + 1), b = grid.vertex(i + 1, j),
+              d = grid.vertex(i, j + 1);
   const Mesh::Point position = grid.lift(x, y);
   if(s == 0 && t == 0)
     return {a, a, 0, position};
@@ -378,7 +379,8 @@ Polyline_point stop(const Grid& grid, double x, double y)
 Polyline over_diagonal(const Grid& grid, double x, double y, double u, double v)
 {
   const double r = (x - y) / ((x - y) - (u - v)), at = x + r * (u - x);
-  return {0, {stop(grid, x, y), edge_point(grid, int(x), int(y), int(x) + 1, int(y) + 1, at - int(x)), stop(grid, u, v)}};
+  return {0,
+          {stop(grid, x, y), edge_point(grid, int(x), int(y), int(x) + 1, int(y) + 1, at - int(x)), stop(grid, u, v)}};
 }
 
 BOOST_AUTO_TEST_CASE(straight_between_stops)
@@ -394,9 +396,9 @@ BOOST_AUTO_TEST_CASE(straight_between_stops)
   };
   expect_length(over_diagonal(grid, 1.75, 1.25, 1.25, 1.5), std::hypot(0.5L, 0.25L));
   expect_length(over_diagonal(grid, 1.5, 1, 1.25, 1.75), std::hypot(0.25L, 0.75L));
-  expect_length({0, {stop(grid, 1.5, 1.25), stop(grid, 1.75, 1.25)}}, 0.25L);  // in one face
+  expect_length({0, {stop(grid, 1.5, 1.25), stop(grid, 1.75, 1.25)}}, 0.25L);               // in one face
   expect_length({0, {stop(grid, 1.5, 1.5), stop(grid, 1.75, 1)}}, std::hypot(0.25L, 0.5L)); // between two edges
-  expect_length({0, {stop(grid, 1.25, 1.25), stop(grid, 1.75, 1.75)}}, std::sqrt(0.5L)); // along one
+  expect_length({0, {stop(grid, 1.25, 1.25), stop(grid, 1.75, 1.75)}}, std::sqrt(0.5L));    // along one
   expect_length({0, {stop(grid, 1, 1), stop(grid, 1.75, 1)}}, 0.75L);
   expect_length({0, {stop(grid, 1, 1), stop(grid, 1.75, 1.25)}}, std::hypot(0.75L, 0.25L));
 }
@@ -424,7 +426,7 @@ BOOST_AUTO_TEST_CASE(angles_at_stops)
       std::reverse(curve.points.begin(), curve.points.end());
     }
   };
-  expect_angle({{1.5, 1.25}, {1.75, 1.25}, {1.875, 1.25}}, pi);      // inside a face
+  expect_angle({{1.5, 1.25}, {1.75, 1.25}, {1.875, 1.25}}, pi); // inside a face
   expect_angle({{1.5, 1.25}, {1.75, 1.25}, {1.75, 1.5}}, pi / 2);
   expect_angle({{1.5, 1.25}, {1.5, 1.5}, {1.5, 1.75}}, pi);          // over an edge
   expect_angle({{1.5, 1.25}, {1.5, 1.5}, {1.25, 1.5}}, pi / 2);      // in the face on the other side

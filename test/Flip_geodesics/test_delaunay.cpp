@@ -184,6 +184,43 @@ BOOST_AUTO_TEST_CASE(a_limit_is_kept_and_told)
   BOOST_CHECK(!FG::is_delaunay(s.triangulation));
 }
 
+// Says no when it was asked so many times.
+struct Impatient_visitor : FG::Default_shortening_visitor
+{
+  explicit Impatient_visitor(int patience_)
+    : patience(patience_)
+  {
+  }
+
+  template <class Triangulation>
+  void on_flip(const Triangulation&, FG::Index)
+  {
+    ++flips;
+  }
+  bool go_further() { return patience-- > 0; }
+
+  int patience;
+  std::size_t flips = 0;
+};
+
+BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
+{
+  Random_numbers random(3);
+  Curve_setting s(shaken(torus(10, 6, 3, 1), 0.05, 3));
+  flip_at_random(s.triangulation, 300, random);
+  Impatient_visitor impatient(100), patient(1000000);
+  const FG::Delaunay_report first = FG::flip_to_delaunay(s.triangulation, 1000000, impatient);
+  BOOST_CHECK(first.is_stopped);
+  BOOST_CHECK(!first.is_complete());
+  BOOST_CHECK_EQUAL(impatient.patience, -1);
+  BOOST_CHECK_GT(first.flips, 0u);
+  BOOST_CHECK_EQUAL(first.flips, impatient.flips);
+  const FG::Delaunay_report second = FG::flip_to_delaunay(s.triangulation, 1000000, patient);
+  BOOST_CHECK(!second.is_stopped);
+  BOOST_CHECK(second.is_complete());
+  BOOST_CHECK_EQUAL(second.flips, patient.flips);
+}
+
 BOOST_AUTO_TEST_CASE(near_curves_only)
 {
   Curve_setting s(bumpy_sphere(16, 0.1, 7));

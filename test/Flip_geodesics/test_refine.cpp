@@ -199,6 +199,52 @@ BOOST_AUTO_TEST_CASE(a_limit_on_insertions_is_kept)
   BOOST_CHECK_LE(report.insertions + report.splits, 12u); // one step may split two edges
 }
 
+// Says no when it was asked so many times, or throws.
+struct Impatient_visitor : FG::Default_shortening_visitor
+{
+  explicit Impatient_visitor(int patience_, bool throws_ = false)
+    : patience(patience_)
+    , throws(throws_)
+  {
+  }
+
+  bool go_further()
+  {
+    if(patience-- > 0)
+      return true;
+    if(throws)
+      throw 1;
+    return false;
+  }
+
+  int patience;
+  bool throws;
+};
+
+BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
+{
+  for(const int patience : {0, 10, 400, 500}) // before the first flip, among the flips, among the insertions
+    for(const bool throws : {false, true}) {
+      Curve_setting s(needle_strip(6, 6, 100));
+      s.add_path(0, 20);
+      s.pull();
+      const double before = area(s.triangulation);
+      const std::vector<double> lengths = lengths_of_curves(s);
+      Impatient_visitor impatient(patience, throws), patient(10000000);
+      if(throws) {
+        BOOST_CHECK_THROW(FG::refine(s.network, FG::Refinement_options(), impatient), int);
+      } else {
+        const FG::Refinement_report report = FG::refine(s.network, FG::Refinement_options(), impatient);
+        BOOST_CHECK(report.is_stopped);
+        BOOST_CHECK(!report.is_complete());
+      }
+      BOOST_CHECK_EQUAL(impatient.patience, -1);
+      BOOST_CHECK(s.network.is_valid());
+      BOOST_CHECK(FG::refine(s.network, FG::Refinement_options(), patient).is_complete());
+      check_refined(s, before, lengths);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(exact_decisions)
 {
   Certified_setting s(shaken(torus(10, 4, 3, 1), 0.1, 3));

@@ -8,6 +8,8 @@
  * thread; an exception that one of them throws passes through `shorten()`. If that happens in the middle of the unit
  * that shortens a loop of one segment, then this curve may be longer than before, in its class.
  *
+ * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members.
+ *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
  * \cgalHasModelsEnd

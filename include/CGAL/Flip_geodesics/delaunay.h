@@ -3,12 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_DELAUNAY_H
 #define CGAL_FLIP_GEODESICS_DELAUNAY_H
 
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Lawson_flips.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -20,7 +22,8 @@ struct Delaunay_report
 {
   std::size_t flips = 0;
   std::size_t constrained = 0; ///< edges that are not locally Delaunay, and that a curve holds
-  std::size_t remaining = 0;   ///< others of the edges in question; not zero only if a limit ended the process
+  std::size_t remaining = 0;   ///< others of the edges in question; not zero only if the process was ended early
+  bool is_stopped = false;     ///< did the visitor end it?
   bool is_complete() const { return remaining == 0; }
 };
 
@@ -48,18 +51,22 @@ inline std::size_t default_maximum_of_flips(Index number_of_edges)
  * \param triangulation an `Intrinsic_triangulation`; edges under curves of its network are constrained, and stay
  * \param edges a range of edge indices
  * \param maximum_flips ends the process early; `Delaunay_report::is_complete()` tells
+ * \param visitor a model of `FlipOutVisitor`: `go_further()` is asked before each edge, and `on_flip()` called after each
+ *        flip; it may also throw, and leaves a valid triangulation
  * \throws what is thrown when faces are first touched
  *
  * Complexity: linear in the flips and the edges given.
  */
-template <class Triangulation, class EdgeRange>
-Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, std::size_t maximum_flips)
+template <class Triangulation, class EdgeRange, class Visitor = Default_shortening_visitor>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges, std::size_t maximum_flips,
+                                 Visitor&& visitor = Visitor())
 {
   internal::Lawson_flips<Triangulation> lawson(triangulation);
   for(Index e : edges)
     lawson.allow(e);
   Delaunay_report report;
-  report.flips = lawson.flip(maximum_flips);
+  report.flips = lawson.flip(maximum_flips, visitor);
+  report.is_stopped = lawson.is_stopped();
   for(Index e : edges)
     if(!triangulation.is_locally_delaunay(2 * e))
       ++(triangulation.label(e) != 0 ? report.constrained : report.remaining);
@@ -68,7 +75,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// The same with the default limit.
-template <class Triangulation, class EdgeRange>
+template <class Triangulation, class EdgeRange, std::enable_if_t<!std::is_arithmetic_v<EdgeRange>, int> = 0>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& edges)
 {
   return flip_to_delaunay(triangulation, edges, default_maximum_of_flips(triangulation.number_of_edges()));
@@ -81,10 +88,19 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
  * triangulation, the intrinsic constrained Delaunay triangulation of its curves, the iCDT [SC20, section 6.3]. Throws as
  * the first overload. Complexity: linear in the mesh and the flips.
  */
+template <class Triangulation, class Visitor = Default_shortening_visitor>
+Delaunay_report flip_to_delaunay(Triangulation& triangulation, std::size_t maximum_flips, Visitor&& visitor = Visitor())
+{
+  return flip_to_delaunay(triangulation, internal::Index_range{0, triangulation.number_of_edges()}, maximum_flips,
+                          visitor);
+}
+
+/// \ingroup PkgFlipGeodesicsDelaunay
+/// The same with the default limit.
 template <class Triangulation>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation)
 {
-  return flip_to_delaunay(triangulation, internal::Index_range{0, triangulation.number_of_edges()});
+  return flip_to_delaunay(triangulation, default_maximum_of_flips(triangulation.number_of_edges()));
 }
 
 /*!

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_REFINE_H
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/internal/Delaunay_refiner.h>
 
@@ -39,7 +40,8 @@ struct Refinement_report
   double smallest_free_angle = 0; ///< of the faces that are not exempt, see `refine()`
   std::size_t exempt = 0;         ///< faces whose smallest angle is below the bound, but where there is no other way
   std::size_t missed = 0;         ///< faces that violate a bound and are not exempt
-  bool is_complete() const { return missed == 0; }
+  bool is_stopped = false;        ///< did the visitor end it? Then the triangulation may not even be Delaunay
+  bool is_complete() const { return missed == 0 && !is_stopped; }
 };
 
 namespace internal {
@@ -76,18 +78,21 @@ void measure_faces(const Triangulation& triangulation, const Refiner& refiner, d
   }
 }
 
-template <class Triangulation, class Splitter>
-Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const Refinement_options& options)
+template <class Triangulation, class Splitter, class Visitor>
+Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const Refinement_options& options,
+                         Visitor& visitor)
 {
   constexpr double degree = boost::math::constants::degree<double>();
   CGAL_precondition_msg(options.smallest_angle >= 0 && options.smallest_angle <= 30, "no more than 30 degrees");
   CGAL_precondition_msg(options.longest_edge > 0, "edges have a length");
   const double angle = options.smallest_angle * degree;
   Refinement_report report;
-  report.flips = flip_to_delaunay(triangulation).flips;
-  Delaunay_refiner<Triangulation, Splitter> refiner(triangulation, splitter,
-                                                    {angle, options.longest_edge, options.maximum_insertions});
-  refiner.run();
+  const Delaunay_report flipped =
+      flip_to_delaunay(triangulation, default_maximum_of_flips(triangulation.number_of_edges()), visitor);
+  report.flips = flipped.flips;
+  Delaunay_refiner<Triangulation, Splitter, Visitor> refiner(
+      triangulation, splitter, {angle, options.longest_edge, options.maximum_insertions}, visitor);
+  report.is_stopped = flipped.is_stopped || !refiner.run();
   report.insertions = refiner.counts().insertions;
   report.splits = refiner.counts().splits;
   report.refused = refiner.counts().refused;
@@ -113,26 +118,30 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  *
  * \param network an `Edge_path_network`, whose triangulation is refined
  * \param options the bounds; up to about 25 degrees the process ends by itself in practice
+ * \param visitor a model of `FlipOutVisitor`: `go_further()` is asked before each flip to Delaunay and then before each
+ *        bad face, and `on_flip()` called after each flip. Ended by it, or by an exception that it throws, the
+ *        triangulation and its curves are valid, and the curves as long as before.
  * \return what was reached, measured on the result
  * \throws what is thrown when faces are first touched
  *
  * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
  * faces that are refined.
  */
-template <class Triangulation>
+template <class Triangulation, class Visitor = Default_shortening_visitor>
 Refinement_report refine(Edge_path_network<Triangulation>& network,
-                         const Refinement_options& options = Refinement_options())
+                         const Refinement_options& options = Refinement_options(), Visitor&& visitor = Visitor())
 {
-  return internal::refine(network.triangulation(), network, options);
+  return internal::refine(network.triangulation(), network, options, visitor);
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// The same for a triangulation without curves. \pre no network lives in it
-template <class Triangulation>
-Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options())
+template <class Triangulation, class Visitor = Default_shortening_visitor>
+Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),
+                         Visitor&& visitor = Visitor())
 {
   internal::Triangulation_splitter<Triangulation> splitter = {triangulation};
-  return internal::refine(triangulation, splitter, options);
+  return internal::refine(triangulation, splitter, options, visitor);
 }
 
 } // namespace Flip_geodesics

@@ -31,8 +31,9 @@ namespace internal {
  * one under an angle above 120 degrees, then that edge is split instead, and the vertex taken back by the log.
  *
  * \tparam Splitter inserts points and splits edges: of a triangulation, or of a network with its curves
+ * \tparam Visitor is asked before each face, and told of each flip
  */
-template <class Triangulation, class Splitter>
+template <class Triangulation, class Splitter, class Visitor>
 class Delaunay_refiner
 {
   using Complex = std::complex<double>;
@@ -50,16 +51,17 @@ public:
     std::size_t insertions = 0, splits = 0, flips = 0, refused = 0;
   };
 
-  Delaunay_refiner(Triangulation& triangulation, Splitter& splitter, const Limits& limits)
+  Delaunay_refiner(Triangulation& triangulation, Splitter& splitter, const Limits& limits, Visitor& visitor)
     : m_triangulation(triangulation)
     , m_splitter(splitter)
+    , m_visitor(visitor)
     , m_limits(limits)
     , m_lawson(triangulation, true)
     , m_number_of_old_vertices(triangulation.number_of_vertices())
   {
   }
 
-  /* Refines a triangulation that is constrained Delaunay. Returns whether every face that can be is good. */
+  /* Refines a triangulation that is constrained Delaunay. Returns false if the visitor has ended it. */
   bool run()
   {
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
@@ -70,12 +72,14 @@ public:
       m_queue.pop();
       if(!is_current(bad))
         continue;
+      if(!m_visitor.go_further())
+        return false;
       if(improve(bad.halfedge))
         look_at(bad.halfedge); // still bad if only an edge was split
       else
         ++m_counts.refused;
     }
-    return m_queue.empty() && m_counts.refused == 0;
+    return true;
   }
 
   const Counts& counts() const { return m_counts; }
@@ -196,6 +200,20 @@ private:
   }
 
   // ---------------------------------------------------------------- one face
+
+  // Notes the flips after an insertion, and passes them on. These few are not interrupted.
+  struct Flip_recorder
+  {
+    Visitor& visitor;
+    std::vector<Index>& changed;
+
+    bool go_further() const { return true; }
+    void on_flip(const Triangulation& triangulation, Index h)
+    {
+      changed.push_back(h);
+      visitor.on_flip(triangulation, h);
+    }
+  };
 
   // The face on the left of `halfedge`, from its tail at the origin and its head on the real axis, has the point.
   struct Place
@@ -367,8 +385,8 @@ private:
     m_lawson.clear();
     for_each_edge_in_star(m_triangulation, x, [this](Index h) { m_lawson.look_at(Triangulation::edge(h)); });
     m_changed.clear();
-    m_counts.flips +=
-        m_lawson.flip(std::numeric_limits<std::size_t>::max(), [this](Index h) { m_changed.push_back(h); });
+    Flip_recorder recorder = {m_visitor, m_changed};
+    m_counts.flips += m_lawson.flip(std::numeric_limits<std::size_t>::max(), recorder);
     std::vector<Index> encroached;
     for_each_edge_in_star(m_triangulation, x, [&](Index h) {
       const bool is_opposite = !m_triangulation.is_border(h) && m_triangulation.tail(h) != x &&
@@ -389,6 +407,7 @@ private:
 
   Triangulation& m_triangulation;
   Splitter& m_splitter;
+  Visitor& m_visitor;
   Limits m_limits;
   Lawson_flips<Triangulation> m_lawson;
   Index m_number_of_old_vertices;

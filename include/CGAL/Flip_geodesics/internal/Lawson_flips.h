@@ -96,18 +96,17 @@ public:
     m_queue.push_back(e);
   }
 
-  /* Flips until nothing is left to flip, or so many flips are done. Returns how many were. */
-  std::size_t flip(std::size_t maximum)
-  {
-    return flip(maximum, [](Index) {});
-  }
-
-  /* The same, with a call of on_flip(h) after each. */
-  template <class OnFlip>
-  std::size_t flip(std::size_t maximum, const OnFlip& on_flip)
+  /* Flips until nothing is left to flip, so many flips are done, or the visitor says no. Returns how many were. */
+  template <class Visitor>
+  std::size_t flip(std::size_t maximum, Visitor& visitor)
   {
     std::size_t flips = 0;
+    m_is_stopped = false;
     while(!m_queue.empty() && flips < maximum) {
+      if(!visitor.go_further()) {
+        m_is_stopped = true;
+        return flips;
+      }
       const Index e = m_queue.front(), h = 2 * e;
       m_queue.pop_front();
       Edge& edge = m_edges.at(e);
@@ -115,7 +114,7 @@ public:
       if(m_triangulation.label(e) != 0 || m_triangulation.is_locally_delaunay(h) || !is_still_to_flip(edge, h))
         continue;
       m_triangulation.flip(h);
-      on_flip(h);
+      visitor.on_flip(m_triangulation, h);
       ++flips;
       ++edge.flips;
       for(Index side : {h, Triangulation::twin(h)}) {
@@ -125,6 +124,9 @@ public:
     }
     return flips;
   }
+
+  /* Has the visitor ended the last call of flip()? */
+  bool is_stopped() const { return m_is_stopped; }
 
 private:
   struct Edge
@@ -156,6 +158,7 @@ private:
 
   Triangulation& m_triangulation;
   bool m_allows_all;
+  bool m_is_stopped = false;
   std::unordered_map<Index, Edge> m_edges;
   std::deque<Index> m_queue;
 };
