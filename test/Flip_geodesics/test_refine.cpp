@@ -199,6 +199,42 @@ BOOST_AUTO_TEST_CASE(a_limit_on_insertions_is_kept)
   BOOST_CHECK_LE(report.insertions + report.splits, 12u); // one step may split two edges
 }
 
+// Where points lie on one input edge, closer together than numbers can tell, rounded flips may lead an edge around them
+// on either side. Here such flips are made on purpose.
+BOOST_AUTO_TEST_CASE(wrong_flips_between_points_of_one_edge_are_told)
+{
+  Curve_setting s(flat_grid(2, 2, Diagonal_rule::RISING));
+  FG::Index e = 0;
+  while(s.triangulation.is_border(2 * e) || s.triangulation.is_border(2 * e + 1))
+    ++e;
+  std::vector<FG::Index> points;
+  for(const double t : {0.2, 0.4, 0.6, 0.8})
+    points.push_back(s.triangulation.insert(FG::Surface_location{2 * e, {{1 - t, t, 0}}}));
+  const auto halfedge = [&](FG::Index v, FG::Index w) {
+    FG::Index h = s.triangulation.outgoing(v);
+    for(int i = 0; i < 20 && s.triangulation.head(h) != w; ++i)
+      h = s.triangulation.clockwise(h);
+    BOOST_REQUIRE_EQUAL(s.triangulation.head(h), w);
+    return h;
+  };
+  const FG::Index middle = halfedge(points[1], points[2]);
+  const auto check_words = [&] {
+    for(FG::Index f = 0; f < s.triangulation.number_of_edges(); ++f)
+      BOOST_CHECK_EQUAL(s.triangulation.crossing_word(2 * f).crossed.size(),
+                        static_cast<std::size_t>((std::max)(s.triangulation.crossings(f), 0)));
+  };
+  const std::size_t before = s.triangulation.log_position();
+  // From the first to the third point on the left of the second, and from that to the last on the right of the third.
+  s.triangulation.flip(s.triangulation.next(halfedge(points[0], points[1])));
+  s.triangulation.flip(s.triangulation.next(halfedge(points[3], points[2])));
+  check_words();
+  s.triangulation.flip(middle); // from the first to the last, across the edge between the others
+  BOOST_CHECK_EQUAL(s.triangulation.crossings(middle >> 1), 1);
+  BOOST_CHECK_THROW(s.triangulation.crossing_word(middle), FG::Insertion_error);
+  s.triangulation.rollback(before);
+  check_words();
+}
+
 // Says no when it was asked so many times, or throws.
 struct Impatient_visitor : FG::Default_shortening_visitor
 {

@@ -4,10 +4,13 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_CROSSING_WORDS_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Word_path.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -44,7 +47,13 @@ public:
     Index spokes_at_tail, spokes_at_head;
   };
 
-  /* The word of halfedge h, from tail to head. */
+  /*
+   * The word of halfedge h, from tail to head.
+   *
+   * An edge whose ends and the points that it passes lie on one input edge has a word only if it is straight, which
+   * rounded flips need not see to where points are closer to each other than numbers can tell. Then the number of
+   * crossings, which flips keep right whatever they do, is another one.
+   */
   Crossing_word operator()(const Triangulation& triangulation, Index h)
   {
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
@@ -52,6 +61,9 @@ public:
       return input_word(triangulation, h);
     resolve(triangulation, wanted);
     const Crossing_word& stored = derived(Triangulation::edge(h), wanted.version).word;
+    const Index number = (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
+    if(stored.crossed.size() != static_cast<std::size_t>(number))
+      fail(triangulation, stored);
     return (h & 1) == 0 ? stored : stored.reversed();
   }
 
@@ -102,6 +114,15 @@ public:
 
 private:
   using Flip_record = typename Triangulation::Flip_record;
+
+  [[noreturn]] static void fail(const Triangulation& triangulation, const Crossing_word& word)
+  {
+    const Index v = triangulation.is_inserted(word.tail) ? word.tail : word.head;
+    const Index h = triangulation.location(v).halfedge;
+    throw Insertion_error("points at vertex " + std::to_string(v) + ", in the face of halfedge " + std::to_string(h) +
+                              ", are closer together than numbers can tell: the flips around them were wrong",
+                          {static_cast<std::size_t>(h)});
+  }
 
   // A word, and whether it is that of the other direction.
   struct Directed_word

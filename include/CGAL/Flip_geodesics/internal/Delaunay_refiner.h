@@ -235,12 +235,14 @@ private:
       return false;
     const auto before = m_triangulation.log_position();
     const Index vertices = m_triangulation.number_of_vertices();
+    bool is_removable = false;
     try {
       const Index x = m_splitter.insert(*location);
       if(m_triangulation.number_of_vertices() == vertices)
         return false; // there is one in this place
+      is_removable = !is_on_constrained_edge(x);
       const std::vector<Index> encroached = flip_around(x);
-      if(encroached.empty() || is_on_constrained_edge(x)) {
+      if(encroached.empty() || !is_removable) {
         ++m_counts.insertions;
         look_around(x);
         return true;
@@ -251,6 +253,8 @@ private:
         has_split = split(2 * e) || has_split;
       return has_split;
     } catch(const Insertion_error&) {
+      if(is_removable)
+        m_triangulation.rollback(before);
       return false;
     }
   }
@@ -266,7 +270,8 @@ private:
     return result;
   }
 
-  // Are weights in the input face fine enough for edges as short as `distance`?
+  // Are weights in the input face fine enough for edges as short as `distance`? Weights are off by some 1e-15, so that
+  // angles at points this close are off by some 1e-6, a tenth of what flips may be wrong by.
   bool has_room(const Surface_location& location, double distance) const
   {
     constexpr double resolution = 1e-9;
@@ -351,17 +356,23 @@ private:
     const double t = split_position(h);
     if(!point || !has_room(point->location, (std::min)(t, 1 - t) * m_triangulation.length(h)))
       return false;
+    const Point_of_segment in_segment = point_of_segment(h, t * m_triangulation.length(h));
+    Index x = null_index;
     try {
-      const Point_of_segment in_segment = point_of_segment(h, t * m_triangulation.length(h));
-      const Index x = m_splitter.split_edge(h, point->location, point->gap);
-      m_points[x] = in_segment;
-      ++m_counts.splits;
-      flip_around(x);
-      look_around(x);
-      return true;
+      x = m_splitter.split_edge(h, point->location, point->gap);
     } catch(const Insertion_error&) {
       return false;
     }
+    m_points[x] = in_segment;
+    ++m_counts.splits;
+    const auto after_split = m_triangulation.log_position();
+    try {
+      flip_around(x);
+    } catch(const Insertion_error&) {
+      m_triangulation.rollback(after_split); // without the flips that were wrong
+    }
+    look_around(x);
+    return true;
   }
 
   /*
@@ -387,6 +398,8 @@ private:
     m_changed.clear();
     Flip_recorder recorder = {m_visitor, m_changed};
     m_counts.flips += m_lawson.flip(std::numeric_limits<std::size_t>::max(), recorder);
+    for(Index h : m_changed)
+      static_cast<void>(m_triangulation.crossing_word(h)); // throws if flips were wrong
     std::vector<Index> encroached;
     for_each_edge_in_star(m_triangulation, x, [&](Index h) {
       const bool is_opposite = !m_triangulation.is_border(h) && m_triangulation.tail(h) != x &&
