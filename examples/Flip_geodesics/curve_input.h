@@ -7,7 +7,7 @@
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 
 #include <cstdint>
 #include <fstream>
@@ -29,7 +29,8 @@ struct Curve_request
   std::vector<Index> vertices; ///< a closed curve does not repeat the first
   bool is_pair = false;
   bool is_closed = false;
-  std::vector<CGAL::Flip_geodesics::Surface_location> points;  ///< instead of vertices: points anywhere
+  std::vector<CGAL::Flip_geodesics::Surface_location> points; ///< instead of vertices: points anywhere
+  bool is_drawn = false;                                      ///< are the points those of a polyline?
   std::optional<CGAL::Flip_geodesics::Spline_kind> spline; ///< of the points, if they are control points
 };
 

@@ -10,10 +10,13 @@
 #include "shortening_recorder.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
@@ -38,6 +41,7 @@ struct Curve_point
 {
   CGAL::Flip_geodesics::Surface_point on_surface;
   Point_3 in_space;
+  bool is_stop = false; ///< not where an edge is crossed
 };
 
 /// What became of a curve.
@@ -68,6 +72,7 @@ struct Run_options
   std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
   bool is_shortest = false;          ///< replace paths of a tree that are not globally shortest
   int rounds = 5;                    ///< how often the pieces of splines are halved
+  bool is_snapped = false;           ///< move polylines to edges, and do not insert their points
   Mesh_result_options meshes;
 };
 
@@ -129,6 +134,10 @@ public:
     m_record.reset();
     m_map.reset();
     try {
+      if(has_free_legs(request)) {
+        run_free_legs(request.curves.front(), results.front());
+        return results;
+      }
       Network network(m_triangulation);
       Recorder recorder;
       if(request.tree_source) {
@@ -234,6 +243,10 @@ private:
   {
     for(std::size_t c = 0; c < request.curves.size(); ++c) {
       const Stopwatch stopwatch;
+      if(request.curves[c].is_drawn) {
+        draw(network, request.curves[c], results[c]);
+        continue;
+      }
       if(!request.curves[c].points.empty()) {
         const Index curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
         results[c].search_s = stopwatch.seconds();
@@ -247,7 +260,76 @@ private:
     }
     for(Index v : request.fixed_vertices)
       network.fix_nodes_at(v);
-    order_overlapping_curves(network);
+    if(!request.curves.front().is_drawn || m_options.is_snapped)
+      order_overlapping_curves(network);
+  }
+
+  // Are the curve's legs to be pulled straight each by itself? Then they may cross, and no triangulation has them all.
+  bool has_free_legs(const Network_request& request) const
+  {
+    if(request.tree_source || request.curves.front().points.empty() || request.curves.front().is_drawn)
+      return false;
+    return !m_options.meshes.is_any_wanted() && !m_options.stop_length &&
+           m_most_recorded_points == 0; // the page shows the triangulation
+  }
+
+  void run_free_legs(const Curve_request& request, Curve_result& result)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    FG::Free_legs path;
+    if(request.spline) {
+      FG::Free_geodesic_spline<Triangulation> spline(m_triangulation, request.points, *request.spline);
+      for(int i = 0; i < m_options.rounds; ++i)
+        spline.refine();
+      path.legs = spline.finish();
+      path.report = spline.report();
+      path.certificate = spline.certificate();
+    } else {
+      Progress_visitor visitor(m_progress);
+      path = FG::geodesics_through(m_triangulation, request.points, FG::Never_stop_predicate(), visitor);
+    }
+    note(path.report, path.report.curves.front(), result);
+    result.initial_segments = path.legs.size();
+    result.shorten_s = stopwatch.seconds();
+    if(m_options.is_certifying)
+      result.certificate = to_string(path.certificate.verdict);
+    for(const std::vector<FG::Surface_location>& leg : path.legs)
+      for(std::size_t i = &leg == &path.legs.front() ? 0 : 1; i < leg.size(); ++i) { // a leg starts where one ends
+        const FG::Surface_point p = FG::surface_point(m_triangulation, leg[i]);
+        result.points.push_back({p, FG::point_in_space(m_triangulation, p), i == 0 || i + 1 == leg.size()});
+      }
+  }
+
+  static void note(const CGAL::Flip_geodesics::Shortening_report& run, const CGAL::Flip_geodesics::Curve_report& curve,
+                   Curve_result& result)
+  {
+    result.initial_length = curve.initial_length;
+    result.length = curve.length;
+    result.flips = run.flips;
+    result.flip_outs = run.flip_outs;
+    result.smallest_angle = curve.smallest_angle;
+    result.status = to_string(curve.status);
+  }
+
+  // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
+  void draw(Network& network, const Curve_request& request, Curve_result& result)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    const auto polyline = FG::complete_polyline(m_triangulation, request.points, request.is_closed);
+    if(m_options.is_snapped) {
+      const std::vector<Index> path = FG::snap_polyline(m_triangulation, polyline, request.is_closed);
+      network.add_curve(FG::halfedges_through(m_triangulation, path, request.is_closed), request.is_closed);
+    } else {
+      FG::draw_polyline(network, polyline, request.is_closed);
+      FG::order_overlapping_curves(network);
+      FG::shorten(network);
+      network.reset_initial_length(0);
+      network.free_nodes(0);
+    }
+    result.initial_segments = network.halfedges(0).size();
+    result.search_s = stopwatch.seconds();
   }
 
   // Grows the tree from a source, with a curve for each of its edges.
@@ -304,13 +386,7 @@ private:
                               : FG::shorten(network, FG::Never_stop_predicate(), visitor);
     const double seconds = stopwatch.seconds();
     for(std::size_t c = 0; c < results.size(); ++c) {
-      const FG::Curve_report& curve = report.curves[c];
-      results[c].initial_length = curve.initial_length;
-      results[c].length = curve.length;
-      results[c].flips = report.flips;
-      results[c].flip_outs = report.flip_outs;
-      results[c].smallest_angle = curve.smallest_angle;
-      results[c].status = to_string(curve.status);
+      note(report, report.curves[c], results[c]);
       results[c].shorten_s = seconds;
     }
   }
@@ -336,13 +412,7 @@ private:
                                                              : FG::Geodesic_spline<Network>::cubic_b_spline(network, 0);
     for(int i = 0; i < m_options.rounds; ++i)
       spline.refine();
-    const FG::Shortening_report& report = spline.finish();
-    result.initial_length = network.initial_length(0);
-    result.length = network.length(0);
-    result.flips = report.flips;
-    result.flip_outs = report.flip_outs;
-    result.smallest_angle = report.curves.front().smallest_angle;
-    result.status = to_string(report.curves.front().status);
+    note(spline.finish(), spline.report().curves.front(), result);
     result.shorten_s = stopwatch.seconds();
   }
 
@@ -357,7 +427,7 @@ private:
     for(std::size_t c = 0; c < results.size(); ++c) {
       const Stopwatch stopwatch;
       for(const auto& p : extractor.surface_points(static_cast<Index>(c)))
-        results[c].points.push_back({p, extractor.point(p)});
+        results[c].points.push_back({p, extractor.point(p), p.vertex != CGAL::Flip_geodesics::null_index});
       if(!results[c].is_closed && !results[c].points.empty()) {
         results[c].source = vertex_at(results[c].points.front().on_surface);
         results[c].target = vertex_at(results[c].points.back().on_surface);

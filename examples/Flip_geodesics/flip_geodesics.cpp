@@ -7,6 +7,7 @@
 #include "curve_input.h"
 #include "curve_runner.h"
 #include "data_input.h"
+#include "drawn_input.h"
 #include "mesh_input.h"
 #include "page_file.h"
 #include "parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
@@ -43,7 +44,8 @@ struct Options
 {
   std::string mesh;
   std::optional<long long> from, to;
-  std::string pairs, edges, loop, network, segmentation, points, bezier;
+  std::string pairs, edges, loop, network, segmentation, points, bezier, draw;
+  bool is_snapped = false;
   std::optional<int> rounds;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
   std::optional<long long> source;
@@ -76,6 +78,10 @@ void add_options(CLI::App& app, Options& options)
       "--bezier", options.bezier,
       "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
   app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved; 5 if not given");
+  app.add_option("--draw", options.draw,
+                 "File: a polyline per line, drawn on the mesh and pulled tight: points as above, after `o` closed; or, in "
+                 "a file .polylines.txt, points in space");
+  app.add_flag("--snap", options.is_snapped, "Move the polylines of --draw to edges first, and do not insert their points");
   app.add_option("--segmentation", options.segmentation,
                  "File: a label per line for each face; the network of the boundaries between labels");
   app.add_flag("--free-junctions", options.has_free_junctions,
@@ -142,14 +148,16 @@ void check_options(const Options& options)
                    (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
                    (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
                    (options.has_seams ? 1 : 0) + (options.source ? 1 : 0) + (options.points.empty() ? 0 : 1) +
-                   (options.bezier.empty() ? 0 : 1);
+                   (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1);
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
-                    "--points, --bezier, --segmentation, --seams, --source");
+                    "--points, --bezier, --draw, --segmentation, --seams, --source");
   if(!options.source && (options.is_shortest || !options.map.empty()))
     throw Bad_input("--shortest and --map belong to --source; give a source");
   if(options.source && options.stop_length)
     throw Bad_input("--stop-length is of no use with --source; leave one of them out");
+  if(options.is_snapped && options.draw.empty())
+    throw Bad_input("--snap belongs to --draw; give polylines");
   if(options.has_free_junctions && options.segmentation.empty())
     throw Bad_input("--free-junctions belongs to --segmentation; give a segmentation");
   if(options.from.has_value() != options.to.has_value())
@@ -198,6 +206,7 @@ std::vector<Network_request> read_requests(const Options& options, const Mesh& m
       : !options.pairs.empty()  ? read_pairs(mesh, options.pairs)
       : !options.points.empty() ? read_point_curves(mesh, options.points, false)
       : !options.bezier.empty() ? read_point_curves(mesh, options.bezier, true)
+      : !options.draw.empty()   ? read_drawn_curves(mesh, options.draw)
       : !options.edges.empty()  ? read_curves(mesh, options.edges, false)
       : !options.loop.empty()   ? read_curves(mesh, options.loop, true)
                                 : single_pair(mesh, *options.from, *options.to);
@@ -308,7 +317,7 @@ int run(const Options& options, const Mesh& mesh, const Metric_& metric, const s
   const auto make_runner = [&] {
     return std::make_unique<Runner>(
         mesh, metric,
-        Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds.value_or(5), options.meshes},
+        Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds.value_or(5), options.is_snapped, options.meshes},
         progress);
   };
   const std::unique_ptr<Runner> runner = make_runner();

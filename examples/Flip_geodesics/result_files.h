@@ -29,7 +29,7 @@ public:
       return;
     for(const Curve_point& p : result.points) {
       m_file.stream() << curve << ' ' << p.on_surface.a << ' ' << p.on_surface.b << ' ';
-      const bool is_inserted = !p.on_surface.is_vertex() && p.on_surface.vertex != CGAL::Flip_geodesics::null_index;
+      const bool is_inserted = !p.on_surface.is_vertex() && p.is_stop;
       if(is_inserted)
         m_file.stream() << (p.on_surface.is_inside_face() ? p.on_surface.c : p.on_surface.b) << ' ' << p.on_surface.t
                         << ' ' << p.on_surface.u;

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>

@@ -4,9 +4,10 @@
 
 #define BOOST_TEST_MODULE geodesic_splines
 
-#include "generated_meshes.h"
+#include "rolled_out_surfaces.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
@@ -26,118 +27,11 @@
 
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
-
-namespace {
-
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
-using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>;
-using Flat_point = std::array<double, 2>;
-
-constexpr int size = 8;
-
-// In the grid before it was bent: the cell, and its face, are found by the point.
-Face_location location_on_grid(const Mesh& mesh, const Mesh& flat, const Flat_point& p)
-{
-  for(Mesh::Face_index f : flat.faces()) {
-    std::array<double, 3> weights;
-    auto h = flat.halfedge(f);
-    double smallest = 1;
-    const auto cross = [&](const Point& a, const Point& b) {
-      return (a.x() - p[0]) * (b.y() - p[1]) - (a.y() - p[1]) * (b.x() - p[0]);
-    };
-    double sum = 0;
-    for(double& weight : weights) {
-      weight = cross(flat.point(flat.target(h)), flat.point(flat.target(flat.next(h))));
-      smallest = (std::min)(smallest, weight);
-      sum += weight;
-      h = flat.next(h);
-    }
-    for(double& weight : weights)
-      weight /= sum;
-    if(smallest >= 0)
-      return {Mesh::Face_index(f), weights};
-  }
-  BOOST_FAIL("a point is outside of the grid");
-  return {mesh.null_face(), {}};
-}
-
-Flat_point middle(const Flat_point& p, const Flat_point& q, double t)
-{
-  return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])};
-}
-
-Flat_point de_casteljau(std::vector<Flat_point> p, double t)
-{
-  for(; p.size() > 1; p.pop_back())
-    for(std::size_t i = 0; i + 1 < p.size(); ++i)
-      p[i] = middle(p[i], p[i + 1], t);
-  return p.front();
-}
-
-struct Surface
-{
-  Mesh flat, bent;
-};
-
-// The plane; a part of a cylinder, by polygons; and the plane with shaken vertices.
-std::vector<Surface> surfaces()
-{
-  std::vector<Surface> result;
-  const Mesh_soup flat = flat_grid(size, size, Diagonal_rule::ALTERNATING);
-  result.push_back({to_mesh<Mesh>(flat), to_mesh<Mesh>(flat)});
-  const Mesh_soup bent = mapped(flat, [](const Coordinates& p) {
-    const double radius = 0.5 / std::sin(0.2); // edges across stay 1 long
-    return Coordinates{radius * std::cos(0.4 * p[0]), p[1], radius * std::sin(0.4 * p[0])};
-  });
-  result.push_back({to_mesh<Mesh>(flat), to_mesh<Mesh>(bent)});
-  const Mesh_soup shaken = jittered_grid(size, size, Diagonal_rule::RANDOM, 0.2, 3);
-  result.push_back({to_mesh<Mesh>(shaken), to_mesh<Mesh>(shaken)});
-  return result;
-}
-
-// Where a vertex of the triangulation is in the plane that the surface rolls out to.
-template <class T>
-Flat_point rolled_out(const Mesh& flat, const T& t, FG::Index v)
-{
-  const FG::Surface_location at = t.location(v);
-  auto h = Mesh::Halfedge_index(static_cast<unsigned>(at.halfedge));
-  Flat_point sum = {0, 0};
-  const double weights = at.weights[0] + at.weights[1] + at.weights[2];
-  for(double weight : at.weights) {
-    sum[0] += weight / weights * flat.point(flat.source(h)).x();
-    sum[1] += weight / weights * flat.point(flat.source(h)).y();
-    h = flat.next(h);
-  }
-  return sum;
-}
-
-double distance(const Flat_point& p, const Flat_point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
-
-std::vector<FG::Surface_location> locations(const Triangulation& t, const Surface& surface,
-                                            const std::vector<Flat_point>& points)
-{
-  std::vector<FG::Surface_location> result;
-  for(const Flat_point& p : points)
-    result.push_back(
-        FG::surface_location(t, surface.bent, location_on_grid(surface.bent, surface.flat, p)));
-  return result;
-}
-
-const std::vector<std::vector<Flat_point>> polygons = {
-    {{0.3, 0.4}, {7.6, 6.1}},
-    {{0.3, 0.4}, {4.1, 7.2}, {7.6, 0.9}},
-    {{1, 1}, {1.5, 6.3}, {6.2, 6.9}, {7.1, 1.3}}, // starts at a vertex
-    {{0.7, 3.1}, {2.2, 6.4}, {4, 1.5}, {5.3, 7}, {7.4, 4.2}},
-    {{0.5, 2}, {1.4, 5.1}, {2.6, 7.3}, {5.2, 6.6}, {6.9, 4.7}, {6.3, 1.2}, {4.2, 0.6}}};
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(bezier_curves_of_flat_surfaces_are_those_of_the_plane)
 {
-  for(const Surface& surface : surfaces())
+  for(const Bent_surface& surface : surfaces())
     for(const auto& polygon : polygons) {
       Triangulation t(surface.bent);
       Network network(t);
@@ -170,7 +64,7 @@ BOOST_AUTO_TEST_CASE(bezier_curves_of_flat_surfaces_are_those_of_the_plane)
 
 BOOST_AUTO_TEST_CASE(cubic_b_splines_of_flat_surfaces_are_those_of_the_plane)
 {
-  for(const Surface& surface : surfaces())
+  for(const Bent_surface& surface : surfaces())
     for(bool is_closed : {false, true}) {
       const auto& polygon = polygons.back();
       const int n = static_cast<int>(polygon.size());
@@ -241,7 +135,7 @@ BOOST_AUTO_TEST_CASE(splines_in_exact_decisions)
 
 BOOST_AUTO_TEST_CASE(refinement_to_a_tolerance)
 {
-  const Surface surface = surfaces()[2];
+  const Bent_surface surface = surfaces()[2];
   Triangulation t(surface.bent);
   Network network(t);
   const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygons[2]));
@@ -258,7 +152,7 @@ BOOST_AUTO_TEST_CASE(refinement_to_a_tolerance)
 
 BOOST_AUTO_TEST_CASE(paths_between_points_and_through_way_points)
 {
-  for(const Surface& surface : surfaces()) {
+  for(const Bent_surface& surface : surfaces()) {
     std::vector<Face_location> way_points;
     double length = 0;
     const auto& polygon = polygons[3];
@@ -305,7 +199,7 @@ BOOST_AUTO_TEST_CASE(bad_points_are_refused)
 // Straight lines from corner to corner, with a point on each edge that they cross.
 BOOST_AUTO_TEST_CASE(polylines_are_drawn_by_insertion_or_snapped_to_edges)
 {
-  for(const Surface& surface : surfaces()) {
+  for(const Bent_surface& surface : surfaces()) {
     const auto& polygon = polygons[3];
     double length = 0;
     for(std::size_t i = 0; i + 1 < polygon.size(); ++i)
@@ -349,6 +243,44 @@ BOOST_AUTO_TEST_CASE(polylines_are_drawn_by_insertion_or_snapped_to_edges)
     BOOST_CHECK_THROW(FG::draw_polyline(snapped, {polyline.front(), polyline.back()}), FG::Invalid_curve_error);
     BOOST_CHECK_THROW(FG::snap_polyline(input, {polyline.front()}), FG::Invalid_curve_error);
   }
+}
+
+// Points that share no face are joined by geodesics: here by the straight lines between the corners.
+BOOST_AUTO_TEST_CASE(polylines_are_completed)
+{
+  for(const Bent_surface& surface : surfaces()) {
+    const auto& polygon = polygons[3];
+    double length = 0;
+    for(std::size_t i = 0; i + 1 < polygon.size(); ++i)
+      length += distance(polygon[i], polygon[i + 1]);
+    Triangulation t(surface.bent);
+    const auto polyline = FG::complete_polyline(t, locations(t, surface, polygon));
+    BOOST_TEST(t.log_position() == 0u);
+    BOOST_TEST(polyline.size() > 2 * polygon.size());
+    BOOST_TEST(FG::complete_polyline(t, polyline).size() == polyline.size()); // nothing is missing now
+    Network network(t);
+    const FG::Index drawn = FG::draw_polyline(network, polyline);
+    FG::order_overlapping_curves(network);
+    FG::shorten(network);
+    network.reset_initial_length(drawn);
+    BOOST_TEST(std::abs(network.initial_length(drawn) - length) < 1e-11);
+    BOOST_CHECK_THROW(FG::complete_polyline(t, {polyline.front()}), FG::Invalid_curve_error);
+  }
+}
+
+// A polyline passes a point of its own twice, and crosses itself there: as long as it is fixed, and no longer.
+BOOST_AUTO_TEST_CASE(a_polyline_that_crosses_itself_cannot_be_freed)
+{
+  const Bent_surface surface = surfaces().front();
+  Triangulation t(surface.bent);
+  const auto polyline =
+      FG::complete_polyline(t, locations(t, surface, {{2, 4}, {4, 4}, {6, 4}, {6, 6}, {4, 4}, {2, 2.5}}));
+  Network network(t);
+  const FG::Index drawn = FG::draw_polyline(network, polyline);
+  FG::order_overlapping_curves(network);
+  BOOST_TEST(FG::shorten(network).is_complete());
+  BOOST_CHECK_THROW(network.free_nodes(drawn), FG::Crossing_curves_error);
+  BOOST_TEST(network.is_valid());
 }
 
 // A closed polyline about a cylinder is pulled tight to a ring, drawn by insertion and snapped alike.

@@ -115,11 +115,29 @@ public:
   /// Fixes or frees the node at the head of `s`. \pre if it is freed, the strands there do not cross
   void set_head_fixed(Index s, bool is_fixed) { m_segments[s].is_head_fixed = is_fixed; }
 
-  /// Frees all nodes of a curve, but the ends of an open one. \pre as `set_head_fixed()`
+  /// Frees all nodes of a curve, but the ends of an open one.
+  /// \throws Crossing_curves_error if strands cross at one of them; nothing is changed then
   void free_nodes(Index curve)
   {
-    for_each_segment(curve, [this](Index s) { set_head_fixed(s, false); });
+    std::vector<Index> freed;
+    for_each_segment(curve, [&](Index s) {
+      if(is_head_fixed(s) && next(s) != null_index)
+        freed.push_back(s);
+    });
+    for(Index s : freed)
+      set_head_fixed(s, false);
+    for(Index s : freed) {
+      const Index h = halfedge(s), v = m_triangulation->head(h);
+      if(is_non_crossing_at({Triangulation::twin(h), s}))
+        continue;
+      for(Index fixed : freed)
+        set_head_fixed(fixed, true);
+      throw Crossing_curves_error("strands cross at vertex " + std::to_string(v), {static_cast<std::size_t>(v)});
+    }
   }
+
+  /// Takes the present length of a curve for its initial one, for instance once it is the polyline that was drawn.
+  void reset_initial_length(Index curve) { m_curves[curve].initial_length = length(curve); }
 
   /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
   void set_stack(Index e, const std::vector<Index>& order)

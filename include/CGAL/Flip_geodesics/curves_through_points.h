@@ -3,12 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 #define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 
-#include <CGAL/Flip_geodesics/Geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/Path_straightener.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -54,6 +54,44 @@ Index add_curve_through(Network& network, const LocationRange& locations, bool i
   return curve;
 }
 
+/// \ingroup PkgFlipGeodesicsRef
+/// Geodesics from point to point, each by itself.
+struct Free_legs
+{
+  std::vector<std::vector<Surface_location>> legs; ///< the points of each: its ends, and where it crosses edges
+  Shortening_report report;                        ///< of all legs together, as one curve
+  Curve_certificate certificate;                   ///< the same, for traits that decide exactly
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Joins each two points in a row by a shortest path along edges, and pulls it tight, each in a triangulation that is
+ * put back for the next one. So legs do not hold up one another, and may
+ * cross, unlike those of `add_curve_through()`; there is no triangulation that has all of them.
+ *
+ * \param triangulation that of the input, without flips and curves, as it is afterwards
+ * \param points at least two, no two in a row in one place
+ * \param stop, visitor as for `shorten()`, for each leg
+ * \throws Invalid_curve_error for fewer than two points, or two in a row in one place
+ * \throws Disconnected_endpoints_error, and as `Intrinsic_triangulation::insert()`, `shorten()`
+ */
+template <class Triangulation, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
+Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surface_location>& points,
+                            const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
+{
+  if(points.size() < 2)
+    throw Invalid_curve_error("a path needs two points");
+  internal::Path_straightener<Triangulation> straightener(triangulation);
+  const auto tighten = [&](Edge_path_network<Triangulation>& network) { return shorten(network, stop, visitor); };
+  Free_legs result;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    result.legs.push_back(straightener.shortest(points[i], points[i + 1], tighten));
+  result.report = straightener.report();
+  result.certificate = straightener.certificate();
+  return result;
+}
+
 namespace internal {
 
 template <class Triangulation, class LocationRange>
@@ -67,13 +105,23 @@ std::vector<Surface_location> surface_locations(const Triangulation& triangulati
   return result;
 }
 
+/* The points of a polyline in space; those of another one than the first without its start, the end before. */
+template <class Triangulation, class OutputIterator>
+OutputIterator write_points(const Triangulation& triangulation, const Surface_polyline& polyline, bool is_first,
+                            OutputIterator out)
+{
+  for(std::size_t i = is_first ? 0 : 1; i < polyline.size(); ++i)
+    *out++ = point_in_space(triangulation, surface_point(triangulation, polyline[i]));
+  return out;
+}
+
 } // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic, a locally shortest path, through points anywhere on the surface: from the first to the last, with
- * a corner at each point in between. Two points give a geodesic between them.
+ * Computes a geodesic, a locally shortest path, through points anywhere on the surface: from the first to the last,
+ * with a corner at each point in between. Two points give a geodesic between them. The path may cross itself.
  *
  * \param mesh a triangle mesh
  * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, pairs of a face
@@ -89,14 +137,14 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
                                                       OutputIterator out,
                                                       const NamedParameters& np = parameters::default_values())
 {
-  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   auto triangulation = internal::make_triangulation(mesh, np);
-  typename Types::Network network(triangulation);
-  add_curve_through(network, internal::surface_locations(triangulation, mesh, locations));
-  order_overlapping_curves(network);
-  const Shortening_report report = internal::shorten_with_visitor(network, np);
-  out = Curve_extractor<typename Types::Network>(network).points(0, out);
-  return {out, report};
+  Default_shortening_visitor none;
+  auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
+  const Free_legs path = geodesics_through(triangulation, internal::surface_locations(triangulation, mesh, locations),
+                                           Never_stop_predicate(), visitor);
+  for(const std::vector<Surface_location>& leg : path.legs)
+    out = internal::write_points(triangulation, leg, &leg == &path.legs.front(), out);
+  return {out, path.report};
 }
 
 /*!
@@ -116,29 +164,17 @@ Geodesic_result<OutputIterator> geodesic_path(
   return geodesic_path_through(mesh, std::array<std::decay_t<decltype(source)>, 2>{{source, target}}, out, np);
 }
 
-/// \ingroup PkgFlipGeodesicsRef
-/// What the control points of a spline are the control points of.
-enum class Spline_kind {
-  BEZIER,                ///< one B&eacute;zier curve, of a degree one less than their number
-  CUBIC_B_SPLINE,        ///< a uniform cubic B-spline that starts and ends at the first and last point
-  CLOSED_CUBIC_B_SPLINE, ///< a closed uniform cubic B-spline, of at least three points
-};
-
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic spline [SC20, section 6.2], see `Geodesic_spline`: the points where its pieces meet, which lie on
- * the curve, joined by geodesics.
+ * Computes a geodesic spline [SC20, section 6.2], see `Free_geodesic_spline`: the points where its pieces meet, which
+ * lie on the curve, joined by geodesics. The control polygon, and the curve, may cross themselves.
  *
  * \param mesh a triangle mesh
- * \param control_points a range of locations as for `geodesic_path_through()`, at least two, no two in a row in one place
- * \param kind which spline
- * \param out receives the points of the curve
- * \param np as for `geodesic_path()`, and `number_of_iterations`, the number of times that the pieces are halved, 5 by
- *        default
- * \return the end of the output, and the report, which has one curve
- * \throws Invalid_location_error, Crossing_curves_error if the control polygon crosses itself, and as
- *         `add_curve_through()`, `Geodesic_spline::refine()`
+ * \param control_points a range of locations as for `geodesic_path_through()`, at least two, no two in a row in one
+ * place \param kind which spline \param out receives the points of the curve \param np as for `geodesic_path()`, and
+ * `number_of_iterations`, the number of times that the pieces are halved, 5 by default \return the end of the output,
+ * and the report, which has one curve \throws Invalid_location_error, and as `Free_geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -149,22 +185,17 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   const unsigned rounds = static_cast<unsigned>(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 5));
-  const bool is_closed = kind == Spline_kind::CLOSED_CUBIC_B_SPLINE;
   auto triangulation = internal::make_triangulation(mesh, np);
-  typename Types::Network network(triangulation);
-  const auto locations = internal::surface_locations(triangulation, mesh, control_points);
-  if(is_closed && locations.size() < 3)
-    throw Invalid_curve_error("a closed spline needs at least three control points");
-  const Index curve = add_curve_through(network, locations, is_closed);
-  order_overlapping_curves(network);
-  auto spline = kind == Spline_kind::BEZIER
-                    ? Geodesic_spline<typename Types::Network>(network, curve)
-                    : Geodesic_spline<typename Types::Network>::cubic_b_spline(network, curve);
+  Free_geodesic_spline<typename Types::Triangulation> spline(
+      triangulation, internal::surface_locations(triangulation, mesh, control_points), kind);
   for(unsigned i = 0; i < rounds; ++i)
     spline.refine();
-  const Shortening_report report = spline.finish();
-  out = Curve_extractor<typename Types::Network>(network).points(curve, out);
-  return {out, report};
+  bool is_first = true;
+  for(const std::vector<Surface_location>& piece : spline.finish()) {
+    out = internal::write_points(triangulation, piece, is_first, out);
+    is_first = false;
+  }
+  return {out, spline.report()};
 }
 
 } // namespace Flip_geodesics

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -56,16 +57,30 @@ inline Surface_point surface_point(const std::array<Index, 3>& corners, const st
   return result;
 }
 
+} // namespace internal
+
+/// \ingroup PkgFlipGeodesicsExtraction
+/// A location by vertices of the input. `Surface_point::vertex` is null unless it is one of them.
+template <class Triangulation>
+Surface_point surface_point(const Triangulation& triangulation, const Surface_location& location)
+{
+  const auto& input = triangulation.input();
+  const Surface_location at = internal::canonical_location(input, location);
+  const Index h = at.halfedge, hn = input.next(h), v = input.tail(h);
+  if(kind(at) == Location_kind::VERTEX)
+    return {v, v, 0, null_index, null_index, 0, v};
+  return internal::surface_point({{v, input.tail(hn), input.tail(input.next(hn))}}, at.weights, h);
+}
+
+namespace internal {
+
 /* The place of a vertex of the triangulation. */
 template <class Triangulation>
 Surface_point surface_point_at_vertex(const Triangulation& triangulation, Index v)
 {
   if(!triangulation.is_inserted(v))
     return {v, v, 0, null_index, null_index, 0, v};
-  const auto& input = triangulation.input();
-  const Surface_location at = triangulation.location(v);
-  const Index hn = input.next(at.halfedge), hp = input.next(hn);
-  Surface_point result = surface_point({{input.tail(at.halfedge), input.tail(hn), input.tail(hp)}}, at.weights, at.halfedge);
+  Surface_point result = Flip_geodesics::surface_point(triangulation, triangulation.location(v));
   result.vertex = v;
   return result;
 }
