@@ -70,7 +70,10 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
     const Surface_location q = internal::canonical_location(input, polyline[(i + 1) % polyline.size()]);
     if(internal::common_face(input, p, q) != null_index)
       continue;
-    const auto between = internal::Path_straightener<Triangulation>(triangulation).shortest(p, q);
+    auto between = internal::Path_straightener<Triangulation>(triangulation).shortest(p, q);
+    for(Surface_location& crossing : between)
+      for(double& weight : crossing.weights)
+        weight = weight < 1e-15 ? 0 : weight; // as close to a vertex as that, it is inserted there
     result.insert(result.end(), between.begin() + 1, between.end() - 1);
   }
   return result;
