@@ -127,21 +127,22 @@ OutputIterator write_points(const Triangulation& triangulation, const Surface_po
  * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, pairs of a face
  *        and barycentric coordinates, or of `Surface_location`s; see `surface_location()` for how points are snapped
  * \param out receives the points of the path
- * \param np as for `geodesic_path()`
+ * \param np, stop as for `geodesic_path()`, for each leg between two points
  * \return the end of the output, and the report, which has one curve
  * \throws Invalid_location_error, and as `add_curve_through()`, `geodesic_loop()`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
 Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, const LocationRange& locations,
                                                       OutputIterator out,
-                                                      const NamedParameters& np = parameters::default_values())
+                                                      const NamedParameters& np = parameters::default_values(),
+                                                      const StopPredicate& stop = StopPredicate())
 {
   auto triangulation = internal::make_triangulation(mesh, np);
   Default_shortening_visitor none;
   auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
   const Free_legs path = geodesics_through(triangulation, internal::surface_locations(triangulation, mesh, locations),
-                                           Never_stop_predicate(), visitor);
+                                           stop, visitor);
   for(const std::vector<Surface_location>& leg : path.legs)
     out = internal::write_points(triangulation, leg, &leg == &path.legs.front(), out);
   return {out, path.report};
@@ -154,14 +155,15 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  * exceptions and complexity are those of `geodesic_path_through()`.
  */
 template <class TriangleMesh, class FT, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
 Geodesic_result<OutputIterator> geodesic_path(
     const TriangleMesh& mesh,
     const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>& source,
     const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>& target,
-    OutputIterator out, const NamedParameters& np = parameters::default_values())
+    OutputIterator out, const NamedParameters& np = parameters::default_values(),
+    const StopPredicate& stop = StopPredicate())
 {
-  return geodesic_path_through(mesh, std::array<std::decay_t<decltype(source)>, 2>{{source, target}}, out, np);
+  return geodesic_path_through(mesh, std::array<std::decay_t<decltype(source)>, 2>{{source, target}}, out, np, stop);
 }
 
 /*!
@@ -172,9 +174,13 @@ Geodesic_result<OutputIterator> geodesic_path(
  *
  * \param mesh a triangle mesh
  * \param control_points a range of locations as for `geodesic_path_through()`, at least two, no two in a row in one
- * place \param kind which spline \param out receives the points of the curve \param np as for `geodesic_path()`, and
- * `number_of_iterations`, the number of times that the pieces are halved, 5 by default \return the end of the output,
- * and the report, which has one curve \throws Invalid_location_error, and as `Free_geodesic_spline`
+ *        place
+ * \param kind which spline
+ * \param out receives the points of the curve
+ * \param np named parameters: `vertex_point_map`, `geom_traits`, and `number_of_iterations`, the number of times that the
+ *        pieces are halved, 5 by default
+ * \return the end of the output, and the report, which has one curve
+ * \throws Invalid_location_error, and as `Free_geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

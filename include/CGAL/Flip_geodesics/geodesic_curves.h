@@ -57,12 +57,12 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np)
 }
 
 /* Shortens with the visitor of the named parameters, if there is one. */
-template <class Network, class NamedParameters>
-Shortening_report shorten_with_visitor(Network& network, const NamedParameters& np)
+template <class Network, class NamedParameters, class StopPredicate>
+Shortening_report shorten_with_visitor(Network& network, const NamedParameters& np, const StopPredicate& stop)
 {
   Default_shortening_visitor none;
   auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
-  return shorten(network, Never_stop_predicate(), visitor);
+  return shorten(network, stop, visitor);
 }
 
 /* Adds a curve through vertices of the mesh; a curve whose last vertex is its first is closed. */
@@ -92,6 +92,7 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * \param out receives the points of the path, from `source` to `target`, as the mesh's points
  * \param np named parameters: `vertex_point_map`, `geom_traits` (a model of `IntrinsicTriangulationTraits`), `visitor`;
  *        the mesh must have a vertex point property of its own even if the first is given
+ * \param stop a model of `FlipOutStopPredicate`, which ends the process early; the report tells
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_curve_error if `source == target`,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
@@ -99,12 +100,13 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * Complexity: that of the search, \f$O(k \log k)\f$ for the \f$k\f$ vertices it visits, and of `shorten()`; meshes
  * other than `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
                                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
                                               OutputIterator out,
-                                              const NamedParameters& np = parameters::default_values())
+                                              const NamedParameters& np = parameters::default_values(),
+                                              const StopPredicate& stop = StopPredicate())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   auto triangulation = internal::make_triangulation(mesh, np);
@@ -112,7 +114,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
   typename Types::Network network(triangulation);
   const std::vector<Index> ends = {triangulation.index(source), triangulation.index(target)};
   network.add_curve(shortest_halfedges_through(search, ends), false);
-  const Shortening_report report = internal::shorten_with_visitor(network, np);
+  const Shortening_report report = internal::shorten_with_visitor(network, np, stop);
   out = Curve_extractor<typename Types::Network>(network).points(0, out);
   return {out, report};
 }
@@ -125,7 +127,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
  * \param mesh a triangle mesh
  * \param vertices a range of vertices of which each two in a row, and the last and the first, share an edge
  * \param out receives the points of the closed geodesic, the first again at the end; nothing if the loop contracts
- * \param np as for `geodesic_path()`
+ * \param np, stop as for `geodesic_path()`
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Invalid_curve_error, Crossing_curves_error, Ambiguous_order_error,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
@@ -133,9 +135,10 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
  * Complexity: as `geodesic_path()`, without a search.
  */
 template <class TriangleMesh, class VertexRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
 Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const VertexRange& vertices, OutputIterator out,
-                                              const NamedParameters& np = parameters::default_values())
+                                              const NamedParameters& np = parameters::default_values(),
+                                              const StopPredicate& stop = StopPredicate())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   auto triangulation = internal::make_triangulation(mesh, np);
@@ -145,7 +148,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
     loop.push_back(triangulation.index(v));
   network.add_curve(halfedges_through(triangulation, loop, true), true);
   order_overlapping_curves(network);
-  const Shortening_report report = internal::shorten_with_visitor(network, np);
+  const Shortening_report report = internal::shorten_with_visitor(network, np, stop);
   out = Curve_extractor<typename Types::Network>(network).points(0, out);
   return {out, report};
 }
@@ -159,16 +162,17 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \param curves a range of ranges of vertices, each two in a row sharing an edge; a curve whose last vertex is its
  *        first is a closed loop
  * \param out receives one `std::vector` of points per curve, in order
- * \param np as for `geodesic_path()`
+ * \param np, stop as for `geodesic_path()`
  * \return the end of the output, and the report, with one entry per curve
  * \throws as `geodesic_loop()`
  *
  * Complexity: as `geodesic_loop()`, with the flips of all curves.
  */
 template <class TriangleMesh, class CurveRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
 Geodesic_result<OutputIterator> straighten(const TriangleMesh& mesh, const CurveRange& curves, OutputIterator out,
-                                           const NamedParameters& np = parameters::default_values())
+                                           const NamedParameters& np = parameters::default_values(),
+                                           const StopPredicate& stop = StopPredicate())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   auto triangulation = internal::make_triangulation(mesh, np);
@@ -176,7 +180,7 @@ Geodesic_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curve
   for(const auto& curve : curves)
     internal::add_vertex_curve(network, curve);
   order_overlapping_curves(network);
-  const Shortening_report report = internal::shorten_with_visitor(network, np);
+  const Shortening_report report = internal::shorten_with_visitor(network, np, stop);
   Curve_extractor<typename Types::Network> extractor(network);
   for(Index c = 0; c < network.number_of_curves(); ++c) {
     std::vector<typename Types::Metric::Point_3> points;

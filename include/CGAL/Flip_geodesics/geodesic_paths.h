@@ -46,7 +46,7 @@ struct Geodesic_path
 namespace internal {
 
 /* Computes one path after the other in one triangulation, whose flips are taken back in between. */
-template <class TriangleMesh, class NamedParameters>
+template <class TriangleMesh, class NamedParameters, class StopPredicate>
 class Path_workspace
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
@@ -57,10 +57,12 @@ class Path_workspace
 public:
   using Result = Geodesic_path<typename Types::Metric::Point_3>;
 
-  Path_workspace(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np)
+  Path_workspace(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np,
+                 const StopPredicate& stop)
     : m_mesh(mesh)
     , m_landmarks(landmarks)
     , m_np(np)
+    , m_stop(stop)
   {
   }
 
@@ -101,13 +103,14 @@ private:
     const std::vector<Index> ends = {state.triangulation.index(source), state.triangulation.index(target)};
     Network network(state.triangulation);
     network.add_curve(shortest_halfedges_through(state.search, ends), false);
-    result.report = shorten_with_visitor(network, m_np).curves.front();
+    result.report = shorten_with_visitor(network, m_np, m_stop).curves.front();
     Curve_extractor<Network>(network).points(0, std::back_inserter(result.points));
   }
 
   const TriangleMesh& m_mesh;
   const Landmark_distances* m_landmarks; // null if there are none
   const NamedParameters& m_np;
+  const StopPredicate& m_stop;
   std::unique_ptr<State> m_state;
 };
 
@@ -135,9 +138,10 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
 }
 #endif
 
-template <class ConcurrencyTag, class TriangleMesh, class PairRange, class OutputIterator, class NamedParameters>
+template <class ConcurrencyTag, class TriangleMesh, class PairRange, class OutputIterator, class NamedParameters,
+          class StopPredicate>
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances* landmarks, const PairRange& pairs,
-                              OutputIterator out, const NamedParameters& np)
+                              OutputIterator out, const NamedParameters& np, const StopPredicate& stop)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   using Tag =
@@ -148,10 +152,11 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
   using Tag = Sequential_tag;
 #endif
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Workspace = Path_workspace<TriangleMesh, NamedParameters>;
+  using Workspace = Path_workspace<TriangleMesh, NamedParameters, StopPredicate>;
   const std::vector<std::pair<Vertex, Vertex>> ends(std::begin(pairs), std::end(pairs));
   std::vector<typename Workspace::Result> results(ends.size());
-  compute_paths<Workspace>(Tag(), ends, results, [&] { return std::make_unique<Workspace>(mesh, landmarks, np); });
+  compute_paths<Workspace>(Tag(), ends, results,
+                           [&] { return std::make_unique<Workspace>(mesh, landmarks, np, stop); });
   return std::move(results.begin(), results.end(), out);
 }
 
@@ -173,17 +178,19 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
  * \param pairs a range of `std::pair`s of vertices, source and target
  * \param out receives a `Geodesic_path` with the mesh's points per pair, in the order of the pairs
  * \param np named parameters as for `geodesic_path()`; a `visitor` is called from all threads
+ * \param stop as for `geodesic_path()`, for each path; it is asked from all threads
  * \return the end of the output
  *
  * Complexity: that of the searches and of `shorten()`; meshes other than `Surface_mesh` are indexed once per thread,
  * \f$O(n \log n)\f$.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
-                              const NamedParameters& np = parameters::default_values())
+                              const NamedParameters& np = parameters::default_values(),
+                              const StopPredicate& stop = StopPredicate())
 {
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, np);
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, np, stop);
 }
 
 /*!
@@ -196,15 +203,16 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
  * \param landmarks made for this mesh and its metric
  * \param pairs a range of `std::pair`s of vertices, source and target
  * \param out receives a `Geodesic_path` with the mesh's points per pair, in the order of the pairs
- * \param np as above
+ * \param np, stop as above
  * \return the end of the output
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances& landmarks, const PairRange& pairs,
-                              OutputIterator out, const NamedParameters& np = parameters::default_values())
+                              OutputIterator out, const NamedParameters& np = parameters::default_values(),
+                              const StopPredicate& stop = StopPredicate())
 {
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, np);
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, np, stop);
 }
 
 } // namespace Flip_geodesics
