@@ -144,6 +144,27 @@ BOOST_AUTO_TEST_CASE(curved_meshes)
   BOOST_TEST(longer > 0u); // otherwise nothing was tried
 }
 
+// Heights so large that shortest paths cross faces of the triangulation several times, and cross paths of the tree.
+BOOST_AUTO_TEST_CASE(rough_terrain)
+{
+  for(unsigned seed : {1, 2}) {
+    Random_numbers random(seed);
+    Setting setting(mapped(flat_grid(16, 16, Diagonal_rule::RANDOM), [&](const Coordinates& p) {
+      return Coordinates{p[0], p[1], random.uniform(0, 100)};
+    }));
+    Tree tree(setting.triangulation);
+    tree.grow(3);
+    const FG::Shortest_tree_report report = FG::make_shortest(tree);
+    BOOST_TEST(report.is_confirmed);
+    BOOST_TEST(report.longer_before > 200u);
+    BOOST_TEST(report.longer == 0u);
+    BOOST_TEST(tree.is_valid(tolerance));
+    BOOST_TEST(setting.triangulation.is_valid());
+    for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
+      BOOST_TEST(setting.triangulation.label(e) == 0);
+  }
+}
+
 // Rays that run along edges, one behind the other, tie at the apex of a face. A search that dropped one of them for a
 // crossing that was to the left of the other by rounding called paths shortest that were 5 % longer than geodesics.
 BOOST_AUTO_TEST_CASE(no_geodesic_is_shorter_than_a_confirmed_path)

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_REPAIR_H
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/internal/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/Window_search.h>
@@ -14,6 +15,8 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +29,10 @@ namespace internal {
  * Shortest paths from one vertex do not cross. So, once the paths that are longer are taken off, a shortest path to a
  * vertex that is nearest among those taken off crosses no edge of the tree; its last leg is traced backward through the
  * triangulation, to the first vertex that it meets, and inserted there by flips.
+ *
+ * Paths in the tree that are shortest up to rounding only can cross such a leg; they are taken off as well then, each
+ * once. A leg that crosses one face several times, as on rough terrain, cannot be inserted by these flips: such legs
+ * come last, after the edges beside the tree are flipped to Delaunay.
  */
 template <class Tree>
 class Shortest_tree_repair
@@ -60,17 +67,22 @@ public:
     return result;
   }
 
-  Shortening_status run(std::vector<Index> longer)
+  /* Replaces the paths of such vertices. */
+  Shortening_status run(const std::vector<Index>& longer)
   {
+    m_is_taken_off.assign(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
     for(Index v : longer)
-      m_tree.take_off(v);
-    const std::vector<Index> behind = inserted_behind_taken_off();
-    for(Index v : behind)
-      m_tree.take_off(v);
-    for(Index v : longer)
-      insert_last_leg(v);
-    longer.insert(longer.end(), behind.begin(), behind.end());
-    return m_tree.regrow(longer).status;
+      take_off(v);
+    for(Index v : inserted_behind_taken_off())
+      take_off(v);
+    const std::vector<Index> failed = insert_last_legs();
+    if(!failed.empty()) { // a leg that crosses one face several times; faces are compact now
+      flip_to_delaunay_beside_tree();
+      for(Index v : failed)
+        m_pending.insert({m_search.distance(v), v});
+      insert_last_legs();
+    }
+    return m_tree.regrow(m_taken_off).status;
   }
 
   std::size_t flips() const { return m_flips; }
@@ -103,27 +115,87 @@ private:
     return order;
   }
 
-  // Leaves v without a path if something is in the way, which only rounding can put there.
-  void insert_last_leg(Index v)
+  void take_off(Index v)
+  {
+    m_tree.take_off(v);
+    m_taken_off.push_back(v);
+    m_is_taken_off[v] = 1;
+    if(!m_triangulation.is_inserted(v))
+      m_pending.insert({m_search.distance(v), v});
+  }
+
+  void take_off_subtree(Index v)
+  {
+    std::vector<Index> subtree = {v};
+    for(std::size_t i = 0; i < subtree.size(); ++i)
+      for(Index spoke : spokes(m_triangulation, subtree[i]))
+        if(m_tree.incoming(m_triangulation.head(spoke)) == spoke)
+          subtree.push_back(m_triangulation.head(spoke));
+    for(Index w : subtree)
+      take_off(w);
+  }
+
+  // Inserts the last legs of the paths that are pending, the nearest first. Returns the vertices where this failed.
+  std::vector<Index> insert_last_legs()
+  {
+    std::vector<Index> failed;
+    while(!m_pending.empty()) {
+      const Index v = m_pending.begin()->second;
+      m_pending.erase(m_pending.begin());
+      m_in_the_way = null_index;
+      if(insert_last_leg(v))
+        continue;
+      // A path in the tree that is shortest up to rounding, but crosses this one: it makes way, once.
+      if(m_in_the_way != null_index && m_is_taken_off[m_in_the_way] == 0) {
+        take_off_subtree(m_in_the_way);
+        m_pending.insert({m_search.distance(v), v});
+      } else {
+        failed.push_back(v);
+      }
+    }
+    return failed;
+  }
+
+  // Returns false, and leaves v without a path, if something is in the way, which only rounding can put there.
+  bool insert_last_leg(Index v)
   {
     const auto leg = m_search.leg(v);
     std::vector<Index> chain = traced(v, leg.from, Strip<Triangulation>(m_triangulation, leg.word.reversed()));
     if(chain.empty())
-      return;
+      return false;
     m_flips += straighten_on_the_right(m_triangulation, chain);
     const Index h = Triangulation::twin(chain.front()), before = m_triangulation.tail(h);
     if(!m_tree.is_reached(before) || m_triangulation.head(h) != v)
-      return;
+      return false;
     const double length = m_tree.distance(before) + m_triangulation.length(h);
-    if(length <= m_search.distance(v) * (1 + m_tolerance))
-      m_tree.hang(v, h);
+    if(!(length <= m_search.distance(v) * (1 + m_tolerance)))
+      return false;
+    m_tree.hang(v, h);
+    return true;
+  }
+
+  // Flips all edges that neither the tree nor a curve has.
+  void flip_to_delaunay_beside_tree()
+  {
+    std::vector<Index> labeled;
+    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v) {
+      const Index h = m_tree.incoming(v);
+      if(h == null_index || m_triangulation.label(Triangulation::edge(h)) != 0)
+        continue;
+      labeled.push_back(Triangulation::edge(h));
+      m_triangulation.set_label(labeled.back(), 1);
+    }
+    m_flips += flip_to_delaunay(m_triangulation).flips;
+    for(Index e : labeled)
+      m_triangulation.set_label(e, 0);
   }
 
   /*
    * Follows the straight line of a strip from v through the triangulation as it is now, up to the first vertex on it.
-   * Returns halfedges from v to there along the left side of the faces passed; none if the line gets lost.
+   * Returns halfedges from v to there along the left side of the faces passed; none if the line gets lost, or meets an
+   * edge of the tree, whose farther end is noted.
    */
-  std::vector<Index> traced(Index v, Index end, const Strip<Triangulation>& strip) const
+  std::vector<Index> traced(Index v, Index end, const Strip<Triangulation>& strip)
   {
     constexpr double straight = 1e-9; // in radians
     const Vertex_directions<Triangulation> directions(m_triangulation, v);
@@ -157,6 +229,8 @@ private:
       (is_leaving_right ? left : right) = apex;
       crossed.push_back(is_leaving_right ? m_triangulation.next(entered) : m_triangulation.previous(entered));
     }
+    const Index h = crossed.back(), w = m_triangulation.head(h);
+    m_in_the_way = m_tree.incoming(w) == h ? w : m_triangulation.tail(h);
     return {};
   }
 
@@ -213,6 +287,10 @@ private:
   const Search& m_search;
   double m_tolerance;
   std::size_t m_flips = 0;
+  std::vector<Index> m_taken_off;
+  std::vector<char> m_is_taken_off;
+  std::set<std::pair<double, Index>> m_pending; // vertices without a path, by their distance from the source
+  Index m_in_the_way = null_index;
 };
 
 } // namespace internal
