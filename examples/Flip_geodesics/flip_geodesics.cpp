@@ -109,6 +109,9 @@ void add_options(CLI::App& app, Options& options)
   app.add_option("--page", options.page, "Write a page for a browser: surface, curves, and the flips step by step");
   app.add_flag("--delaunay", options.meshes.is_delaunay, "Flip the other edges to constrained Delaunay");
   app.add_option("--refine", options.meshes.refine, "Insert vertices until no angle is smaller, in degrees");
+  app.add_option("--longest-edge", options.meshes.longest_edge, "With --refine: until no edge is longer, too");
+  app.add_option("--most-vertices", options.meshes.most_vertices,
+                 "With --refine: insert no more than so many; a million if not given");
   app.add_option("--subdivision", options.meshes.subdivision,
                  "Write the common subdivision of mesh and triangulation: .off, .obj, .ply, .stl or .vtp");
   app.add_option("--insert", options.meshes.insertion, "Write the mesh with the curves as edges, as above");

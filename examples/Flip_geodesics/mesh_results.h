@@ -28,6 +28,8 @@ struct Mesh_result_options
 {
   bool is_delaunay = false;
   std::optional<double> refine; ///< the smallest angle, in degrees
+  std::optional<double> longest_edge;
+  std::optional<long long> most_vertices; ///< that are inserted
   std::string subdivision, insertion, cut;
 
   bool is_any_wanted() const { return is_delaunay || refine || has_files(); }
@@ -38,6 +40,12 @@ inline void check_mesh_results(const Mesh_result_options& options)
 {
   if(options.refine && !(*options.refine >= 0 && *options.refine <= 30))
     throw Bad_input("--refine takes the smallest angle, in degrees, between 0 and 30");
+  if((options.longest_edge || options.most_vertices) && !options.refine)
+    throw Bad_input("--longest-edge and --most-vertices belong to --refine; give an angle, 0 for any");
+  if(options.longest_edge && !(*options.longest_edge > 0))
+    throw Bad_input("--longest-edge must be greater than 0");
+  if(options.most_vertices && *options.most_vertices < 0)
+    throw Bad_input("--most-vertices must not be negative");
   const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};
   for(const std::string& name : {options.subdivision, options.insertion, options.cut})
     if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
@@ -57,6 +65,9 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
   if(options.refine) {
     FG::Refinement_options bounds;
     bounds.smallest_angle = *options.refine;
+    bounds.longest_edge = options.longest_edge.value_or(bounds.longest_edge);
+    if(options.most_vertices)
+      bounds.maximum_insertions = static_cast<std::size_t>(*options.most_vertices);
     const FG::Refinement_report report = FG::refine(network, bounds);
     text << "refined  " << report.insertions << " vertices inserted, " << report.splits
          << " edges split; smallest angle " << report.smallest_angle << " degrees, " << report.smallest_free_angle

@@ -156,6 +156,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" torus.off --from 0 --to 150 --delaunay --refine
                                   25 --subdivision subdivision.off --insert inserted.ply)
   flip_geodesics_add_program_test(cut 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt --cut cut.off)
+  flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* missed" torus.off
+                                  --from 0 --to 150 --refine 0 --longest-edge 0.02 --most-vertices 30)
+  flip_geodesics_add_program_test(edges_of_nothing 2 "--refine" torus.off --from 0 --to 150 --longest-edge 0.1)
+  flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" torus.off --from 0 --to 150 --refine 9
+                                  --longest-edge 0)
   flip_geodesics_add_program_test(bad_refine 2 "--refine" torus.off --from 0 --to 150 --refine 50)
   flip_geodesics_add_program_test(bad_cut 2 "cut.xyz" torus.off --from 0 --to 150 --cut cut.xyz)
   flip_geodesics_add_program_test(unwritable_cut 2 "no_such_folder/x.off" torus.off --from 0 --to 150 --cut
