@@ -252,11 +252,12 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  /// Of types that are not documented: the input face on the left of input halfedge `h` in exact numbers; the halfedge,
-  /// and the edge of `h`, if its ends are input vertices, in numbers of about 100 bits. All are kept, since hard
-  /// decisions come in crowds.
+  /// The input face on the left of input halfedge `h` in exact numbers. Like the next two, it is of a type that is not
+  /// documented, and kept, since hard decisions come in crowds.
   const internal::Exact_face& exact_input_face(Index h) const { return m_history.exact_face(*this, h); }
+  /// Input halfedge `h` in numbers of about 100 bits.
   const internal::Precise_halfedge& precise_input_halfedge(Index h) const { return m_history.input_halfedge(*this, h); }
+  /// The edge of `h` in numbers of about 100 bits, if its ends are input vertices.
   internal::Precise_edge precise_edge(Index h) const { return m_history.edge(*this, h); }
 
   /// How the decisions that were left open by the traits were taken, since construction.
