@@ -5,8 +5,8 @@
  * \cgalConcept
  *
  * An observer of a shortening, for progress, interruption and animation. `shorten()` calls its members from one
- * thread; an exception that one of them throws passes through `shorten()`. If that happens in the middle of the unit
- * that shortens a loop of one segment, then this curve may be longer than before, in its class.
+ * thread; an exception that one of them throws passes through `shorten()`, and leaves valid curves, none longer than
+ * before.
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members.
  *

@@ -53,6 +53,7 @@ struct Curve_report
   double length = 0;
   /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
   double smallest_angle = std::numeric_limits<double>::infinity();
+  std::size_t flips = 0; ///< edge flips for this curve, those of steps that were taken back included
 };
 
 /// \ingroup PkgFlipGeodesicsRef

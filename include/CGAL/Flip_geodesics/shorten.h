@@ -81,8 +81,7 @@ std::vector<Straightness> shorten_where_drift_hid_it(Network& network, Engine& e
  * \param stop a model of `FlipOutStopPredicate`
  * \param visitor a model of `FlipOutVisitor`
  * \throws Degenerate_face_error, Invalid_coordinate_error if a face that is touched is no triangle; the network and its
- *         triangulation are then valid, and the curves somewhere on their way; a loop of one segment may be longer than
- *         before
+ *         triangulation are then valid, and the curves somewhere on their way, none longer than before
  */
 template <class Network, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
 Shortening_report shorten(Network& network, const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
@@ -103,7 +102,8 @@ Shortening_report shorten(Network& network, const StopPredicate& stop = StopPred
     Shortening_status status = engine.status(c);
     if(has_drift && status == Shortening_status::LOCALLY_SHORTEST && !measured[c].is_locally_shortest())
       status = Shortening_status::PRECISION_LIMIT;
-    report.curves.push_back({status, network.initial_length(c), network.length(c), measured[c].smallest_angle});
+    report.curves.push_back(
+        {status, network.initial_length(c), network.length(c), measured[c].smallest_angle, engine.flips(c)});
   }
   return report;
 }

@@ -83,6 +83,7 @@ public:
 
   Shortening_status status(Index curve) const { return m_curves[curve].status; }
   std::size_t flips() const { return m_flips; }
+  std::size_t flips(Index curve) const { return m_curves[curve].flips; }
   std::size_t steps() const { return m_steps; }
 
 private:
@@ -92,6 +93,7 @@ private:
     double length = 0;
     double shortest = 0; // up to what rounding makes of it
     std::size_t steps_since_shortest = 0;
+    std::size_t flips = 0;
   };
 
   void queue_all_joints()
@@ -125,10 +127,13 @@ private:
   {
     if(!m_visitor.go_further())
       return end(Shortening_status::STOPPED_BY_VISITOR);
+    const Index curve = m_network.curve(candidate.joint().incoming);
+    const std::size_t flips_before = m_flips;
     if(candidate.joint().incoming == candidate.outgoing())
       shorten_single_segment_loop(candidate);
     else
       shorten_joint(candidate);
+    m_curves[curve].flips += m_flips - flips_before;
   }
 
   void shorten_joint(const Queued_wedge& candidate)
@@ -224,11 +229,21 @@ private:
     const auto place = m_network.stack_place(s);
     const double length_before = m_curves[curve].length;
 
-    perturb_and_flip_out({s, candidate.joint().side});
-    std::size_t patience = can_err ? 10000 : (std::numeric_limits<std::size_t>::max)();
-    while(!m_network.is_contracted(curve) && patience-- > 0 &&
-          shorten_somewhere(curve, opposite_side(candidate.joint().side)))
-    {
+    const auto take_back = [&] {
+      m_affected.clear();
+      m_triangulation.rollback(start);
+      m_network.restore_loop(curve, place);
+    };
+    try {
+      perturb_and_flip_out({s, candidate.joint().side});
+      std::size_t patience = can_err ? 10000 : (std::numeric_limits<std::size_t>::max)();
+      while(!m_network.is_contracted(curve) && patience-- > 0 &&
+            shorten_somewhere(curve, opposite_side(candidate.joint().side)))
+      {
+      }
+    } catch(...) { // of a face that is no triangle, or of the visitor
+      take_back();
+      throw;
     }
 
     const double change = m_curves[curve].length - length_before;
@@ -239,9 +254,7 @@ private:
       add_length(curve, change);
       return finish_step(curve);
     }
-    m_affected.clear();
-    m_triangulation.rollback(start);
-    m_network.restore_loop(curve, place);
+    take_back();
     obey(decision, curve);
   }
 
