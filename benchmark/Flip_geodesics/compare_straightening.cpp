@@ -161,7 +161,7 @@ private:
       const auto a = m_mesh.source(gate.crossed), b = m_mesh.target(gate.crossed);
       if(gate.is_at_vertex()) {
         const auto point = vertex_point(gate.is_at_tail() ? a : b);
-        if(!result.points.back().is_vertex() || result.points.back().a != point.a)
+        if(!result.points.back().place().is_vertex() || result.points.back().a != point.a)
           result.points.push_back(point);
         continue;
       }
