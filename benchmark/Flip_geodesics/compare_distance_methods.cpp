@@ -11,6 +11,7 @@
 // Usage: compare_distance_methods PAIRS MESH...
 
 #include "benchmark_meshes.h"
+#include "processor_time.h"
 
 #include <CGAL/Flip_geodesics.h>
 
@@ -23,7 +24,6 @@
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #endif
 
-#include <chrono>
 #include <iostream>
 #include <iterator>
 #include <limits>
@@ -42,9 +42,9 @@ using Shortest_path = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shorte
 template <class Function>
 double seconds(const Function& function)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   function();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return processor_seconds() - start;
 }
 
 // The distance from one vertex to another, with the times to set the method up and to ask it.

@@ -18,12 +18,12 @@
 #include "iterative_relaxation.h"
 #include "iterative_unfolding.h"
 #include "polyline_checker.h"
+#include "processor_time.h"
 
 #include <CGAL/Flip_geodesics.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -59,9 +59,9 @@ polyline_checker::Mesh checker_mesh(const Mesh& mesh)
 template <class Function>
 double seconds(const Function& function)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   function();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return processor_seconds() - start;
 }
 
 double median(std::array<double, 3> times)

@@ -6,20 +6,20 @@
 //   mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,construct_s,dijkstra_s,
 //   search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash
 //
-// Each time is the median over the rounds. `edge_segments` counts the segments of Dijkstra's path, `segments` those of
-// the path that was straightened, `hash` the bits of the extracted curve. `landmarks` looks back and is directed by
-// landmarks, which are made before and not counted.
+// Each time is the median over the rounds, of processor time. `edge_segments` counts the segments of Dijkstra's path,
+// `segments` those of the path that was straightened, `hash` the bits of the extracted curve. `landmarks` looks back and
+// is directed by landmarks, which are made before and not counted.
 //
 // Usage: query_stages [--pairs N] [--seed S] [--rounds R] [--search lookback|landmarks|astar|dijkstra] MESH...
 
 #include "benchmark_meshes.h"
 #include "edge_dijkstra.h"
+#include "processor_time.h"
 
 #include <CGAL/Flip_geodesics.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <iostream>
@@ -60,9 +60,9 @@ public:
   template <class Function>
   auto measure(const Function& function)
   {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     auto result = function();
-    m_seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    m_seconds.push_back(processor_seconds() - start);
     return result;
   }
 
