@@ -134,29 +134,10 @@ public:
     m_record.reset();
     m_map.reset();
     try {
-      if(has_free_legs(request)) {
+      if(may_have_free_legs(request) && m_most_recorded_points == 0)
         run_free_legs(request.curves.front(), results.front());
-        return results;
-      }
-      Network network(m_triangulation);
-      Recorder recorder;
-      if(request.tree_source) {
-        grow(network, *request.tree_source, results);
-      } else {
-        build(network, request, results);
-        if(request.curves.front().spline)
-          subdivide(network, request.curves.front(), results.front());
-        else
-          shorten(network, results, recorder);
-      }
-      certify(network, results);
-      extract(network, results);
-      m_mesh_results = improve_triangulation(m_options.meshes, network);
-      record(network, recorder);
-      if(m_mesh_files)
-        m_mesh_files->write(m_mesh, network);
-      network.clear();
-      m_triangulation.rollback();
+      else
+        run_network(request, results);
     } catch(const std::exception& error) {
       m_record.reset();
       m_map.reset();
@@ -264,13 +245,43 @@ private:
       order_overlapping_curves(network);
   }
 
-  // Are the curve's legs to be pulled straight each by itself? Then they may cross, and no triangulation has them all.
-  bool has_free_legs(const Network_request& request) const
+  void run_network(const Network_request& request, std::vector<Curve_result>& results)
   {
-    if(request.tree_source || request.curves.front().points.empty() || request.curves.front().is_drawn)
-      return false;
-    return !m_options.meshes.is_any_wanted() && !m_options.stop_length &&
-           m_most_recorded_points == 0; // the page shows the triangulation
+    Network network(m_triangulation);
+    Recorder recorder;
+    if(request.tree_source) {
+      grow(network, *request.tree_source, results);
+    } else {
+      try {
+        build(network, request, results);
+      } catch(const CGAL::Flip_geodesics::Crossing_curves_error&) {
+        if(!may_have_free_legs(request))
+          throw;
+        network.clear();
+        m_triangulation.rollback();
+        results.assign(1, make_result(request.curves.front()));
+        return run_free_legs(request.curves.front(), results.front()); // the page has no triangulation to show then
+      }
+      if(request.curves.front().spline)
+        subdivide(network, request.curves.front(), results.front());
+      else
+        shorten(network, results, recorder);
+    }
+    certify(network, results);
+    extract(network, results);
+    m_mesh_results = improve_triangulation(m_options.meshes, network);
+    record(network, recorder);
+    if(m_mesh_files)
+      m_mesh_files->write(m_mesh, network);
+    network.clear();
+    m_triangulation.rollback();
+  }
+
+  // May the curve's legs be pulled straight each by itself? Then they can cross, and no triangulation has them all.
+  bool may_have_free_legs(const Network_request& request) const
+  {
+    return !request.tree_source && !request.curves.front().points.empty() && !request.curves.front().is_drawn &&
+           !m_options.meshes.is_any_wanted() && !m_options.stop_length;
   }
 
   void run_free_legs(const Curve_request& request, Curve_result& result)
@@ -299,6 +310,7 @@ private:
         const FG::Surface_point p = FG::surface_point(m_triangulation, leg[i]);
         result.points.push_back({p, FG::point_in_space(m_triangulation, p), i == 0 || i + 1 == leg.size()});
       }
+    note_ends(result);
   }
 
   static void note(const CGAL::Flip_geodesics::Shortening_report& run, const CGAL::Flip_geodesics::Curve_report& curve,
@@ -412,8 +424,18 @@ private:
                                                              : FG::Geodesic_spline<Network>::cubic_b_spline(network, 0);
     for(int i = 0; i < m_options.rounds; ++i)
       spline.refine();
-    note(spline.finish(), spline.report().curves.front(), result);
+    const FG::Shortening_report& report = spline.finish();
+    note(report, report.curves.front(), result);
     result.shorten_s = stopwatch.seconds();
+  }
+
+  // The vertices where an open curve that has been read off starts and ends.
+  static void note_ends(Curve_result& result)
+  {
+    if(result.is_closed || result.points.empty())
+      return;
+    result.source = vertex_at(result.points.front().on_surface);
+    result.target = vertex_at(result.points.back().on_surface);
   }
 
   static Index vertex_at(const CGAL::Flip_geodesics::Surface_point& p)
@@ -428,10 +450,7 @@ private:
       const Stopwatch stopwatch;
       for(const auto& p : extractor.surface_points(static_cast<Index>(c)))
         results[c].points.push_back({p, extractor.point(p), p.vertex != CGAL::Flip_geodesics::null_index});
-      if(!results[c].is_closed && !results[c].points.empty()) {
-        results[c].source = vertex_at(results[c].points.front().on_surface);
-        results[c].target = vertex_at(results[c].points.back().on_surface);
-      }
+      note_ends(results[c]);
       results[c].extract_s = stopwatch.seconds();
     }
   }

@@ -99,9 +99,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj)
   flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" torus.off --points points.txt --polylines points.out)
   flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt)
+  flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt --page
+                                  crossing.html)
   flip_geodesics_add_program_test(crossing_inserted 1 "line 1.*cross.*vertex 26" torus.off --bezier crossing_line.txt
                                   --insert crossing.off)
-  flip_geodesics_add_program_test(bezier 0 "2 LOCALLY_SHORTEST" torus.off --bezier bezier.txt --kernel certified)
+  flip_geodesics_add_program_test(bezier 0 "2 LOCALLY_SHORTEST.*length  *[1-9][0-9.]* of [1-9]" torus.off --bezier bezier.txt
+                                  --kernel certified)
   flip_geodesics_add_program_test(draw 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --mesh drawn.polylines.txt)
   flip_geodesics_add_program_test(draw_snapped 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --snap)
   flip_geodesics_add_program_test(draw_in_space 0 "LOCALLY_SHORTEST" torus.off --draw pen.polylines.txt)
