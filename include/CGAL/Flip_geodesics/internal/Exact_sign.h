@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/Ball_ring.h>
+#include <CGAL/Flip_geodesics/internal/Corner_product.h>
 #include <CGAL/Flip_geodesics/internal/Fixed_point_ring.h>
 #include <CGAL/Flip_geodesics/internal/Multiquadratic.h>
 #include <CGAL/Flip_geodesics/internal/Residue_ring.h>
@@ -23,9 +24,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The sign of the imaginary part of a product of chains of input faces. In stages: 50 digits, which find the sign of
- * most numbers that are not zero; with few roots, arithmetic in their field; else the proof that the number vanishes;
- * else its residue, and if that is not zero, as many digits as it takes.
+ * The sign of the imaginary part of a product of chains of input faces. In stages: corners whose product is seen to be
+ * real; 50 digits, which find the sign of most numbers that are not zero; with few roots, arithmetic in their field;
+ * else the proof that the number vanishes; else its residue, and if that is not zero, as many digits as it takes.
  */
 class Exact_sign
 {
@@ -40,6 +41,8 @@ public:
 
   Sign operator()(const std::vector<Unfolding_chain>& chains) const
   {
+    if(Corner_product::is_real(chains))
+      return zero_by_roots();
     const std::vector<Integer> squares = squared_roots(chains);
     if(squares.size() > 1) {
       const Uncertain<Sign> sign = sign_by_precision(Ball_ring<50>(), chains);

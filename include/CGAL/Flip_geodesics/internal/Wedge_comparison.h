@@ -124,6 +124,7 @@ private:
   {
     const Unfolding_chains<Triangulation> unfolding(m_triangulation);
     std::vector<Unfolding_chain> chains;
+    chains.reserve(3 * wedges.size());
     bool is_opposite = false;
     for(const Wedge_words& w : wedges) {
       chains.push_back(unfolding.head(w.from, false));
