@@ -118,9 +118,10 @@ class Wedge_comparison<Intrinsic_triangulation<TriangleMesh, Flip_geodesics_test
   using View = Flip_geodesics_test::Plain_view<Triangulation>;
 
 public:
-  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics, bool = true)
+  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics, bool is_filtered = false)
     : m_triangulation(triangulation)
     , m_statistics(statistics)
+    , m_is_filtered(is_filtered)
   {
   }
 
@@ -130,7 +131,7 @@ public:
     const std::optional<Comparison_result> filtered = observer.filtered;
     observer.filtered.reset();
     const Comparison_result result =
-        filtered ? *filtered : Wedge_comparison<View>(View(m_triangulation), m_statistics, true)(from, to);
+        filtered ? *filtered : Wedge_comparison<View>(View(m_triangulation), m_statistics, m_is_filtered)(from, to);
     if(observer.on_decision)
       observer.on_decision({from, to, result, filtered.has_value()});
     return result;
@@ -139,6 +140,7 @@ public:
 private:
   const Triangulation& m_triangulation;
   Decision_statistics& m_statistics;
+  bool m_is_filtered;
 };
 
 } // namespace internal
