@@ -445,7 +445,7 @@ def shortest_path(tools):
     ends = 6, 620
     tools.run('shortest_path_example', mesh, *ends)
     shortest, = read_polylines(tools.folder / 'shortest_path.polylines.txt')
-    page = tools.curves(mesh, '--from', ends[0], '--to', ends[1])
+    page = tools.curves(mesh, '--from', ends[0], '--to', ends[1], '--search', 'dijkstra')
     panels = []
     for view in ((0, -0.9, 1), (0, 0.9, -1)):
         panel = Panel(size_of(page.points))
