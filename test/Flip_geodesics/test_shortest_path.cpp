@@ -162,6 +162,15 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
     BOOST_TEST(setting.triangulation.is_valid());
     for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
       BOOST_TEST(setting.triangulation.label(e) == 0);
+    std::vector<double> distances;
+    for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+      distances.push_back(tree.distance(v));
+    setting.triangulation.rollback();
+    for(Index v = 0; v < setting.triangulation.number_of_vertices(); v += 7) {
+      const auto path = shortest(setting, v, 3); // of some, legs are in each other's way
+      BOOST_TEST(path.is_confirmed);
+      BOOST_TEST(std::abs(path.length - distances[v]) <= tolerance * path.length);
+    }
   }
 }
 

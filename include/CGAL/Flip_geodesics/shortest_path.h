@@ -4,7 +4,9 @@
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
 
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/internal/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/Window_search.h>
 
 #include <CGAL/assertions.h>
@@ -68,7 +70,8 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
   return !search.has_flat_face();
 }
 
-/* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
+/* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be, and
+ * another one if a leg crosses one face several times. */
 template <class Triangulation>
 std::vector<Index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search, Index source,
                                Index target, std::size_t& flips)
@@ -96,6 +99,31 @@ std::vector<Index> insert_path(Triangulation& triangulation, const Window_search
   for(std::size_t i = legs.size(); i-- > 0;)
     path.insert(path.end(), legs[i].begin(), legs[i].end());
   return path;
+}
+
+/*
+ * The same where legs are in each other's way, as on rough terrain: over a tree of geodesics, of which the paths to the
+ * vertices that the shortest path passes are replaced.
+ */
+template <class Triangulation>
+std::vector<Index> insert_path_in_tree(Triangulation& triangulation, const Window_search<Triangulation>& search,
+                                       Index source, Index target, std::size_t& flips)
+{
+  constexpr double tolerance = Shortest_path_report::tolerance();
+  Geodesic_tree<Triangulation> tree(triangulation);
+  flips += tree.grow(source, search.distance(target)).flips;
+  std::vector<Index> longer;
+  for(Index v = target; v != source; v = search.leg(v).from)
+    if(!tree.is_reached(v) || tree.distance(v) > search.distance(v) * (1 + tolerance))
+      longer.push_back(v);
+  Shortest_tree_repair<Geodesic_tree<Triangulation>> repair(tree, search, tolerance);
+  repair.run(longer);
+  flips += repair.flips();
+  std::vector<Index> path;
+  for(Index v = target; v != source && tree.incoming(v) != null_index; v = triangulation.tail(path.back()))
+    path.push_back(tree.incoming(v));
+  std::reverse(path.begin(), path.end());
+  return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Index>();
 }
 
 } // namespace internal
@@ -147,7 +175,17 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Index s
     triangulation.rollback();
     std::size_t flips = 0;
     std::vector<Index> path = internal::insert_path(triangulation, windows, source, target, flips);
-    if(path.empty()) {
+    const auto is_found = [&] {
+      double length = 0;
+      for(Index h : path)
+        length += triangulation.length(h);
+      return !path.empty() && length <= windows.distance(target) * (1 + tolerance);
+    };
+    if(!is_found()) {
+      triangulation.rollback();
+      path = internal::insert_path_in_tree(triangulation, windows, source, target, flips);
+    }
+    if(!is_found()) {
       triangulation.rollback();
       path = edge_path;
     }

@@ -120,7 +120,7 @@ private:
     m_tree.take_off(v);
     m_taken_off.push_back(v);
     m_is_taken_off[v] = 1;
-    if(!m_triangulation.is_inserted(v))
+    if(!m_triangulation.is_inserted(v) && m_search.is_reached(v))
       m_pending.insert({m_search.distance(v), v});
   }
 
