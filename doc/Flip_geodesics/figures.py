@@ -144,7 +144,7 @@ REGIONS = '#b9c4d6', '#d8cdb4', '#b7d0bd', '#d6b9c1', '#c7bfdb', '#cfd3a8', '#a9
 
 @figure(1000, 350)
 def network(tools):
-    """Boundaries of a segmentation of a scan: as edges of the mesh, pulled tight, and stopped early with free junctions."""
+    """Boundaries of a segmentation of a scan: as edges, pulled tight, and stopped early with free junctions."""
     mesh = tools.mesh('bunny00.off')
     start = tools.curves(mesh, '--random', 1)
     graph = Graph(start.points, start.faces)
@@ -212,7 +212,8 @@ def seams(tools):
         panel.surface(page.points, page.faces)
         faces = [(k, k + 1, k + 2) for k in range(0, len(corners), 3)]
         for axis, count in ((0, 24), (1, 12)):
-            panel.contours(corners, faces, [p[axis] for p in plane], [(k + 0.5) / count for k in range(2 * count)], INK, 0.0012)
+            levels = [(k + 0.5) / count for k in range(2 * count)]
+            panel.contours(corners, faces, [p[axis] for p in plane], levels, INK, 0.0012)
         panel.tubes(lines, name, 0.009)
         panel.look((0.75, -0.35, 1), up=(0, 0, 1))
         panels.append(panel)
@@ -221,7 +222,7 @@ def seams(tools):
 
 @figure(900, 400)
 def drawn_polyline(tools):
-    """A polyline across the faces of a mesh; the path of edges that it is snapped to, and the geodesic that it becomes."""
+    """A polyline across the faces of a mesh; the edges that it is snapped to, and the geodesic that it becomes."""
     tools.run('drawn_polyline_example')
     drawn, tight, snapped = read_polylines(tools.folder / 'drawn_polyline.polylines.txt')
     points, faces = read_off(tools.torus(48, 24))
@@ -304,7 +305,7 @@ def cross_field(tools):
 
 @figure(1000, 330)
 def refinement(tools):
-    """A coarse torus with a geodesic inserted as edges; the refined triangulation; its common subdivision with the mesh."""
+    """A coarse torus with a geodesic as edges; the refined triangulation; its common subdivision with the mesh."""
     mesh = tools.torus(24, 12)
     result = tools.folder / 'result.off'
     panels = []
