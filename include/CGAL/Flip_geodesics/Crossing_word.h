@@ -5,7 +5,9 @@
 
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,17 +31,21 @@ struct Crossing_word
   Index face = null_index;                    ///< a halfedge of the face that holds the whole edge
   Index tail = null_index, head = null_index; ///< the end vertices
 
+  /// Turns it into the word of the other direction.
+  void reverse()
+  {
+    along = along == null_index ? null_index : internal::twin_index(along);
+    std::swap(tail, head);
+    std::reverse(crossed.begin(), crossed.end());
+    for(Index& h : crossed)
+      h = internal::twin_index(h);
+  }
+
   /// The word of the other direction.
   Crossing_word reversed() const
   {
-    Crossing_word result;
-    result.along = along == null_index ? null_index : internal::twin_index(along);
-    result.face = face;
-    result.tail = head;
-    result.head = tail;
-    result.crossed.resize(crossed.size());
-    for(std::size_t i = 0; i < crossed.size(); ++i)
-      result.crossed[i] = internal::twin_index(crossed[crossed.size() - 1 - i]);
+    Crossing_word result = *this;
+    result.reverse();
     return result;
   }
 

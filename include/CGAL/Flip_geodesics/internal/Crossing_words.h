@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -27,7 +28,8 @@ namespace internal {
  * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
  * touches k or l at the ends. The words of edges at an inserted point are given when it is inserted. Only the edges
  * that the asked ones descend from are visited, and each once: about as many as the curve had segments, not as there
- * were flips. Words are kept until the flip or split that made their edge is taken back.
+ * were flips. Words are kept until the flip or split that made their edge is taken back; those of flips in slots that
+ * the positions in the log name, and whose memory is reused.
  */
 template <class Triangulation>
 class Crossing_words
@@ -69,14 +71,19 @@ public:
 
   /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made.
    */
-  void store(Index h, Index version, const Crossing_word& word) { store(h, version, Derived_word{word, -1, -1}); }
+  void store(Index h, Index version, const Crossing_word& word)
+  {
+    m_words_of_splits.emplace(key(Triangulation::edge(h), version),
+                              Derived_word{(h & 1) == 0 ? word : word.reversed(), -1, -1});
+  }
 
   /* Derives a word, and those that it descends from, if they are not known yet. */
   void resolve(const Triangulation& triangulation, const Edge_version& wanted)
   {
     if(is_known(wanted))
       return;
-    m_pending = {wanted};
+    m_slots.resize(triangulation.log_position(), no_slot);
+    m_pending.assign(1, wanted);
     while(!m_pending.empty()) {
       const Edge_version next = m_pending.back();
       if(is_known(next)) {
@@ -90,14 +97,13 @@ public:
         m_pending.push_back(il);
         continue;
       }
-      // The flip leaves h = l->k and its twin k->l.
-      store(Triangulation::twin(flip.h), next.version, join(triangulation, ki, flip.rotation, il));
+      m_slots[static_cast<std::size_t>(next.version) - 1] = derive(triangulation, flip, ki, il);
       m_pending.pop_back();
     }
   }
 
   /* What is known of an edge. \pre a flip or split made it, and it has been resolved */
-  const Derived_word& derived(Index e, Index version) const { return m_words.at(key(e, version)); }
+  const Derived_word& derived(Index e, Index version) const { return *find(e, version); }
 
   /* Tells edges and what made them. */
   static std::uint64_t key(Index e, Index version)
@@ -105,15 +111,22 @@ public:
     return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e);
   }
 
-  /* Forgets the word of an edge that a flip or split made, since that is taken back. */
+  /* Forgets the word of an edge that a flip or split made, since that is taken back. \pre so is all that came later */
   void forget(Index e, Index version)
   {
-    if(!m_words.empty())
-      m_words.erase(key(e, version));
+    if(m_slots.size() >= static_cast<std::size_t>(version)) {
+      if(m_slots.back() != no_slot)
+        m_free_slots.push_back(m_slots.back());
+      m_slots.pop_back();
+    }
+    if(!m_words_of_splits.empty())
+      m_words_of_splits.erase(key(e, version));
   }
 
 private:
   using Flip_record = typename Triangulation::Flip_record;
+
+  static constexpr Index no_slot = null_index;
 
   [[noreturn]] static void fail(const Triangulation& triangulation, const Crossing_word& word)
   {
@@ -151,16 +164,51 @@ private:
 
   bool is_known(const Edge_version& wanted) const
   {
-    return wanted.version == 0 || m_words.count(key(Triangulation::edge(wanted.halfedge), wanted.version)) != 0;
+    return wanted.version == 0 || find(Triangulation::edge(wanted.halfedge), wanted.version) != nullptr;
   }
 
-  Derived_word join(const Triangulation& triangulation, const Edge_version& ki, Index rotation,
-                    const Edge_version& il) const
+  // What is known of an edge in the version that a flip or split gave it; null if nothing is.
+  const Derived_word* find(Index e, Index version) const
+  {
+    const std::size_t position = static_cast<std::size_t>(version) - 1;
+    if(position < m_slots.size() && m_slots[position] != no_slot)
+      return &m_words_of_flips[static_cast<std::size_t>(m_slots[position])];
+    if(m_words_of_splits.empty())
+      return nullptr;
+    const auto found = m_words_of_splits.find(key(e, version));
+    return found == m_words_of_splits.end() ? nullptr : &found->second;
+  }
+
+  // Derives the word of the diagonal that a flip made; returns its slot.
+  Index derive(const Triangulation& triangulation, const Flip_record& flip, const Edge_version& ki,
+               const Edge_version& il)
+  {
+    const Index slot = free_slot();
+    Derived_word& kl = m_words_of_flips[static_cast<std::size_t>(slot)];
+    kl = join(triangulation, ki, flip.rotation, il, std::move(kl.word.crossed));
+    if((flip.h & 1) == 0) // it leaves h = l->k and its twin k->l
+      kl.word.reverse();
+    return slot;
+  }
+
+  Index free_slot()
+  {
+    if(m_free_slots.empty()) {
+      m_words_of_flips.emplace_back();
+      return static_cast<Index>(m_words_of_flips.size()) - 1;
+    }
+    const Index slot = m_free_slots.back();
+    m_free_slots.pop_back();
+    return slot;
+  }
+
+  Derived_word join(const Triangulation& triangulation, const Edge_version& ki, Index rotation, const Edge_version& il,
+                    std::vector<Index> memory) const
   {
     Crossing_word input_ki, input_il;
     const Directed_word first = word(triangulation, ki, input_ki), second = word(triangulation, il, input_il);
     const Word_end k = first.tail(), i = first.head(), l = second.head();
-    Word_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k));
+    Word_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k), std::move(memory));
     path.cross(first.word, first.is_reversed);
     path.turn(i.vertex, rotation > 0 ? head_anchor(triangulation, i) : null_index, rotation);
     path.cross(second.word, second.is_reversed);
@@ -170,14 +218,10 @@ private:
     return {std::move(joined), path.spokes_at_start(), path.spokes_at_end()};
   }
 
-  void store(Index h, Index version, Derived_word word)
-  {
-    if((h & 1) != 0)
-      word.word = word.word.reversed();
-    m_words.emplace(key(Triangulation::edge(h), version), std::move(word));
-  }
-
-  std::unordered_map<std::uint64_t, Derived_word> m_words;
+  std::vector<Index> m_slots;                // by position in the log: where the word of the flip's edge is
+  std::deque<Derived_word> m_words_of_flips; // references to them last
+  std::vector<Index> m_free_slots;
+  std::unordered_map<std::uint64_t, Derived_word> m_words_of_splits;
   std::vector<Edge_version> m_pending; // depth first, not by recursion: histories are as deep as curves are long
 };
 

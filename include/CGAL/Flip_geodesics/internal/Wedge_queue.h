@@ -16,8 +16,8 @@ namespace internal {
 
 /*
  * A wedge that was free when it was queued: its joint, told by both segments, since the one that arrives can get
- * another to follow it. The smallest angle comes first, then the older segment, then the left side. In 16 bytes, so that
- * the siblings of the heap share a cache line.
+ * another to follow it. The smallest angle comes first, then the older segment, then the left side. In 16 bytes, so
+ * that the siblings of the heap share a cache line.
  */
 class Queued_wedge
 {

@@ -25,11 +25,13 @@ template <class Triangulation>
 class Word_path
 {
 public:
-  /* A path that starts at a vertex, into the input face of its anchor. */
-  Word_path(const Triangulation& triangulation, Index start, Index start_anchor)
+  /* A path that starts at a vertex, into the input face of its anchor. The memory of old letters can be reused. */
+  Word_path(const Triangulation& triangulation, Index start, Index start_anchor, std::vector<Index> memory = {})
     : m_triangulation(triangulation)
     , m_start_anchor(start_anchor)
   {
+    m_word.crossed = std::move(memory);
+    m_word.crossed.clear();
     m_word.tail = start;
   }
 
