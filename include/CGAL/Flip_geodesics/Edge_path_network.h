@@ -326,29 +326,22 @@ public:
   /// Looks into the wedge of a joint, no further than to \f$\pi\f$.
   Wedge wedge(const Joint& joint) const
   {
-    Wedge result = {Wedge_state::FIXED, {}};
     if(is_head_fixed(joint.incoming))
-      return result;
+      return {Wedge_state::FIXED, {}};
     const auto [a, b] = ends(joint);
     const Index inner = neighbor(a.segment, a.halfedge, Side::RIGHT);
-    if(inner != null_index) {
-      result.state = b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED;
-      return result;
-    }
+    if(inner != null_index)
+      return {b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
+    Turn turn;
     Index h = a.halfedge;
     do {
-      h = m_triangulation->extend_turn_clockwise(result.turn, h);
-      if(h == null_index) {
-        result.state = Wedge_state::BORDER;
-        return result;
-      }
-      if(m_triangulation->is_straight(result.turn, a.halfedge, h)) {
-        result.state = Wedge_state::STRAIGHT;
-        return result;
-      }
+      h = m_triangulation->extend_turn_clockwise(turn, h);
+      if(h == null_index)
+        return {Wedge_state::BORDER, {}};
+      if(m_triangulation->is_straight(turn, a.halfedge, h))
+        return {Wedge_state::STRAIGHT, {}};
     } while(!is_occupied(h));
-    result.state = b == Strand_end{h, outermost(h, Side::LEFT)} ? Wedge_state::FREE : Wedge_state::BLOCKED;
-    return result;
+    return {b == Strand_end{h, outermost(h, Side::LEFT)} ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
   }
 
   /// Do the two ends of a joint lie on one spoke, next to each other, so that the joint turns back on itself?

@@ -8,6 +8,8 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -189,11 +191,12 @@ public:
     static void rescale(Turn& turn)
     {
       const double size = std::abs(turn.x) + std::abs(turn.y);
-      if(size > huge || size < tiny)
-        bring_into_range(turn);
+      if(BOOST_UNLIKELY(size > huge || size < tiny))
+        turn = brought_into_range(turn);
     }
 
-    static void bring_into_range(Turn& turn)
+    // By value, so that turns stay in registers.
+    BOOST_NOINLINE static Turn brought_into_range(Turn turn)
     {
       while(std::abs(turn.x) + std::abs(turn.y) > huge) {
         turn.x *= tiny;
@@ -203,6 +206,7 @@ public:
         turn.x *= huge;
         turn.y *= huge;
       }
+      return turn;
     }
   };
 

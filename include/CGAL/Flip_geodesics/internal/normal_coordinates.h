@@ -37,15 +37,17 @@ struct Triangle_crossings
   }
 };
 
-/* What the crossings of five edges of a quad i, l, j, k with diagonal ij say of a flip; -1 marks an edge that lies
- * along an input edge. */
+/*
+ * What the crossings of five edges of a quad i, l, j, k with diagonal ij say of a flip; -1 marks an edge that lies along
+ * an input edge. In closed forms of the numbers that `Triangle_crossings` has.
+ */
 class Quad_crossings
 {
 public:
   Quad_crossings(Index ij, Index jk, Index ki, Index il, Index lj)
-    : m_k(ij, ki, jk) // corners k, j, i
-    , m_l(ij, il, lj) // corners l, j, i
-    , m_diagonal(ij < 0 ? 1 : 0)
+    : m_k(ij, ki, jk)
+    , m_l(ij, il, lj)
+    , m_is_along(ij < 0 ? 1 : 0)
   {
   }
 
@@ -58,22 +60,40 @@ public:
    */
   Index other_diagonal() const
   {
-    const Index end_of_k = m_k.cutting[2] + m_k.emanating[0], end_of_l = m_l.cutting[2] + m_l.emanating[0];
-    if((std::max)(m_k.cutting[2], m_l.cutting[2]) < (std::min)(end_of_k, end_of_l))
+    if((std::max)(m_k.cutting_i, m_l.cutting_i) < (std::min)(m_k.end, m_l.end))
       return -1;
-    const Index around_k = m_k.cutting[0] + m_k.emanating[1] + m_k.emanating[2];
-    const Index around_l = m_l.cutting[0] + m_l.emanating[1] + m_l.emanating[2];
-    const Index from_i_to_j = (std::max)(m_k.cutting[2] - end_of_l, 0);
-    const Index from_j_to_i = (std::max)(m_l.cutting[2] - end_of_k, 0);
-    return around_k + around_l + from_i_to_j + from_j_to_i + m_diagonal;
+    const Index from_i_to_j = (std::max)(m_k.cutting_i - m_l.end, 0);
+    const Index from_j_to_i = (std::max)(m_l.cutting_i - m_k.end, 0);
+    return m_k.past + m_l.past + from_i_to_j + from_j_to_i + m_is_along;
   }
 
   /* The input edges that a rotation about i from ik over ij to il crosses. */
-  Index rotation_at_i() const { return m_k.emanating[2] + m_l.emanating[2] + m_diagonal; }
+  Index rotation_at_i() const { return m_k.emanating_i + m_l.emanating_i + m_is_along; }
 
 private:
-  Triangle_crossings m_k, m_l;
-  Index m_diagonal; // 1 if ij lies along an input edge
+  struct Half
+  {
+    Index cutting_i;   // input edges that cut the corner at i off
+    Index end;         // they, and those that emanate from the corner opposite ij
+    Index past;        // those that do not reach ij and pass between i and j
+    Index emanating_i; // those that start at i
+
+    // With o opposite ij.
+    Half(Index along_ij, Index along_oi, Index along_jo)
+    {
+      const Index c = (std::max)(along_ij, 0), j = (std::max)(along_oi, 0), i = (std::max)(along_jo, 0);
+      const Index cutting_j = clamped(c, i, (c + i - j) >> 1);
+      cutting_i = clamped(c, j, (c + j - i) >> 1);
+      end = c - cutting_j;
+      past = (std::max)((std::max)(i, j) - c, (std::max)((i + j - c) >> 1, 0));
+      emanating_i = (std::max)(i - j - c, 0);
+    }
+
+    static Index clamped(Index a, Index b, Index value) { return (std::max)((std::min)((std::min)(a, b), value), 0); }
+  };
+
+  Half m_k, m_l;
+  Index m_is_along; // 1 if ij lies along an input edge
 };
 
 } // namespace internal
