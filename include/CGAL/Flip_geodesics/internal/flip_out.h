@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/internal/Wedge_queue.h>
+#include <CGAL/Flip_geodesics/internal/Free_wedges.h>
 #include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -18,122 +18,107 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* How far the shortening of a curve has come. */
+struct Curve_state
+{
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; // or still to be shortened
+  double length = 0;
+  double shortest = 0; // up to what rounding makes of it
+  std::size_t steps_since_shortest = 0;
+  std::size_t flips = 0;
+};
+
+/* How far the shortening of a network has come: all that a run leaves to the next one. */
+template <class Network>
+struct Shortening_state
+{
+  explicit Shortening_state(Network& network)
+    : wedges(network)
+    , curves(static_cast<std::size_t>(network.number_of_curves()))
+  {
+    for(Index c = 0; c < network.number_of_curves(); ++c) {
+      curves[c].length = curves[c].shortest = network.length(c);
+      length += curves[c].length;
+      initial_length += network.initial_length(c);
+      if(network.is_contracted(c))
+        curves[c].status = Shortening_status::CONTRACTED;
+      wedges.look_at_curve(c);
+    }
+  }
+
+  Free_wedges<Network> wedges;
+  std::vector<Curve_state> curves;
+  double length = 0, initial_length = 0;
+  std::size_t flips = 0, steps = 0;
+};
+
 /*
  * [SC20, Algorithm 2] for any network: while a wedge that is free has an angle below pi, take the smallest and flip it
- * out. Wedges are queued by angle, then segment, then side, so that the result is determined by the input.
- *
- * A wedge's angle does not change while its joint lives, since flips elsewhere keep the angle between two edges that
- * stay. So a key never goes stale. Whether the wedge is free does change: a wedge that is found blocked is dropped, and
- * `EdgePathGraph::replace_joint()` names it again when it may be free.
+ * out.
  */
 template <class Network, class StopPredicate, class Visitor>
 class Flip_out
 {
   using Triangulation = typename Network::Triangulation;
-  using Wedge = typename Network::Wedge;
 
   // With exact decisions every step shortens, whatever the rounded lengths say.
   static constexpr bool can_err = Triangulation::Traits::Has_drift::value;
 
 public:
-  Flip_out(Network& network, const StopPredicate& stop, Visitor& visitor)
+  Flip_out(Network& network, Shortening_state<Network>& state, const StopPredicate& stop, Visitor& visitor)
     : m_network(network)
     , m_triangulation(network.triangulation())
+    , m_state(state)
+    , m_wedges(state.wedges)
+    , m_curves(state.curves)
     , m_stop(stop)
     , m_visitor(visitor)
-    , m_curves(static_cast<std::size_t>(network.number_of_curves()))
+    , m_first_step(state.steps)
   {
-    for(Index c = 0; c < network.number_of_curves(); ++c) {
-      m_curves[c].length = m_curves[c].shortest = network.length(c);
-      m_length += m_curves[c].length;
-      m_initial_length += network.initial_length(c);
-      if(network.is_contracted(c))
-        m_curves[c].status = Shortening_status::CONTRACTED;
-    }
   }
 
+  /* Goes on until there is no wedge left or it is told to end. */
   void run()
   {
-    queue_all_joints();
-    run_queue();
-  }
-
-  void run_queue()
-  {
-    while(!m_queue.empty() && !m_has_ended) {
-      const Queued_wedge candidate = m_queue.top();
-      m_queue.pop();
-      if(is_current(candidate) && is_free(candidate.joint()))
+    while(m_wedges.has_next() && !has_ended()) {
+      const Queued_wedge candidate = m_wedges.pop();
+      if(is_current(candidate) && m_wedges.is_free(candidate.joint()))
         take_step(candidate);
     }
   }
 
-  /// Looks at all joints of a curve again.
-  void queue_curve(Index curve)
-  {
-    // A fan of faces is a chain of loads, each waiting for the one before; these do not wait for each other.
-    m_network.for_each_segment(curve, [&](Index s) { m_triangulation.prefetch_faces(m_network.halfedge(s)); });
-    m_network.for_each_segment(curve, [&](Index s) {
-      if(m_network.next(s) != null_index) {
-        queue({s, Side::LEFT});
-        queue({s, Side::RIGHT});
-      }
-    });
-  }
+  /* Has it been told to end? */
+  bool has_ended() const { return m_end != Shortening_status::LOCALLY_SHORTEST; }
 
-  Shortening_status status(Index curve) const { return m_curves[curve].status; }
-  std::size_t flips() const { return m_flips; }
-  std::size_t flips(Index curve) const { return m_curves[curve].flips; }
-  std::size_t steps() const { return m_steps; }
+  /* The status of all curves that still have a wedge to flip out. \pre has_ended() */
+  Shortening_status end_status() const { return m_end; }
 
 private:
-  struct Curve_state
-  {
-    Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
-    double length = 0;
-    double shortest = 0; // up to what rounding makes of it
-    std::size_t steps_since_shortest = 0;
-    std::size_t flips = 0;
-  };
-
-  void queue_all_joints()
-  {
-    for(Index c = 0; c < m_network.number_of_curves(); ++c)
-      queue_curve(c);
-  }
-
-  void queue(const Joint& joint)
-  {
-    const Wedge wedge = m_network.wedge(joint);
-    if(wedge.state == Wedge_state::FREE)
-      m_queue.push({turn_key(wedge.turn), joint, m_network.next(joint.incoming)});
-  }
-
-  double turn_key(const typename Triangulation::Turn& turn) const
-  {
-    return m_triangulation.traits().turn_key_object()(turn);
-  }
-
-  bool is_current(const Queued_wedge& candidate) const
+  bool is_current(const Queued_wedge& candidate)
   {
     const Index x = candidate.joint().incoming;
-    return m_network.is_alive(x) && m_network.next(x) == candidate.outgoing() &&
-           m_curves[m_network.curve(x)].status == Shortening_status::LOCALLY_SHORTEST;
+    if(!m_network.is_alive(x) || m_network.next(x) != candidate.outgoing())
+      return false;
+    const Shortening_status status = m_curves[m_network.curve(x)].status;
+    if(status == Shortening_status::LENGTH_LIMIT)
+      m_wedges.hold(candidate);
+    return status == Shortening_status::LOCALLY_SHORTEST;
   }
-
-  bool is_free(const Joint& joint) const { return m_network.wedge(joint).state == Wedge_state::FREE; }
 
   void take_step(const Queued_wedge& candidate)
   {
-    if(!m_visitor.go_further())
-      return end(Shortening_status::STOPPED_BY_VISITOR);
+    if(!m_visitor.go_further()) {
+      m_wedges.hold(candidate);
+      m_end = Shortening_status::STOPPED_BY_VISITOR;
+      return;
+    }
     const Index curve = m_network.curve(candidate.joint().incoming);
-    const std::size_t flips_before = m_flips;
+    const std::size_t flips_before = m_state.flips;
     if(candidate.joint().incoming == candidate.outgoing())
       shorten_single_segment_loop(candidate);
     else
       shorten_joint(candidate);
-    m_curves[curve].flips += m_flips - flips_before;
+    m_curves[curve].flips += m_state.flips - flips_before;
   }
 
   void shorten_joint(const Queued_wedge& candidate)
@@ -145,7 +130,7 @@ private:
     const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key(), curve, change);
     if(is_longer || decision != Stop_decision::CONTINUE) {
       m_triangulation.rollback(start); // longer can only be wrong: the angle was below pi by rounding alone
-      return obey(decision, curve);
+      return obey(decision, candidate, curve);
     }
     apply(candidate.joint(), change);
     finish_step(curve);
@@ -166,24 +151,24 @@ private:
   {
     CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge holds no strand");
     m_triangulation.flip(h);
-    ++m_flips;
+    ++m_state.flips;
     m_visitor.on_flip(m_triangulation, h);
   }
 
   void apply(const Joint& joint, double change)
   {
-    const Index curve = m_network.curve(joint.incoming);
+    add_length(m_network.curve(joint.incoming), change);
     m_network.replace_joint(joint, m_arc, m_affected);
-    add_length(curve, change);
   }
 
   void finish_step(Index curve)
   {
-    ++m_steps;
+    ++m_state.steps;
     m_visitor.after_flip_out(m_network, curve);
     if(m_network.is_contracted(curve))
       m_curves[curve].status = Shortening_status::CONTRACTED;
-    queue_affected();
+    m_wedges.look_at_all(m_affected);
+    m_affected.clear();
     count_blind_step(curve);
   }
 
@@ -208,14 +193,6 @@ private:
       state.status = Shortening_status::PRECISION_LIMIT;
   }
 
-  void queue_affected()
-  {
-    for(const Joint& joint : m_affected)
-      if(m_network.is_alive(joint.incoming) && m_network.next(joint.incoming) != null_index)
-        queue(joint);
-    m_affected.clear();
-  }
-
   /*
    * A loop of one segment, [SC20, Appendix B], as one unit: move the loop over the face in its wedge, which lengthens
    * it, flip out the wedge at the old node, and then shorten it back on the other side as long as that is possible.
@@ -232,7 +209,7 @@ private:
     const auto take_back = [&] {
       m_affected.clear();
       m_triangulation.rollback(start);
-      m_network.restore_loop(curve, place);
+      return m_network.restore_loop(curve, place);
     };
     try {
       perturb_and_flip_out({s, candidate.joint().side});
@@ -254,8 +231,8 @@ private:
       add_length(curve, change);
       return finish_step(curve);
     }
-    take_back();
-    obey(decision, curve);
+    const Index restored = take_back();
+    obey(decision, {candidate.key(), {restored, candidate.joint().side}, restored}, curve);
   }
 
   void perturb_and_flip_out(const Joint& loop)
@@ -273,7 +250,7 @@ private:
   {
     Index found = null_index;
     m_network.for_each_segment(curve, [&](Index s) {
-      if(found == null_index && m_network.next(s) != s && is_free({s, side}))
+      if(found == null_index && m_network.next(s) != s && m_wedges.is_free({s, side}))
         found = s;
     });
     if(found == null_index)
@@ -291,17 +268,20 @@ private:
   void add_length(Index curve, double change)
   {
     m_curves[curve].length += change;
-    m_length += change;
+    m_state.length += change;
   }
 
   Stop_decision ask(double key, Index curve, double change) const
   {
-    return m_stop(Shortening_step{curve, key, m_steps, m_network.initial_length(curve), m_curves[curve].length + change,
-                                  m_initial_length, m_length + change});
+    return m_stop(Shortening_step{curve, key, m_state.steps - m_first_step, m_network.initial_length(curve),
+                                  m_curves[curve].length + change, m_state.initial_length, m_state.length + change});
   }
 
-  void obey(Stop_decision decision, Index curve)
+  // Does what a predicate has decided on a candidate, which waits for another run if it was refused.
+  void obey(Stop_decision decision, const Queued_wedge& candidate, Index curve)
   {
+    if(decision != Stop_decision::CONTINUE)
+      m_wedges.hold(candidate);
     switch(decision) {
     case Stop_decision::CONTINUE:
       return;
@@ -309,42 +289,26 @@ private:
       m_curves[curve].status = Shortening_status::LENGTH_LIMIT;
       return;
     case Stop_decision::LENGTH_LIMIT:
-      return end(Shortening_status::LENGTH_LIMIT);
+      m_end = Shortening_status::LENGTH_LIMIT;
+      return;
     case Stop_decision::ANGLE_LIMIT:
-      return end(Shortening_status::ANGLE_LIMIT);
+      m_end = Shortening_status::ANGLE_LIMIT;
+      return;
     case Stop_decision::ITERATION_LIMIT:
-      return end(Shortening_status::ITERATION_LIMIT);
+      m_end = Shortening_status::ITERATION_LIMIT;
+      return;
     }
-  }
-
-  // Every curve that still has a wedge to flip out gets the status; the others are locally shortest as they are.
-  void end(Shortening_status status)
-  {
-    m_has_ended = true;
-    for(Index c = 0; c < m_network.number_of_curves(); ++c)
-      if(m_curves[c].status == Shortening_status::LOCALLY_SHORTEST && has_free_wedge(c))
-        m_curves[c].status = status;
-  }
-
-  bool has_free_wedge(Index curve) const
-  {
-    bool found = false;
-    m_network.for_each_segment(curve, [&](Index s) {
-      if(m_network.next(s) != null_index)
-        found = found || is_free({s, Side::LEFT}) || is_free({s, Side::RIGHT});
-    });
-    return found;
   }
 
   Network& m_network;
   Triangulation& m_triangulation;
+  Shortening_state<Network>& m_state;
+  Free_wedges<Network>& m_wedges;
+  std::vector<Curve_state>& m_curves;
   const StopPredicate& m_stop;
   Visitor& m_visitor;
-  Wedge_queue m_queue;
-  std::vector<Curve_state> m_curves;
-  double m_length = 0, m_initial_length = 0;
-  std::size_t m_flips = 0, m_steps = 0;
-  bool m_has_ended = false;
+  std::size_t m_first_step;
+  Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST;
   std::vector<Index> m_arc;
   std::vector<Joint> m_affected;
 };

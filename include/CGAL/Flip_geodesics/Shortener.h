@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SHORTENER_H
+#define CGAL_FLIP_GEODESICS_SHORTENER_H
+
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/internal/flip_out.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/verify.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsRef
+ *
+ * Pulls the curves of a network tight as `shorten()` does, but in as many runs as one likes: what is known of the
+ * joints is kept from run to run, so that a run takes time for its steps alone, not for the size of the network. For
+ * animation, for budgets of time, for limits that are raised bit by bit. Where nothing stops it, the result is that of
+ * one `shorten()`, bit by bit.
+ *
+ * While a shortener is in use, its network and triangulation are changed by nothing else. After an exception it is of
+ * no use any more; make another one.
+ *
+ * \tparam Network_ a model of `EdgePathGraph`
+ */
+template <class Network_>
+class Shortener
+{
+  using Traits = typename Network_::Triangulation::Traits;
+
+public:
+  using Network = Network_;
+
+  /// Looks at every joint of the network's curves, which must outlive the shortener. Linear in the segments and the
+  /// degrees of their ends.
+  explicit Shortener(Network& network)
+    : m_network(network)
+    , m_state(network)
+  {
+  }
+
+  /*!
+   * Goes on until every curve is locally shortest, or one of the arguments ends it. Steps that an earlier run was not
+   * to take are open again, and `Shortening_step::steps` counts from 0.
+   *
+   * A flip takes constant time. What has become of the curves is measured only when no step is left, once.
+   *
+   * \param stop a model of `FlipOutStopPredicate`
+   * \param visitor a model of `FlipOutVisitor`
+   * \return `is_finished()`
+   * \throws as `shorten()`
+   */
+  template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
+  bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
+  {
+    if(is_finished())
+      return true;
+    m_state.wedges.release([this](const internal::Queued_wedge& wedge) {
+      m_state.curves[m_network.curve(wedge.joint().incoming)].status = Shortening_status::LOCALLY_SHORTEST;
+    });
+    internal::Flip_out<Network, StopPredicate, std::remove_reference_t<Visitor>> flip_out(m_network, m_state, stop,
+                                                                                          visitor);
+    flip_out.run();
+    if constexpr(Traits::Has_drift::value)
+      go_on_where_drift_hid_it(flip_out);
+    m_end = flip_out.end_status();
+    m_is_finished = !flip_out.has_ended() && m_state.wedges.empty();
+    return m_is_finished;
+  }
+
+  /// Has a run found no step left to take?
+  bool is_finished() const { return m_is_finished; }
+
+  /// The steps taken so far in all runs [SC20, Algorithm 1].
+  std::size_t number_of_steps() const { return m_state.steps; }
+  /// The edges flipped so far in all runs.
+  std::size_t number_of_flips() const { return m_state.flips; }
+
+  /// The network's length, kept from step to step and not summed: constant time, and off by the rounding of the steps.
+  double length() const { return m_state.length; }
+  /// A curve's length, as above.
+  double length(Index curve) const { return m_state.curves[curve].length; }
+
+  /// What has become of the curves so far, measured afresh from the input. Linear in the network and in the input edges
+  /// that it crosses.
+  Shortening_report report() const
+  {
+    const std::vector<Straightness> straightness = m_straightness.empty() ? measured() : m_straightness;
+    Shortening_report report;
+    report.flips = m_state.flips;
+    report.flip_outs = m_state.steps;
+    for(Index c = 0; c < m_network.number_of_curves(); ++c)
+      report.curves.push_back({status(c, straightness[c]), m_network.initial_length(c), m_network.length(c),
+                               straightness[c].smallest_angle, m_state.curves[c].flips});
+    return report;
+  }
+
+private:
+  Shortening_status status(Index curve, const Straightness& straightness) const
+  {
+    const Shortening_status status = m_state.curves[curve].status;
+    if(status != Shortening_status::LOCALLY_SHORTEST)
+      return status;
+    if(m_end != Shortening_status::LOCALLY_SHORTEST && has_free_wedge(curve))
+      return m_end;
+    if(Traits::Has_drift::value && !straightness.is_locally_shortest())
+      return Shortening_status::PRECISION_LIMIT;
+    return status;
+  }
+
+  bool has_free_wedge(Index curve) const
+  {
+    bool found = false;
+    m_network.for_each_segment(curve, [&](Index s) {
+      if(m_network.next(s) != null_index)
+        found = found || m_state.wedges.is_free({s, Side::LEFT}) || m_state.wedges.is_free({s, Side::RIGHT});
+    });
+    return found;
+  }
+
+  std::vector<Straightness> measured() const
+  {
+    std::vector<Straightness> result;
+    Straightness_meter<Network> meter(m_network);
+    for(Index c = 0; c < m_network.number_of_curves(); ++c)
+      result.push_back(meter(c));
+    return result;
+  }
+
+  // Measures the curves, and goes on until they are as straight as the input says, or fresh vectors no longer help.
+  template <class Engine>
+  void go_on_where_drift_hid_it(Engine& flip_out)
+  {
+    constexpr int most_rounds = 50;
+    m_straightness.clear();
+    for(int round = 0; !flip_out.has_ended(); ++round) {
+      m_straightness = measured();
+      bool has_refreshed = false;
+      for(Index c = 0; c < m_network.number_of_curves() && round < most_rounds; ++c)
+        if(m_state.curves[c].status == Shortening_status::LOCALLY_SHORTEST && !m_straightness[c].is_locally_shortest())
+          has_refreshed = refresh_bent_joints(c) || has_refreshed;
+      if(!has_refreshed)
+        return;
+      m_straightness.clear();
+      flip_out.run();
+    }
+  }
+
+  // Joints of a curve that are bent although the triangulation's vectors say otherwise: lays out the faces in their
+  // wedges afresh and looks at the curve again. Returns whether there were any.
+  bool refresh_bent_joints(Index curve)
+  {
+    Straightness_meter<Network> meter(m_network);
+    bool has_refreshed = false;
+    m_network.for_each_segment(curve, [&](Index s) {
+      for(Side side : {Side::LEFT, Side::RIGHT}) {
+        if(m_network.next(s) == null_index || meter.angle({s, side}) >= Straightness::straight_angle())
+          continue;
+        has_refreshed = meter.refresh_wedge({s, side}, m_network.triangulation()) || has_refreshed;
+      }
+    });
+    if(has_refreshed)
+      m_state.wedges.look_at_curve(curve);
+    return has_refreshed;
+  }
+
+  Network& m_network;
+  internal::Shortening_state<Network> m_state;
+  Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST; // how the last run ended, this if by itself
+  bool m_is_finished = false;
+  std::vector<Straightness> m_straightness; // of the curves as they are now, or empty
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SHORTENER_H
