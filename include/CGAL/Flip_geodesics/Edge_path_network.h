@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
 #include <CGAL/Flip_geodesics/internal/Segment_division.h>
+#include <CGAL/Flip_geodesics/internal/Segment_store.h>
 
 #include <CGAL/assertions.h>
 
@@ -68,7 +69,7 @@ public:
   /// An empty network in a triangulation, which no other network uses.
   explicit Edge_path_network(Triangulation& triangulation)
     : m_triangulation(&triangulation)
-    , m_segments(1) // id 0 is no segment, as label 0 is no stack
+    , m_segments(triangulation)
   {
   }
 
@@ -99,7 +100,7 @@ public:
     for(Index h : halfedges)
       append(curve, h);
     if(is_closed)
-      link(m_curves[curve].last, m_curves[curve].first);
+      m_segments.link(m_curves[curve].last, m_curves[curve].first);
     m_curves[curve].initial_length = length(curve);
     return curve;
   }
@@ -107,7 +108,7 @@ public:
   /// Fixes every node at vertex `v` that a curve passes now: it stays where it is, and strands cannot cross it.
   void fix_nodes_at(Index v)
   {
-    for(Index s = 1; s < static_cast<Index>(m_segments.size()); ++s)
+    for(Index s = 1; s < m_segments.end_of_ids(); ++s)
       if(is_alive(s) && m_triangulation->head(halfedge(s)) == v)
         m_segments[s].is_head_fixed = true;
   }
@@ -143,9 +144,9 @@ public:
   void set_stack(Index e, const std::vector<Index>& order)
   {
     for(Index s : order)
-      unlink(s);
+      m_segments.unlink(s);
     for(Index s : order)
-      link_outermost(s, 2 * e);
+      m_segments.link_outermost(s, 2 * e);
   }
 
   /*!
@@ -180,10 +181,10 @@ public:
   /// Removes all curves. Linear in the segments.
   void clear()
   {
-    for(Index s = 1; s < static_cast<Index>(m_segments.size()); ++s)
+    for(Index s = 1; s < m_segments.end_of_ids(); ++s)
       if(is_alive(s))
         m_triangulation->set_label(Triangulation::edge(halfedge(s)), 0);
-    m_segments.resize(1);
+    m_segments.set_end_of_ids(1);
     m_curves.clear();
   }
 
@@ -195,7 +196,7 @@ public:
   Index number_of_curves() const { return static_cast<Index>(m_curves.size()); }
 
   /// One more than the largest segment id given so far; ids start at 1.
-  Index end_of_segment_ids() const { return static_cast<Index>(m_segments.size()); }
+  Index end_of_segment_ids() const { return m_segments.end_of_ids(); }
 
   /// The first segment of a curve, `null_index` if the curve has shrunk to a point.
   Index first_segment(Index curve) const { return m_curves[curve].first; }
@@ -243,7 +244,7 @@ public:
   /// @{
 
   /// Is `s` a segment of a curve now? Ids of segments that were replaced stay dead.
-  bool is_alive(Index s) const { return m_segments[s].halfedge != null_index; }
+  bool is_alive(Index s) const { return m_segments.is_alive(s); }
   /// The halfedge that segment `s` runs along, `null_index` if it is dead.
   Index halfedge(Index s) const { return m_segments[s].halfedge; }
   /// The curve of segment `s`.
@@ -259,27 +260,10 @@ public:
   bool is_occupied(Index h) const { return m_triangulation->label(Triangulation::edge(h)) != 0; }
 
   /// The segments on edge `e`, from left to right as seen along halfedge `2e`.
-  std::vector<Index> stack(Index e) const
-  {
-    std::vector<Index> result;
-    const Index first = m_triangulation->label(e);
-    if(first == 0)
-      return result;
-    Index s = first;
-    do {
-      result.push_back(s);
-      s = m_segments[s].right;
-    } while(s != first);
-    return result;
-  }
+  std::vector<Index> stack(Index e) const { return m_segments.stack(e); }
 
   /// The outermost segment on a side of the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
-  Index outermost(Index h, Side side) const
-  {
-    const Index leftmost = m_triangulation->label(Triangulation::edge(h));
-    const bool is_along = (h & 1) == 0;
-    return is_along == (side == Side::LEFT) ? leftmost : m_segments[leftmost].left;
-  }
+  Index outermost(Index h, Side side) const { return m_segments.outermost(h, side); }
 
   /// @}
   /// \name Ends and wedges
@@ -296,7 +280,7 @@ public:
   /// The next end clockwise about the node; none if the border intervenes. Linear in the spokes passed.
   Strand_end next_clockwise(const Strand_end& end) const
   {
-    const Index inner = neighbor(end.segment, end.halfedge, Side::RIGHT);
+    const Index inner = m_segments.neighbor(end.segment, end.halfedge, Side::RIGHT);
     if(inner != null_index)
       return {end.halfedge, inner};
     Index h = end.halfedge;
@@ -311,7 +295,7 @@ public:
   /// The next end counterclockwise about the node; none if the border intervenes. Linear in the spokes passed.
   Strand_end next_counterclockwise(const Strand_end& end) const
   {
-    const Index inner = neighbor(end.segment, end.halfedge, Side::LEFT);
+    const Index inner = m_segments.neighbor(end.segment, end.halfedge, Side::LEFT);
     if(inner != null_index)
       return {end.halfedge, inner};
     Index h = end.halfedge;
@@ -329,7 +313,7 @@ public:
     if(is_head_fixed(joint.incoming))
       return {Wedge_state::FIXED, {}};
     const auto [a, b] = ends(joint);
-    const Index inner = neighbor(a.segment, a.halfedge, Side::RIGHT);
+    const Index inner = m_segments.neighbor(a.segment, a.halfedge, Side::RIGHT);
     if(inner != null_index)
       return {b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
     Turn turn;
@@ -348,7 +332,7 @@ public:
   bool is_turning_back(const Joint& joint) const
   {
     const auto [a, b] = ends(joint);
-    return a.halfedge == b.halfedge && neighbor(a.segment, a.halfedge, Side::RIGHT) == b.segment;
+    return a.halfedge == b.halfedge && m_segments.neighbor(a.segment, a.halfedge, Side::RIGHT) == b.segment;
   }
 
   /// @}
@@ -391,14 +375,14 @@ public:
     const Index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
     const Index curve = m_segments[s].curve;
     const bool is_along = h == halfedge(s);
-    remove(s);
-    const Index a = create(curve, is_along ? Triangulation::twin(hp) : hn);
-    const Index b = create(curve, is_along ? Triangulation::twin(hn) : hp);
+    m_segments.remove(s);
+    const Index a = m_segments.create(curve, is_along ? Triangulation::twin(hp) : hn);
+    const Index b = m_segments.create(curve, is_along ? Triangulation::twin(hn) : hp);
     // The face lies to the left of hn and hp.
-    link_outermost(a, is_along ? Triangulation::twin(hp) : Triangulation::twin(hn));
-    link_outermost(b, is_along ? Triangulation::twin(hn) : Triangulation::twin(hp));
-    link(a, b);
-    link(b, a);
+    m_segments.link_outermost(a, is_along ? Triangulation::twin(hp) : Triangulation::twin(hn));
+    m_segments.link_outermost(b, is_along ? Triangulation::twin(hn) : Triangulation::twin(hp));
+    m_segments.link(a, b);
+    m_segments.link(b, a);
     m_curves[curve].first = a;
     m_curves[curve].last = b;
     return b;
@@ -413,21 +397,22 @@ public:
   /// The place of segment `s`, to be kept for `restore_loop()`.
   Stack_place stack_place(Index s) const
   {
-    return {halfedge(s), neighbor(s, halfedge(s) & ~1, Side::LEFT), neighbor(s, halfedge(s) & ~1, Side::RIGHT)};
+    return {halfedge(s), m_segments.neighbor(s, halfedge(s) & ~1, Side::LEFT),
+            m_segments.neighbor(s, halfedge(s) & ~1, Side::RIGHT)};
   }
 
   /// Replaces a closed curve by the one segment that it was when `place` was taken. \pre the flips since are undone
   Index restore_loop(Index curve, const Stack_place& place)
   {
     remove_segments(curve);
-    const Index s = create(curve, place.halfedge);
+    const Index s = m_segments.create(curve, place.halfedge);
     if(place.left != null_index)
-      link_right_of(s, place.left);
+      m_segments.link_right_of(s, place.left);
     else if(place.right != null_index)
-      link_outermost(s, (place.halfedge & ~1) ^ 1);
+      m_segments.link_outermost(s, (place.halfedge & ~1) ^ 1);
     else
-      link_outermost(s, place.halfedge);
-    link(s, s);
+      m_segments.link_outermost(s, place.halfedge);
+    m_segments.link(s, s);
     m_curves[curve].first = m_curves[curve].last = s;
     return s;
   }
@@ -449,15 +434,6 @@ public:
 private:
   friend class internal::Network_access<Edge_path_network>;
   friend class internal::Segment_division<Edge_path_network>;
-
-  struct Segment
-  {
-    Index halfedge = null_index;
-    Index next = null_index, previous = null_index;
-    Index left = null_index, right = null_index; // in the stack, circular, as seen along the edge's first halfedge
-    Index curve = null_index;
-    bool is_head_fixed = false;
-  };
 
   struct Curve
   {
@@ -490,78 +466,13 @@ private:
 
   void append(Index curve, Index h)
   {
-    const Index s = create(curve, h);
-    link_outermost(s, h);
+    const Index s = m_segments.create(curve, h);
+    m_segments.link_outermost(s, h);
     if(m_curves[curve].first == null_index)
       m_curves[curve].first = s;
     else
-      link(m_curves[curve].last, s);
+      m_segments.link(m_curves[curve].last, s);
     m_curves[curve].last = s;
-  }
-
-  Index create(Index curve, Index h)
-  {
-    m_segments.emplace_back();
-    m_segments.back().halfedge = h;
-    m_segments.back().curve = curve;
-    return static_cast<Index>(m_segments.size()) - 1;
-  }
-
-  void link(Index s, Index t)
-  {
-    if(s != null_index)
-      m_segments[s].next = t;
-    if(t != null_index)
-      m_segments[t].previous = s;
-  }
-
-  // The neighbour of s in its stack as seen along h, null_index if s is outermost.
-  Index neighbor(Index s, Index h, Side side) const
-  {
-    const Index first = m_triangulation->label(Triangulation::edge(h));
-    const bool is_to_the_right = ((h & 1) == 0) == (side == Side::RIGHT);
-    const Index found = is_to_the_right ? m_segments[s].right : m_segments[s].left;
-    const bool is_outermost = is_to_the_right ? found == first : s == first;
-    return is_outermost ? null_index : found;
-  }
-
-  // Puts s outermost on the right of its edge as seen along h.
-  void link_outermost(Index s, Index h)
-  {
-    const Index e = Triangulation::edge(h), first = m_triangulation->label(e);
-    if(first == 0) {
-      m_segments[s].left = m_segments[s].right = s;
-      m_triangulation->set_label(e, s);
-      return;
-    }
-    link_right_of(s, m_segments[first].left);
-    if((h & 1) != 0)
-      m_triangulation->set_label(e, s);
-  }
-
-  void link_right_of(Index s, Index left)
-  {
-    const Index right = m_segments[left].right;
-    m_segments[s].left = left;
-    m_segments[s].right = right;
-    m_segments[left].right = s;
-    m_segments[right].left = s;
-  }
-
-  void unlink(Index s)
-  {
-    const Index e = Triangulation::edge(halfedge(s));
-    const Index left = m_segments[s].left, right = m_segments[s].right;
-    m_segments[left].right = right;
-    m_segments[right].left = left;
-    if(m_triangulation->label(e) == s)
-      m_triangulation->set_label(e, right == s ? 0 : right);
-  }
-
-  void remove(Index s)
-  {
-    unlink(s);
-    m_segments[s].halfedge = null_index;
   }
 
   void remove_segments(Index curve)
@@ -569,7 +480,7 @@ private:
     std::vector<Index> segments;
     for_each_segment(curve, [&](Index s) { segments.push_back(s); });
     for(Index s : segments)
-      remove(s);
+      m_segments.remove(s);
   }
 
   // The next end counterclockwise that is not one of x or y.
@@ -588,18 +499,18 @@ private:
     const bool was_whole_loop = next(y) == x;
     const Index before = was_whole_loop ? null_index : previous(x), after = was_whole_loop ? null_index : next(y);
     const bool is_end_fixed = m_segments[y].is_head_fixed;
-    remove(x);
-    remove(y);
+    m_segments.remove(x);
+    m_segments.remove(y);
 
     Index first = null_index, last = null_index;
     for(std::size_t i = 0; i < arc.size(); ++i) {
       const Index h = side == Side::LEFT ? arc[i] : Triangulation::twin(arc[arc.size() - 1 - i]);
-      const Index s = create(curve, h);
-      link_outermost(s, side == Side::LEFT ? h : Triangulation::twin(h));
+      const Index s = m_segments.create(curve, h);
+      m_segments.link_outermost(s, side == Side::LEFT ? h : Triangulation::twin(h));
       if(first == null_index)
         first = s;
       else
-        link(last, s);
+        m_segments.link(last, s);
       last = s;
     }
     if(last != null_index)
@@ -615,13 +526,13 @@ private:
     Curve& c = m_curves[curve];
     if(was_whole_loop) {
       if(first != null_index)
-        link(last, first);
+        m_segments.link(last, first);
       c.first = first;
       c.last = last;
       return;
     }
-    link(before, first == null_index ? after : first);
-    link(last == null_index ? before : last, after);
+    m_segments.link(before, first == null_index ? after : first);
+    m_segments.link(last == null_index ? before : last, after);
     const Index head = first == null_index ? after : first, tail = last == null_index ? before : last;
     if(c.is_closed) { // any segment may be the first
       c.first = head;
@@ -664,7 +575,7 @@ private:
   }
 
   Triangulation* m_triangulation;
-  std::vector<Segment> m_segments;
+  internal::Segment_store<Triangulation> m_segments;
   std::vector<Curve> m_curves;
 };
 

@@ -17,8 +17,8 @@ namespace internal {
  * side, so that the order is determined by the input.
  *
  * A wedge's angle does not change while its joint lives, since flips elsewhere keep the angle between two edges that
- * stay. So a key never goes stale. Whether the wedge is free does change: what comes out of the queue is to be looked at
- * again, and `EdgePathGraph::replace_joint()` names the wedges that may have become free.
+ * stay. So a key never goes stale. Whether the wedge is free does change: what comes out of the queue is to be looked
+ * at again, and `EdgePathGraph::replace_joint()` names the wedges that may have become free.
  */
 template <class Network>
 class Free_wedges
@@ -62,8 +62,8 @@ public:
   void look_at_curve(Index curve)
   {
     // A fan of faces is a chain of loads, each waiting for the one before; these do not wait for each other.
-    m_network.for_each_segment(
-        curve, [&](Index s) { m_network.triangulation().prefetch_faces(m_network.halfedge(s)); });
+    m_network.for_each_segment(curve,
+                               [&](Index s) { m_network.triangulation().prefetch_faces(m_network.halfedge(s)); });
     m_network.for_each_segment(curve, [&](Index s) {
       look_at({s, Side::LEFT});
       look_at({s, Side::RIGHT});

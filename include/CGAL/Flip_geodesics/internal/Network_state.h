@@ -81,7 +81,7 @@ private:
   static bool add_curves(Network& network, const Network_state& state)
   {
     const Triangulation& triangulation = network.triangulation();
-    network.m_segments.resize(static_cast<std::size_t>(state.end_of_segment_ids));
+    network.m_segments.set_end_of_ids(state.end_of_segment_ids);
     for(const Network_state::Curve& curve : state.curves) {
       const Index c = network.number_of_curves();
       network.m_curves.push_back({null_index, null_index, curve.is_closed, curve.initial_length});
@@ -95,8 +95,8 @@ private:
         network.m_segments[s.id].halfedge = s.halfedge;
         network.m_segments[s.id].curve = c;
         network.m_segments[s.id].is_head_fixed = s.is_head_fixed;
-        network.link_outermost(s.id, s.halfedge);
-        network.link(last, s.id);
+        network.m_segments.link_outermost(s.id, s.halfedge);
+        network.m_segments.link(last, s.id);
         network.m_curves[c].last = s.id;
         if(last == null_index)
           network.m_curves[c].first = s.id;
@@ -115,7 +115,7 @@ private:
     const Triangulation& triangulation = network.triangulation();
     if(triangulation.head(network.halfedge(last)) != triangulation.tail(network.halfedge(first)))
       return false;
-    network.link(last, first);
+    network.m_segments.link(last, first);
     return true;
   }
 

@@ -130,14 +130,14 @@ private:
     if((h & 1) != 0)
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
     for(Index s : segments)
-      m_network.unlink(s);
+      m_network.m_segments.unlink(s);
     for(Index s : segments) {
       const bool is_along = m_network.halfedge(s) == h;
       const Index curve = m_network.curve(s);
-      const Index a = m_network.create(curve, is_along ? chain[0] : Triangulation::twin(chain[1]));
-      const Index b = m_network.create(curve, is_along ? chain[1] : Triangulation::twin(chain[0]));
-      m_network.link_outermost(a, is_along ? chain[0] : chain[1]);
-      m_network.link_outermost(b, is_along ? chain[1] : chain[0]);
+      const Index a = m_network.m_segments.create(curve, is_along ? chain[0] : Triangulation::twin(chain[1]));
+      const Index b = m_network.m_segments.create(curve, is_along ? chain[1] : Triangulation::twin(chain[0]));
+      m_network.m_segments.link_outermost(a, is_along ? chain[0] : chain[1]);
+      m_network.m_segments.link_outermost(b, is_along ? chain[1] : chain[0]);
       replace_in_curve(s, a, b);
       result = s == watched ? a : result;
     }
@@ -150,9 +150,9 @@ private:
     const auto old = m_network.m_segments[s];
     auto& c = m_network.m_curves[old.curve];
     const bool was_whole_loop = old.next == s;
-    m_network.link(a, b);
-    m_network.link(was_whole_loop ? b : old.previous, a);
-    m_network.link(b, was_whole_loop ? a : old.next);
+    m_network.m_segments.link(a, b);
+    m_network.m_segments.link(was_whole_loop ? b : old.previous, a);
+    m_network.m_segments.link(b, was_whole_loop ? a : old.next);
     m_network.m_segments[b].is_head_fixed = old.is_head_fixed;
     m_network.m_segments[s].halfedge = null_index;
     c.first = c.first == s ? a : c.first;

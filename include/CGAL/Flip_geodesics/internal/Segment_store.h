@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_STORE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_STORE_H
+
+#include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A segment of a curve. */
+struct Segment
+{
+  Index halfedge = null_index; // null_index if it is dead
+  Index next = null_index, previous = null_index;
+  std::array<Index, 2> beside = {{null_index, null_index}}; // by side, in the stack, circular, along the first halfedge
+  Index curve = null_index;
+  bool is_head_fixed = false;
+};
+
+/*
+ * The segments of a network, with the chains of its curves and the stacks on the edges: the label of an edge is its
+ * leftmost segment as seen along its first halfedge, 0 if it has none.
+ *
+ * Ids are given once and never again. In which direction of its edge a halfedge points is as good as random, so that
+ * what depends on it is chosen without a branch.
+ */
+template <class Triangulation>
+class Segment_store
+{
+public:
+  explicit Segment_store(Triangulation& triangulation)
+    : m_triangulation(&triangulation)
+    , m_segments(1) // id 0 is no segment, as label 0 is no stack
+  {
+  }
+
+  Segment& operator[](Index s) { return m_segments[static_cast<std::size_t>(s)]; }
+  const Segment& operator[](Index s) const { return m_segments[static_cast<std::size_t>(s)]; }
+
+  Index end_of_ids() const { return static_cast<Index>(m_segments.size()); }
+  void set_end_of_ids(Index end) { m_segments.resize(static_cast<std::size_t>(end)); }
+  bool is_alive(Index s) const { return (*this)[s].halfedge != null_index; }
+
+  /* A segment of a curve on a halfedge, in no chain and no stack. */
+  Index create(Index curve, Index h)
+  {
+    m_segments.emplace_back();
+    m_segments.back().halfedge = h;
+    m_segments.back().curve = curve;
+    return end_of_ids() - 1;
+  }
+
+  /* Puts t after s in their chain; either may be null_index. */
+  void link(Index s, Index t)
+  {
+    if(s != null_index)
+      (*this)[s].next = t;
+    if(t != null_index)
+      (*this)[t].previous = s;
+  }
+
+  /* The neighbour of s in its stack as seen along h, null_index if s is outermost. */
+  Index neighbor(Index s, Index h, Side side) const
+  {
+    const std::size_t i = side_along_first_halfedge(h, side);
+    const Index found = (*this)[s].beside[i];
+    return chosen(i, s, found) == leftmost(h) ? null_index : found; // the circle closes at the leftmost
+  }
+
+  /* The outermost segment on a side of the edge of h, as seen along h. \pre there is one */
+  Index outermost(Index h, Side side) const
+  {
+    const Index first = leftmost(h);
+    return chosen(side_along_first_halfedge(h, side), first, (*this)[first].beside[0]);
+  }
+
+  /* The segments on edge e, from left to right as seen along its first halfedge. */
+  std::vector<Index> stack(Index e) const
+  {
+    std::vector<Index> result;
+    const Index first = leftmost(2 * e);
+    if(first == 0)
+      return result;
+    Index s = first;
+    do {
+      result.push_back(s);
+      s = (*this)[s].beside[1];
+    } while(s != first);
+    return result;
+  }
+
+  /* Puts s outermost on the right of its edge as seen along h. */
+  void link_outermost(Index s, Index h)
+  {
+    const Index e = Triangulation::edge(h), first = leftmost(h);
+    if(first == 0) {
+      (*this)[s].beside = {{s, s}};
+      m_triangulation->set_label(e, s);
+      return;
+    }
+    link_right_of(s, (*this)[first].beside[0]);
+    if((h & 1) != 0)
+      m_triangulation->set_label(e, s);
+  }
+
+  void link_right_of(Index s, Index left)
+  {
+    const Index right = (*this)[left].beside[1];
+    (*this)[s].beside = {{left, right}};
+    (*this)[left].beside[1] = s;
+    (*this)[right].beside[0] = s;
+  }
+
+  /* Takes s out of its stack. */
+  void unlink(Index s)
+  {
+    const Index e = Triangulation::edge((*this)[s].halfedge);
+    const auto [left, right] = (*this)[s].beside;
+    (*this)[left].beside[1] = right;
+    (*this)[right].beside[0] = left;
+    if(leftmost(2 * e) == s)
+      m_triangulation->set_label(e, right == s ? 0 : right);
+  }
+
+  void remove(Index s)
+  {
+    unlink(s);
+    (*this)[s].halfedge = null_index;
+  }
+
+private:
+  Index leftmost(Index h) const { return m_triangulation->label(Triangulation::edge(h)); }
+
+  // What is a side along h, along the first halfedge of its edge: 0 left, 1 right.
+  static std::size_t side_along_first_halfedge(Index h, Side side)
+  {
+    return static_cast<std::size_t>((h & 1) ^ (side == Side::RIGHT ? 1 : 0));
+  }
+
+  static Index chosen(std::size_t i, Index first, Index second)
+  {
+    return first ^ ((first ^ second) & -static_cast<Index>(i));
+  }
+
+  Triangulation* m_triangulation;
+  std::vector<Segment> m_segments;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_STORE_H
