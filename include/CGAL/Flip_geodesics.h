@@ -21,6 +21,7 @@
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
+#include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>

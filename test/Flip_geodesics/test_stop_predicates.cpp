@@ -8,6 +8,7 @@
 #include "random_curves.h"
 #include "test_scale.h"
 
+#include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <boost/test/unit_test.hpp>
@@ -359,6 +360,135 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_no_curve_longer)
       throw_at(setting, random.below(6));
     }
   BOOST_TEST(thrown > 100);
+}
+
+// ---------------------------------------------------------------- many runs
+
+namespace {
+
+/// Counts what is looked at.
+template <class Triangulation>
+class Counting_network : public FG::Edge_path_network<Triangulation>
+{
+  using Base = FG::Edge_path_network<Triangulation>;
+
+public:
+  using Base::Base;
+
+  typename Base::Wedge wedge(const FG::Joint& joint) const
+  {
+    ++wedges;
+    return Base::wedge(joint);
+  }
+
+  template <class Function>
+  void for_each_segment(int curve, Function function) const
+  {
+    ++traversals;
+    Base::for_each_segment(curve, function);
+  }
+
+  double length(int curve) const
+  {
+    ++sums;
+    return Base::length(curve);
+  }
+
+  mutable std::size_t wedges = 0, traversals = 0, sums = 0;
+};
+
+void check_same(const FG::Shortening_report& report, const FG::Shortening_report& expected)
+{
+  BOOST_TEST(report.flip_outs == expected.flip_outs);
+  BOOST_REQUIRE(report.curves.size() == expected.curves.size());
+  for(std::size_t c = 0; c < report.curves.size(); ++c) {
+    BOOST_TEST((report.curves[c].status == expected.curves[c].status));
+    BOOST_TEST(report.curves[c].length == expected.curves[c].length);
+    BOOST_TEST(report.curves[c].smallest_angle == expected.curves[c].smallest_angle);
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(many_runs_are_one)
+{
+  std::vector<FG::Shortening_report> at_once;
+  for_random_networks(60, 11, [&](Curve_setting& setting, Random_numbers&) { at_once.push_back(setting.pull()); });
+  std::size_t network = 0, runs = 0;
+  for_random_networks(60, 11, [&](Curve_setting& setting, Random_numbers&) {
+    FG::Shortener<Curve_setting::Network> shortener(setting.network);
+    for(std::size_t i = 0; !shortener.run(FG::Iteration_stop_predicate(i % 4)); ++i, ++runs) {
+      const FG::Shortening_report report = shortener.report();
+      check_consistency(setting, report);
+      BOOST_TEST(!report.is_complete());
+      BOOST_TEST(report.flip_outs == shortener.number_of_steps());
+      BOOST_TEST(std::abs(shortener.length() - total(report, &FG::Curve_report::length)) <=
+                 rounding * total(report, &FG::Curve_report::initial_length));
+    }
+    BOOST_TEST(shortener.is_finished());
+    check_same(shortener.report(), at_once[network++]);
+  });
+  BOOST_TEST(network == at_once.size());
+  BOOST_TEST(runs > 1000u);
+}
+
+BOOST_AUTO_TEST_CASE(limits_are_lowered)
+{
+  std::size_t limited = 0;
+  for_random_networks(100, 12, [&](Curve_setting& setting, Random_numbers&) {
+    FG::Shortener<Curve_setting::Network> shortener(setting.network);
+    for(double ratio : {0.98, 0.9, 0.7}) {
+      shortener.run(FG::Curve_length_ratio_stop_predicate(ratio));
+      const FG::Shortening_report report = shortener.report();
+      check_consistency(setting, report);
+      for(const FG::Curve_report& curve : report.curves)
+        BOOST_TEST(curve.length >= ratio * curve.initial_length * (1 - rounding));
+      limited += shortener.is_finished() ? 0 : 1;
+      BOOST_TEST(shortener.is_finished() == report.is_complete());
+    }
+    Counting_visitor visitor;
+    visitor.limit = 1;
+    shortener.run(FG::Never_stop_predicate(), visitor);
+    BOOST_TEST(shortener.run());
+    BOOST_TEST(shortener.report().is_complete());
+    const std::size_t steps = shortener.number_of_steps();
+    BOOST_TEST(shortener.run()); // there is nothing left to do
+    BOOST_TEST(shortener.number_of_steps() == steps);
+    BOOST_TEST(setting.pull().flip_outs == 0u);
+  });
+  BOOST_TEST(limited > 100u);
+}
+
+// A run looks at what its steps touch, once, and at the first wedge that it leaves to the next run.
+BOOST_AUTO_TEST_CASE(runs_look_at_nothing_twice)
+{
+  Curve_setting setting(shaken(torus(24, 20, 3, 1), 0.2, 1));
+  using Network = Counting_network<Curve_setting::Triangulation>;
+  Curve_setting::Search search(setting.triangulation);
+  std::size_t wedges_at_once = 0;
+  for(bool is_at_once : {true, false}) {
+    Network network(setting.triangulation);
+    for(int v = 0; v < 200; v += 10)
+      network.add_curve(search(v, 479 - v), false);
+    FG::Shortener<Network> shortener(network);
+    const std::size_t looked_at_first = network.wedges, traversals = network.traversals, sums = network.sums;
+    std::size_t runs = 0;
+    while(!shortener.run(FG::Iteration_stop_predicate(is_at_once ? static_cast<std::size_t>(-1) : 1))) {
+      ++runs;
+      BOOST_TEST(network.traversals == traversals);
+      BOOST_TEST(network.sums == sums);
+    }
+    BOOST_TEST(shortener.number_of_steps() > 100u);
+    const std::size_t wedges = network.wedges - looked_at_first;
+    if(is_at_once)
+      wedges_at_once = wedges;
+    else
+      BOOST_TEST(wedges == wedges_at_once + runs);
+    BOOST_TEST(network.wedges < 20 * (shortener.number_of_steps() + looked_at_first));
+    BOOST_TEST(shortener.report().is_complete());
+    network.clear();
+    setting.triangulation.rollback();
+  }
 }
 
 // ---------------------------------------------------------------- small regions
