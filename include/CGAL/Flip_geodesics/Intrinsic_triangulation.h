@@ -335,11 +335,18 @@ public:
     m_halfedges.move_outgoing(at_t.tail, t, hn);
     m_halfedges.version(edge(h)) = static_cast<Index>(m_log.size());
     m_halfedges.crossings_plus_one(edge(h)) = crossing.other_diagonal() + 1;
-    m_halfedges.link_face(h, hp, tn);
-    m_halfedges.link_face(t, tp, hn);
+    at_h.set_next(hp);
+    at_hp.set_next(tn);
+    at_tn.set_next(h);
+    at_t.set_next(tp);
+    at_tp.set_next(hn);
+    at_hn.set_next(t);
     at_h.tail = at_tp.tail;
     at_t.tail = at_hp.tail;
-    set_geometries(h, flipped.h, flipped.t, tn, flipped.tn, tp, flipped.tp);
+    at_h.geometry = flipped.h;
+    at_t.geometry = flipped.t;
+    at_tn.geometry = flipped.tn;
+    at_tp.geometry = flipped.tp;
     refresh_inaccurate({h, t, tn, tp});
   }
 

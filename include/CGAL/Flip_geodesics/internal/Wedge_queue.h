@@ -7,8 +7,10 @@
 #include <CGAL/Flip_geodesics/internal/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -22,18 +24,26 @@ namespace internal {
 class Queued_wedge
 {
 public:
+  /* A key that rounding has made negative counts as 0. */
   Queued_wedge(double key, const Joint& joint, Index outgoing)
-    : m_key(key)
+    : m_key(ordered_bits((std::max)(key, 0.0)))
     , m_segment_and_side(2 * static_cast<std::uint32_t>(joint.incoming) + (joint.side == Side::LEFT ? 0 : 1))
     , m_outgoing(outgoing)
   {
   }
 
-  double key() const { return m_key; }
+  double key() const
+  {
+    double key;
+    std::memcpy(&key, &m_key, sizeof key);
+    return key;
+  }
+
   Joint joint() const
   {
     return {static_cast<Index>(m_segment_and_side / 2), m_segment_and_side % 2 == 0 ? Side::LEFT : Side::RIGHT};
   }
+
   Index outgoing() const { return m_outgoing; }
 
   // Without branches: on symmetric meshes many keys are equal.
@@ -44,7 +54,7 @@ public:
   }
 
 private:
-  double m_key;
+  std::uint64_t m_key; // the bits of the number
   std::uint32_t m_segment_and_side;
   Index m_outgoing;
 };
