@@ -455,14 +455,6 @@ private:
     }
   }
 
-  static void note_ends(Curve_result& result)
-  {
-    if(result.is_closed || result.points.empty())
-      return;
-    result.source = vertex_at(result.points.front().on_surface);
-    result.target = vertex_at(result.points.back().on_surface);
-  }
-
   // Proves the finished curves from the input alone.
   void certify(Network& network, std::vector<Curve_result>& results)
   {
