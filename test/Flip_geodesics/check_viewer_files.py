@@ -207,15 +207,21 @@ def compare(path, points, faces, curves, mesh, expected, tolerance):
 
 
 def load_in_browser(browser, address):
-    """The data that the page leaves at its root element."""
-    with tempfile.TemporaryDirectory() as profile:
-        command = [browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-                   '--no-first-run', '--disable-background-networking', '--disable-component-update',
-                   '--disable-sync', f'--user-data-dir={profile}', '--virtual-time-budget=20000', '--dump-dom', address]
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=120, check=False)
-    element = re.search(r'<html[^>]*>', done.stdout.decode())
-    check(element is not None, f'{browser} did not load the page')
-    data = dict(re.findall(r'data-([a-z-]+)="([^"]*)"', element.group()))
+    """The data that the page leaves at its root element. On a busy machine the browser's time can run out before the page
+    has started; then it is loaded again."""
+    data = {}
+    for _ in range(5):
+        with tempfile.TemporaryDirectory() as profile:
+            command = [browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+                       '--no-first-run', '--disable-background-networking', '--disable-component-update',
+                       '--disable-sync', f'--user-data-dir={profile}', '--virtual-time-budget=20000', '--dump-dom',
+                       address]
+            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=120, check=False)
+        element = re.search(r'<html[^>]*>', done.stdout.decode())
+        check(element is not None, f'{browser} did not load the page')
+        data = dict(re.findall(r'data-([a-z-]+)="([^"]*)"', element.group()))
+        if 'state' in data:
+            break
     check(data.get('state') == 'ready', f'the page in the browser: {data}')
     return data
 
