@@ -2,11 +2,14 @@
 //
 // Trees of geodesics over meshes: how many paths are shortest, and what it costs.
 //
-//   tree_corpus [--gear TEETH] MESH...
+//   tree_corpus [--kernel double|certified] [--gear TEETH] MESH...
 //
 // Writes a line per mesh: the tree from its first vertex with a face, before and after make_shortest(). With --gear, a
-// gear wheel with so many teeth is generated and comes first.
+// gear wheel with so many teeth is generated. Options hold for the meshes after them.
+//
+// Exit status: 0 if every tree is valid, 1 if not.
 
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
@@ -29,9 +32,9 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
-using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Clock = std::chrono::steady_clock;
 
 namespace {
@@ -79,8 +82,12 @@ Mesh gear(int teeth)
   return mesh;
 }
 
-void measure(const std::string& name, const Mesh& mesh)
+// Are the trees valid?
+template <class Traits>
+bool measure(const std::string& name, const Mesh& mesh)
 {
+  using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits>;
+  bool is_valid = true;
   FG::Index source = 0;
   while(source < static_cast<FG::Index>(mesh.number_of_vertices()) && mesh.is_isolated(Mesh::Vertex_index(source)))
     ++source;
@@ -90,20 +97,30 @@ void measure(const std::string& name, const Mesh& mesh)
     FG::Geodesic_tree<Triangulation> tree(triangulation);
     auto start = Clock::now();
     const FG::Geodesic_tree_report grown = tree.grow(source);
+    is_valid = tree.is_valid();
     std::cout << ' ' << milliseconds_since(start) << ' ' << grown.flips << ' ' << grown.reopened << ' '
-              << FG::to_string(grown.status) << (tree.is_valid() ? "" : ",INVALID") << std::flush;
+              << FG::to_string(grown.status) << (is_valid ? "" : ",INVALID") << std::flush;
     start = Clock::now();
     const FG::Shortest_tree_report report = FG::make_shortest(tree);
+    const bool is_valid_then = tree.is_valid(1e-8);
+    is_valid = is_valid && is_valid_then;
     const auto share = [&](std::size_t longer) {
       return 100.0 * double(report.vertices - longer) / double(report.vertices);
     };
     std::cout << ' ' << share(report.longer_before) << ' ' << 100 * report.largest_excess_before << ' '
               << share(report.longer) << ' ' << milliseconds_since(start) << ' ' << report.windows << ' '
-              << FG::to_string(report.status) << (tree.is_valid(1e-8) ? "" : ",INVALID")
+              << FG::to_string(report.status) << (is_valid_then ? "" : ",INVALID")
               << (report.is_confirmed ? " confirmed" : " unconfirmed") << std::endl;
   } catch(const std::exception& error) {
     std::cout << " ERROR " << std::string(error.what()).substr(0, 100) << std::endl;
   }
+  return is_valid;
+}
+
+bool measure(const std::string& name, const Mesh& mesh, bool is_certified)
+{
+  return is_certified ? measure<FG::Certified_intrinsic_triangulation_traits<Kernel>>(name, mesh)
+                      : measure<FG::Intrinsic_triangulation_traits<Kernel>>(name, mesh);
 }
 
 } // namespace
@@ -113,18 +130,21 @@ int main(int argc, char** argv)
   std::cout
       << "mesh triangles grow_ms flips reopened status shortest_% largest_excess_% shortest_then_% repair_ms windows "
          "status_then confirmed\n";
+  bool is_certified = false, are_valid = true;
   for(int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     Mesh mesh;
-    if(argument == "--gear" && i + 1 < argc) {
+    if(argument == "--kernel" && i + 1 < argc) {
+      is_certified = std::string(argv[++i]) == "certified";
+    } else if(argument == "--gear" && i + 1 < argc) {
       const int teeth = std::atoi(argv[++i]);
       mesh = gear(teeth);
-      measure("gear_" + std::to_string(teeth), mesh);
+      are_valid = measure("gear_" + std::to_string(teeth), mesh, is_certified) && are_valid;
     } else if(CGAL::IO::read_polygon_mesh(argument, mesh) && CGAL::is_triangle_mesh(mesh) && !mesh.is_empty()) {
-      measure(argument.substr(argument.find_last_of('/') + 1), mesh);
+      are_valid = measure(argument.substr(argument.find_last_of('/') + 1), mesh, is_certified) && are_valid;
     } else {
       std::cout << argument << " cannot be read\n";
     }
   }
-  return EXIT_SUCCESS;
+  return are_valid ? EXIT_SUCCESS : EXIT_FAILURE;
 }
