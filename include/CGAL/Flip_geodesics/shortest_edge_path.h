@@ -31,7 +31,7 @@ enum class Search_method {
   /// less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly straight, where
   /// shortest edge paths swerve to where the edges happen to point; `shorten()` flips several times fewer edges on
   /// smooth meshes. The bound for the remaining way counts 1.05 times, so that the search does not compare ways that are
-  /// all nearly as short, and visits a third of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the metric
+  /// all nearly as short, and visits about half of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the metric
   /// has no lower bound.
   LOOK_BACK,
   A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
