@@ -86,8 +86,7 @@ inline Mesh in_hilbert_order(const Mesh& mesh)
 {
   std::vector<Mesh::Vertex_index> order(mesh.vertices().begin(), mesh.vertices().end());
   using Points = Mesh::Property_map<Mesh::Vertex_index, Point>;
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_3<Kernel, Points>(mesh.points()));
+  CGAL::hilbert_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_3<Kernel, Points>(mesh.points()));
   Mesh result;
   result.reserve(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
   std::vector<Mesh::Vertex_index> renumbered(order.size());

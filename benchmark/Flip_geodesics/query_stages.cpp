@@ -7,8 +7,8 @@
 //   search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash
 //
 // Each time is the median over the rounds, of processor time. `edge_segments` counts the segments of Dijkstra's path,
-// `segments` those of the path that was straightened, `hash` the bits of the extracted curve. `landmarks` looks back and
-// is directed by landmarks, which are made before and not counted.
+// `segments` those of the path that was straightened, `hash` the bits of the extracted curve. `landmarks` looks back
+// and is directed by landmarks, which are made before and not counted.
 //
 // Usage: query_stages [--pairs N] [--seed S] [--rounds R] [--search lookback|landmarks|astar|dijkstra] MESH...
 

@@ -85,7 +85,7 @@ private:
   template <class Search>
   void choose_landmarks(Search& search, Index start)
   {
-    std::vector<double> nearest(m_rows.size(), -1); // the distance of the nearest landmark; none is outside the component
+    std::vector<double> nearest(m_rows.size(), -1); // how far the nearest landmark is; -1 outside the component
     Index landmark = start;
     double radius = 0;
     search.visit_all(start, [&](Index v, double distance) {

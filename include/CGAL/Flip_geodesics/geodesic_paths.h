@@ -196,8 +196,8 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes the same with searches that are directed by landmarks, which pays if there are thousands of pairs. A path may
- * take another way round a hole or a bump than without, which is about as long.
+ * Computes the same with searches that are directed by landmarks, which pays if there are thousands of pairs. A path
+ * may take another way round a hole or a bump than without, which is about as long.
  *
  * \param mesh a triangle mesh
  * \param landmarks made for this mesh and its metric

@@ -30,8 +30,10 @@ enum class Search_method {
   /// distance of a vertex is measured along straight lines from up to two vertices back on the path to it, and not as
   /// less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly straight, where
   /// shortest edge paths swerve to where the edges happen to point; `shorten()` flips several times fewer edges on
-  /// smooth meshes. The bound for the remaining way counts 1.05 times, so that the search does not compare ways that are
-  /// all nearly as short, and visits about half of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the metric
+  /// smooth meshes. The bound for the remaining way counts 1.05 times, so that the search does not compare ways that
+  /// are
+  /// all nearly as short, and visits about half of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the
+  /// metric
   /// has no lower bound.
   LOOK_BACK,
   A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
@@ -168,8 +170,9 @@ private:
     const auto& metric = m_triangulation->metric();
     m_target = target;
     m_target_place = metric.place(m_triangulation->input(), target);
-    m_is_bounded = has_bound && std::isfinite(metric.distance_lower_bound(
-                                    metric.place(m_triangulation->input(), source), m_target_place));
+    m_is_bounded =
+        has_bound &&
+        std::isfinite(metric.distance_lower_bound(metric.place(m_triangulation->input(), source), m_target_place));
   }
 
   // The next vertex, `null_index` if there is none.

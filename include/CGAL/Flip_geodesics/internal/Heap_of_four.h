@@ -26,9 +26,9 @@ inline std::uint64_t ordered_bits(double number)
  * siblings share a cache line or two. The smallest sibling is found without branches, of which half would be foretold
  * wrongly.
  *
- * What is popped leaves a hole at the top, which the next push fills: what was popped leads to entries that are soon due,
- * and they stay near the top. If there is none, the last entry fills the hole, which goes all the way down first, since
- * that entry belongs near a leaf.
+ * What is popped leaves a hole at the top, which the next push fills: what was popped leads to entries that are soon
+ * due, and they stay near the top. If there is none, the last entry fills the hole, which goes all the way down first,
+ * since that entry belongs near a leaf.
  *
  * \tparam Entry has a static member `is_before(a, b)`, a total order: 1 or 0
  */
