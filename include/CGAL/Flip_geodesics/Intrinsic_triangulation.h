@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
@@ -35,17 +36,6 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-namespace internal {
-
-template <class TriangleMesh>
-using Default_point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type;
-
-template <class TriangleMesh>
-using Default_traits = Intrinsic_triangulation_traits<
-    typename Kernel_traits<typename boost::property_traits<Default_point_map<TriangleMesh>>::value_type>::Kernel>;
-
-} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsRef
