@@ -6,9 +6,15 @@
 #include "point_input.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <cmath>
 #include <optional>
@@ -24,7 +30,12 @@ namespace program {
 class Surface_projector
 {
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+#if CGAL_VERSION_NR >= 1060000000
+  using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+  using Tree = CGAL::AABB_tree<Traits>;
 
 public:
   explicit Surface_projector(const Mesh& mesh)

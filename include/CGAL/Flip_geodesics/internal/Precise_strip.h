@@ -129,7 +129,7 @@ private:
     const Index reference = next(next(crossed));
     const Direction first = {{{1, 0}, {}}, 0};
     Direction along = next_direction(reference, first); // the crossed edge, from right to left
-    Point right = step({{}, 0}, reference, first), left = step(right, crossed, along), apex;
+    Point right = step({{}, 0}, reference, first), left = step(right, crossed, along), apex = left;
     Index arrival = null_index;
     for(std::size_t i = 0; i < word.crossed.size(); ++i) {
       if(has_gates)
