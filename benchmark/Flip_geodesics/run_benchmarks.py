@@ -9,6 +9,7 @@ read from the CGAL data of Debian's package libcgal-dev, if it is installed; mor
 
 stages_*.csv    the stages of queries, with Dijkstra's algorithm interleaved    query_stages
 order.csv       the same as the meshes are numbered, and along a Hilbert curve  query_stages
+many.csv        many paths, in one thread and in two                            many_paths
 memory.csv      resident memory                                                 memory_use
 opponents.csv   flips, iterative unfolding, iterative relaxation                compare_straightening
 kernels.csv     single operations, plain and certified                          kernels
@@ -96,7 +97,7 @@ def main():
         sizes = [1e3, 4e3, 16e3, 64e3, 256e3] + ([1e6, 4e6] if arguments.all else [])
         generated = [f"{kind}:{int(size)}" for kind in ("torus", "terrain") for size in sizes]
         subdivided = [f"{mesh}+{k}" for mesh in real[:1] for k in ((1, 2, 3) if arguments.all else (1,))]
-        pairs = 50 if arguments.all else 15
+        pairs = 20 if arguments.all else 15
 
         def table(name, program, *options):
             run(arguments.programs, arguments.out, name, program, *options)
@@ -106,6 +107,8 @@ def main():
                   *generated, *real, *subdivided)
         numbered = [mesh + order for mesh in [*real, *subdivided] for order in ("", "~")]
         table("order.csv", "query_stages", "--pairs", 2 * pairs, "--rounds", 1, *numbered)
+        table("many.csv", "many_paths", *(["--pairs", 1000] if arguments.all else ["--pairs", 300, "--rounds", 3]),
+              *generated[2:5], *real)
         # A process each, since memory that was used once counts as resident afterwards.
         run_each(arguments.programs, arguments.out, "memory.csv", "memory_use",
                  [[mesh] for mesh in [*generated, *real, *subdivided]])

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Times many paths on one mesh by `geodesic_paths()`: in one thread, in several, and one call of `geodesic_path()` after
+// the other, interleaved, by the clock on the wall, so that the machine should have nothing else to do. Writes a line per
+// mesh, comma-separated, with a header:
+//
+//   mesh,triangles,pairs,threads,one_by_one_s,sequential_s,parallel_s,speedup,is_same
+//
+// Each time is the median over the rounds; `is_same` tells whether all three gave the same points.
+//
+// Usage: many_paths [--pairs N] [--seed S] [--rounds R] [--threads T] MESH...
+
+#include "benchmark_meshes.h"
+
+#include <CGAL/Flip_geodesics.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using benchmark_meshes::Mesh;
+using Vertex = Mesh::Vertex_index;
+using Points = std::vector<Mesh::Point>;
+
+struct Options
+{
+  std::size_t pairs = 1000, rounds = 5, threads = 2;
+  unsigned seed = 1;
+  std::vector<std::string> meshes;
+};
+
+Options read_options(int argc, char** argv)
+{
+  Options options;
+  for(int i = 1; i < argc; ++i) {
+    const std::string name = argv[i];
+    if(name.substr(0, 2) != "--") {
+      options.meshes.push_back(name);
+      continue;
+    }
+    if(++i == argc)
+      throw std::runtime_error(name + " needs a value");
+    const std::size_t value = std::stoul(argv[i]);
+    if(name == "--pairs")
+      options.pairs = value;
+    else if(name == "--rounds")
+      options.rounds = (std::max)(value, std::size_t(1));
+    else if(name == "--threads")
+      options.threads = (std::max)(value, std::size_t(1));
+    else if(name == "--seed")
+      options.seed = static_cast<unsigned>(value);
+    else
+      throw std::runtime_error(name + " is not known");
+  }
+  if(options.meshes.empty())
+    throw std::runtime_error("no mesh is given");
+  return options;
+}
+
+/// A way to compute all paths, and the times that it took.
+template <class Function>
+class Timed
+{
+public:
+  explicit Timed(Function function)
+    : m_function(function)
+  {
+  }
+
+  void run()
+  {
+    const auto start = std::chrono::steady_clock::now();
+    paths = m_function();
+    m_seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+
+  double median()
+  {
+    const auto middle = m_seconds.begin() + static_cast<std::ptrdiff_t>(m_seconds.size() / 2);
+    std::nth_element(m_seconds.begin(), middle, m_seconds.end());
+    return *middle;
+  }
+
+  std::vector<Points> paths;
+
+private:
+  Function m_function;
+  std::vector<double> m_seconds;
+};
+
+template <class ConcurrencyTag>
+std::vector<Points> all_at_once(const Mesh& mesh, const std::vector<std::pair<Vertex, Vertex>>& pairs)
+{
+  std::vector<FG::Geodesic_path<Mesh::Point>> paths;
+  FG::geodesic_paths<ConcurrencyTag>(mesh, pairs, std::back_inserter(paths));
+  std::vector<Points> result;
+  for(auto& path : paths)
+    result.push_back(std::move(path.points));
+  return result;
+}
+
+std::vector<Points> one_by_one(const Mesh& mesh, const std::vector<std::pair<Vertex, Vertex>>& pairs)
+{
+  std::vector<Points> result;
+  for(const auto& [source, target] : pairs) {
+    result.emplace_back();
+    FG::geodesic_path(mesh, source, target, std::back_inserter(result.back()));
+  }
+  return result;
+}
+
+void run(const Options& options, const std::string& name)
+{
+  const Mesh mesh = benchmark_meshes::make_mesh(name);
+  std::mt19937 random(options.seed);
+  const auto vertex = [&] { return Vertex(static_cast<std::uint32_t>(random() % mesh.number_of_vertices())); };
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  while(pairs.size() < options.pairs) {
+    const Vertex source = vertex(), target = vertex();
+    if(source != target)
+      pairs.emplace_back(source, target);
+  }
+  Timed single([&] { return one_by_one(mesh, pairs); });
+  Timed sequential([&] { return all_at_once<CGAL::Sequential_tag>(mesh, pairs); });
+  Timed parallel([&] { return all_at_once<CGAL::Parallel_if_available_tag>(mesh, pairs); });
+  for(std::size_t round = 0; round < options.rounds; ++round) {
+    single.run();
+    sequential.run();
+    parallel.run();
+  }
+  const bool is_same = single.paths == sequential.paths && sequential.paths == parallel.paths;
+  std::cout << benchmark_meshes::short_name(name) << ',' << mesh.number_of_faces() << ',' << options.pairs << ','
+            << options.threads << ',' << single.median() << ',' << sequential.median() << ',' << parallel.median()
+            << ',' << sequential.median() / parallel.median() << ',' << is_same << std::endl;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    const Options options = read_options(argc, argv);
+#ifdef CGAL_LINKED_WITH_TBB
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
+#endif
+    std::cout << "mesh,triangles,pairs,threads,one_by_one_s,sequential_s,parallel_s,speedup,is_same\n";
+    for(const std::string& mesh : options.meshes)
+      run(options, mesh);
+  } catch(const std::exception& error) {
+    std::cerr << "many_paths: " << error.what() << '\n';
+    return 1;
+  }
+}
