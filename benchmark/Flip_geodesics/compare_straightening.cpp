@@ -11,7 +11,10 @@
 // the edge path to the points of the curve; the relaxation is run once, to its authors' tolerance of 0.005 radians, and
 // for the verdict once more, to 1e-5, for as many sweeps as the first time but at least 20000.
 //
-// Usage: compare_straightening PAIRS MESH...
+// With --detour the start is two shortest edge paths one after the other, by way of a third vertex: straight but for
+// one place, and far from the geodesic, as in [SC20, Figure 17]. The times are those of both searches together.
+//
+// Usage: compare_straightening [--detour] PAIRS MESH...
 
 #include "benchmark_meshes.h"
 #include "edge_dijkstra.h"
@@ -27,6 +30,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,8 +77,9 @@ double median(std::array<double, 3> times)
 class Comparison
 {
 public:
-  explicit Comparison(const std::string& name)
-    : m_name(benchmark_meshes::short_name(name))
+  Comparison(const std::string& name, bool is_detour)
+    : m_is_detour(is_detour)
+    , m_name(benchmark_meshes::short_name(name))
     , m_mesh(benchmark_meshes::make_mesh(name))
     , m_checker_mesh(checker_mesh(m_mesh))
     , m_geometry(m_mesh)
@@ -91,8 +96,9 @@ public:
     };
     for(std::size_t i = 0, tries = 0; i < pairs && tries < 10 * pairs; ++tries) {
       const auto source = vertex(), target = vertex();
-      const Edge_path path = m_dijkstra(source, target);
-      if(path.size() < 2)
+      m_way_point = m_is_detour ? vertex() : target;
+      const Edge_path path = start(source, target);
+      if(path.size() < 2 || !is_simple(path))
         continue;
       compare(path, source, target);
       ++i;
@@ -102,13 +108,29 @@ public:
 private:
   using Polyline = polyline_checker::Polyline;
 
+  Edge_path start(Mesh::Vertex_index source, Mesh::Vertex_index target)
+  {
+    Edge_path path = m_dijkstra(source, m_way_point);
+    if(m_is_detour) {
+      const Edge_path rest = m_dijkstra(m_way_point, target);
+      path.insert(path.end(), rest.begin(), rest.end());
+    }
+    return path;
+  }
+
+  bool is_simple(const Edge_path& path) const
+  {
+    std::set<Mesh::Vertex_index> passed = {m_mesh.source(path.front())};
+    return std::all_of(path.begin(), path.end(), [&](auto h) { return passed.insert(m_mesh.target(h)).second; });
+  }
+
   void compare(const Edge_path& path, Mesh::Vertex_index source, Mesh::Vertex_index target)
   {
     std::array<double, 3> dijkstra, flipping, unfolding;
     Polyline flipped, unfolded;
     std::size_t flips = 0, rounds = 0, sweeps = 0;
     for(std::size_t round = 0; round < 3; ++round) {
-      dijkstra[round] = seconds([&] { m_dijkstra(source, target); });
+      dijkstra[round] = seconds([&] { start(source, target); });
       flipping[round] = seconds([&] { flipped = flip_out(path, flips); });
       unfolding[round] = seconds([&] {
         Path gates(m_geometry, path);
@@ -200,8 +222,10 @@ private:
     return polyline_checker::is_geodesic(reports.front(), tolerances) ? 1 : 0;
   }
 
+  bool m_is_detour;
   std::string m_name;
   Mesh m_mesh;
+  Mesh::Vertex_index m_way_point; // of a detour, otherwise the target
   polyline_checker::Mesh m_checker_mesh;
   opponents::Surface_geometry<Mesh> m_geometry;
   Edge_dijkstra<Mesh> m_dijkstra;
@@ -213,14 +237,16 @@ private:
 int main(int argc, char** argv)
 {
   try {
-    if(argc < 3)
-      throw std::runtime_error("usage: compare_straightening PAIRS MESH...");
+    const bool is_detour = argc > 1 && std::string(argv[1]) == "--detour";
+    const int first = is_detour ? 2 : 1;
+    if(argc < first + 2)
+      throw std::runtime_error("usage: compare_straightening [--detour] PAIRS MESH...");
     std::cout << "mesh,triangles,source,target,segments,flips,dijkstra_s,flip_out_s,unfolding_s,relaxation_s,"
                  "unfolding_rounds,relaxation_sweeps,flip_out_length,unfolding_length,relaxation_length,"
                  "flip_out_geodesic,unfolding_geodesic,relaxation_geodesic\n";
     std::cout.precision(9);
-    for(int i = 2; i < argc; ++i)
-      Comparison(argv[i]).run(std::stoul(argv[1]));
+    for(int i = first + 1; i < argc; ++i)
+      Comparison(argv[i], is_detour).run(std::stoul(argv[first]));
   } catch(const std::exception& error) {
     std::cerr << "compare_straightening: " << error.what() << '\n';
     return 2;

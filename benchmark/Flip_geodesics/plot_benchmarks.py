@@ -8,6 +8,7 @@ benchmark_stages.svg     times of the stages of a query against the segments of 
 benchmark_size.svg       medians of the same against the size of the mesh
 benchmark_flips.svg      flips against segments, from shortest edge paths and from those that look back
 benchmark_opponents.svg  the time of three ways of straightening over that of Dijkstra's algorithm, sorted
+benchmark_detours.svg    the same from starts that are far from the geodesic
 """
 
 import argparse
@@ -87,8 +88,8 @@ def draw_flips(tables, out):
     draw(out / "benchmark_flips.svg", "segments m of the shortest edge path", "flips", series)
 
 
-def draw_opponents(tables, out):
-    rows = read_table(tables / "opponents.csv")
+def draw_opponents(tables, out, name):
+    rows = read_table(tables / f"{name}.csv")
     series = []
     for column, title, color in (("flip_out_s", "flips, with the check of the result", "#d55e00"),
                                  ("unfolding_s", "iterative unfolding", "#0072b2"),
@@ -96,11 +97,11 @@ def draw_opponents(tables, out):
         ratios = sorted(float(r[column]) / float(r["dijkstra_s"]) for r in rows)
         points = [((i + 0.5) / len(ratios), ratio) for i, ratio in enumerate(ratios)]
         series.append((title, f"lines lw 2 lc rgb '{color}'", points))
-    draw(out / "benchmark_opponents.svg", "share of the paths", "time over that of Dijkstra's algorithm", series, "y")
+    draw(out / f"benchmark_{name}.svg", "share of the paths", "time over that of Dijkstra's algorithm", series, "y")
     for method in ("flip_out", "unfolding", "relaxation"):
         good = sum(int(r[method + "_geodesic"]) for r in rows)
         ratio = statistics.median(float(r[method + "_s"]) / float(r["dijkstra_s"]) for r in rows)
-        print(f"{method}: geodesic {good} of {len(rows)}, time over Dijkstra {ratio:.3g}")
+        print(f"{name}, {method}: geodesic {good} of {len(rows)}, time over Dijkstra {ratio:.3g}")
 
 
 def print_stages(tables):
@@ -121,7 +122,8 @@ def main():
     arguments = parser.parse_args()
     draw_stages(arguments.tables, arguments.out)
     draw_flips(arguments.tables, arguments.out)
-    draw_opponents(arguments.tables, arguments.out)
+    for name in ("opponents", "detours"):
+        draw_opponents(arguments.tables, arguments.out, name)
     print_stages(arguments.tables)
 
 

@@ -12,6 +12,7 @@ order.csv       the same as the meshes are numbered, and along a Hilbert curve  
 many.csv        many paths, in one thread and in two                            many_paths
 memory.csv      resident memory                                                 memory_use
 opponents.csv   flips, iterative unfolding, iterative relaxation                compare_straightening
+detours.csv     the same from starts that are far from the geodesic             compare_straightening
 kernels.csv     single operations, plain and certified                          kernels
 exact.csv       continuous Dijkstra and the heat method                         compare_distance_methods
 machine.txt     processor, compiler, load at the start
@@ -113,6 +114,8 @@ def main():
         run_each(arguments.programs, arguments.out, "memory.csv", "memory_use",
                  [[mesh] for mesh in [*generated, *real, *subdivided]])
         table("opponents.csv", "compare_straightening", 100 if arguments.all else 10, *real, "torus:64000",
+              "terrain:64000")
+        table("detours.csv", "compare_straightening", "--detour", 50 if arguments.all else 5, *real, "torus:64000",
               "terrain:64000")
         table("exact.csv", "compare_distance_methods", 5 if arguments.all else 2, "torus:4000", "torus:16000",
               *real[2:3], *(real[:1] if arguments.all else []))
