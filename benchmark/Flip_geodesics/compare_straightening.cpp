@@ -25,6 +25,8 @@
 
 #include <CGAL/Flip_geodesics.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -236,17 +238,21 @@ private:
 
 int main(int argc, char** argv)
 {
+  CLI::App app{"Three ways of straightening the same paths"};
+  std::size_t pairs = 0;
+  std::vector<std::string> meshes;
+  bool is_detour = false;
+  app.add_option("pairs", pairs, "Pairs of vertices on each mesh")->required();
+  app.add_option("meshes", meshes, "Meshes, as files or by name")->required();
+  app.add_flag("--detour", is_detour, "Start by way of a third vertex");
+  CLI11_PARSE(app, argc, argv);
   try {
-    const bool is_detour = argc > 1 && std::string(argv[1]) == "--detour";
-    const int first = is_detour ? 2 : 1;
-    if(argc < first + 2)
-      throw std::runtime_error("usage: compare_straightening [--detour] PAIRS MESH...");
     std::cout << "mesh,triangles,source,target,segments,flips,dijkstra_s,flip_out_s,unfolding_s,relaxation_s,"
                  "unfolding_rounds,relaxation_sweeps,flip_out_length,unfolding_length,relaxation_length,"
                  "flip_out_geodesic,unfolding_geodesic,relaxation_geodesic\n";
     std::cout.precision(9);
-    for(int i = first + 1; i < argc; ++i)
-      Comparison(argv[i], is_detour).run(std::stoul(argv[first]));
+    for(const std::string& mesh : meshes)
+      Comparison(mesh, is_detour).run(pairs);
   } catch(const std::exception& error) {
     std::cerr << "compare_straightening: " << error.what() << '\n';
     return 2;

@@ -14,6 +14,8 @@
 
 #include <CGAL/Flip_geodesics.h>
 
+#include <CLI/CLI.hpp>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
@@ -41,34 +43,6 @@ struct Options
   unsigned seed = 1;
   std::vector<std::string> meshes;
 };
-
-Options read_options(int argc, char** argv)
-{
-  Options options;
-  for(int i = 1; i < argc; ++i) {
-    const std::string name = argv[i];
-    if(name.substr(0, 2) != "--") {
-      options.meshes.push_back(name);
-      continue;
-    }
-    if(++i == argc)
-      throw std::runtime_error(name + " needs a value");
-    const std::size_t value = std::stoul(argv[i]);
-    if(name == "--pairs")
-      options.pairs = value;
-    else if(name == "--rounds")
-      options.rounds = (std::max)(value, std::size_t(1));
-    else if(name == "--threads")
-      options.threads = (std::max)(value, std::size_t(1));
-    else if(name == "--seed")
-      options.seed = static_cast<unsigned>(value);
-    else
-      throw std::runtime_error(name + " is not known");
-  }
-  if(options.meshes.empty())
-    throw std::runtime_error("no mesh is given");
-  return options;
-}
 
 /// A way to compute all paths, and the times that it took.
 template <class Function>
@@ -151,8 +125,17 @@ void run(const Options& options, const std::string& name)
 
 int main(int argc, char** argv)
 {
+  CLI::App app{"Many geodesics on one mesh, in one thread and in several"};
+  Options options;
+  app.add_option("meshes", options.meshes, "Meshes, as files or by name")->required();
+  app.add_option("--pairs", options.pairs, "Paths on each mesh")->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
+  app.add_option("--rounds", options.rounds, "Rounds of which the median is taken")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "Threads at most")->check(CLI::PositiveNumber)->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
   try {
-    const Options options = read_options(argc, argv);
 #ifdef CGAL_LINKED_WITH_TBB
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
 #endif
@@ -163,4 +146,5 @@ int main(int argc, char** argv)
     std::cerr << "many_paths: " << error.what() << '\n';
     return 1;
   }
+  return 0;
 }

@@ -18,6 +18,8 @@
 
 #include <CGAL/Flip_geodesics.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -26,6 +28,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -162,39 +165,26 @@ private:
   Edge_dijkstra<Mesh> m_dijkstra;
 };
 
-Options read_options(int argc, char** argv)
-{
-  Options options;
-  for(int i = 1; i < argc; ++i) {
-    const std::string name = argv[i];
-    if(name.substr(0, 2) != "--") {
-      options.meshes.push_back(name);
-      continue;
-    }
-    if(++i == argc)
-      throw std::runtime_error(name + " needs a value");
-    if(name == "--pairs")
-      options.pairs = std::stoul(argv[i]);
-    else if(name == "--rounds")
-      options.rounds = (std::max)(std::stoul(argv[i]), 1ul);
-    else if(name == "--seed")
-      options.seed = static_cast<unsigned>(std::stoul(argv[i]));
-    else if(name == "--search" && search_methods.count(argv[i]) != 0)
-      options.search = argv[i];
-    else
-      throw std::runtime_error(name + ' ' + argv[i] + " is not known");
-  }
-  if(options.meshes.empty())
-    throw std::runtime_error("no mesh is given");
-  return options;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
+  CLI::App app{"The stages of geodesic queries"};
+  Options options;
+  std::set<std::string> searches;
+  for(const auto& [name, method] : search_methods)
+    searches.insert(name);
+  app.add_option("meshes", options.meshes, "Meshes, as files or by name")->required();
+  app.add_option("--pairs", options.pairs, "Pairs of vertices on each mesh")->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of the random choices")->capture_default_str();
+  app.add_option("--rounds", options.rounds, "Rounds of which the median is taken")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--search", options.search, "How starts are searched")
+      ->check(CLI::IsMember(searches))
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
   try {
-    const Options options = read_options(argc, argv);
     std::cout << "mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,"
                  "construct_s,dijkstra_s,search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash\n";
     std::cout.precision(9);
