@@ -45,6 +45,9 @@ public:
   /// says that there is no bound but zero.
   typedef unspecified_type Place;
 
+  /// `weight(mesh, h)`, bit for bit, where the places of the halfedge's two ends are at hand: what a search asks most.
+  double weight(const Mesh& mesh, Index h, const Place& tail, const Place& head) const;
+
   /// The place of vertex `v`.
   Place place(const Mesh& mesh, Index v) const;
 

@@ -88,6 +88,13 @@ public:
   double weight(const Mesh& mesh, Index h) const { return Base::weight(mesh, h) + m_added; }
 
   using typename Base::Place;
+
+  /// The same, where the places of the two ends are at hand.
+  double weight(const Mesh& mesh, Index h, const Place& tail, const Place& head) const
+  {
+    return Base::weight(mesh, h, tail, head) + m_added;
+  }
+
   using Base::distance_lower_bound;
   using Base::place;
 

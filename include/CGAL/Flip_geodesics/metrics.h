@@ -84,14 +84,20 @@ public:
     return length;
   }
 
+  /// The coordinates of a point, as the doubles they round to.
+  using Place = std::array<double, 3>;
+
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Index h) const
   {
     return distance_lower_bound(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
   }
 
-  /// The coordinates of a point, as the doubles they round to.
-  using Place = std::array<double, 3>;
+  /// The same, where the places of the two ends are at hand.
+  double weight(const Mesh&, Index, const Place& tail, const Place& head) const
+  {
+    return distance_lower_bound(tail, head);
+  }
 
   /// Where vertex `v` is.
   Place place(const Mesh& mesh, Index v) const
@@ -188,16 +194,19 @@ public:
     return length;
   }
 
+  /// Nothing: lengths alone do not say where a vertex is.
+  struct Place
+  {
+  };
+
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Index h) const
   {
     return CGAL::to_double(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
-  /// Nothing: lengths alone do not say where a vertex is.
-  struct Place
-  {
-  };
+  /// The same: places say nothing.
+  double weight(const Mesh& mesh, Index h, Place, Place) const { return weight(mesh, h); }
 
   /// Nothing.
   Place place(const Mesh&, Index) const { return Place(); }

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -30,11 +31,11 @@ enum class Search_method {
   /// distance of a vertex is measured along straight lines from up to two vertices back on the path to it, and not as
   /// less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly straight, where
   /// shortest edge paths swerve to where the edges happen to point; `shorten()` flips several times fewer edges on
-  /// smooth meshes. The bound for the remaining way counts 1.05 times, so that the search does not compare ways that
-  /// are
-  /// all nearly as short, and visits about half of the vertices that `A_STAR` does. The same as `DIJKSTRA` where the
-  /// metric
-  /// has no lower bound.
+  /// smooth meshes. The bound for the remaining way counts 1.1 times, so that the search does not compare ways that
+  /// are all nearly as short, and a vertex that is reached again on a way that is hardly shorter keeps its turn: about
+  /// a
+  /// third of the vertices are visited that `A_STAR` visits. The same as `DIJKSTRA` where the metric has no lower
+  /// bound.
   LOOK_BACK,
   A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
   DIJKSTRA ///< a shortest edge path, in all directions
@@ -58,6 +59,7 @@ public:
   explicit Shortest_edge_path(const Triangulation& triangulation, Search_method method = Search_method::A_STAR)
     : m_triangulation(&triangulation)
     , m_method(method)
+    , m_looks_back(has_bound && method == Search_method::LOOK_BACK)
     , m_haste(method == Search_method::LOOK_BACK ? haste : 1)
     , m_labels(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
@@ -133,16 +135,29 @@ private:
   struct Ancestor
   {
     Place place;
-    double distance; // of the ancestor
+    double distance; // of the ancestor; infinite if there is none
     double length;   // of the path on from it
   };
 
-  static constexpr bool has_bound = !std::is_empty<Place>::value;
   static constexpr std::size_t most_ancestors = 2;
+  using Ancestors = std::array<Ancestor, most_ancestors>;
+
+  // A vertex whose neighbors are reached through it; a copy, which nothing that is written meanwhile can change.
+  struct Origin
+  {
+    Index vertex;
+    double distance;
+    Place place;
+    Ancestors ancestors;
+  };
+
+  static constexpr bool has_bound = !std::is_empty<Place>::value;
   // Zigzag along a straight line is longer by 2 / sqrt(3) at most on a regular triangulation, by sqrt(2) on a grid.
   static constexpr double most_zigzag = 1.5;
   // What the bound is multiplied by. Landmarks give bounds that are nearly met.
-  static constexpr double haste = 1.05, haste_with_landmarks = 1.02;
+  static constexpr double haste = 1.1, haste_with_landmarks = 1.02;
+  // A way that is shorter by less than this part of its last edge does not put a vertex forward in the queue.
+  static constexpr double least_gain = 0.2;
 
   void check_vertex(Index v) const
   {
@@ -156,6 +171,7 @@ private:
   {
     m_target = null_index;
     m_is_bounded = false;
+    m_least_gain = 0;
     m_epoch += 2;
     m_settled = 0;
     m_queue.clear();
@@ -169,6 +185,7 @@ private:
       return;
     const auto& metric = m_triangulation->metric();
     m_target = target;
+    m_least_gain = m_looks_back ? least_gain : 0;
     m_target_place = metric.place(m_triangulation->input(), target);
     m_is_bounded =
         has_bound &&
@@ -193,51 +210,70 @@ private:
   {
     const auto& input = m_triangulation->input();
     const Label label = m_labels[v];
-    const Index first = label.incoming == null_index ? input.outgoing(v) : Triangulation::twin(label.incoming);
+    const bool is_source = label.incoming == null_index;
+    const Index first = is_source ? input.outgoing(v) : Triangulation::twin(label.incoming);
     if(first == null_index)
       return;
-    collect_ancestors(label);
-    Index h = first;
-    do {
-      relax(v, label.distance, h);
-      h = input.next(Triangulation::twin(h)); // along the border, too
-    } while(h != first);
+    const Index second = is_source ? first : next_around(first); // where the path came from is settled
+    if(m_looks_back)
+      relax_neighbors<true>({v, label.distance, m_triangulation->metric().place(input, v), ancestors_of(label)}, second,
+                            first);
+    else
+      relax_neighbors<false>({v, label.distance, m_triangulation->metric().place(input, v), {}}, second, first);
   }
 
-  void collect_ancestors(const Label& label)
+  // The neighbors from one halfedge round to another.
+  template <bool LooksBack>
+  void relax_neighbors(const Origin& origin, Index h, Index end)
   {
-    m_number_of_ancestors = 0;
-    if(!has_bound || m_method != Search_method::LOOK_BACK)
-      return;
+    do {
+      relax<LooksBack>(origin, h);
+      h = next_around(h);
+    } while(h != end);
+  }
+
+  // Along the border, too.
+  Index next_around(Index h) const { return m_triangulation->input().next(Triangulation::twin(h)); }
+
+  Ancestors ancestors_of(const Label& label) const
+  {
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
+    Ancestors result;
+    result.fill({Place(), std::numeric_limits<double>::infinity(), 0});
     double length = 0;
     Index incoming = label.incoming;
-    while(incoming != null_index && m_number_of_ancestors < most_ancestors) {
+    for(std::size_t i = 0; i < most_ancestors && incoming != null_index; ++i) {
       const Index a = input.tail(incoming);
+      const Label& label_of_a = m_labels[a];
       length += metric.weight(input, incoming);
-      m_ancestors[m_number_of_ancestors++] = {metric.place(input, a), m_labels[a].distance, length};
-      incoming = m_labels[a].incoming;
+      result[i] = {metric.place(input, a), label_of_a.distance, length};
+      incoming = label_of_a.incoming;
     }
+    return result;
   }
 
-  void relax(Index v, double distance_of_v, Index h)
+  template <bool LooksBack>
+  void relax(const Origin& origin, Index h)
   {
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
     const Index w = input.tail(Triangulation::twin(h));
-    const Label& label = m_labels[w];
-    if(label.stamp == m_epoch + 1)
+    if(m_labels[w].stamp == m_epoch + 1)
       return;
-    const double weight = metric.weight(input, h);
-    if(!(weight >= 0) || std::isinf(weight))
-      internal::throw_unusable_length(weight, v, w);
     const Place place = metric.place(input, w);
-    const double distance = distance_looking_back(place, distance_of_v + weight, weight);
-    if(label.stamp == m_epoch && label.distance <= distance)
+    const double weight = metric.weight(input, h, origin.place, place);
+    if(!(weight >= 0 && weight <= (std::numeric_limits<double>::max)()))
+      internal::throw_unusable_length(weight, origin.vertex, w);
+    const double distance = LooksBack ? distance_looking_back(origin, place, weight) : origin.distance + weight;
+    Label& label = m_labels.writable(w);
+    const bool is_reached = label.stamp == m_epoch;
+    const double gain = label.distance - distance;
+    if(is_reached && !(gain > 0))
       return;
-    m_labels.writable(w) = {distance, h, m_epoch};
-    m_queue.push(distance + bound_to_target(w, place), w);
+    label = {distance, h, m_epoch};
+    if(!is_reached || gain >= m_least_gain * weight)
+      m_queue.push(distance + bound_to_target(w, place), w);
   }
 
   double bound_to_target(Index v, const Place& place) const
@@ -248,13 +284,13 @@ private:
     return m_haste * bound;
   }
 
-  // The distance of a vertex, or what it is from an ancestor on if that is less.
-  double distance_looking_back(const Place& place, double distance, double weight) const
+  // The distance of a neighbor, or what it is from an ancestor on if that is less.
+  double distance_looking_back(const Origin& origin, const Place& place, double weight) const
   {
-    for(std::size_t i = 0; i < m_number_of_ancestors; ++i) {
-      const Ancestor& a = m_ancestors[i];
+    double distance = origin.distance + weight;
+    for(const Ancestor& a : origin.ancestors) {
       const double straight = m_triangulation->metric().distance_lower_bound(a.place, place);
-      distance = (std::min)(distance, a.distance + (std::max)(straight, (a.length + weight) / most_zigzag));
+      distance = (std::min)(distance, a.distance + (std::max)(straight, (a.length + weight) * (1 / most_zigzag)));
     }
     return distance;
   }
@@ -270,15 +306,15 @@ private:
 
   const Triangulation* m_triangulation;
   Search_method m_method;
+  bool m_looks_back;
   double m_haste;
   internal::Sparse_array<Label> m_labels;
   internal::Vertex_queue m_queue;
-  std::array<Ancestor, most_ancestors> m_ancestors = {};
-  std::size_t m_number_of_ancestors = 0;
   const Landmark_distances* m_landmarks = nullptr;
   Index m_target = null_index; // none if the search goes in all directions
   Place m_target_place = Place();
   bool m_is_bounded = false; // by the metric
+  double m_least_gain = 0;
   Index m_epoch = 0;
   std::size_t m_settled = 0;
 };
