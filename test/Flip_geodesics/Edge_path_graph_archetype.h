@@ -134,16 +134,30 @@ double corner_right_of(const Triangulation& triangulation, int h)
   return std::atan2(y, x);
 }
 
+/// A side of a joint in which no other end lies.
+struct Free_side
+{
+  int incoming, outgoing;
+  CGAL::Flip_geodesics::Side side;
+  double angle;
+
+  bool is_of_same_joint(const Free_side& other) const
+  {
+    return incoming == other.incoming && outgoing == other.outgoing && side == other.side;
+  }
+};
+
 /*
- * The smallest angle at a side of a joint in which no other end lies, of the curves in `curves`: over all pairs of
- * ends, with no use of the network's own ways to look around a vertex. Infinite if there is none.
+ * The sides of joints in which no other end lies: over all pairs of ends, with no use of the network's own ways to look
+ * around a vertex.
  */
 template <class Network>
-double smallest_free_angle(const Network& network, const std::set<int>& curves)
+std::vector<Free_side> free_sides(const Network& network)
 {
+  using CGAL::Flip_geodesics::Side;
   const auto& triangulation = network.triangulation();
   const Curve_system system(network);
-  double smallest = HUGE_VAL;
+  std::vector<Free_side> result;
   for(const std::vector<int>& star : system.stars()) {
     struct End
     {
@@ -167,7 +181,7 @@ double smallest_free_angle(const Network& network, const std::set<int>& curves)
                              ends[k].halfedge == b.halfedge;
         const bool is_right = ends[i].halfedge == a.halfedge && a.previous == ends[k].segment && !b.is_head_fixed &&
                               ends[k].halfedge == (b.halfedge ^ 1);
-        if((!is_left && !is_right) || curves.count(a.curve) == 0)
+        if(!is_left && !is_right)
           continue;
         const bool is_next = (i + 1) % ends.size() == k, is_past_border = k <= i && has_border;
         if(!is_next || is_past_border)
@@ -175,9 +189,23 @@ double smallest_free_angle(const Network& network, const std::set<int>& curves)
         double angle = angle_before[ends[k].spoke] - angle_before[ends[i].spoke];
         if(k <= i)
           angle += whole;
-        smallest = (std::min)(smallest, angle);
+        if(is_left)
+          result.push_back({ends[i].segment, ends[k].segment, Side::LEFT, angle});
+        if(is_right)
+          result.push_back({ends[k].segment, ends[i].segment, Side::RIGHT, angle});
       }
   }
+  return result;
+}
+
+/// The smallest angle of the free sides of some curves; infinite if there is none.
+template <class Network>
+double smallest_free_angle(const Network& network, const std::set<int>& curves)
+{
+  double smallest = HUGE_VAL;
+  for(const Free_side& free : free_sides(network))
+    if(curves.count(network.curve(free.incoming)) != 0)
+      smallest = (std::min)(smallest, free.angle);
   return smallest;
 }
 
@@ -205,8 +233,8 @@ struct Operation_counts
 
 /*
  * A model of `EdgePathGraph` that has nothing but what the concept asks for. It forwards to an `Edge_path_network`,
- * and after each operation that moves a curve it checks all that must hold then: links, non-crossing matchings, and the
- * isotopy class of the whole network.
+ * and after each operation that moves a curve it checks all that must hold then: links, non-crossing matchings, the
+ * isotopy class of the whole network, and that each joint that can be shortened since then has been named.
  */
 template <class Network_>
 class Edge_path_graph_archetype
@@ -261,8 +289,10 @@ public:
   {
     const Index curve = m_network.curve(joint.incoming);
     count(joint, arc);
+    const std::vector<Free_side> before = free_sides(m_network);
     const Index first = m_network.replace_joint(joint, arc, affected);
     check(curve);
+    check_names(before, affected);
     return first;
   }
 
@@ -322,6 +352,20 @@ private:
     require(Topological_signature(system, m_contracted, m_has_fixed_nodes) == m_expected,
             "the isotopy class has changed");
   }
+
+  void check_names(const std::vector<Free_side>& before, const std::vector<Joint>& named) const
+  {
+    for(const Free_side& free : free_sides(m_network)) {
+      const bool is_old = std::any_of(before.begin(), before.end(),
+                                      [&](const Free_side& other) { return free.is_of_same_joint(other); });
+      const bool is_named = std::any_of(named.begin(), named.end(), [&](const Joint& joint) {
+        return joint.incoming == free.incoming && joint.side == free.side;
+      });
+      require(is_old || is_named || free.angle > straight - 1e-8, "a joint that can be shortened has not been named");
+    }
+  }
+
+  static constexpr double straight = 3.141592653589793;
 
   Network_& m_network;
   Curve_system m_initial;

@@ -15,8 +15,9 @@
  * at the vertex.
  *
  * The angle in a wedge does not change while its joint lives, since `shorten()` flips no occupied edge; whether other
- * ends stand in the wedge does change. Therefore `shorten()` queues each free wedge once, by its angle, and asks again
- * when its turn comes. It relies on `replace_joint()` to name all wedges that may have become free.
+ * ends stand in the wedge does change. Therefore `shorten()` queues each free wedge once, by its angle, and when its
+ * turn comes asks again whether its two ends are still adjacent. It relies on `replace_joint()` to name all wedges that
+ * may have become free.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_path_network<Triangulation>}
@@ -120,10 +121,13 @@ public:
   ///
   /// Appends to `affected` both sides of each joint of which a new segment is a part, or which is new because an empty
   /// arc has joined its two segments; and each joint whose two ends have become adjacent about a vertex because ends
-  /// between them have gone. It may name more; wedges that are not free are dropped.
+  /// between them have gone. It may name more; wedges that are not free are dropped. It may leave out a side of which
+  /// it is known that the angle is at least \f$\pi\f$: the wedge's side between two new segments, and the other side
+  /// where the arc begins or ends, if the angle was so large before, since it has grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if there is none
-  /// \pre the two segments differ, no end stands in the wedge, and the arc bounds its faces
+  /// \pre the two segments differ, no end stands in the wedge, and the arc bounds its faces; no angle on its right is
+  ///      below \f$\pi\f$
   Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected);
 
   /// Replaces the one segment of a closed curve by two, along the other edges of the face on the left of `h`, which is

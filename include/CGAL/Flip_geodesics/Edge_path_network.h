@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Joint_replacement.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
 #include <CGAL/Flip_geodesics/internal/Segment_division.h>
 #include <CGAL/Flip_geodesics/internal/Segment_store.h>
@@ -310,22 +311,10 @@ public:
   /// Looks into the wedge of a joint, no further than to \f$\pi\f$.
   Wedge wedge(const Joint& joint) const
   {
-    if(is_head_fixed(joint.incoming))
-      return {Wedge_state::FIXED, {}};
-    const auto [a, b] = ends(joint);
-    const Index inner = m_segments.neighbor(a.segment, a.halfedge, Side::RIGHT);
-    if(inner != null_index)
-      return {b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
-    Turn turn;
-    Index h = a.halfedge;
-    do {
-      h = m_triangulation->extend_turn_clockwise(turn, h);
-      if(h == null_index)
-        return {Wedge_state::BORDER, {}};
-      if(m_triangulation->is_straight(turn, a.halfedge, h))
-        return {Wedge_state::STRAIGHT, {}};
-    } while(!is_occupied(h));
-    return {b == Strand_end{h, outermost(h, Side::LEFT)} ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
+    const Wedge result = look_into_wedge(joint);
+    m_segments[joint.incoming].is_head_straight[static_cast<std::size_t>(joint.side)] =
+        result.state == Wedge_state::STRAIGHT || result.state == Wedge_state::BORDER;
+    return result;
   }
 
   /// Do the two ends of a joint lie on one spoke, next to each other, so that the joint turns back on itself?
@@ -344,25 +333,14 @@ public:
    * joint's first end to that of its second, with the wedge on its right. The new segments are outermost on that side.
    * An empty arc cancels a joint that turns back.
    *
-   * \param affected receives the joints that are new, or newly adjacent: the complete list of those to look at again
+   * \param affected receives the joints that are new, or newly adjacent: the complete list of those to look at again,
+   *        without the sides of which it is known that they are not below \f$\pi\f$
    * \return the first new segment in the direction of the curve, `null_index` if there is none
+   * \pre the angles of the arc on its right are at least \f$\pi\f$
    */
   Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)
   {
-    const std::pair<Strand_end, Strand_end> old = ends(joint);
-    const Index x = joint.incoming, y = next(x);
-    CGAL_precondition(x != y);
-    const Strand_end before = survivor_counterclockwise(old.first, x, y);
-    // A joint that turns back also uncovers the ends beside it at its far node.
-    const Strand_end far = {Triangulation::twin(old.first.halfedge), old.second.segment};
-    const Strand_end before_far = arc.empty() ? survivor_counterclockwise(far, x, y) : Strand_end{};
-
-    const Index upstream = next(y) == x ? null_index : previous(x);
-    const Index first = splice(x, y, joint.side, arc);
-    collect_joints_from(upstream != null_index ? upstream : first, arc.size() + 1, affected);
-    collect_if_adjacent(before, affected);
-    collect_if_adjacent(before_far, affected);
-    return first;
+    return internal::Joint_replacement<Edge_path_network>(*this)(joint, arc, affected);
   }
 
   /*!
@@ -433,6 +411,7 @@ public:
 
 private:
   friend class internal::Network_access<Edge_path_network>;
+  friend class internal::Joint_replacement<Edge_path_network>;
   friend class internal::Segment_division<Edge_path_network>;
 
   struct Curve
@@ -441,6 +420,26 @@ private:
     bool is_closed;
     double initial_length;
   };
+
+  Wedge look_into_wedge(const Joint& joint) const
+  {
+    if(is_head_fixed(joint.incoming))
+      return {Wedge_state::FIXED, {}};
+    const auto [a, b] = ends(joint);
+    const Index inner = m_segments.neighbor(a.segment, a.halfedge, Side::RIGHT);
+    if(inner != null_index)
+      return {b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
+    Turn turn;
+    Index h = a.halfedge;
+    do {
+      h = m_triangulation->extend_turn_clockwise(turn, h);
+      if(h == null_index)
+        return {Wedge_state::BORDER, {}};
+      if(m_triangulation->is_straight(turn, a.halfedge, h))
+        return {Wedge_state::STRAIGHT, {}};
+    } while(!is_occupied(h));
+    return {b == Strand_end{h, outermost(h, Side::LEFT)} ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
+  }
 
   template <class HalfedgeRange>
   void check_chain(const HalfedgeRange& halfedges, bool is_closed) const
@@ -483,99 +482,8 @@ private:
       m_segments.remove(s);
   }
 
-  // The next end counterclockwise that is not one of x or y.
-  Strand_end survivor_counterclockwise(const Strand_end& start, Index x, Index y) const
-  {
-    Strand_end end = next_counterclockwise(start);
-    while(!end.is_none() && end != start && (end.segment == x || end.segment == y))
-      end = next_counterclockwise(end);
-    return end == start ? Strand_end{} : end;
-  }
-
-  // Replaces x and y by segments along the arc; returns the first of them.
-  Index splice(Index x, Index y, Side side, const std::vector<Index>& arc)
-  {
-    const Index curve = m_segments[x].curve;
-    const bool was_whole_loop = next(y) == x;
-    const Index before = was_whole_loop ? null_index : previous(x), after = was_whole_loop ? null_index : next(y);
-    const bool is_end_fixed = m_segments[y].is_head_fixed;
-    m_segments.remove(x);
-    m_segments.remove(y);
-
-    Index first = null_index, last = null_index;
-    for(std::size_t i = 0; i < arc.size(); ++i) {
-      const Index h = side == Side::LEFT ? arc[i] : Triangulation::twin(arc[arc.size() - 1 - i]);
-      const Index s = m_segments.create(curve, h);
-      m_segments.link_outermost(s, side == Side::LEFT ? h : Triangulation::twin(h));
-      if(first == null_index)
-        first = s;
-      else
-        m_segments.link(last, s);
-      last = s;
-    }
-    if(last != null_index)
-      m_segments[last].is_head_fixed = is_end_fixed;
-    else if(before != null_index) // the two nodes become one
-      m_segments[before].is_head_fixed = m_segments[before].is_head_fixed || is_end_fixed;
-    relink(curve, before, first, last, after, was_whole_loop);
-    return first;
-  }
-
-  void relink(Index curve, Index before, Index first, Index last, Index after, bool was_whole_loop)
-  {
-    Curve& c = m_curves[curve];
-    if(was_whole_loop) {
-      if(first != null_index)
-        m_segments.link(last, first);
-      c.first = first;
-      c.last = last;
-      return;
-    }
-    m_segments.link(before, first == null_index ? after : first);
-    m_segments.link(last == null_index ? before : last, after);
-    const Index head = first == null_index ? after : first, tail = last == null_index ? before : last;
-    if(c.is_closed) { // any segment may be the first
-      c.first = head;
-      c.last = m_segments[head].previous;
-      return;
-    }
-    if(before == null_index)
-      c.first = head;
-    if(after == null_index)
-      c.last = tail;
-  }
-
-  // Both sides of up to `count` joints along the curve, the first at the head of s.
-  void collect_joints_from(Index s, std::size_t count, std::vector<Joint>& affected) const
-  {
-    for(std::size_t i = 0; i < count && s != null_index && next(s) != null_index; ++i, s = next(s))
-      collect(s, affected);
-  }
-
-  void collect(Index incoming, std::vector<Joint>& affected) const
-  {
-    affected.push_back({incoming, Side::LEFT});
-    affected.push_back({incoming, Side::RIGHT});
-  }
-
-  // The pair that has become adjacent: an end and the next one clockwise, if they belong to one joint.
-  void collect_if_adjacent(const Strand_end& a, std::vector<Joint>& affected) const
-  {
-    if(a.is_none())
-      return;
-    const Strand_end b = next_clockwise(a);
-    if(b.is_none())
-      return;
-    const bool arrives_first = a.halfedge == Triangulation::twin(halfedge(a.segment));
-    if(arrives_first && next(a.segment) == b.segment && b.halfedge == halfedge(b.segment))
-      affected.push_back({a.segment, Side::LEFT});
-    const bool leaves_first = a.halfedge == halfedge(a.segment);
-    if(leaves_first && next(b.segment) == a.segment && b.halfedge == Triangulation::twin(halfedge(b.segment)))
-      affected.push_back({b.segment, Side::RIGHT});
-  }
-
   Triangulation* m_triangulation;
-  internal::Segment_store<Triangulation> m_segments;
+  mutable internal::Segment_store<Triangulation> m_segments; // mutable, since what is known of wedges is kept
   std::vector<Curve> m_curves;
 };
 

@@ -58,6 +58,13 @@ public:
 
   bool is_free(const Joint& joint) const { return m_network.wedge(joint).state == Wedge_state::FREE; }
 
+  /* Is a wedge that was queued still free? Its angle is what it was, but strands may have come in. */
+  bool is_still_free(const Joint& joint) const
+  {
+    const auto [a, b] = m_network.ends(joint);
+    return !m_network.is_head_fixed(joint.incoming) && m_network.next_clockwise(a) == b;
+  }
+
   /* Looks at all joints of a curve, whatever was known of them. */
   void look_at_curve(Index curve)
   {

@@ -152,6 +152,8 @@ private:
     const bool was_whole_loop = old.next == s;
     m_network.m_segments.link(a, b);
     m_network.m_segments.link(was_whole_loop ? b : old.previous, a);
+    if(!was_whole_loop && old.previous != null_index)
+      m_network.m_segments[old.previous].is_head_straight = {};
     m_network.m_segments.link(b, was_whole_loop ? a : old.next);
     m_network.m_segments[b].is_head_fixed = old.is_head_fixed;
     m_network.m_segments[s].halfedge = null_index;

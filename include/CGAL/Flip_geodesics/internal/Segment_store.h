@@ -22,6 +22,8 @@ struct Segment
   std::array<Index, 2> beside = {{null_index, null_index}}; // by side, in the stack, circular, along the first halfedge
   Index curve = null_index;
   bool is_head_fixed = false;
+  // By side: is the angle at the head known to be pi or more, or to hold the border? It stays so while the joint lives.
+  std::array<bool, 2> is_head_straight = {{false, false}};
 };
 
 /*

@@ -82,7 +82,7 @@ public:
   {
     while(m_wedges.has_next() && !has_ended()) {
       const Queued_wedge candidate = m_wedges.pop();
-      if(is_current(candidate) && m_wedges.is_free(candidate.joint()))
+      if(is_current(candidate) && m_wedges.is_still_free(candidate.joint()))
         take_step(candidate);
     }
   }

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_JOINT_REPLACEMENT_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_JOINT_REPLACEMENT_H
+
+#include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Segment_store.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Moves a joint of a network over its wedge, and tells which joints are to be looked at again: those of the new
+ * segments, and the pair of ends that become neighbours where the old ones go. The manual's section on the queue has
+ * the reasons.
+ */
+template <class Network>
+class Joint_replacement
+{
+  using Triangulation = typename Network::Triangulation;
+  using Segments = Segment_store<Triangulation>;
+
+public:
+  explicit Joint_replacement(Network& network)
+    : m_network(network)
+    , m_segments(network.m_segments)
+  {
+  }
+
+  /* As Edge_path_network::replace_joint(). */
+  Index operator()(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)
+  {
+    const std::pair<Strand_end, Strand_end> old = m_network.ends(joint);
+    const Index x = joint.incoming, y = m_network.next(x);
+    CGAL_precondition(x != y);
+    const Strand_end before = survivor_counterclockwise(old.first, x, y);
+    // A joint that turns back also uncovers the ends beside it at its far node.
+    const Strand_end far = {Triangulation::twin(old.first.halfedge), old.second.segment};
+    const Strand_end before_far = arc.empty() ? survivor_counterclockwise(far, x, y) : Strand_end{};
+
+    const Index upstream = m_network.next(y) == x ? null_index : m_network.previous(x);
+    const Index first = splice(x, y, joint.side, arc);
+    if(first == null_index)
+      collect_merged_joint(upstream, affected);
+    else
+      collect_new_joints(upstream, first, arc.size(), joint.side, affected);
+    collect_if_adjacent(before, affected);
+    collect_if_adjacent(before_far, affected);
+    return first;
+  }
+
+private:
+  // The next end counterclockwise that is not one of x or y.
+  Strand_end survivor_counterclockwise(const Strand_end& start, Index x, Index y) const
+  {
+    Strand_end end = m_network.next_counterclockwise(start);
+    while(!end.is_none() && end != start && (end.segment == x || end.segment == y))
+      end = m_network.next_counterclockwise(end);
+    return end == start ? Strand_end{} : end;
+  }
+
+  // Replaces x and y by segments along the arc; returns the first of them.
+  Index splice(Index x, Index y, Side side, const std::vector<Index>& arc)
+  {
+    const Index curve = m_segments[x].curve;
+    const bool was_whole_loop = m_network.next(y) == x;
+    const Index before = was_whole_loop ? null_index : m_network.previous(x),
+                after = was_whole_loop ? null_index : m_network.next(y);
+    const bool is_end_fixed = m_segments[y].is_head_fixed;
+    const bool is_end_straight = m_segments[y].is_head_straight[static_cast<std::size_t>(opposite_side(side))];
+    m_segments.remove(x);
+    m_segments.remove(y);
+
+    Index first = null_index, last = null_index;
+    for(std::size_t i = 0; i < arc.size(); ++i) {
+      const Index h = side == Side::LEFT ? arc[i] : Triangulation::twin(arc[arc.size() - 1 - i]);
+      const Index s = m_segments.create(curve, h);
+      m_segments.link_outermost(s, side == Side::LEFT ? h : Triangulation::twin(h));
+      if(first == null_index)
+        first = s;
+      else
+        m_segments.link(last, s);
+      last = s;
+    }
+    if(last != null_index) {
+      m_segments[last].is_head_fixed = is_end_fixed;
+      m_segments[last].is_head_straight[static_cast<std::size_t>(opposite_side(side))] = is_end_straight;
+    } else if(before != null_index) // the two nodes become one
+      m_segments[before].is_head_fixed = m_segments[before].is_head_fixed || is_end_fixed;
+    relink(curve, before, first, last, after, was_whole_loop);
+    return first;
+  }
+
+  void relink(Index curve, Index before, Index first, Index last, Index after, bool was_whole_loop)
+  {
+    auto& c = m_network.m_curves[curve];
+    if(was_whole_loop) {
+      if(first != null_index)
+        m_segments.link(last, first);
+      c.first = first;
+      c.last = last;
+      return;
+    }
+    m_segments.link(before, first == null_index ? after : first);
+    m_segments.link(last == null_index ? before : last, after);
+    const Index head = first == null_index ? after : first, tail = last == null_index ? before : last;
+    if(c.is_closed) { // any segment may be the first
+      c.first = head;
+      c.last = m_segments[head].previous;
+      return;
+    }
+    if(before == null_index)
+      c.first = head;
+    if(after == null_index)
+      c.last = tail;
+  }
+
+  // The joint at the head of `upstream`, whose next segment is another one since two have cancelled.
+  void collect_merged_joint(Index upstream, std::vector<Joint>& affected)
+  {
+    if(upstream == null_index || m_network.next(upstream) == null_index)
+      return;
+    m_segments[upstream].is_head_straight = {};
+    collect(upstream, Side::LEFT, affected);
+    collect(upstream, Side::RIGHT, affected);
+  }
+
+  // The joints of `count` new segments that follow `upstream`. Between two of them the angle on the wedge's side is at
+  // least pi; where they begin and end, the angle on the other side has grown.
+  void collect_new_joints(Index upstream, Index first, std::size_t count, Side side, std::vector<Joint>& affected)
+  {
+    if(upstream != null_index) {
+      m_segments[upstream].is_head_straight[static_cast<std::size_t>(side)] = false;
+      collect(upstream, side, affected);
+      collect(upstream, opposite_side(side), affected);
+    }
+    Index s = first;
+    for(std::size_t i = 1; i < count; ++i, s = m_network.next(s)) {
+      m_segments[s].is_head_straight[static_cast<std::size_t>(opposite_side(side))] = true;
+      collect(s, side, affected);
+    }
+    if(m_network.next(s) == null_index)
+      return;
+    collect(s, side, affected);
+    collect(s, opposite_side(side), affected);
+  }
+
+  // A side of the joint at the head of a segment, unless its angle is known to be at least pi.
+  void collect(Index incoming, Side side, std::vector<Joint>& affected) const
+  {
+    if(!m_segments[incoming].is_head_straight[static_cast<std::size_t>(side)])
+      affected.push_back({incoming, side});
+  }
+
+  // The pair that has become adjacent: an end and the next one clockwise, if they belong to one joint.
+  void collect_if_adjacent(const Strand_end& a, std::vector<Joint>& affected) const
+  {
+    if(a.is_none())
+      return;
+    const Strand_end b = m_network.next_clockwise(a);
+    if(b.is_none())
+      return;
+    const bool arrives_first = a.halfedge == Triangulation::twin(m_network.halfedge(a.segment));
+    if(arrives_first && m_network.next(a.segment) == b.segment && b.halfedge == m_network.halfedge(b.segment))
+      affected.push_back({a.segment, Side::LEFT});
+    const bool leaves_first = a.halfedge == m_network.halfedge(a.segment);
+    if(leaves_first && m_network.next(b.segment) == a.segment &&
+       b.halfedge == Triangulation::twin(m_network.halfedge(b.segment)))
+      affected.push_back({b.segment, Side::RIGHT});
+  }
+
+  Network& m_network;
+  Segments& m_segments;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_JOINT_REPLACEMENT_H
