@@ -173,12 +173,8 @@ public:
   /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
   Index counterclockwise(Index h) const { return is_border(h) ? null_index : twin(previous(h)); }
 
-  /// Announces that both faces of the edge of `h` will be read soon: a hint to the cache, without any effect.
-  void prefetch_faces(Index h) const
-  {
-    m_halfedges.prefetch_face(h);
-    m_halfedges.prefetch_face(twin(h));
-  }
+  /// Announces that the face on the left of `h` will be read soon: a hint to the cache, without any effect.
+  void prefetch_face(Index h) const { m_halfedges.prefetch_face(h); }
 
   /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
   Index outgoing(Index v) const { return m_halfedges.outgoing(v); }
@@ -219,6 +215,7 @@ public:
     if(in.is_border())
       return null_index;
     extend_turn_over(turn, in);
+    internal::prefetch(&m_halfedges.known(m_halfedges.known(in.next()).next())); // for flips, should it come to that
     return in.next();
   }
 

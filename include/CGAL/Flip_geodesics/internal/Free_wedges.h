@@ -69,8 +69,10 @@ public:
   void look_at_curve(Index curve)
   {
     // A fan of faces is a chain of loads, each waiting for the one before; these do not wait for each other.
-    m_network.for_each_segment(curve,
-                               [&](Index s) { m_network.triangulation().prefetch_faces(m_network.halfedge(s)); });
+    m_network.for_each_segment(curve, [&](Index s) {
+      m_network.triangulation().prefetch_face(m_network.halfedge(s));
+      m_network.triangulation().prefetch_face(Network::Triangulation::twin(m_network.halfedge(s)));
+    });
     m_network.for_each_segment(curve, [&](Index s) {
       look_at({s, Side::LEFT});
       look_at({s, Side::RIGHT});

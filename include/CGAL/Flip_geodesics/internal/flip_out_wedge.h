@@ -45,6 +45,7 @@ double flip_out_wedge(const Triangulation& triangulation, Index a, Index c, std:
   do { // a == c is all the way round
     const Index t = Triangulation::twin(spoke);
     arc.push_back(Triangulation::twin(triangulation.previous(t)));
+    triangulation.prefetch_face(arc.back()); // to be looked at when the curve lies on the arc
     length += triangulation.length(arc.back());
     spoke = triangulation.next(t);
   } while(spoke != c);
