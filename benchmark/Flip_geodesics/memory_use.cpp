@@ -68,7 +68,7 @@ struct Workspace
   {
     const std::vector<Index> path = search(source, target);
     Network network(triangulation);
-    network.add_curve(path, false);
+    FG::add_straightened_path(network, path);
     FG::shorten(network);
     FG::Curve_extractor<Network>(network).surface_points(0);
     return path.size();

@@ -237,12 +237,24 @@ private:
       const std::vector<Index> halfedges = initial_halfedges(request.curves[c]);
       results[c].search_s = stopwatch.seconds();
       results[c].initial_segments = halfedges.size();
-      network.add_curve(halfedges, request.curves[c].is_closed);
+      if(is_straightened(request)) {
+        results[c].flips = add_straightened_path(network, halfedges);
+        results[c].shorten_s = stopwatch.seconds() - results[c].search_s;
+      } else {
+        network.add_curve(halfedges, request.curves[c].is_closed);
+      }
     }
     for(Index v : request.fixed_vertices)
       network.fix_nodes_at(v);
     if(!request.curves.front().is_drawn || m_options.is_snapped)
       order_overlapping_curves(network);
+  }
+
+  // Is there one curve, of which only the ends are given, and nobody to see how it is pulled tight?
+  bool is_straightened(const Network_request& request) const
+  {
+    return request.curves.size() == 1 && request.curves.front().is_pair && request.fixed_vertices.empty() &&
+           !m_options.stop_length && m_most_recorded_points == 0;
   }
 
   void run_network(const Network_request& request, std::vector<Curve_result>& results)
@@ -398,8 +410,10 @@ private:
                               : FG::shorten(network, FG::Never_stop_predicate(), visitor);
     const double seconds = stopwatch.seconds();
     for(std::size_t c = 0; c < results.size(); ++c) {
+      const std::size_t flips_before = results[c].flips;
       note(report, report.curves[c], results[c]);
-      results[c].shorten_s = seconds;
+      results[c].flips += flips_before;
+      results[c].shorten_s += seconds;
     }
   }
 

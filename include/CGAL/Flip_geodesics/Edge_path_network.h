@@ -141,6 +141,9 @@ public:
   /// Takes the present length of a curve for its initial one, for instance once it is the polyline that was drawn.
   void reset_initial_length(Index curve) { m_curves[curve].initial_length = length(curve); }
 
+  /// Sets the initial length of a curve that was shorter already when it was added.
+  void set_initial_length(Index curve, double length) { m_curves[curve].initial_length = length; }
+
   /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
   void set_stack(Index e, const std::vector<Index>& order)
   {

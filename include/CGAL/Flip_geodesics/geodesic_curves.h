@@ -10,10 +10,12 @@
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/straightened_path.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstddef>
 #include <iterator>
 #include <type_traits>
 #include <vector>
@@ -65,6 +67,24 @@ Shortening_report shorten_with_visitor(Network& network, const NamedParameters& 
   return shorten(network, stop, visitor);
 }
 
+/* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
+ * or the stop predicate is to see all of it. */
+template <class Network, class NamedParameters, class StopPredicate>
+Shortening_report shorten_between_ends(Network& network, const std::vector<Index>& path, const NamedParameters& np,
+                                       const StopPredicate& stop)
+{
+  constexpr bool has_visitor = !parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value;
+  std::size_t flips = 0;
+  if constexpr(!has_visitor && std::is_same<StopPredicate, Never_stop_predicate>::value)
+    flips = add_straightened_path(network, path);
+  else
+    network.add_curve(path, false);
+  Shortening_report report = shorten_with_visitor(network, np, stop);
+  report.flips += flips;
+  report.curves.front().flips += flips;
+  return report;
+}
+
 /* Adds a curve through vertices of the mesh; a curve whose last vertex is its first is closed. */
 template <class Network, class VertexRange>
 void add_vertex_curve(Network& network, const VertexRange& vertices)
@@ -84,7 +104,7 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: an edge path that is nearly
- * shortest (`Search_method::LOOK_BACK`), pulled tight. A path that takes another way round a hole or a bump may be
+ * shortest (`Search_method::LOOK_BACK`), straightened (`add_straightened_path()`) and pulled tight. A path that takes another way round a hole or a bump may be
  * shorter still.
  *
  * \param mesh a triangle mesh
@@ -92,7 +112,8 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * \param out receives the points of the path, from `source` to `target`, as the mesh's points
  * \param np named parameters: `vertex_point_map`, `geom_traits` (a model of `IntrinsicTriangulationTraits`), `visitor`;
  *        the mesh must have a vertex point property of its own even if the first is given
- * \param stop a model of `FlipOutStopPredicate`, which ends the process early; the report tells
+ * \param stop a model of `FlipOutStopPredicate`, which ends the process early; the report tells. With one, or with a
+ *        visitor, the edge path itself is pulled tight, so that they see every step
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_curve_error if `source == target`,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
@@ -113,8 +134,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
   Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
   typename Types::Network network(triangulation);
   const std::vector<Index> ends = {triangulation.index(source), triangulation.index(target)};
-  network.add_curve(shortest_halfedges_through(search, ends), false);
-  const Shortening_report report = internal::shorten_with_visitor(network, np, stop);
+  const Shortening_report report =
+      internal::shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
   out = Curve_extractor<typename Types::Network>(network).points(0, out);
   return {out, report};
 }

@@ -102,8 +102,8 @@ private:
   {
     const std::vector<Index> ends = {state.triangulation.index(source), state.triangulation.index(target)};
     Network network(state.triangulation);
-    network.add_curve(shortest_halfedges_through(state.search, ends), false);
-    result.report = shorten_with_visitor(network, m_np, m_stop).curves.front();
+    const std::vector<Index> path = shortest_halfedges_through(state.search, ends);
+    result.report = shorten_between_ends(network, path, m_np, m_stop).curves.front();
     Curve_extractor<Network>(network).points(0, std::back_inserter(result.points));
   }
 

@@ -76,23 +76,12 @@ template <class Triangulation>
 std::vector<Index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search, Index source,
                                Index target, std::size_t& flips)
 {
-  const auto is_untouched = [&](const std::vector<Index>& halfedges) {
-    return std::all_of(halfedges.begin(), halfedges.end(),
-                       [&](Index h) { return triangulation.version(Triangulation::edge(h)) == 0; });
-  };
   std::vector<std::vector<Index>> legs;
   for(Index v = target; v != source;) {
     const auto leg = search.leg(v);
-    std::vector<Index> chain = {leg.word.along};
-    if(leg.word.along == null_index) {
-      if(!is_untouched(leg.word.crossed)) // two legs over one edge: not on a mesh in space
-        return {};
-      chain = left_side_of_strip(triangulation, leg.word.crossed);
-    }
-    if(!is_untouched(chain))
-      return {};
-    flips += straighten_on_the_right(triangulation, chain);
-    legs.push_back(chain);
+    legs.emplace_back();
+    if(!insert_leg(triangulation, leg.word.along, leg.word.crossed, legs.back(), flips))
+      return {}; // not on a mesh in space
     v = leg.from;
   }
   std::vector<Index> path;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -83,6 +84,28 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<In
     i = i == 0 ? 0 : i - 1;
   }
   return flips;
+}
+
+/*
+ * Appends to a path the straight segment along an input halfedge, or across others as a strip crosses them. Returns
+ * whether it could be: it cannot where edges that an earlier segment crosses have been flipped already.
+ */
+template <class Triangulation>
+bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Index>& crossed, std::vector<Index>& path,
+                std::size_t& flips)
+{
+  const auto is_untouched = [&](const std::vector<Index>& halfedges) {
+    return std::all_of(halfedges.begin(), halfedges.end(),
+                       [&](Index h) { return triangulation.version(Triangulation::edge(h)) == 0; });
+  };
+  if(along == null_index && !is_untouched(crossed))
+    return false;
+  std::vector<Index> chain = along == null_index ? left_side_of_strip(triangulation, crossed) : std::vector<Index>{along};
+  if(!is_untouched(chain))
+    return false;
+  flips += straighten_on_the_right(triangulation, chain);
+  path.insert(path.end(), chain.begin(), chain.end());
+  return true;
 }
 
 } // namespace internal

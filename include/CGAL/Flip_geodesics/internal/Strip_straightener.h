@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIP_STRAIGHTENER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_STRIP_STRAIGHTENER_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Input_faces.h>
+#include <CGAL/Flip_geodesics/internal/Taut_string.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Straightens an edge path on the input mesh, which is only read, in plain doubles: a start for FlipOut, which decides
+ * everything afterwards. The result is a chain of straight legs between vertices, that is as long as the path at most.
+ *
+ * By iterative unfolding [Xin, Wang, Efficiently Determining a Locally Exact Shortest Path on Polyhedral Surfaces,
+ * 2007]: the path is pulled taut within a strip of faces, and the strip is led round the other side of the vertices
+ * that the string bends about where the angle there is below pi, until there are none.
+ *
+ * The strip is cut where the string is done, at joints with at least pi on both sides. What crosses an edge keeps the
+ * shape of the face beyond, so that the rounds after the first unfold the strip by a complex product a face.
+ */
+template <class Triangulation>
+class Strip_straightener
+{
+public:
+  /* A direction at a vertex: a spoke, turned counterclockwise by less than the corner of its face. */
+  struct Direction
+  {
+    Index spoke;
+    Plane_vector turn; // of length 1
+  };
+
+  /* A straight line from vertex to vertex: along an edge, or across those of a range of crossings. */
+  struct Leg
+  {
+    Index along; // null_index if edges are crossed
+    std::size_t first, last;
+    Index tail, head;
+    Direction at_tail, at_head; // at the head, backward
+    double length;
+  };
+
+  explicit Strip_straightener(const Triangulation& triangulation)
+    : m_faces(triangulation)
+  {
+  }
+
+  /* Is there something straighter than the path, which is an edge path? */
+  bool operator()(const std::vector<Index>& path)
+  {
+    try {
+      return straighten(path);
+    } catch(const Degenerate_face_error&) {
+    } catch(const Invalid_coordinate_error&) {
+    }
+    return false;
+  }
+
+  const std::vector<Leg>& legs() const { return m_legs; }
+
+  /* The length of the path that was straightened. */
+  double path_length() const { return m_path_length; }
+
+  /* The input halfedges that a leg crosses, each as a side of the face that is left. */
+  std::vector<Index> crossed(const Leg& leg) const
+  {
+    std::vector<Index> result;
+    for(std::size_t i = leg.first; i < leg.last; ++i)
+      result.push_back(m_crossings[i].crossed);
+    return result;
+  }
+
+private:
+  // An edge that is crossed, as a side of the face that is left, with its tail on the right; and of the face beyond,
+  // the side on the right as seen from there, and the third corner where the edge leads from 1 to 0.
+  struct Crossing
+  {
+    Index crossed, right_side;
+    Plane_vector corner;
+  };
+
+  static constexpr int most_rounds = 200;
+  // An angle, in radians, that is left to FlipOut.
+  static constexpr double angle_tolerance = 1e-7;
+
+  bool straighten(const std::vector<Index>& path)
+  {
+    m_legs.clear();
+    m_path_length = 0;
+    for(Index h : path) {
+      m_legs.push_back(edge_leg(h));
+      m_path_length += m_legs.back().length;
+    }
+    m_crossings.clear();
+    if(!move_over_joints(&Strip_straightener::side_of_fewer_faces))
+      return false;
+    for(int round = 1; round < most_rounds && m_has_moved; ++round)
+      if(!move_over_joints(&Strip_straightener::side_below_pi))
+        return false;
+    double length = 0;
+    for(const Leg& leg : m_legs)
+      length += leg.length;
+    return length <= m_path_length && are_strips();
+  }
+
+  // Do the crossings of each leg follow on one another?
+  bool are_strips() const
+  {
+    for(const Leg& leg : m_legs)
+      for(std::size_t i = leg.first; i + 1 < leg.last; ++i) {
+        const Index right_side = m_crossings[i].right_side, crossed = m_crossings[i + 1].crossed;
+        if(crossed != right_side && crossed != m_faces.next(right_side))
+          return false;
+      }
+    return true;
+  }
+
+  enum class Way { LEFT, RIGHT, NONE };
+
+  // Leads the strip round each joint on the side that is chosen, and pulls strings between the joints where it is none.
+  // Returns false if that cannot be.
+  bool move_over_joints(Way (Strip_straightener::*choose)(const Leg&, const Leg&, Way) const)
+  {
+    m_legs.swap(m_before);
+    m_legs.clear();
+    m_used.swap(m_crossings);
+    m_crossings.clear();
+    m_has_moved = false;
+    Way way = Way::NONE;
+    for(std::size_t first = 0, i = 0; i < m_before.size(); ++i) {
+      const Leg& leg = m_before[i];
+      const bool is_last = i + 1 == m_before.size();
+      const Way next = is_last ? Way::NONE : (this->*choose)(leg, m_before[i + 1], way);
+      cross_edges_of(leg);
+      if(leg.along != null_index && i > first && next != Way::NONE && next != way)
+        cross_edge(way == Way::LEFT ? leg.along : twin_index(leg.along));
+      if(next != Way::NONE) {
+        pass(leg, m_before[i + 1], next);
+      } else {
+        if(i == first)
+          keep(leg);
+        else if(!pull(m_before[first].tail, leg.head, edge_over(m_before[i - 1], leg, way)))
+          return false;
+        m_word.clear();
+        first = i + 1;
+      }
+      way = next;
+    }
+    return true;
+  }
+
+  // ---- sides of joints
+
+  static constexpr std::size_t blocked = static_cast<std::size_t>(-1);
+
+  Way side_of_fewer_faces(const Leg& in, const Leg& out, Way before) const
+  {
+    const std::size_t left = number_of_corners(out.along, in.at_head.spoke);
+    const std::size_t right = number_of_corners(in.at_head.spoke, out.along);
+    if((std::min)(left, right) == blocked)
+      return Way::NONE;
+    if(left == right)
+      return before == Way::NONE ? Way::LEFT : before;
+    return left < right ? Way::LEFT : Way::RIGHT;
+  }
+
+  // From one spoke counterclockwise to another.
+  std::size_t number_of_corners(Index from, Index to) const
+  {
+    std::size_t result = 0;
+    do {
+      if(m_faces.is_border(from))
+        return blocked;
+      from = m_faces.counterclockwise(from);
+      ++result;
+    } while(from != to);
+    return result;
+  }
+
+  Way side_below_pi(const Leg& in, const Leg& out, Way) const
+  {
+    if(is_below_pi(out.at_tail, in.at_head))
+      return Way::LEFT;
+    return is_below_pi(in.at_head, out.at_tail) ? Way::RIGHT : Way::NONE;
+  }
+
+  // Is the angle from one direction counterclockwise to another?
+  bool is_below_pi(const Direction& from, const Direction& to) const
+  {
+    Plane_vector angle = std::conj(from.turn);
+    if(!is_in_corner(from, to)) {
+      Index spoke = from.spoke;
+      do {
+        if(m_faces.is_border(spoke))
+          return false;
+        angle = product(angle, m_faces.corner(spoke));
+        if(spoke == from.spoke) // the rest of the corner, which can be nothing
+          angle.imag((std::max)(angle.imag(), 0.0));
+        else if(angle.imag() <= 0)
+          return false;
+        spoke = m_faces.counterclockwise(spoke);
+      } while(spoke != to.spoke);
+    }
+    angle = product(angle, to.turn);
+    return angle.imag() > angle_tolerance * std::sqrt(std::norm(angle));
+  }
+
+  // Does a turn counterclockwise from one direction to another stay in one corner?
+  static bool is_in_corner(const Direction& from, const Direction& to)
+  {
+    return from.spoke == to.spoke && cross(from.turn, to.turn) > 0;
+  }
+
+  // ---- crossings
+
+  // What goes to and fro cancels.
+  void cross_edge(Index h)
+  {
+    const Index entered = twin_index(h);
+    if(!m_word.empty() && m_word.back().crossed == entered)
+      m_word.pop_back();
+    else
+      m_word.push_back({h, m_faces.next(entered), m_faces.corner(entered)});
+  }
+
+  void cross_edges_of(const Leg& leg)
+  {
+    auto first = m_used.begin() + static_cast<std::ptrdiff_t>(leg.first);
+    const auto last = m_used.begin() + static_cast<std::ptrdiff_t>(leg.last);
+    for(; first != last && !m_word.empty() && m_word.back().crossed == twin_index(first->crossed); ++first)
+      m_word.pop_back();
+    m_word.insert(m_word.end(), first, last);
+  }
+
+  // Crosses the spokes on a side of the joint between two legs.
+  void pass(const Leg& in, const Leg& out, Way way)
+  {
+    const Index back = in.at_head.spoke, on = out.at_tail.spoke;
+    if(way == Way::LEFT) {
+      for(Index s = in.along != null_index ? m_faces.clockwise(back) : back; s != on; s = m_faces.clockwise(s))
+        cross_edge(s);
+      return;
+    }
+    if(is_in_corner(in.at_head, out.at_tail))
+      return;
+    Index s = m_faces.counterclockwise(back);
+    for(; s != on; s = m_faces.counterclockwise(s))
+      cross_edge(twin_index(s));
+    if(out.along == null_index)
+      cross_edge(twin_index(s));
+  }
+
+  // The edge that cuts off the joint of two edges of a face.
+  Index edge_over(const Leg& in, const Leg& out, Way way) const
+  {
+    return way == Way::LEFT ? twin_index(m_faces.next(out.at_tail.spoke)) : m_faces.next(in.at_head.spoke);
+  }
+
+  // Drops crossings of edges that end where the path does. Returns the edge that is left if all are dropped.
+  Index trim(Index source, Index target)
+  {
+    const auto touches = [&](const Crossing& c, Index v) {
+      return m_faces.tail(c.crossed) == v || m_faces.head(c.crossed) == v;
+    };
+    std::size_t first = 0, last = m_word.size();
+    while(first < last && touches(m_word[first], source))
+      ++first;
+    if(first == last) {
+      const Index entered = twin_index(m_word.back().crossed);
+      return m_faces.head(entered) == source ? m_faces.next(entered) : twin_index(m_faces.previous(entered));
+    }
+    while(first < last && touches(m_word[last - 1], target))
+      --last;
+    if(first == last) {
+      const Index h = m_word[last].crossed;
+      return m_faces.tail(h) == target ? m_faces.previous(h) : twin_index(m_faces.next(h));
+    }
+    m_word.resize(last);
+    m_word.erase(m_word.begin(), m_word.begin() + static_cast<std::ptrdiff_t>(first));
+    return null_index;
+  }
+
+  // ---- strings
+
+  // Pulls a string from vertex to vertex across the edges of m_word, or along an edge if there are none. Returns false
+  // if these do not lead from one to the other.
+  bool pull(Index source, Index target, Index edge)
+  {
+    m_has_moved = true;
+    if(!m_word.empty())
+      edge = trim(source, target);
+    if(edge != null_index) {
+      m_legs.push_back(edge_leg(edge));
+      return m_legs.back().tail == source && m_legs.back().head == target;
+    }
+    if(m_faces.apex(m_word.front().crossed) != source || m_faces.apex(twin_index(m_word.back().crossed)) != target)
+      return false;
+    unfold();
+    m_string.pull(m_gates, m_source, m_target);
+    const auto& bends = m_string.bends();
+    Index tail = source;
+    for(std::size_t b = 0; b <= bends.size(); ++b) {
+      const std::size_t first = b == 0 ? 0 : bends[b - 1].last + 1;
+      const std::size_t last = b == bends.size() ? m_gates.size() : bends[b].first;
+      const Index head = b == bends.size() ? target : vertex(bends[b]);
+      if(first < last)
+        add_leg(tail, head, first, last, b == 0 ? m_source : bends[b - 1].position,
+                b == bends.size() ? m_target : bends[b].position);
+      else
+        m_legs.push_back(edge_leg(edge_to_bend(b)));
+      tail = head;
+    }
+    return true;
+  }
+
+  // Lays out the faces along m_word.
+  void unfold()
+  {
+    const Index start = m_word.front().crossed;
+    const double length = m_faces.length(start);
+    m_source = length * m_faces.corner(start);
+    m_gates.resize(m_word.size());
+    Unfolded_gate gate = {0, length};
+    for(std::size_t i = 0; i < m_word.size(); ++i) {
+      m_gates[i] = gate;
+      m_target = gate.left + product(gate.right - gate.left, m_word[i].corner);
+      const bool is_right_kept = i + 1 < m_word.size() && m_word[i + 1].crossed == m_word[i].right_side;
+      (is_right_kept ? gate.left : gate.right) = m_target;
+    }
+  }
+
+  Index vertex(const Taut_string::Bend& bend) const
+  {
+    const Index h = m_word[bend.first].crossed;
+    return bend.is_on_right ? m_faces.tail(h) : m_faces.head(h);
+  }
+
+  // The edge to bend b, or to the end, from the bend before or the start, if nothing is crossed in between.
+  Index edge_to_bend(std::size_t b) const
+  {
+    const auto& bends = m_string.bends();
+    if(b == 0) {
+      const Index h = m_word.front().crossed;
+      return bends[b].is_on_right ? m_faces.previous(h) : twin_index(m_faces.next(h));
+    }
+    const bool is_on_right = bends[b - 1].is_on_right;
+    const Index h = m_word[bends[b - 1].last].crossed, entered = twin_index(h);
+    if(b < bends.size() && bends[b].is_on_right != is_on_right)
+      return is_on_right ? h : entered;
+    return is_on_right ? m_faces.next(entered) : twin_index(m_faces.previous(entered));
+  }
+
+  Leg edge_leg(Index h) const
+  {
+    return {h, 0, 0, m_faces.tail(h), m_faces.head(h), {h, 1}, {twin_index(h), 1}, m_faces.length(h)};
+  }
+
+  void add_leg(Index tail, Index head, std::size_t first, std::size_t last, const Plane_vector& from,
+               const Plane_vector& to)
+  {
+    const Plane_vector along = to - from;
+    const Direction at_tail = {m_faces.previous(m_word[first].crossed), turn(m_gates[first].right - from, along)};
+    const Direction at_head = {m_faces.previous(twin_index(m_word[last - 1].crossed)),
+                               turn(m_gates[last - 1].left - to, -along)};
+    m_legs.push_back({null_index, m_crossings.size(), m_crossings.size() + last - first, tail, head, at_tail, at_head,
+                      std::abs(along)});
+    m_crossings.insert(m_crossings.end(), m_word.begin() + static_cast<std::ptrdiff_t>(first),
+                       m_word.begin() + static_cast<std::ptrdiff_t>(last));
+  }
+
+  // The rotation from one vector counterclockwise to another, which lies there but for rounding.
+  static Plane_vector turn(const Plane_vector& from, const Plane_vector& to)
+  {
+    const Plane_vector result = product(std::conj(from), to);
+    return result.imag() > 0 ? result / std::sqrt(std::norm(result)) : 1;
+  }
+
+  void keep(const Leg& leg)
+  {
+    m_legs.push_back(leg);
+    m_legs.back().first = m_crossings.size();
+    m_crossings.insert(m_crossings.end(), m_word.begin(), m_word.end());
+    m_legs.back().last = m_crossings.size();
+  }
+
+  Input_faces<Triangulation> m_faces;
+  std::vector<Leg> m_legs, m_before;
+  std::vector<Crossing> m_crossings, m_used, m_word; // of the legs, of those before, of the strip that is unfolded
+  std::vector<Unfolded_gate> m_gates;
+  Plane_vector m_source, m_target;
+  Taut_string m_string;
+  double m_path_length = 0;
+  bool m_has_moved = false; // in the last round
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_STRIP_STRAIGHTENER_H

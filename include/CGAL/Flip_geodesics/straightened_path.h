@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_STRAIGHTENED_PATH_H
+#define CGAL_FLIP_GEODESICS_STRAIGHTENED_PATH_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/Strip_straightener.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+template <class Triangulation>
+double length_of(const Triangulation& triangulation, const std::vector<Index>& path)
+{
+  double length = 0;
+  for(Index h : path)
+    length += triangulation.length(h);
+  return length;
+}
+
+/* Does an open path pass no vertex twice? */
+template <class Triangulation>
+bool is_simple(const Triangulation& triangulation, const std::vector<Index>& path)
+{
+  std::vector<Index> vertices = {triangulation.head(path.back())};
+  for(Index h : path)
+    vertices.push_back(triangulation.tail(h));
+  std::sort(vertices.begin(), vertices.end());
+  return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end();
+}
+
+/* The legs of a straightened path as edges of the triangulation, for which the edges that they cross are flipped; none
+ * if two legs are in each other's way. */
+template <class Triangulation>
+std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straightener<Triangulation>& straightener,
+                               std::size_t& flips)
+{
+  std::vector<Index> path;
+  try {
+    for(const auto& leg : straightener.legs())
+      if(!insert_leg(triangulation, leg.along, straightener.crossed(leg), path, flips))
+        return {};
+  } catch(const Degenerate_face_error&) {
+    return {};
+  } catch(const Invalid_coordinate_error&) {
+    return {};
+  }
+  return path;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Adds an edge path to an empty network, but straightened beforehand, so that `shorten()` finds little left to do. The
+ * path is unfolded with a strip of faces along it, pulled taut there, and the strip led round the other side of the
+ * vertices that it bends about [XW07], all in double and without any flip; then the straight legs are inserted by
+ * flipping the edges that they cross.
+ *
+ * It is never longer than the path. The curve may pass vertices on its way, no other topology changes; it is up to
+ * `shorten()` to decide what is straight. Where anything is in doubt (faces without area, legs that are in each other's
+ * way, rounding), the path itself is added, and nothing is flipped.
+ *
+ * For paths of which only the ends matter, such as those of `Shortest_edge_path`. With a stop predicate, or a visitor
+ * that is to see how the path is pulled tight, `Edge_path_network::add_curve()` does.
+ *
+ * \param network an empty network in a triangulation that has not been flipped
+ * \param path the halfedges of an open path; its length becomes the curve's initial length
+ * \return the number of flips
+ *
+ * Complexity: linear in the path for its first strip, and in the active part of the strip for each of the rounds, of
+ * which there are about as many as rows of vertices between the path and the geodesic. The flips are linear in the
+ * edges that the geodesic crosses.
+ */
+template <class Network>
+std::size_t add_straightened_path(Network& network, const std::vector<Index>& path)
+{
+  using Triangulation = typename Network::Triangulation;
+  Triangulation& triangulation = network.triangulation();
+  CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  internal::Strip_straightener<Triangulation> straightener(triangulation);
+  std::size_t flips = 0;
+  std::vector<Index> straight;
+  if(straightener(path))
+    straight = internal::insert_legs(triangulation, straightener, flips);
+  if(straight.empty() || !internal::is_simple(triangulation, straight) ||
+     internal::length_of(triangulation, straight) > straightener.path_length()) {
+    triangulation.rollback();
+    network.add_curve(path, false);
+    return flips;
+  }
+  network.add_curve(straight, false);
+  network.set_initial_length(0, straightener.path_length());
+  return flips;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_STRAIGHTENED_PATH_H

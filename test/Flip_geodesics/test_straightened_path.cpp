@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE Straightened_path
+
+#include "Curve_setting.h"
+#include "closed_forms.h"
+#include "generated_meshes.h"
+#include "invalid_meshes.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/straightened_path.h>
+
+#include <boost/mpl/list.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <iterator>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Certified_setting =
+    Basic_curve_setting<FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Kernel>>>;
+using Settings = boost::mpl::list<Curve_setting, Certified_setting>;
+
+struct Outcome
+{
+  std::size_t first_flips; // to insert the straightened path
+  double first_length;     // of that
+  FG::Shortening_report report;
+};
+
+/// Pulls a path tight from its straightened form, checks what holds for any, and takes everything back.
+template <class Setting>
+Outcome pulled_from_straightened(Setting& setting, const std::vector<FG::Index>& path)
+{
+  double path_length = 0;
+  for(FG::Index h : path)
+    path_length += setting.triangulation.length(h);
+  Outcome outcome;
+  outcome.first_flips = FG::add_straightened_path(setting.network, path);
+  outcome.first_length = setting.network.length(0);
+  BOOST_TEST(setting.network.is_valid());
+  BOOST_TEST(setting.triangulation.is_valid());
+  BOOST_TEST(outcome.first_length <= path_length * (1 + 1e-12));
+  outcome.report = setting.pull();
+  BOOST_TEST(outcome.report.is_complete());
+  BOOST_TEST(outcome.report.curves[0].initial_length == path_length, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(outcome.report.curves[0].length <= outcome.first_length * (1 + 1e-12));
+  if constexpr(!Setting::Triangulation::Traits::Has_drift::value)
+    BOOST_TEST(FG::certify(setting.network).is_locally_shortest());
+  setting.network.clear();
+  setting.triangulation.rollback();
+  return outcome;
+}
+
+template <class Setting>
+Outcome pulled_from_straightened(Setting& setting, int source, int target)
+{
+  typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
+  return pulled_from_straightened(setting, search(source, target));
+}
+
+template <class Visit>
+void for_random_pairs(const Surface& mesh, int pairs, const Visit& visit)
+{
+  std::mt19937 random(1);
+  const int n = static_cast<int>(mesh.number_of_vertices());
+  for(int i = 0; i < pairs;) {
+    const int source = static_cast<int>(random() % n), target = static_cast<int>(random() % n);
+    if(source == target)
+      continue;
+    visit(source, target);
+    ++i;
+  }
+}
+
+double distance_in_space(const Surface& mesh, int u, int v)
+{
+  const auto point = [&](int w) { return mesh.point(Surface::Vertex_index(static_cast<std::uint32_t>(w))); };
+  return std::sqrt(CGAL::squared_distance(point(u), point(v)));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_path_in_the_plane_is_straight_at_once, Setting, Settings)
+{
+  for(bool is_jittered : {false, true}) {
+    Setting setting(is_jittered ? jittered_grid(20, 20, Diagonal_rule::ALTERNATING, 0.2, 7)
+                                : flat_grid(20, 20, Diagonal_rule::RISING));
+    for_random_pairs(setting.mesh, 40, [&](int u, int v) {
+      const Outcome outcome = pulled_from_straightened(setting, u, v);
+      const double distance = distance_in_space(setting.mesh, u, v);
+      BOOST_TEST(outcome.first_length == distance, boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(outcome.report.curves[0].length == distance, boost::test_tools::tolerance(1e-12));
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(paths_on_cones_pass_the_apex_on_either_side)
+{
+  const int n = 12, m = 8;
+  for(double total : {pi, 1.5 * pi, 2.6 * pi}) {
+    Curve_setting setting(total < 2 * pi ? cone_disk(n, m, total) : saddle_disk(n, m, total));
+    for(int i = 1; i <= n / 2; ++i) {
+      const Outcome outcome = pulled_from_straightened(setting, disk_vertex(n, 6, 0), disk_vertex(n, 7, i));
+      const double angle = i * total / n;
+      const double length = outcome.report.curves[0].length;
+      const double error = (std::min)(std::abs(length - cone_distance(6, 7, angle)),
+                                      std::abs(length - cone_distance(6, 7, total - angle)));
+      BOOST_TEST(error < 1e-9);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_path_over_the_corner_of_a_cube_leaves_it)
+{
+  const int n = 6;
+  Curve_setting setting(cube(n));
+  for_random_pairs(setting.mesh, 60, [&](int u, int v) {
+    const Outcome outcome = pulled_from_straightened(setting, u, v);
+    BOOST_TEST(outcome.report.curves[0].length >= distance_in_space(setting.mesh, u, v) * (1 - 1e-12));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(paths_turn_at_borders)
+{
+  Curve_setting setting(grid_with_hole(16, 16, 4, 12, 6, 10));
+  for_random_pairs(setting.mesh, 60, [&](int u, int v) { pulled_from_straightened(setting, u, v); });
+  // Across, past two corners of the hole.
+  const Mesh_soup soup = grid_with_hole(16, 16, 4, 12, 6, 10);
+  const int u = index_of(soup, {2, 8, 0}), v = index_of(soup, {14, 8, 0});
+  const Outcome outcome = pulled_from_straightened(setting, u, v);
+  BOOST_TEST(outcome.report.curves[0].length == 2 * std::hypot(2, 2) + 8, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(lengths_are_those_without_and_flips_are_fewer, Setting, Settings)
+{
+  Setting setting(torus(160, 80, 3, 1));
+  double sum = 0, plain_sum = 0;
+  std::size_t flips = 0, plain_flips = 0, segments = 0;
+  for_random_pairs(setting.mesh, 20, [&](int u, int v) {
+    typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
+    const std::vector<FG::Index> path = search(u, v);
+    const Outcome outcome = pulled_from_straightened(setting, path);
+    sum += outcome.report.curves[0].length;
+    flips += outcome.first_flips + outcome.report.flips;
+    segments += path.size();
+    setting.network.add_curve(path, false);
+    const FG::Shortening_report plain = setting.pull();
+    plain_sum += plain.curves[0].length;
+    plain_flips += plain.flips;
+    setting.network.clear();
+    setting.triangulation.rollback();
+  });
+  BOOST_TEST(sum == plain_sum, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(flips < plain_flips);
+  BOOST_TEST(flips < 6 * segments);
+}
+
+BOOST_AUTO_TEST_CASE(rough_and_needle_meshes_are_no_worse)
+{
+  for(const Mesh_soup& soup : {bumpy_sphere(12, 0.3, 3), random_convex_polyhedron(150, 5), needle_strip(12, 12, 1e-6),
+                               genus_3_plate(3), tetrahedron(5)}) {
+    Curve_setting setting(soup);
+    for_random_pairs(setting.mesh, 30, [&](int u, int v) { pulled_from_straightened(setting, u, v); });
+  }
+}
+
+// Lengths alone, without points: the same geodesics.
+BOOST_AUTO_TEST_CASE(a_metric_of_lengths_does)
+{
+  Curve_setting setting(bumpy_sphere(6, 0.2, 3));
+  std::map<boost::graph_traits<Surface>::edge_descriptor, double> lengths;
+  for(const auto e : setting.mesh.edges())
+    lengths[e] = setting.triangulation.length(setting.triangulation.index(halfedge(e, setting.mesh)));
+  Surface mesh = setting.mesh;
+  const Length_metric metric(mesh, Length_map(lengths));
+  Length_triangulation triangulation(mesh, metric);
+  for_random_pairs(mesh, 20, [&](int u, int v) {
+    Curve_setting::Search search(setting.triangulation);
+    const std::vector<FG::Index> path = search(u, v);
+    FG::Edge_path_network<Length_triangulation> network(triangulation);
+    FG::add_straightened_path(network, path);
+    const double length = FG::shorten(network).curves[0].length;
+    BOOST_TEST(length == pulled_from_straightened(setting, path).report.curves[0].length,
+               boost::test_tools::tolerance(1e-9));
+    network.clear();
+    triangulation.rollback();
+  });
+}
+
+BOOST_AUTO_TEST_CASE(beside_a_face_without_area_the_path_itself_is_added)
+{
+  for(const Mesh_soup& soup : {with_zero_area_face(), with_zero_length_edge(), single_triangle()}) {
+    Curve_setting setting(soup);
+    const std::vector<FG::Index> path = {0};
+    BOOST_TEST(FG::add_straightened_path(setting.network, path) == 0u);
+    BOOST_TEST(setting.network.halfedges(0) == path, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_stop_predicate_sees_the_edge_path)
+{
+  const Surface mesh = to_mesh<Surface>(torus(40, 20, 3, 1));
+  const Surface::Vertex_index s(0), t(415);
+  std::vector<Surface::Point> points;
+  const auto stopped = FG::geodesic_path(mesh, s, t, std::back_inserter(points), CGAL::parameters::default_values(),
+                                         FG::Iteration_stop_predicate(0));
+  BOOST_TEST(stopped.report.curves[0].length == stopped.report.curves[0].initial_length);
+  const auto finished = FG::geodesic_path(mesh, s, t, std::back_inserter(points));
+  BOOST_TEST(finished.report.flips > 0u);
+  BOOST_TEST(finished.report.curves[0].flips == finished.report.flips);
+  BOOST_TEST(finished.report.curves[0].initial_length == stopped.report.curves[0].initial_length);
+  BOOST_TEST(finished.report.curves[0].length < finished.report.curves[0].initial_length);
+}
