@@ -182,8 +182,9 @@ BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
 {
   const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(12, 0.1, 3));
   const Pairs pairs = random_pairs(mesh, 40, 5);
-  const std::vector<Path> undisturbed = paths_of<CGAL::Sequential_tag>(mesh, pairs);
-  Disturbing_visitor visitor;
+  std::vector<Path> undisturbed;
+  Disturbing_visitor none, visitor;
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(undisturbed), CGAL::parameters::visitor(std::ref(none)));
   visitor.stop_at = 50;
   visitor.throw_at = 300;
   std::vector<Path> paths;
