@@ -330,12 +330,13 @@ private:
     const double length = m_faces.length(start);
     m_source = length * m_faces.corner(start);
     m_gates.resize(m_word.size());
-    Unfolded_gate gate = {0, length};
+    Unfolded_gate gate = {0, length, false};
     for(std::size_t i = 0; i < m_word.size(); ++i) {
       m_gates[i] = gate;
       m_target = gate.left + product(gate.right - gate.left, m_word[i].corner);
-      const bool is_right_kept = i + 1 < m_word.size() && m_word[i + 1].crossed == m_word[i].right_side;
-      (is_right_kept ? gate.left : gate.right) = m_target;
+      gate.is_right_new = i + 1 < m_word.size() && m_word[i + 1].crossed != m_word[i].right_side;
+      gate.left = gate.is_right_new ? gate.left : m_target;
+      gate.right = gate.is_right_new ? m_target : gate.right;
     }
   }
 

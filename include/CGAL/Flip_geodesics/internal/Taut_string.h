@@ -28,12 +28,11 @@ inline Plane_vector product(const Plane_vector& u, const Plane_vector& v)
 struct Unfolded_gate
 {
   Plane_vector right, left;
-
-  const Plane_vector& end(bool is_right) const { return is_right ? right : left; }
+  bool is_right_new; // or else the left end, compared with the gate before
 };
 
 /*
- * The shortest string through a strip of unfolded faces, by a funnel in linear time but for bends [Lee, Preparata,
+ * The shortest string through a strip of unfolded faces, by a funnel that starts afresh at each bend [Lee, Preparata,
  * Euclidean Shortest Paths in the Presence of Rectilinear Barriers, 1984]. The strip's gates are those that the string
  * crosses between its two ends, none of which is an end of a gate.
  */
@@ -75,35 +74,38 @@ private:
     if(start >= gates.size())
       return false;
     Funnel funnel = {start, start, gates[start].right - apex, gates[start].left - apex};
-    for(std::size_t i = start + 1; i <= gates.size(); ++i) {
-      const Plane_vector right = (i == gates.size() ? target : gates[i].right) - apex;
-      const Plane_vector left = (i == gates.size() ? target : gates[i].left) - apex;
-      if(cross(funnel.right, left) < 0)
-        return add_bend(gates, funnel.right_gate, true);
-      if(cross(funnel.left, right) > 0)
-        return add_bend(gates, funnel.left_gate, false);
-      if(cross(funnel.right, right) >= 0) {
-        funnel.right = right;
-        funnel.right_gate = i;
-      }
-      if(cross(funnel.left, left) <= 0) {
-        funnel.left = left;
-        funnel.left_gate = i;
+    for(std::size_t i = start + 1; i < gates.size(); ++i) {
+      if(gates[i].is_right_new) {
+        const Plane_vector right = gates[i].right - apex;
+        if(cross(funnel.left, right) > 0)
+          return add_bend(gates, funnel.left_gate, false);
+        if(cross(funnel.right, right) >= 0) {
+          funnel.right = right;
+          funnel.right_gate = i;
+        }
+      } else {
+        const Plane_vector left = gates[i].left - apex;
+        if(cross(funnel.right, left) < 0)
+          return add_bend(gates, funnel.right_gate, true);
+        if(cross(funnel.left, left) <= 0) {
+          funnel.left = left;
+          funnel.left_gate = i;
+        }
       }
     }
-    return false;
+    if(cross(funnel.right, target - apex) < 0)
+      return add_bend(gates, funnel.right_gate, true);
+    return cross(funnel.left, target - apex) > 0 && add_bend(gates, funnel.left_gate, false);
   }
 
-  // Gates that share an end have the same bits there.
   bool add_bend(const std::vector<Unfolded_gate>& gates, std::size_t gate, bool is_on_right)
   {
-    const Plane_vector position = gates[gate].end(is_on_right);
     std::size_t first = gate, last = gate;
-    while(first > 0 && gates[first - 1].end(is_on_right) == position)
+    while(first > 0 && gates[first].is_right_new != is_on_right)
       --first;
-    while(last + 1 < gates.size() && gates[last + 1].end(is_on_right) == position)
+    while(last + 1 < gates.size() && gates[last + 1].is_right_new != is_on_right)
       ++last;
-    m_bends.push_back({first, last, is_on_right, position});
+    m_bends.push_back({first, last, is_on_right, is_on_right ? gates[gate].right : gates[gate].left});
     return true;
   }
 
