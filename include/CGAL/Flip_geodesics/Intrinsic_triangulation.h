@@ -523,7 +523,7 @@ private:
   void refresh_inaccurate(const std::array<Index, 4>& halfedges)
   {
     for(Index h : halfedges)
-      if(traits().is_inaccurate_object()(geometry(h)))
+      if(traits().is_inaccurate_object()(m_halfedges.known(h).geometry))
         internal::refresh_face(*this, h);
   }
 

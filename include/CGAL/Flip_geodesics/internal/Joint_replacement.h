@@ -41,10 +41,11 @@ public:
     const std::pair<Strand_end, Strand_end> old = m_network.ends(joint);
     const Index x = joint.incoming, y = m_network.next(x);
     CGAL_precondition(x != y);
-    const Strand_end before = survivor_counterclockwise(old.first, x, y);
+    const Strand_end after = survivor_clockwise(old.first, old.second);
     // A joint that turns back also uncovers the ends beside it at its far node.
-    const Strand_end far = {Triangulation::twin(old.first.halfedge), old.second.segment};
-    const Strand_end before_far = arc.empty() ? survivor_counterclockwise(far, x, y) : Strand_end{};
+    const Index far = Triangulation::twin(old.first.halfedge);
+    const Strand_end after_far =
+        arc.empty() ? survivor_clockwise({far, old.second.segment}, {far, old.first.segment}) : Strand_end{};
 
     const Index upstream = m_network.next(y) == x ? null_index : m_network.previous(x);
     const Index first = splice(x, y, joint.side, arc);
@@ -52,19 +53,20 @@ public:
       collect_merged_joint(upstream, affected);
     else
       collect_new_joints(upstream, first, arc.size(), joint.side, affected);
-    collect_if_adjacent(before, affected);
-    collect_if_adjacent(before_far, affected);
+    collect_if_adjacent(after, affected);
+    collect_if_adjacent(after_far, affected);
     return first;
   }
 
 private:
-  // The next end counterclockwise that is not one of x or y.
-  Strand_end survivor_counterclockwise(const Strand_end& start, Index x, Index y) const
+  // The first end clockwise after two neighbours, `first` and `second`, that is of other segments. Most often there is
+  // none, and then the wedge between the two is not walked through.
+  Strand_end survivor_clockwise(const Strand_end& first, const Strand_end& second) const
   {
-    Strand_end end = m_network.next_counterclockwise(start);
-    while(!end.is_none() && end != start && (end.segment == x || end.segment == y))
-      end = m_network.next_counterclockwise(end);
-    return end == start ? Strand_end{} : end;
+    Strand_end end = m_network.next_clockwise(second);
+    while(!end.is_none() && end != first && (end.segment == first.segment || end.segment == second.segment))
+      end = m_network.next_clockwise(end);
+    return end == first ? Strand_end{} : end;
   }
 
   // Replaces x and y by segments along the arc; returns the first of them.
@@ -160,13 +162,13 @@ private:
       affected.push_back({incoming, side});
   }
 
-  // The pair that has become adjacent: an end and the next one clockwise, if they belong to one joint.
-  void collect_if_adjacent(const Strand_end& a, std::vector<Joint>& affected) const
+  // The pair that has become adjacent: an end and the one before it clockwise, if they belong to one joint.
+  void collect_if_adjacent(const Strand_end& b, std::vector<Joint>& affected) const
   {
-    if(a.is_none())
-      return;
-    const Strand_end b = m_network.next_clockwise(a);
     if(b.is_none())
+      return;
+    const Strand_end a = m_network.next_counterclockwise(b);
+    if(a.is_none())
       return;
     const bool arrives_first = a.halfedge == Triangulation::twin(m_network.halfedge(a.segment));
     if(arrives_first && m_network.next(a.segment) == b.segment && b.halfedge == m_network.halfedge(b.segment))
