@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/Sparse_array.h>
+#include <CGAL/Flip_geodesics/internal/Search_labels.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -33,8 +33,7 @@ enum class Search_method {
   /// shortest edge paths swerve to where the edges happen to point; `shorten()` flips several times fewer edges on
   /// smooth meshes. The bound for the remaining way counts 1.1 times, so that the search does not compare ways that
   /// are all nearly as short, and a vertex that is reached again on a way that is hardly shorter keeps its turn: about
-  /// a
-  /// third of the vertices are visited that `A_STAR` visits. The same as `DIJKSTRA` where the metric has no lower
+  /// a third of the vertices are visited that `A_STAR` visits. The same as `DIJKSTRA` where the metric has no lower
   /// bound.
   LOOK_BACK,
   A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
@@ -110,7 +109,7 @@ public:
     check_vertex(source);
     start(source);
     for(Index v = settle_next(); v != null_index; v = settle_next()) {
-      visit(v, m_labels[v].distance);
+      visit(v, m_labels.distance(v));
       relax_neighbors(v);
     }
   }
@@ -123,13 +122,6 @@ public:
 
 private:
   using Place = typename Triangulation::Metric::Place;
-
-  struct Label
-  {
-    double distance;
-    Index incoming; // the halfedge through which the path arrives
-    Index stamp;    // m_epoch if reached, m_epoch + 1 if settled
-  };
 
   // A vertex on the path to the one that is being settled, and what is known of the way from there.
   struct Ancestor
@@ -172,10 +164,10 @@ private:
     m_target = null_index;
     m_is_bounded = false;
     m_least_gain = 0;
-    m_epoch += 2;
+    m_labels.clear();
     m_settled = 0;
     m_queue.clear();
-    m_labels.writable(source) = {0, null_index, m_epoch};
+    m_labels.reach(source, 0, null_index);
     m_queue.push(0, source);
   }
 
@@ -197,9 +189,9 @@ private:
   {
     while(!m_queue.empty()) {
       const Index v = m_queue.pop();
-      if(m_labels[v].stamp == m_epoch + 1)
+      if(m_labels.is_settled(v))
         continue; // has been reached on a shorter way since
-      m_labels.writable(v).stamp = m_epoch + 1;
+      m_labels.settle(v);
       ++m_settled;
       return v;
     }
@@ -209,17 +201,17 @@ private:
   void relax_neighbors(Index v)
   {
     const auto& input = m_triangulation->input();
-    const Label label = m_labels[v];
-    const bool is_source = label.incoming == null_index;
-    const Index first = is_source ? input.outgoing(v) : Triangulation::twin(label.incoming);
+    const Index incoming = m_labels.incoming(v);
+    const bool is_source = incoming == null_index;
+    const Index first = is_source ? input.outgoing(v) : Triangulation::twin(incoming);
     if(first == null_index)
       return;
     const Index second = is_source ? first : next_around(first); // where the path came from is settled
     if(m_looks_back)
-      relax_neighbors<true>({v, label.distance, m_triangulation->metric().place(input, v), ancestors_of(label)}, second,
-                            first);
+      relax_neighbors<true>(
+          {v, m_labels.distance(v), m_triangulation->metric().place(input, v), ancestors_of(incoming)}, second, first);
     else
-      relax_neighbors<false>({v, label.distance, m_triangulation->metric().place(input, v), {}}, second, first);
+      relax_neighbors<false>({v, m_labels.distance(v), m_triangulation->metric().place(input, v), {}}, second, first);
   }
 
   // The neighbors from one halfedge round to another.
@@ -235,20 +227,18 @@ private:
   // Along the border, too.
   Index next_around(Index h) const { return m_triangulation->input().next(Triangulation::twin(h)); }
 
-  Ancestors ancestors_of(const Label& label) const
+  Ancestors ancestors_of(Index incoming) const
   {
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
     Ancestors result;
     result.fill({Place(), std::numeric_limits<double>::infinity(), 0});
     double length = 0;
-    Index incoming = label.incoming;
     for(std::size_t i = 0; i < most_ancestors && incoming != null_index; ++i) {
       const Index a = input.tail(incoming);
-      const Label& label_of_a = m_labels[a];
       length += metric.weight(input, incoming);
-      result[i] = {metric.place(input, a), label_of_a.distance, length};
-      incoming = label_of_a.incoming;
+      result[i] = {metric.place(input, a), m_labels.distance(a), length};
+      incoming = m_labels.incoming(a);
     }
     return result;
   }
@@ -259,19 +249,18 @@ private:
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
     const Index w = input.tail(Triangulation::twin(h));
-    if(m_labels[w].stamp == m_epoch + 1)
+    if(m_labels.is_settled(w))
       return;
     const Place place = metric.place(input, w);
     const double weight = metric.weight(input, h, origin.place, place);
     if(!(weight >= 0 && weight <= (std::numeric_limits<double>::max)()))
       internal::throw_unusable_length(weight, origin.vertex, w);
     const double distance = LooksBack ? distance_looking_back(origin, place, weight) : origin.distance + weight;
-    Label& label = m_labels.writable(w);
-    const bool is_reached = label.stamp == m_epoch;
-    const double gain = label.distance - distance;
+    const bool is_reached = m_labels.is_reached(w);
+    const double gain = m_labels.distance(w) - distance; // if it is
     if(is_reached && !(gain > 0))
       return;
-    label = {distance, h, m_epoch};
+    m_labels.reach(w, distance, h);
     if(!is_reached || gain >= m_least_gain * weight)
       m_queue.push(distance + bound_to_target(w, place), w);
   }
@@ -298,7 +287,7 @@ private:
   std::vector<Index> path_to(Index target) const
   {
     std::vector<Index> path;
-    for(Index h = m_labels[target].incoming; h != null_index; h = m_labels[m_triangulation->input().tail(h)].incoming)
+    for(Index h = m_labels.incoming(target); h != null_index; h = m_labels.incoming(m_triangulation->input().tail(h)))
       path.push_back(h);
     std::reverse(path.begin(), path.end());
     return path;
@@ -308,14 +297,13 @@ private:
   Search_method m_method;
   bool m_looks_back;
   double m_haste;
-  internal::Sparse_array<Label> m_labels;
+  internal::Search_labels m_labels;
   internal::Vertex_queue m_queue;
   const Landmark_distances* m_landmarks = nullptr;
   Index m_target = null_index; // none if the search goes in all directions
   Place m_target_place = Place();
   bool m_is_bounded = false; // by the metric
   double m_least_gain = 0;
-  Index m_epoch = 0;
   std::size_t m_settled = 0;
 };
 
