@@ -168,9 +168,10 @@ private:
   double wrong_side_angle(const Vector& p, bool is_mirrored = false) const
   {
     const Vector end = is_mirrored ? std::conj(m_end) : m_end;
-    const double height = cross(end, p) / std::abs(end);
-    if(height >= 0)
+    const double doubled_area = cross(end, p);
+    if(doubled_area >= 0)
       return 0;
+    const double height = doubled_area / std::abs(end);
     const double base = (std::min)(std::abs(p), std::abs(p - end));
     return base > 0 ? std::asin((std::min)(-height / base, 1.0)) : 0;
   }
