@@ -76,14 +76,16 @@ std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straigh
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path; its length becomes the curve's initial length
+ * \param fewest_segments a shorter path is added as it is, since that is as fast
  * \return the number of flips
  *
- * Complexity: linear in the path for its first strip, and in the active part of the strip for each of the rounds, of
- * which there are about as many as rows of vertices between the path and the geodesic. The flips are linear in the
- * edges that the geodesic crosses.
+ * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path
+ *
+ * Complexity: that of some rounds over the strip, of which there are about as many as rows of vertices between the path
+ * and the geodesic. The flips are linear in the edges that the geodesic crosses.
  */
 template <class Network>
-std::size_t add_straightened_path(Network& network, const std::vector<Index>& path)
+std::size_t add_straightened_path(Network& network, const std::vector<Index>& path, std::size_t fewest_segments = 32)
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
@@ -91,7 +93,7 @@ std::size_t add_straightened_path(Network& network, const std::vector<Index>& pa
   internal::Strip_straightener<Triangulation> straightener(triangulation);
   std::size_t flips = 0;
   std::vector<Index> straight;
-  if(straightener(path))
+  if(path.size() >= fewest_segments && straightener(path))
     straight = internal::insert_legs(triangulation, straightener, flips);
   if(straight.empty() || !internal::is_simple(triangulation, straight) ||
      internal::length_of(triangulation, straight) > straightener.path_length()) {
