@@ -85,7 +85,7 @@ std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straigh
  * and the geodesic. The flips are linear in the edges that the geodesic crosses.
  */
 template <class Network>
-std::size_t add_straightened_path(Network& network, const std::vector<Index>& path, std::size_t fewest_segments = 32)
+std::size_t add_straightened_path(Network& network, const std::vector<Index>& path, std::size_t fewest_segments = 48)
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
