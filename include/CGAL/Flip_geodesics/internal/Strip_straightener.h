@@ -91,7 +91,7 @@ private:
 
   static constexpr int most_rounds = 200;
   // Where so many crossings are unfolded for each joint that is moved, FlipOut is as fast.
-  static constexpr std::size_t most_crossings = 100;
+  static constexpr std::size_t most_crossings = 200;
   // An angle, in radians, that is left to FlipOut.
   static constexpr double angle_tolerance = 1e-7;
 
