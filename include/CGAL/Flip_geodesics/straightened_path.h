@@ -76,7 +76,7 @@ std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straigh
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path; its length becomes the curve's initial length
- * \param fewest_segments a shorter path is added as it is, since that is as fast
+ * \param fewest_segments a shorter path is added as it is, since FlipOut alone is faster then
  * \return the number of flips
  *
  * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path
@@ -85,7 +85,7 @@ std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straigh
  * and the geodesic. The flips are linear in the edges that the geodesic crosses.
  */
 template <class Network>
-std::size_t add_straightened_path(Network& network, const std::vector<Index>& path, std::size_t fewest_segments = 48)
+std::size_t add_straightened_path(Network& network, const std::vector<Index>& path, std::size_t fewest_segments = 256)
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
