@@ -104,8 +104,8 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: an edge path that is nearly
- * shortest (`Search_method::LOOK_BACK`), straightened if it is long (`add_straightened_path()`) and pulled tight. A path that takes another way round a hole or a bump may be
- * shorter still.
+ * shortest (`Search_method::LOOK_BACK`), straightened if it is long (`add_straightened_path()`) and pulled tight. A
+ * path that takes another way round a hole or a bump may be shorter still.
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
