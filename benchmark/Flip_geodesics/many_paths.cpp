@@ -4,9 +4,9 @@
 // after the other, interleaved, by the clock on the wall, so that the machine should have nothing else to do. Writes a
 // line per mesh, comma-separated, with a header:
 //
-//   mesh,triangles,pairs,threads,one_by_one_s,sequential_s,parallel_s,speedup,is_same
+//   mesh,triangles,pairs,threads,one_by_one_s,sequential_s,plain_s,parallel_s,speedup,is_same
 //
-// Each time is the median over the rounds; `is_same` tells whether all three gave the same points.
+// Each time is the median over the rounds; `is_same` tells whether all but the plain ones gave the same points.
 //
 // Usage: many_paths [--pairs N] [--seed S] [--rounds R] [--threads T] MESH...
 
@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <random>
@@ -75,11 +76,12 @@ private:
   std::vector<double> m_seconds;
 };
 
-template <class ConcurrencyTag>
-std::vector<Points> all_at_once(const Mesh& mesh, const std::vector<std::pair<Vertex, Vertex>>& pairs)
+template <class ConcurrencyTag, class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<Points> all_at_once(const Mesh& mesh, const std::vector<std::pair<Vertex, Vertex>>& pairs,
+                                const NamedParameters& np = CGAL::parameters::default_values())
 {
   std::vector<FG::Geodesic_path<Mesh::Point>> paths;
-  FG::geodesic_paths<ConcurrencyTag>(mesh, pairs, std::back_inserter(paths));
+  FG::geodesic_paths<ConcurrencyTag>(mesh, pairs, std::back_inserter(paths), np);
   std::vector<Points> result;
   for(auto& path : paths)
     result.push_back(std::move(path.points));
@@ -109,16 +111,21 @@ void run(const Options& options, const std::string& name)
   }
   Timed single([&] { return one_by_one(mesh, pairs); });
   Timed sequential([&] { return all_at_once<CGAL::Sequential_tag>(mesh, pairs); });
+  // A visitor is to see how the path of edges is pulled tight.
+  FG::Default_shortening_visitor visitor;
+  Timed plain(
+      [&] { return all_at_once<CGAL::Sequential_tag>(mesh, pairs, CGAL::parameters::visitor(std::ref(visitor))); });
   Timed parallel([&] { return all_at_once<CGAL::Parallel_if_available_tag>(mesh, pairs); });
   for(std::size_t round = 0; round < options.rounds; ++round) {
     single.run();
     sequential.run();
+    plain.run();
     parallel.run();
   }
   const bool is_same = single.paths == sequential.paths && sequential.paths == parallel.paths;
   std::cout << benchmark_meshes::short_name(name) << ',' << mesh.number_of_faces() << ',' << options.pairs << ','
-            << options.threads << ',' << single.median() << ',' << sequential.median() << ',' << parallel.median()
-            << ',' << sequential.median() / parallel.median() << ',' << is_same << std::endl;
+            << options.threads << ',' << single.median() << ',' << sequential.median() << ',' << plain.median() << ','
+            << parallel.median() << ',' << sequential.median() / parallel.median() << ',' << is_same << std::endl;
 }
 
 } // namespace
@@ -139,7 +146,7 @@ int main(int argc, char** argv)
 #ifdef CGAL_LINKED_WITH_TBB
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
 #endif
-    std::cout << "mesh,triangles,pairs,threads,one_by_one_s,sequential_s,parallel_s,speedup,is_same\n";
+    std::cout << "mesh,triangles,pairs,threads,one_by_one_s,sequential_s,plain_s,parallel_s,speedup,is_same\n";
     for(const std::string& mesh : options.meshes)
       run(options, mesh);
   } catch(const std::exception& error) {

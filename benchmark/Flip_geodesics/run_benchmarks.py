@@ -35,7 +35,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programs", type=pathlib.Path, required=True, help="the folder with the built benchmarks")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the folder for the tables")
-    parser.add_argument("--all", action="store_true", help="large meshes as well; takes about an hour")
+    parser.add_argument("--all", action="store_true", help="large meshes as well; takes about three quarters of an hour")
     parser.add_argument("--meshes", nargs="*", default=[], help="further mesh files")
     return parser.parse_args()
 
@@ -95,29 +95,32 @@ def main():
     (arguments.out / "machine.txt").write_text(machine_description(arguments.programs), encoding="utf-8")
     with tempfile.TemporaryDirectory() as folder:
         real = unpack_real_meshes(folder) + arguments.meshes
-        sizes = [1e3, 4e3, 16e3, 64e3, 256e3] + ([1e6, 4e6] if arguments.all else [])
+        sizes = [1e3, 4e3, 16e3, 64e3, 256e3]
         generated = [f"{kind}:{int(size)}" for kind in ("torus", "terrain") for size in sizes]
-        subdivided = [f"{mesh}+{k}" for mesh in real[:1] for k in ((1, 2, 3) if arguments.all else (1,))]
-        pairs = 20 if arguments.all else 15
+        subdivided = [f"{mesh}+1" for mesh in real[:1]]
+        large = []
+        if arguments.all:
+            large = [f"{kind}:{size}" for kind in ("torus", "terrain") for size in (1000000, 4000000)]
+            large += [f"{mesh}+{k}" for mesh in real[:1] for k in (2, 3)]
 
         def table(name, program, *options):
             run(arguments.programs, arguments.out, name, program, *options)
 
         for search in ("lookback", "landmarks", "astar"):
-            table(f"stages_{search}.csv", "query_stages", "--pairs", pairs, "--rounds", 5, "--search", search,
-                  *generated, *real, *subdivided)
-        numbered = [mesh + order for mesh in [*real, *subdivided] for order in ("", "~")]
-        table("order.csv", "query_stages", "--pairs", 2 * pairs, "--rounds", 1, *numbered)
-        table("many.csv", "many_paths", *(["--pairs", 1000] if arguments.all else ["--pairs", 300, "--rounds", 3]),
-              *generated[2:5], *real)
+            options = ["--pairs", 15, "--search", search]
+            run_each(arguments.programs, arguments.out, f"stages_{search}.csv", "query_stages",
+                     [[*options, "--rounds", 5, *generated, *real, *subdivided]] +
+                     [[*options, "--rounds", 3, mesh] for mesh in large])
+        numbered = [mesh + order for mesh in [*real, *subdivided, *large[-2:]] for order in ("", "~")]
+        table("order.csv", "query_stages", "--pairs", 30, "--rounds", 1, *numbered)
+        table("many.csv", "many_paths", "--rounds", 5 if arguments.all else 3, *generated[2:5], *real)
         # A process each, since memory that was used once counts as resident afterwards.
         run_each(arguments.programs, arguments.out, "memory.csv", "memory_use",
-                 [[mesh] for mesh in [*generated, *real, *subdivided]])
-        table("opponents.csv", "compare_straightening", 100 if arguments.all else 10, *real, "torus:64000",
-              "terrain:64000")
-        table("detours.csv", "compare_straightening", "--detour", 50 if arguments.all else 5, *real, "torus:64000",
-              "terrain:64000")
-        table("exact.csv", "compare_distance_methods", 5 if arguments.all else 2, "torus:4000", "torus:16000",
+                 [[mesh] for mesh in [*generated, *real, *subdivided, *large]])
+        smooth_and_rough = [*real, "torus:64000", "terrain:64000"]
+        table("opponents.csv", "compare_straightening", 30 if arguments.all else 10, *smooth_and_rough)
+        table("detours.csv", "compare_straightening", "--detour", 20 if arguments.all else 5, *smooth_and_rough)
+        table("exact.csv", "compare_distance_methods", 3 if arguments.all else 2, "torus:4000", "torus:16000",
               *real[2:3], *(real[:1] if arguments.all else []))
         if (arguments.programs / "kernels").exists():
             table("kernels.csv", "kernels", "--benchmark_format=csv", "--benchmark_repetitions=5",

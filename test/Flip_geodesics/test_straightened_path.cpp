@@ -46,7 +46,7 @@ Outcome pulled_from_straightened(Setting& setting, const std::vector<FG::Index>&
   for(FG::Index h : path)
     path_length += setting.triangulation.length(h);
   Outcome outcome;
-  outcome.first_flips = FG::add_straightened_path(setting.network, path, 0);
+  outcome.first_flips = FG::add_straightened_path(setting.network, path);
   outcome.first_length = setting.network.length(0);
   BOOST_TEST(setting.network.is_valid());
   BOOST_TEST(setting.triangulation.is_valid());
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_metric_of_lengths_does)
     Curve_setting::Search search(setting.triangulation);
     const std::vector<FG::Index> path = search(u, v);
     FG::Edge_path_network<Length_triangulation> network(triangulation);
-    FG::add_straightened_path(network, path, 0);
+    FG::add_straightened_path(network, path);
     const double length = FG::shorten(network).curves[0].length;
     BOOST_TEST(length == pulled_from_straightened(setting, path).report.curves[0].length,
                boost::test_tools::tolerance(1e-9));
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(beside_a_face_without_area_the_path_itself_is_added)
   for(const Mesh_soup& soup : {with_zero_area_face(), with_zero_length_edge(), single_triangle()}) {
     Curve_setting setting(soup);
     const std::vector<FG::Index> path = {0};
-    BOOST_TEST(FG::add_straightened_path(setting.network, path, 0) == 0u);
+    BOOST_TEST(FG::add_straightened_path(setting.network, path) == 0u);
     BOOST_TEST(setting.network.halfedges(0) == path, boost::test_tools::per_element());
   }
 }

@@ -76,7 +76,6 @@ std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straigh
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path; its length becomes the curve's initial length
- * \param fewest_segments a shorter path is added as it is, since FlipOut alone is faster then
  * \return the number of flips
  *
  * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path
@@ -85,7 +84,7 @@ std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straigh
  * and the geodesic. The flips are linear in the edges that the geodesic crosses.
  */
 template <class Network>
-std::size_t add_straightened_path(Network& network, const std::vector<Index>& path, std::size_t fewest_segments = 256)
+std::size_t add_straightened_path(Network& network, const std::vector<Index>& path)
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
@@ -93,10 +92,11 @@ std::size_t add_straightened_path(Network& network, const std::vector<Index>& pa
   internal::Strip_straightener<Triangulation> straightener(triangulation);
   std::size_t flips = 0;
   std::vector<Index> straight;
-  if(path.size() >= fewest_segments && straightener(path))
+  if(straightener(path))
     straight = internal::insert_legs(triangulation, straightener, flips);
   if(straight.empty() || !internal::is_simple(triangulation, straight) ||
-     internal::length_of(triangulation, straight) > straightener.path_length()) {
+     internal::length_of(triangulation, straight) > straightener.path_length())
+  {
     triangulation.rollback();
     network.add_curve(path, false);
     return flips;
