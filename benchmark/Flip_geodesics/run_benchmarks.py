@@ -98,10 +98,10 @@ def main():
         sizes = [1e3, 4e3, 16e3, 64e3, 256e3]
         generated = [f"{kind}:{int(size)}" for kind in ("torus", "terrain") for size in sizes]
         subdivided = [f"{mesh}+1" for mesh in real[:1]]
-        large = []
+        large_real, large = [], []
         if arguments.all:
-            large = [f"{kind}:{size}" for kind in ("torus", "terrain") for size in (1000000, 4000000)]
-            large += [f"{mesh}+{k}" for mesh in real[:1] for k in (2, 3)]
+            large_real = [f"{mesh}+{k}" for mesh in real[:1] for k in (2, 3)]
+            large = [f"{kind}:{size}" for kind in ("torus", "terrain") for size in (1000000, 4000000)] + large_real
 
         def table(name, program, *options):
             run(arguments.programs, arguments.out, name, program, *options)
@@ -111,7 +111,7 @@ def main():
             run_each(arguments.programs, arguments.out, f"stages_{search}.csv", "query_stages",
                      [[*options, "--rounds", 5, *generated, *real, *subdivided]] +
                      [[*options, "--rounds", 3, mesh] for mesh in large])
-        numbered = [mesh + order for mesh in [*real, *subdivided, *large[-2:]] for order in ("", "~")]
+        numbered = [mesh + order for mesh in [*real, *subdivided, *large_real] for order in ("", "~")]
         table("order.csv", "query_stages", "--pairs", 30, "--rounds", 1, *numbered)
         table("many.csv", "many_paths", "--rounds", 5 if arguments.all else 3, *generated[2:5], *real)
         # A process each, since memory that was used once counts as resident afterwards.
