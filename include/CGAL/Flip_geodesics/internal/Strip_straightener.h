@@ -24,7 +24,7 @@ namespace internal {
  *
  * By iterative unfolding [Xin, Wang, Efficiently Determining a Locally Exact Shortest Path on Polyhedral Surfaces,
  * 2007]: the path is pulled taut within a strip of faces, and the strip is led round the other side of the vertices
- * that the string bends about where the angle there is below pi, until there are few.
+ * that the string bends about where the angle there is below pi, until there are none.
  *
  * The strip is cut where the string is done, at joints with at least pi on both sides. What crosses an edge keeps the
  * shape of the face beyond, so that the rounds after the first unfold the strip by a complex product a face.
@@ -89,9 +89,8 @@ private:
     Plane_vector corner;
   };
 
-  static constexpr int most_rounds = 200;
-  // Where so many crossings are unfolded for each joint that is moved, FlipOut is as fast.
-  static constexpr std::size_t most_crossings = 200;
+  // There are about as many rounds as rows of vertices between path and geodesic; FlipOut goes on from where they end.
+  static constexpr int most_rounds = 1000;
   // An angle, in radians, that is left to FlipOut.
   static constexpr double angle_tolerance = 1e-7;
 
@@ -106,7 +105,7 @@ private:
     m_crossings.clear();
     if(!move_over_joints(&Strip_straightener::side_of_fewer_faces))
       return false;
-    for(int round = 1; round < most_rounds && m_crossings_unfolded < most_crossings * m_joints_moved; ++round)
+    for(int round = 1; round < most_rounds && m_has_moved; ++round)
       if(!move_over_joints(&Strip_straightener::side_below_pi))
         return false;
     double length = 0;
@@ -137,7 +136,7 @@ private:
     m_legs.clear();
     m_used.swap(m_crossings);
     m_crossings.clear();
-    m_joints_moved = m_crossings_unfolded = 0;
+    m_has_moved = false;
     Way way = Way::NONE;
     for(std::size_t first = 0, i = 0; i < m_before.size(); ++i) {
       const Leg& leg = m_before[i];
@@ -148,7 +147,6 @@ private:
         cross_edge(way == Way::LEFT ? leg.along : twin_index(leg.along));
       if(next != Way::NONE) {
         pass(leg, m_before[i + 1], next);
-        ++m_joints_moved;
       } else {
         if(i == first)
           keep(leg);
@@ -299,7 +297,7 @@ private:
   // if these do not lead from one to the other.
   bool pull(Index source, Index target, Index edge)
   {
-    m_crossings_unfolded += m_word.size();
+    m_has_moved = true;
     if(!m_word.empty())
       edge = trim(source, target);
     if(edge != null_index) {
@@ -404,7 +402,7 @@ private:
   Plane_vector m_source, m_target;
   Taut_string m_string;
   double m_path_length = 0;
-  std::size_t m_joints_moved = 0, m_crossings_unfolded = 0; // in the last round
+  bool m_has_moved = false; // in the last round
 };
 
 } // namespace internal
