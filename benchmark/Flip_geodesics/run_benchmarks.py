@@ -119,7 +119,8 @@ def main():
                  [[mesh] for mesh in [*generated, *real, *subdivided, *large]])
         smooth_and_rough = [*real, "torus:64000", "terrain:64000"]
         table("opponents.csv", "compare_straightening", 30 if arguments.all else 10, *smooth_and_rough)
-        table("detours.csv", "compare_straightening", "--detour", 20 if arguments.all else 5, *smooth_and_rough)
+        table("detours.csv", "compare_straightening", "--detour", 10 if arguments.all else 2, "torus:4000", "torus:16000",
+              "terrain:16000")
         table("exact.csv", "compare_distance_methods", 3 if arguments.all else 2, "torus:4000", "torus:16000",
               *real[2:3], *(real[:1] if arguments.all else []))
         if (arguments.programs / "kernels").exists():
