@@ -104,7 +104,7 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: an edge path that is nearly
- * shortest (`Search_method::LOOK_BACK`), straightened if it is long (`add_straightened_path()`) and pulled tight. A
+ * shortest (`Search_method::LOOK_BACK`), straightened (`add_straightened_path()`) and pulled tight. A
  * path that takes another way round a hole or a bump may be shorter still.
  *
  * \param mesh a triangle mesh
@@ -121,7 +121,8 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * Complexity: that of the search, \f$O(k \log k)\f$ for the \f$k\f$ vertices it visits, and of `shorten()`; meshes
  * other than `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
+template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters,
+          class StopPredicate = Never_stop_predicate>
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
                                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,

@@ -100,7 +100,8 @@ bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Ind
   };
   if(along == null_index && !is_untouched(crossed))
     return false;
-  std::vector<Index> chain = along == null_index ? left_side_of_strip(triangulation, crossed) : std::vector<Index>{along};
+  std::vector<Index> chain =
+      along == null_index ? left_side_of_strip(triangulation, crossed) : std::vector<Index>{along};
   if(!is_untouched(chain))
     return false;
   flips += straighten_on_the_right(triangulation, chain);
