@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Times many paths on one mesh by `geodesic_paths()`: in one thread, in several, and one call of `geodesic_path()`
-// after the other, interleaved, by the clock on the wall, so that the machine should have nothing else to do. Writes a
-// line per mesh, comma-separated, with a header:
+// after the other, interleaved, by the clock on the wall, so that the machine should have nothing else to do; and in one
+// thread without straightening the paths of edges before they are pulled tight (`plain_s`). Writes a line per mesh,
+// comma-separated, with a header:
 //
 //   mesh,triangles,pairs,threads,one_by_one_s,sequential_s,plain_s,parallel_s,speedup,is_same
 //

@@ -6,7 +6,7 @@
 //   mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,construct_s,dijkstra_s,
 //   search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash
 //
-// Long paths of a search that looks back are straightened before they are pulled tight, as by geodesic_path(); that is a
+// The paths of a search that looks back are straightened before they are pulled tight, as by geodesic_path(); that is a
 // part of `shorten_s`, and its flips of `flips`. Shortest edge paths are pulled tight as they are, for comparison.
 //
 // Each time is the median over the rounds, of processor time. `edge_segments` counts the segments of Dijkstra's path,
