@@ -244,8 +244,14 @@ BOOST_AUTO_TEST_CASE(endpoints_that_cannot_be_joined)
   BOOST_CHECK_THROW(setting.add_path(0, 7), FG::Disconnected_endpoints_error);
   BOOST_CHECK_THROW(setting.add_path(0, 12), FG::Disconnected_endpoints_error);
   BOOST_CHECK_THROW(setting.add_path(12, 0), FG::Disconnected_endpoints_error);
-  BOOST_CHECK_THROW(setting.add_path(0, 13), FG::Vertex_out_of_range_error);
-  BOOST_CHECK_THROW(setting.add_path(-1, 0), FG::Vertex_out_of_range_error);
+  const auto names_it = [](const FG::Error& error) {
+    return error.what() == std::string("vertex 13 is not one of the 13 vertices") && error.elements().front() == 13;
+  };
+  BOOST_CHECK_EXCEPTION(setting.add_path(0, 13), FG::Vertex_out_of_range_error, names_it);
+  const auto names_none = [](const FG::Error& error) {
+    return error.what() == std::string("a given vertex is not one of the 13 vertices") && error.elements().empty();
+  };
+  BOOST_CHECK_EXCEPTION(setting.add_path(-1, 0), FG::Vertex_out_of_range_error, names_none);
   BOOST_CHECK_THROW(setting.add_path(3, 3), FG::Invalid_curve_error);
   BOOST_TEST(setting.network.number_of_curves() == 0);
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Tangent_spaces.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Constrained_system.h>
+#include <CGAL/Flip_geodesics/internal/check_vertex.h>
 
 #include <CGAL/assertions.h>
 
@@ -78,7 +79,7 @@ public:
   /// Asks for a direction at vertex `v`, an angle in its tangent space. \throws Vertex_out_of_range_error
   void align(Index v, double angle)
   {
-    internal::marked_vertices(m_operators.number_of_vertices(), {v});
+    internal::check_vertex(v, static_cast<Index>(m_operators.number_of_vertices()));
     m_aligned[v] += power(angle);
   }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
@@ -85,15 +86,15 @@ public:
    *
    * \param source a vertex
    * \param max_distance no path longer than this is wanted. Vertices that are nearer, but of which the search meets
-   * only neighbors that are farther, are not found; so give a little more to have all. \param visitor a model of
-   * `FlipOutVisitor`, of which `on_flip()` and `go_further()` are called \throws Vertex_out_of_range_error,
-   * Degenerate_face_error, Invalid_coordinate_error
+   *        only neighbors that are farther, are not found; so give a little more to have all
+   * \param visitor a model of `FlipOutVisitor`, of which `on_flip()` and `go_further()` are called
+   * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error
    */
   template <class Visitor = Default_shortening_visitor>
   Geodesic_tree_report grow(Index source, double max_distance = std::numeric_limits<double>::infinity(),
                             Visitor&& visitor = Visitor())
   {
-    internal::check_vertex_index(*m_triangulation, source, 0);
+    internal::check_vertex(source, m_triangulation->number_of_vertices());
     if(m_labels.size() < static_cast<std::size_t>(m_triangulation->number_of_vertices())) { // some were inserted
       m_labels = internal::Lazy_array<Label>(static_cast<std::size_t>(m_triangulation->number_of_vertices()));
       m_epoch = 0;

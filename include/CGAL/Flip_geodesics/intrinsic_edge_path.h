@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/check_vertex.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,10 +141,7 @@ template <class Triangulation>
 std::vector<Index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Index source, Index target)
 {
   for(Index v : {source, target})
-    if(v < 0 || v >= triangulation.number_of_vertices())
-      throw Vertex_out_of_range_error("vertex " + std::to_string(v) + " is not one of the triangulation's " +
-                                          std::to_string(triangulation.number_of_vertices()) + " vertices",
-                                      {static_cast<std::size_t>(v)});
+    internal::check_vertex(v, triangulation.number_of_vertices());
   if(source == target)
     return {};
   std::vector<Index> path = internal::Intrinsic_edge_search<Triangulation>(triangulation, target)(source);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/check_vertex.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -17,16 +18,6 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 namespace internal {
-
-template <class Triangulation>
-void check_vertex_index(const Triangulation& triangulation, Index v, std::size_t position)
-{
-  if(v < 0 || v >= triangulation.number_of_vertices())
-    throw Vertex_out_of_range_error("vertex " + std::to_string(v) + " at position " + std::to_string(position) +
-                                        " of a curve is not one of the mesh's " +
-                                        std::to_string(triangulation.number_of_vertices()) + " vertices",
-                                    {position});
-}
 
 /* The halfedges that start at v, clockwise, from the border if there is one. */
 template <class Triangulation>
@@ -84,7 +75,7 @@ std::vector<Index> halfedges_through(const Triangulation& triangulation, const V
 {
   std::vector<Index> v;
   for(Index vertex : vertices) {
-    internal::check_vertex_index(triangulation, vertex, v.size());
+    internal::check_vertex(vertex, triangulation.number_of_vertices(), v.size());
     v.push_back(vertex);
   }
   if(v.size() < 2)

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Search_labels.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/internal/check_vertex.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>
@@ -84,8 +85,8 @@ public:
    */
   std::vector<Index> operator()(Index source, Index target)
   {
-    check_vertex(source);
-    check_vertex(target);
+    internal::check_vertex(source, m_triangulation->input().number_of_vertices());
+    internal::check_vertex(target, m_triangulation->input().number_of_vertices());
     start(source);
     direct(source, target);
     for(Index v = settle_next(); v != null_index; v = settle_next()) {
@@ -106,7 +107,7 @@ public:
   template <class Visit>
   void visit_all(Index source, const Visit& visit)
   {
-    check_vertex(source);
+    internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     start(source);
     for(Index v = settle_next(); v != null_index; v = settle_next()) {
       visit(v, m_labels.distance(v));
@@ -150,14 +151,6 @@ private:
   static constexpr double haste = 1.1, haste_with_landmarks = 1.02;
   // A way that is shorter by less than this part of its last edge does not put a vertex forward in the queue.
   static constexpr double least_gain = 0.2;
-
-  void check_vertex(Index v) const
-  {
-    if(v < 0 || v >= m_triangulation->input().number_of_vertices())
-      throw Vertex_out_of_range_error("vertex " + std::to_string(v) + " is not one of the mesh's " +
-                                          std::to_string(m_triangulation->input().number_of_vertices()) + " vertices",
-                                      {static_cast<std::size_t>(v)});
-  }
 
   void start(Index source)
   {

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/check_vertex.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -89,10 +90,7 @@ inline std::vector<char> marked_vertices(std::size_t number_of_vertices, const s
 {
   std::vector<char> result(number_of_vertices, 0);
   for(Index v : vertices) {
-    if(v < 0 || static_cast<std::size_t>(v) >= number_of_vertices)
-      throw Vertex_out_of_range_error("vertex " + std::to_string(v) + " is not one of the " +
-                                          std::to_string(number_of_vertices) + " vertices",
-                                      {static_cast<std::size_t>(v)});
+    check_vertex(v, static_cast<Index>(number_of_vertices));
     result[v] = 1;
   }
   return result;
