@@ -4,10 +4,12 @@
 // interleaved as the unit of measure. Writes a line per query, comma-separated, with a header:
 //
 //   mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,construct_s,dijkstra_s,
-//   search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash
+//   search_s,shorten_s,extract_s,certify_s,rollback_s,steps_s,length,status,hash
 //
 // The paths of a search that looks back are straightened before they are pulled tight, as by geodesic_path(); that is a
 // part of `shorten_s`, and its flips of `flips`. Shortest edge paths are pulled tight as they are, for comparison.
+// `steps_s` is the part of `shorten_s` in which FlipOut looks at every joint and takes its steps (wedges, flips, queue,
+// the path's segments), without straightening and without measuring the result; it is run again for that.
 //
 // Each time is the median over the rounds, of processor time. `edge_segments` counts the segments of Dijkstra's path,
 // `segments` those of the path that was straightened, `hash` the bits of the extracted curve. `landmarks` looks back
@@ -57,7 +59,7 @@ const std::map<std::string, FG::Search_method> search_methods = {{"lookback", FG
                                                                  {"astar", FG::Search_method::A_STAR},
                                                                  {"dijkstra", FG::Search_method::DIJKSTRA}};
 
-enum Stage { CONSTRUCT, DIJKSTRA, SEARCH, SHORTEN, EXTRACT, CERTIFY, ROLLBACK, NUMBER_OF_STAGES };
+enum Stage { CONSTRUCT, DIJKSTRA, SEARCH, SHORTEN, EXTRACT, CERTIFY, ROLLBACK, STEPS, NUMBER_OF_STAGES };
 
 /// The times of one stage over the rounds.
 class Times
@@ -147,6 +149,12 @@ private:
         m_triangulation.rollback();
         return 0;
       });
+      {
+        Network network(m_triangulation);
+        add(network, start);
+        times[STEPS].measure([&] { return take_steps(network); });
+      }
+      m_triangulation.rollback();
     }
     std::cout << m_name << ',' << m_mesh.number_of_faces() << ',' << m_options.search << ',' << source << ',' << target
               << ',' << edge_segments << ',' << start.size() << ',' << m_search.settled_vertices() << ','
@@ -158,18 +166,33 @@ private:
     return true;
   }
 
-  // As geodesic_path() does; shortest edge paths are pulled tight as they are, for comparison.
   FG::Shortening_report shorten(Network& network, const std::vector<Index>& start) const
   {
-    const bool is_to_compare = m_options.search == "astar" || m_options.search == "dijkstra";
-    std::size_t flips = 0;
-    if(is_to_compare)
-      network.add_curve(start, false);
-    else
-      flips = FG::add_straightened_path(network, start);
+    const std::size_t flips = add(network, start);
     FG::Shortening_report report = FG::shorten(network);
     report.flips += flips;
     return report;
+  }
+
+  // As geodesic_path() does; shortest edge paths as they are, for comparison. Returns the number of flips.
+  std::size_t add(Network& network, const std::vector<Index>& start) const
+  {
+    if(m_options.search != "astar" && m_options.search != "dijkstra")
+      return FG::add_straightened_path(network, start);
+    network.add_curve(start, false);
+    return 0;
+  }
+
+  // What shorten() does before it measures.
+  static std::size_t take_steps(Network& network)
+  {
+    const FG::Never_stop_predicate never;
+    FG::Default_shortening_visitor nobody;
+    FG::internal::Shortening_state<Network> state(network);
+    FG::internal::Flip_out<Network, FG::Never_stop_predicate, FG::Default_shortening_visitor> flip_out(network, state,
+                                                                                                       never, nobody);
+    flip_out.run();
+    return state.flips;
   }
 
   const Options& m_options;
@@ -202,7 +225,7 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
   try {
     std::cout << "mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,"
-                 "construct_s,dijkstra_s,search_s,shorten_s,extract_s,certify_s,rollback_s,length,status,hash\n";
+                 "construct_s,dijkstra_s,search_s,shorten_s,extract_s,certify_s,rollback_s,steps_s,length,status,hash\n";
     std::cout.precision(9);
     for(const std::string& mesh : options.meshes)
       Stage_benchmark(options, mesh).run();
