@@ -95,7 +95,8 @@ public:
                             Visitor&& visitor = Visitor())
   {
     internal::check_vertex(source, m_triangulation->number_of_vertices());
-    if(m_labels.size() < static_cast<std::size_t>(m_triangulation->number_of_vertices())) { // some were inserted
+    const bool is_small = m_labels.size() < static_cast<std::size_t>(m_triangulation->number_of_vertices());
+    if(is_small || m_epoch > (std::numeric_limits<Index>::max)() - 8) { // some were inserted, or no epoch is left
       m_labels = internal::Lazy_array<Label>(static_cast<std::size_t>(m_triangulation->number_of_vertices()));
       m_epoch = 0;
     }

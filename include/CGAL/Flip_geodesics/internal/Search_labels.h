@@ -38,13 +38,18 @@ class Search_labels
 
 public:
   explicit Search_labels(std::size_t size)
-    : m_table(size / block_size + 1)
+    : m_size(size)
+    , m_table(size / block_size + 1)
     , m_blocks(m_table.size() + 1)
   {
   }
 
   /* Forgets all labels. */
-  void clear() { ++m_search; }
+  void clear()
+  {
+    if(++m_search == 0) // all numbers have been used
+      *this = Search_labels(m_size);
+  }
 
   bool is_reached(Index v) const { return arrival(v) != 0; }
   bool is_settled(Index v) const { return (arrival(v) & settled_bit) != 0; }
@@ -91,6 +96,7 @@ private:
     return result;
   }
 
+  std::size_t m_size;
   Lazy_array<std::uint32_t> m_table; // 0 if never written: that block stays zero, of no search
   Lazy_array<Block> m_blocks;
   std::uint32_t m_number_of_blocks = 0;
