@@ -48,6 +48,7 @@ public:
     Index tail, head;
     Direction at_tail, at_head; // at the head, backward
     double length;
+    bool is_left_open = true, is_right_open = true; // can the angle on that side of the head be below pi?
   };
 
   explicit Strip_straightener(const Triangulation& triangulation)
@@ -149,7 +150,7 @@ private:
         pass(leg, m_before[i + 1], next);
       } else {
         if(i == first)
-          keep(leg);
+          keep(leg); // as nothing has moved, there is nothing to look at again
         else if(!pull(m_before[first].tail, leg.head, edge_over(m_before[i - 1], leg, way)))
           return false;
         m_word.clear();
@@ -190,9 +191,9 @@ private:
 
   Way side_below_pi(const Leg& in, const Leg& out, Way) const
   {
-    if(is_below_pi(out.at_tail, in.at_head))
+    if(in.is_left_open && is_below_pi(out.at_tail, in.at_head))
       return Way::LEFT;
-    return is_below_pi(in.at_head, out.at_tail) ? Way::RIGHT : Way::NONE;
+    return in.is_right_open && is_below_pi(in.at_head, out.at_tail) ? Way::RIGHT : Way::NONE;
   }
 
   // Is the angle from one direction counterclockwise to another?
@@ -298,6 +299,8 @@ private:
   bool pull(Index source, Index target, Index edge)
   {
     m_has_moved = true;
+    if(!m_legs.empty())
+      m_legs.back().is_left_open = m_legs.back().is_right_open = true;
     if(!m_word.empty())
       edge = trim(source, target);
     if(edge != null_index) {
@@ -307,7 +310,7 @@ private:
     if(m_faces.apex(m_word.front().crossed) != source || m_faces.apex(twin_index(m_word.back().crossed)) != target)
       return false;
     unfold();
-    m_string.pull(m_gates, m_source, m_target);
+    m_string.pull(m_gates, 0, m_source, m_target);
     const auto& bends = m_string.bends();
     Index tail = source;
     for(std::size_t b = 0; b <= bends.size(); ++b) {
@@ -319,32 +322,45 @@ private:
                 b == bends.size() ? m_target : bends[b].position);
       else
         m_legs.push_back(edge_leg(edge_to_bend(b)));
+      if(b < bends.size()) // on the side of the strip, the string is taut
+        (bends[b].side == RIGHT_END ? m_legs.back().is_left_open : m_legs.back().is_right_open) = false;
       tail = head;
     }
     return true;
   }
 
-  // Lays out the faces along m_word.
+  // Lays out the faces along m_word, from the right end of the first crossed edge at the origin. From gate to gate there
+  // is one product to wait for, and no branch, since sides follow no pattern that a processor could guess.
   void unfold()
   {
+    static constexpr double is_side[2][2] = {{1, 0}, {0, 1}};
     const Index start = m_word.front().crossed;
     const double length = m_faces.length(start);
     m_source = length * m_faces.corner(start);
     m_gates.resize(m_word.size());
-    Unfolded_gate gate = {0, length, false};
-    for(std::size_t i = 0; i < m_word.size(); ++i) {
-      m_gates[i] = gate;
-      m_target = gate.left + product(gate.right - gate.left, m_word[i].corner);
-      gate.is_right_new = i + 1 < m_word.size() && m_word[i + 1].crossed != m_word[i].right_side;
-      gate.left = gate.is_right_new ? gate.left : m_target;
-      gate.right = gate.is_right_new ? m_target : gate.right;
+    m_gates.front() = {length, LEFT_END};
+    double left_x = length, left_y = 0, across_x = -length, across_y = 0; // from there to the right end
+    const std::size_t last = m_word.size() - 1;
+    for(std::size_t i = 0; i < last; ++i) {
+      const double x = m_word[i].corner.real(), y = m_word[i].corner.imag();
+      const double apex_x = across_x * x - across_y * y, apex_y = across_x * y + across_y * x;
+      const bool is_right = m_word[i + 1].crossed != m_word[i].right_side;
+      m_gates[i + 1] = {{left_x + apex_x, left_y + apex_y}, is_right ? RIGHT_END : LEFT_END};
+      const double on_right = is_side[is_right][1], on_left = is_side[is_right][0];
+      left_x += on_left * apex_x;
+      left_y += on_left * apex_y;
+      const double turn_x = on_left + (on_right - on_left) * x, turn_y = (on_right - on_left) * y;
+      const double next_x = across_x * turn_x - across_y * turn_y;
+      across_y = across_x * turn_y + across_y * turn_x;
+      across_x = next_x;
     }
+    m_target = Plane_vector(left_x, left_y) + product({across_x, across_y}, m_word[last].corner);
   }
 
   Index vertex(const Taut_string::Bend& bend) const
   {
     const Index h = m_word[bend.first].crossed;
-    return bend.is_on_right ? m_faces.tail(h) : m_faces.head(h);
+    return bend.side == RIGHT_END ? m_faces.tail(h) : m_faces.head(h);
   }
 
   // The edge to bend b, or to the end, from the bend before or the start, if nothing is crossed in between.
@@ -353,11 +369,11 @@ private:
     const auto& bends = m_string.bends();
     if(b == 0) {
       const Index h = m_word.front().crossed;
-      return bends[b].is_on_right ? m_faces.previous(h) : twin_index(m_faces.next(h));
+      return bends[b].side == RIGHT_END ? m_faces.previous(h) : twin_index(m_faces.next(h));
     }
-    const bool is_on_right = bends[b - 1].is_on_right;
+    const bool is_on_right = bends[b - 1].side == RIGHT_END;
     const Index h = m_word[bends[b - 1].last].crossed, entered = twin_index(h);
-    if(b < bends.size() && bends[b].is_on_right != is_on_right)
+    if(b < bends.size() && bends[b].side != bends[b - 1].side)
       return is_on_right ? h : entered;
     return is_on_right ? m_faces.next(entered) : twin_index(m_faces.previous(entered));
   }
@@ -371,9 +387,9 @@ private:
                const Plane_vector& to)
   {
     const Plane_vector along = to - from;
-    const Direction at_tail = {m_faces.previous(m_word[first].crossed), turn(m_gates[first].right - from, along)};
+    const Direction at_tail = {m_faces.previous(m_word[first].crossed), turn(m_string.end(m_gates, first, RIGHT_END) - from, along)};
     const Direction at_head = {m_faces.previous(twin_index(m_word[last - 1].crossed)),
-                               turn(m_gates[last - 1].left - to, -along)};
+                               turn(m_string.end(m_gates, last - 1, LEFT_END) - to, -along)};
     m_legs.push_back({null_index, m_crossings.size(), m_crossings.size() + last - first, tail, head, at_tail, at_head,
                       std::abs(along)});
     m_crossings.insert(m_crossings.end(), m_word.begin() + static_cast<std::ptrdiff_t>(first),
@@ -390,6 +406,7 @@ private:
   void keep(const Leg& leg)
   {
     m_legs.push_back(leg);
+    m_legs.back().is_left_open = m_legs.back().is_right_open = false;
     m_legs.back().first = m_crossings.size();
     m_crossings.insert(m_crossings.end(), m_word.begin(), m_word.end());
     m_legs.back().last = m_crossings.size();

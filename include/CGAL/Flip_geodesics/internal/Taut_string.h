@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TAUT_STRING_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TAUT_STRING_H
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -24,11 +25,14 @@ inline Plane_vector product(const Plane_vector& u, const Plane_vector& v)
   return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
 }
 
-/* An edge that a path crosses, in the plane, as the traveller sees it. */
+/* The sides of a gate, as the traveller sees it. */
+enum Gate_side : std::size_t { LEFT_END, RIGHT_END };
+
+/* An edge that a path crosses, in the plane, by its end that is not one of the gate before; of the first, the left end. */
 struct Unfolded_gate
 {
-  Plane_vector right, left;
-  bool is_right_new; // or else the left end, compared with the gate before
+  Plane_vector end;
+  Gate_side side;
 };
 
 /*
@@ -43,13 +47,16 @@ public:
   struct Bend
   {
     std::size_t first, last;
-    bool is_on_right;
+    Gate_side side;
     Plane_vector position;
   };
 
-  void pull(const std::vector<Unfolded_gate>& gates, const Plane_vector& source, const Plane_vector& target)
+  /* `first_right` is the right end of the first gate. */
+  void pull(const std::vector<Unfolded_gate>& gates, const Plane_vector& first_right, const Plane_vector& source,
+            const Plane_vector& target)
   {
     m_bends.clear();
+    m_first_right = first_right;
     Plane_vector apex = source;
     std::size_t start = 0;
     while(find_bend(gates, apex, start, target)) {
@@ -58,57 +65,71 @@ public:
     }
   }
 
+  /* An end of gate i. */
+  Plane_vector end(const std::vector<Unfolded_gate>& gates, std::size_t i, Gate_side side) const
+  {
+    while(gates[i].side != side) {
+      if(i == 0)
+        return m_first_right;
+      --i;
+    }
+    return gates[i].end;
+  }
+
   const std::vector<Bend>& bends() const { return m_bends; }
 
 private:
-  // What is seen from the apex through the gates so far lies between the directions to `right` and `left`.
+  // What is seen from the apex through the gates so far lies between the directions to `left` and `right`.
   struct Funnel
   {
-    std::size_t right_gate, left_gate;
-    Plane_vector right, left;
+    Plane_vector left, right;
+    std::size_t left_gate, right_gate;
   };
 
+  // Most gates leave the funnel as it is, which is told without a branch on their side: it follows no pattern that a
+  // processor could guess.
   bool find_bend(const std::vector<Unfolded_gate>& gates, const Plane_vector& apex, std::size_t start,
                  const Plane_vector& target)
   {
     if(start >= gates.size())
       return false;
-    Funnel funnel = {start, start, gates[start].right - apex, gates[start].left - apex};
+    Funnel funnel = {end(gates, start, LEFT_END) - apex, end(gates, start, RIGHT_END) - apex, start, start};
     for(std::size_t i = start + 1; i < gates.size(); ++i) {
-      if(gates[i].is_right_new) {
-        const Plane_vector right = gates[i].right - apex;
-        if(cross(funnel.left, right) > 0)
-          return add_bend(gates, funnel.left_gate, false);
-        if(cross(funnel.right, right) >= 0) {
-          funnel.right = right;
-          funnel.right_gate = i;
-        }
+      const double x = gates[i].end.real() - apex.real(), y = gates[i].end.imag() - apex.imag();
+      const double to_left = funnel.right.real() * y - funnel.right.imag() * x;
+      const double to_right = x * funnel.left.imag() - y * funnel.left.real();
+      const Gate_side side = gates[i].side;
+      if(to_left * (side == RIGHT_END) + to_right * (side == LEFT_END) < 0)
+        continue;
+      if(side == RIGHT_END) {
+        if(to_right < 0)
+          return add_bend(gates, funnel.left_gate, LEFT_END);
+        funnel.right = {x, y};
+        funnel.right_gate = i;
       } else {
-        const Plane_vector left = gates[i].left - apex;
-        if(cross(funnel.right, left) < 0)
-          return add_bend(gates, funnel.right_gate, true);
-        if(cross(funnel.left, left) <= 0) {
-          funnel.left = left;
-          funnel.left_gate = i;
-        }
+        if(to_left < 0)
+          return add_bend(gates, funnel.right_gate, RIGHT_END);
+        funnel.left = {x, y};
+        funnel.left_gate = i;
       }
     }
     if(cross(funnel.right, target - apex) < 0)
-      return add_bend(gates, funnel.right_gate, true);
-    return cross(funnel.left, target - apex) > 0 && add_bend(gates, funnel.left_gate, false);
+      return add_bend(gates, funnel.right_gate, RIGHT_END);
+    return cross(funnel.left, target - apex) > 0 && add_bend(gates, funnel.left_gate, LEFT_END);
   }
 
-  bool add_bend(const std::vector<Unfolded_gate>& gates, std::size_t gate, bool is_on_right)
+  bool add_bend(const std::vector<Unfolded_gate>& gates, std::size_t gate, Gate_side side)
   {
     std::size_t first = gate, last = gate;
-    while(first > 0 && gates[first].is_right_new != is_on_right)
+    while(first > 0 && gates[first].side != side)
       --first;
-    while(last + 1 < gates.size() && gates[last + 1].is_right_new != is_on_right)
+    while(last + 1 < gates.size() && gates[last + 1].side != side)
       ++last;
-    m_bends.push_back({first, last, is_on_right, is_on_right ? gates[gate].right : gates[gate].left});
+    m_bends.push_back({first, last, side, end(gates, gate, side)});
     return true;
   }
 
+  Plane_vector m_first_right;
   std::vector<Bend> m_bends;
 };
 
