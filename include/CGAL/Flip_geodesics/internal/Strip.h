@@ -242,9 +242,14 @@ private:
     Vector right = first[side].position, left = first[(side + 1) % 3].position, gate = -first_face()[side];
     double right_error = first[side].error, left_error = first[(side + 1) % 3].error;
     m_first_corner = first[(side + 2) % 3];
-    m_gates.reserve(crossed.size());
+    m_gates.resize(crossed.size());
     for(std::size_t i = 0;; ++i) {
-      m_gates.push_back({crossed[i], right, left, right_error, left_error});
+      Gate& here = m_gates[i]; // member by member: copying a whole would wait for the parts
+      here.crossed = crossed[i];
+      here.right = right;
+      here.left = left;
+      here.right_error = right_error;
+      here.left_error = left_error;
       // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never
       // differences of positions, which would magnify the error wherever a gate is short.
       const Index entered = Triangulation::twin(crossed[i]);
