@@ -10,7 +10,9 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/Crossing_words.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Word_tracer.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -311,6 +313,44 @@ BOOST_AUTO_TEST_CASE(the_first_touch_leaves_no_trace)
   BOOST_TEST((Snapshot(forward) == Snapshot(backward)));
 }
 
+// Two ways to a word that share nothing: numbers of crossings as they are now, and the log of the flips.
+BOOST_AUTO_TEST_CASE(words_traced_are_words_derived)
+{
+  Random_numbers random(12);
+  long traced = 0, not_traced = 0, longest = 0;
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    for(int k = 0; k < 60 * scale; ++k) {
+      Triangulation t(mesh);
+      flip_at_random(t, 10 + random.below(90), random);
+      FG::internal::Crossing_words<Triangulation> words;
+      FG::internal::Word_tracer<Triangulation> tracer(t);
+      for(int h = 0; h < t.number_of_halfedges(); ++h) {
+        const int version = t.version(h / 2);
+        FG::Crossing_word word;
+        if(!tracer(h, word)) {
+          ++not_traced;
+          continue;
+        }
+        FG::Crossing_word expected = {h, {}, FG::null_index, t.tail(h), t.head(h)};
+        if(version != 0) {
+          words.resolve(t, {h, version});
+          expected = words.derived(h / 2, version).word;
+          if(h % 2 == 1)
+            expected.reverse();
+        }
+        BOOST_TEST((word.along == expected.along && word.crossed == expected.crossed && word.face == expected.face));
+        BOOST_TEST((word.tail == expected.tail && word.head == expected.head));
+        longest = (std::max)(longest, long(word.crossed.size()));
+        ++traced;
+      }
+    }
+  }
+  std::cout << traced << " words traced, the longest crosses " << longest << " edges; " << not_traced << " derived\n";
+  BOOST_TEST(longest > 12);
+  BOOST_TEST(not_traced > 0);
+}
+
 BOOST_AUTO_TEST_CASE(words_are_exact_and_straight)
 {
   Random_numbers random(4);
@@ -350,7 +390,7 @@ BOOST_AUTO_TEST_CASE(input_edges_are_counted_around_vertices)
   for(const Mesh_soup& soup : soups()) {
     const Mesh mesh = to_mesh<Mesh>(soup);
     Triangulation t(mesh);
-    for(int k = 0; k < 20 * scale; ++k) {
+    for(int k = 0; k < 60 * scale; ++k) {
       t.rollback();
       flip_at_random(t, 60, random);
       for(int h = 0; h < t.number_of_halfedges(); ++h) {

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Word_path.h>
+#include <CGAL/Flip_geodesics/internal/Word_tracer.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,8 +22,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The crossing words of an intrinsic triangulation's edges, derived from its flip log by combinatorics alone, so that
- * they are exact whatever the numbers do.
+ * The crossing words of an intrinsic triangulation's edges, by combinatorics alone, so that they are exact whatever the
+ * numbers do. Those of the edges that are there now are read off the triangulation; where that cannot be, and for edges
+ * that flips have replaced, they are derived from the flip log.
  *
  * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the
  * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
@@ -42,7 +44,8 @@ public:
   };
 
   /* The word of an edge's first halfedge; and of the diagonal kl that a flip made, how many input edges lie between the
-   * first faces of ki and of kl about k, and between those of li and of lk about l; -1 if these are not known. */
+   * first faces of ki and of kl about k, and between those of li and of lk about l; -1 if these are not known, as of a
+   * word that was not derived. */
   struct Derived_word
   {
     Crossing_word word;
@@ -61,7 +64,8 @@ public:
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
     if(wanted.version == 0)
       return input_word(triangulation, h);
-    resolve(triangulation, wanted);
+    if(is_known(wanted) || !trace(triangulation, wanted))
+      resolve(triangulation, wanted);
     const Crossing_word& stored = derived(Triangulation::edge(h), wanted.version).word;
     const Index number = (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
     if(stored.crossed.size() != static_cast<std::size_t>(number))
@@ -177,6 +181,27 @@ private:
       return nullptr;
     const auto found = m_words_of_splits.find(key(e, version));
     return found == m_words_of_splits.end() ? nullptr : &found->second;
+  }
+
+  // Reads the word of an edge as it is now off the triangulation, from one end or the other. Returns false if it cannot.
+  bool trace(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    if(triangulation.number_of_vertices() != triangulation.input().number_of_vertices())
+      return false;
+    m_slots.resize(triangulation.log_position(), no_slot);
+    const Index h = wanted.halfedge & ~1, slot = free_slot();
+    Derived_word& traced = m_words_of_flips[static_cast<std::size_t>(slot)];
+    traced.spokes_at_tail = traced.spokes_at_head = -1;
+    Word_tracer<Triangulation> tracer(triangulation);
+    if(!tracer(h, traced.word)) {
+      if(!tracer(Triangulation::twin(h), traced.word)) {
+        m_free_slots.push_back(slot);
+        return false;
+      }
+      traced.word.reverse();
+    }
+    m_slots[static_cast<std::size_t>(wanted.version) - 1] = slot;
+    return true;
   }
 
   // Derives the word of the diagonal that a flip made; returns its slot.
