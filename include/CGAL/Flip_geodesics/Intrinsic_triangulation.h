@@ -442,8 +442,8 @@ public:
 
   /*!
    * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone [GSC21, section
-   * 3]. Read off the numbers of crossings around the edge when it is first asked for, and kept. Derived from the flip log
-   * where points are inserted or no edge at either end is the input's any more: in total about as many words as the
+   * 3]. Read off the numbers of crossings around the edge when it is first asked for, and kept. Derived from the flip
+   * log where points are inserted or no edge at either end is the input's any more: in total about as many words as the
    * edge's history has joints.
    */
   Crossing_word crossing_word(Index h) const { return m_history.word(*this, h); }

@@ -183,7 +183,8 @@ private:
     return found == m_words_of_splits.end() ? nullptr : &found->second;
   }
 
-  // Reads the word of an edge as it is now off the triangulation, from one end or the other. Returns false if it cannot.
+  // Reads the word of an edge as it is now off the triangulation, from one end or the other. Returns false if it
+  // cannot.
   bool trace(const Triangulation& triangulation, const Edge_version& wanted)
   {
     if(triangulation.number_of_vertices() != triangulation.input().number_of_vertices())

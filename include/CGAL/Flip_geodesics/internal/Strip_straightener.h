@@ -310,7 +310,7 @@ private:
     if(m_faces.apex(m_word.front().crossed) != source || m_faces.apex(twin_index(m_word.back().crossed)) != target)
       return false;
     unfold();
-    m_string.pull(m_gates, 0, m_source, m_target);
+    m_string.pull(m_gates, m_source, m_target);
     const auto& bends = m_string.bends();
     Index tail = source;
     for(std::size_t b = 0; b <= bends.size(); ++b) {
@@ -329,8 +329,8 @@ private:
     return true;
   }
 
-  // Lays out the faces along m_word, from the right end of the first crossed edge at the origin. From gate to gate there
-  // is one product to wait for, and no branch, since sides follow no pattern that a processor could guess.
+  // Lays out the faces along m_word, from the right end of the first crossed edge at the origin. From gate to gate
+  // there is one product to wait for, and no branch, since sides follow no pattern that a processor could guess.
   void unfold()
   {
     static constexpr double is_side[2][2] = {{1, 0}, {0, 1}};
@@ -387,9 +387,10 @@ private:
                const Plane_vector& to)
   {
     const Plane_vector along = to - from;
-    const Direction at_tail = {m_faces.previous(m_word[first].crossed), turn(m_string.end(m_gates, first, RIGHT_END) - from, along)};
+    const Direction at_tail = {m_faces.previous(m_word[first].crossed),
+                               turn(Taut_string::end(m_gates, first, RIGHT_END) - from, along)};
     const Direction at_head = {m_faces.previous(twin_index(m_word[last - 1].crossed)),
-                               turn(m_string.end(m_gates, last - 1, LEFT_END) - to, -along)};
+                               turn(Taut_string::end(m_gates, last - 1, LEFT_END) - to, -along)};
     m_legs.push_back({null_index, m_crossings.size(), m_crossings.size() + last - first, tail, head, at_tail, at_head,
                       std::abs(along)});
     m_crossings.insert(m_crossings.end(), m_word.begin() + static_cast<std::ptrdiff_t>(first),

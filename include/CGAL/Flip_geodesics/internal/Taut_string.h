@@ -14,10 +14,7 @@ namespace internal {
 
 using Plane_vector = std::complex<double>;
 
-inline double cross(const Plane_vector& u, const Plane_vector& v)
-{
-  return u.real() * v.imag() - u.imag() * v.real();
-}
+inline double cross(const Plane_vector& u, const Plane_vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
 /* Without the care for infinite numbers that the operator takes. */
 inline Plane_vector product(const Plane_vector& u, const Plane_vector& v)
@@ -28,7 +25,8 @@ inline Plane_vector product(const Plane_vector& u, const Plane_vector& v)
 /* The sides of a gate, as the traveller sees it. */
 enum Gate_side : std::size_t { LEFT_END, RIGHT_END };
 
-/* An edge that a path crosses, in the plane, by its end that is not one of the gate before; of the first, the left end. */
+/* An edge that a path crosses, in the plane: its end that is not one of the gate before. The first gate has its right
+ * end at the origin, and tells the left one. */
 struct Unfolded_gate
 {
   Plane_vector end;
@@ -51,12 +49,9 @@ public:
     Plane_vector position;
   };
 
-  /* `first_right` is the right end of the first gate. */
-  void pull(const std::vector<Unfolded_gate>& gates, const Plane_vector& first_right, const Plane_vector& source,
-            const Plane_vector& target)
+  void pull(const std::vector<Unfolded_gate>& gates, const Plane_vector& source, const Plane_vector& target)
   {
     m_bends.clear();
-    m_first_right = first_right;
     Plane_vector apex = source;
     std::size_t start = 0;
     while(find_bend(gates, apex, start, target)) {
@@ -66,13 +61,11 @@ public:
   }
 
   /* An end of gate i. */
-  Plane_vector end(const std::vector<Unfolded_gate>& gates, std::size_t i, Gate_side side) const
+  static Plane_vector end(const std::vector<Unfolded_gate>& gates, std::size_t i, Gate_side side)
   {
-    while(gates[i].side != side) {
+    for(; gates[i].side != side; --i)
       if(i == 0)
-        return m_first_right;
-      --i;
-    }
+        return 0;
     return gates[i].end;
   }
 
@@ -129,7 +122,6 @@ private:
     return true;
   }
 
-  Plane_vector m_first_right;
   std::vector<Bend> m_bends;
 };
 

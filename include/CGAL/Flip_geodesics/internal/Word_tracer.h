@@ -19,10 +19,10 @@ namespace internal {
  * Reads the crossing word of an edge off the triangulation as it is, by integers alone [GSC21, section 3 has the idea]:
  * how many input edges cross each edge says where they go in each triangle.
  *
- * Two input edges that an edge crosses one after the other are sides of one input face, so that they meet at a vertex on
- * its left or on its right. On the left they do if they stay next to each other, triangle by triangle, and emanate from
- * one corner in the end; if they part before, they meet on the right. So bundles of neighbors are followed, and split
- * where they part:
+ * Two input edges that an edge crosses one after the other are sides of one input face, so that they meet at a vertex
+ * on its left or on its right. On the left they do if they stay next to each other, triangle by triangle, and emanate
+ * from one corner in the end; if they part before, they meet on the right. So bundles of neighbors are followed, and
+ * split where they part:
  *
  *             m                 from side x, whose face is on its left, a bundle goes on around k or around l,
  *            /|\                or ends at m
@@ -44,7 +44,8 @@ public:
 
   /*
    * Writes the word of halfedge h. Returns false if no edge at its tail is the input's any more, so that it has to be
-   * derived otherwise. Linear in the degree of the tail and in the triangles that bundles pass. \pre no point was inserted
+   * derived otherwise. Linear in the degree of the tail and in the triangles that bundles pass. \pre no point was
+   * inserted
    */
   bool operator()(Index h, Crossing_word& word)
   {
