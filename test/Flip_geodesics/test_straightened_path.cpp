@@ -83,6 +83,19 @@ void for_random_pairs(const Surface& mesh, int pairs, const Visit& visit)
   }
 }
 
+/// A regular polygon with an even number of corners, that are joined to and fro from one to the opposite one.
+Mesh_soup zigzag_disk(int n)
+{
+  Mesh_soup soup;
+  for(int i = 0; i < n; ++i)
+    soup.points.push_back({std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0});
+  for(int low = 0, high = n - 1; low + 1 < high; ++low, --high) {
+    soup.triangles.push_back({{low, low + 1, high}});
+    soup.triangles.push_back({{low + 1, high - 1, high}});
+  }
+  return soup;
+}
+
 double distance_in_space(const Surface& mesh, int u, int v)
 {
   const auto point = [&](int w) { return mesh.point(Surface::Vertex_index(static_cast<std::uint32_t>(w))); };
@@ -166,10 +179,48 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lengths_are_those_without_and_flips_are_fewer, Set
   BOOST_TEST(flips < 6 * segments);
 }
 
+// Flips that straighten a path and crossings of the straight one, from vertex to vertex.
+template <class Setting>
+std::pair<std::size_t, std::size_t> flips_and_crossings(Setting& setting, int source, int target)
+{
+  typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
+  const std::size_t flips = FG::add_straightened_path(setting.network, search(source, target));
+  std::size_t crossings = 0;
+  for(FG::Index h : setting.network.halfedges(0))
+    crossings += setting.triangulation.crossing_word(h).crossed.size();
+  setting.network.clear();
+  setting.triangulation.rollback();
+  return {flips, crossings};
+}
+
+BOOST_AUTO_TEST_CASE(legs_are_inserted_by_few_flips)
+{
+  Curve_setting setting(jittered_grid(60, 60, Diagonal_rule::ALTERNATING, 0.2, 5));
+  std::size_t flips = 0, crossings = 0;
+  for_random_pairs(setting.mesh, 20, [&](int u, int v) {
+    const auto numbers = flips_and_crossings(setting, u, v);
+    flips += numbers.first;
+    crossings += numbers.second;
+  });
+  BOOST_TEST(flips >= crossings);
+  BOOST_TEST(flips < 1.5 * crossings);
+}
+
+// Pulling the side of the strip straight would bring almost all edges into the way of almost all vertices.
+BOOST_AUTO_TEST_CASE(a_leg_across_needles_is_inserted_by_a_flip_for_each)
+{
+  const int n = 400;
+  Curve_setting setting(zigzag_disk(n));
+  const auto [flips, crossings] = flips_and_crossings(setting, 0, n / 2);
+  BOOST_TEST(crossings == std::size_t(n - 3));
+  BOOST_TEST(flips < 2 * crossings);
+}
+
 BOOST_AUTO_TEST_CASE(rough_and_needle_meshes_are_no_worse)
 {
   for(const Mesh_soup& soup : {bumpy_sphere(12, 0.3, 3), random_convex_polyhedron(150, 5), needle_strip(12, 12, 1e-6),
-                               genus_3_plate(3), tetrahedron(5)}) {
+                               genus_3_plate(3), tetrahedron(5)})
+  {
     Curve_setting setting(soup);
     for_random_pairs(setting.mesh, 30, [&](int u, int v) { pulled_from_straightened(setting, u, v); });
   }

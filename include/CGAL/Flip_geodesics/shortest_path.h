@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
 
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/Window_search.h>
@@ -70,8 +70,7 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
   return !search.has_flat_face();
 }
 
-/* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be, and
- * another one if a leg crosses one face several times. */
+/* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
 template <class Triangulation>
 std::vector<Index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search, Index source,
                                Index target, std::size_t& flips)
@@ -80,8 +79,10 @@ std::vector<Index> insert_path(Triangulation& triangulation, const Window_search
   for(Index v = target; v != source;) {
     const auto leg = search.leg(v);
     legs.emplace_back();
-    if(!insert_leg(triangulation, leg.word.along, leg.word.crossed, legs.back(), flips))
-      return {}; // not on a mesh in space
+    const std::vector<Crossed_edge> crossed =
+        leg.word.along == null_index ? crossed_edges(triangulation, leg.word) : std::vector<Crossed_edge>();
+    if(!insert_leg(triangulation, leg.word.along, crossed, legs.back(), flips))
+      return {};
     v = leg.from;
   }
   std::vector<Index> path;

@@ -41,7 +41,7 @@ bool is_simple(const Triangulation& triangulation, const std::vector<Index>& pat
 /* The legs of a straightened path as edges of the triangulation, for which the edges that they cross are flipped; none
  * if two legs are in each other's way. */
 template <class Triangulation>
-std::vector<Index> insert_legs(Triangulation& triangulation, const Strip_straightener<Triangulation>& straightener,
+std::vector<Index> insert_legs(Triangulation& triangulation, Strip_straightener<Triangulation>& straightener,
                                std::size_t& flips)
 {
   std::vector<Index> path;

@@ -3,9 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_INSERTION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_INSERTION_H
 
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/Crossing_removal.h>
+#include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -86,24 +88,58 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<In
   return flips;
 }
 
+/* Are all three edges of the face on the left of a halfedge the input's? */
+template <class Triangulation>
+bool is_untouched(const Triangulation& triangulation, Index h)
+{
+  const Index hn = triangulation.next(h), hp = triangulation.next(hn);
+  return triangulation.version(Triangulation::edge(h)) == 0 && triangulation.version(Triangulation::edge(hn)) == 0 &&
+         triangulation.version(Triangulation::edge(hp)) == 0;
+}
+
+/* The edges that a straight word crosses. */
+template <class Triangulation>
+std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, const Crossing_word& word)
+{
+  const Strip<Triangulation> strip(triangulation, word);
+  std::vector<Crossed_edge> result;
+  Index right_side = null_index;
+  for(const auto& gate : strip.gates()) {
+    const double left_height = strip.end().real() * gate.left.imag() - strip.end().imag() * gate.left.real();
+    result.push_back({gate.crossed, result.empty() || gate.crossed == right_side, left_height});
+    right_side = triangulation.input().next(Triangulation::twin(gate.crossed));
+  }
+  return result;
+}
+
 /*
  * Appends to a path the straight segment along an input halfedge, or across others as a strip crosses them. Returns
- * whether it could be: it cannot where edges that an earlier segment crosses have been flipped already.
+ * whether it could be: it cannot where edges of the strip have been flipped already, or where it has a face twice.
  */
 template <class Triangulation>
-bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Index>& crossed, std::vector<Index>& path,
-                std::size_t& flips)
+bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Crossed_edge>& crossed,
+                std::vector<Index>& path, std::size_t& flips)
 {
-  const auto is_untouched = [&](const std::vector<Index>& halfedges) {
-    return std::all_of(halfedges.begin(), halfedges.end(),
-                       [&](Index h) { return triangulation.version(Triangulation::edge(h)) == 0; });
-  };
-  if(along == null_index && !is_untouched(crossed))
+  if(along != null_index) {
+    path.push_back(along);
+    return triangulation.version(Triangulation::edge(along)) == 0;
+  }
+  for(const Crossed_edge& c : crossed)
+    if(!is_untouched(triangulation, c.halfedge))
+      return false;
+  if(!is_untouched(triangulation, Triangulation::twin(crossed.back().halfedge)))
     return false;
-  std::vector<Index> chain =
-      along == null_index ? left_side_of_strip(triangulation, crossed) : std::vector<Index>{along};
-  if(!is_untouched(chain))
+  Crossing_removal<Triangulation> removal(triangulation);
+  const bool is_done = removal(crossed);
+  flips += removal.number_of_flips();
+  if(!is_done)
     return false;
+  const std::vector<Index> rest = removal.crossed();
+  if(rest.empty()) {
+    path.push_back(removal.segment());
+    return true;
+  }
+  std::vector<Index> chain = left_side_of_strip(triangulation, rest);
   flips += straighten_on_the_right(triangulation, chain);
   path.insert(path.end(), chain.begin(), chain.end());
   return true;

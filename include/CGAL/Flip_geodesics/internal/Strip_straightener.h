@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIP_STRAIGHTENER_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Crossing_removal.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Input_faces.h>
 #include <CGAL/Flip_geodesics/internal/Taut_string.h>
@@ -72,12 +73,21 @@ public:
   /* The length of the path that was straightened. */
   double path_length() const { return m_path_length; }
 
-  /* The input halfedges that a leg crosses, each as a side of the face that is left. */
-  std::vector<Index> crossed(const Leg& leg) const
+  /* The edges that a leg crosses. */
+  std::vector<Crossed_edge> crossed(const Leg& leg)
   {
-    std::vector<Index> result;
-    for(std::size_t i = leg.first; i < leg.last; ++i)
-      result.push_back(m_crossings[i].crossed);
+    std::vector<Crossed_edge> result;
+    if(leg.first == leg.last)
+      return result;
+    m_word.assign(m_crossings.begin() + static_cast<std::ptrdiff_t>(leg.first),
+                  m_crossings.begin() + static_cast<std::ptrdiff_t>(leg.last));
+    unfold();
+    result.reserve(m_word.size());
+    for(std::size_t i = 0; i < m_word.size(); ++i) {
+      const bool is_left_new = m_gates[i].side == LEFT_END;
+      const double height = is_left_new ? cross(m_target - m_source, m_gates[i].end - m_source) : 0;
+      result.push_back({m_word[i].crossed, is_left_new, height});
+    }
     return result;
   }
 
