@@ -107,6 +107,7 @@ private:
 
   bool straighten(const std::vector<Index>& path)
   {
+    reserve(path.size());
     m_legs.clear();
     m_path_length = 0;
     for(Index h : path) {
@@ -123,6 +124,16 @@ private:
     for(const Leg& leg : m_legs)
       length += leg.length;
     return length <= m_path_length && are_strips();
+  }
+
+  // Memory for a path of a number of edges: about four edges start on a side of each vertex, or two on either.
+  void reserve(std::size_t edges)
+  {
+    for(std::vector<Leg>* legs : {&m_legs, &m_before})
+      legs->reserve(edges);
+    for(std::vector<Crossing>* crossings : {&m_crossings, &m_used, &m_word})
+      crossings->reserve(4 * edges);
+    m_gates.reserve(4 * edges);
   }
 
   // Do the crossings of each leg follow on one another?

@@ -92,7 +92,7 @@ private:
       const double to_left = funnel.right.real() * y - funnel.right.imag() * x;
       const double to_right = x * funnel.left.imag() - y * funnel.left.real();
       const Gate_side side = gates[i].side;
-      if(to_left * (side == RIGHT_END) + to_right * (side == LEFT_END) < 0)
+      if(std::array<double, 2>{to_right, to_left}[side] < 0) // by LEFT_END, RIGHT_END
         continue;
       if(side == RIGHT_END) {
         if(to_right < 0)
