@@ -126,7 +126,7 @@ private:
     return length <= m_path_length && are_strips();
   }
 
-  // Memory for a path of a number of edges: about four edges start on a side of each vertex, or two on either.
+  // Takes memory for a path of a number of edges: its strip crosses about four at each vertex, if it crosses many.
   void reserve(std::size_t edges)
   {
     for(std::vector<Leg>* legs : {&m_legs, &m_before})
