@@ -4,7 +4,7 @@
 // interleaved as the unit of measure. Writes a line per query, comma-separated, with a header:
 //
 //   mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,construct_s,dijkstra_s,
-//   search_s,shorten_s,extract_s,certify_s,rollback_s,steps_s,length,status,hash
+//   search_s,shorten_s,extract_s,certify_s,rollback_s,steps_s,fresh_s,length,status,hash
 //
 // The paths of a search that looks back are straightened before they are pulled tight, as by geodesic_path(); that is a
 // part of `shorten_s`, and its flips of `flips`. Shortest edge paths are pulled tight as they are, for comparison.
@@ -12,8 +12,9 @@
 // the path's segments), without straightening and without measuring the result; it is run again for that.
 //
 // Each time is the median over the rounds, of processor time. `edge_segments` counts the segments of Dijkstra's path,
-// `segments` those of the path that was straightened, `hash` the bits of the extracted curve. `landmarks` looks back
-// and is directed by landmarks, which are made before and not counted.
+// `segments` those of the path that was straightened; `fresh_s` is a whole call of geodesic_path(), which makes and
+// destroys a triangulation of its own, whatever the search; `hash` the bits of the extracted curve. `landmarks` looks
+// back and is directed by landmarks, which are made before and not counted.
 //
 // Usage: query_stages [--pairs N] [--seed S] [--rounds R] [--search lookback|landmarks|astar|dijkstra] MESH...
 
@@ -30,6 +31,7 @@
 #include <cstdint>
 #include <cstring>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <random>
@@ -59,7 +61,7 @@ const std::map<std::string, FG::Search_method> search_methods = {{"lookback", FG
                                                                  {"astar", FG::Search_method::A_STAR},
                                                                  {"dijkstra", FG::Search_method::DIJKSTRA}};
 
-enum Stage { CONSTRUCT, DIJKSTRA, SEARCH, SHORTEN, EXTRACT, CERTIFY, ROLLBACK, STEPS, NUMBER_OF_STAGES };
+enum Stage { CONSTRUCT, DIJKSTRA, SEARCH, SHORTEN, EXTRACT, CERTIFY, ROLLBACK, STEPS, FRESH, NUMBER_OF_STAGES };
 
 /// The times of one stage over the rounds.
 class Times
@@ -155,6 +157,11 @@ private:
         times[STEPS].measure([&] { return take_steps(network); });
       }
       m_triangulation.rollback();
+      times[FRESH].measure([&] {
+        std::vector<Mesh::Point> points;
+        FG::geodesic_path(m_mesh, from, to, std::back_inserter(points));
+        return points.size();
+      });
     }
     std::cout << m_name << ',' << m_mesh.number_of_faces() << ',' << m_options.search << ',' << source << ',' << target
               << ',' << edge_segments << ',' << start.size() << ',' << m_search.settled_vertices() << ','
@@ -225,7 +232,8 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
   try {
     std::cout << "mesh,triangles,search,source,target,edge_segments,segments,settled,dijkstra_settled,flips,"
-                 "construct_s,dijkstra_s,search_s,shorten_s,extract_s,certify_s,rollback_s,steps_s,length,status,hash\n";
+                 "construct_s,dijkstra_s,search_s,shorten_s,extract_s,certify_s,rollback_s,steps_s,fresh_s,length,"
+                 "status,hash\n";
     std::cout.precision(9);
     for(const std::string& mesh : options.meshes)
       Stage_benchmark(options, mesh).run();

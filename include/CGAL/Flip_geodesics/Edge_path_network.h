@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Joint_replacement.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
+#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/Segment_division.h>
 #include <CGAL/Flip_geodesics/internal/Segment_store.h>
 
@@ -287,13 +288,13 @@ public:
     const Index inner = m_segments.neighbor(end.segment, end.halfedge, Side::RIGHT);
     if(inner != null_index)
       return {end.halfedge, inner};
-    Index h = end.halfedge;
+    Placed_halfedge h = m_segments.placed(end.segment, end.halfedge);
     do {
-      h = m_triangulation->clockwise(h);
-      if(h == null_index)
+      h = h.clockwise();
+      if(h.is_none())
         return {};
-    } while(!is_occupied(h));
-    return {h, outermost(h, Side::LEFT)};
+    } while(h.label() == 0);
+    return {h.index(), m_segments.outermost(h.index(), h.label(), Side::LEFT)};
   }
 
   /// The next end counterclockwise about the node; none if the border intervenes. Linear in the spokes passed.
@@ -302,13 +303,13 @@ public:
     const Index inner = m_segments.neighbor(end.segment, end.halfedge, Side::LEFT);
     if(inner != null_index)
       return {end.halfedge, inner};
-    Index h = end.halfedge;
+    Placed_halfedge h = m_segments.placed(end.segment, end.halfedge);
     do {
-      h = m_triangulation->counterclockwise(h);
-      if(h == null_index)
+      h = h.counterclockwise();
+      if(h.is_none())
         return {};
-    } while(!is_occupied(h));
-    return {h, outermost(h, Side::RIGHT)};
+    } while(h.label() == 0);
+    return {h.index(), m_segments.outermost(h.index(), h.label(), Side::RIGHT)};
   }
 
   /// Looks into the wedge of a joint, no further than to \f$\pi\f$.
@@ -417,6 +418,8 @@ private:
   friend class internal::Joint_replacement<Edge_path_network>;
   friend class internal::Segment_division<Edge_path_network>;
 
+  using Placed_halfedge = internal::Placed_halfedge<Triangulation>;
+
   struct Curve
   {
     Index first, last;
@@ -433,15 +436,16 @@ private:
     if(inner != null_index)
       return {b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
     Turn turn;
-    Index h = a.halfedge;
+    Placed_halfedge h = m_segments.placed(a.segment, a.halfedge);
     do {
-      h = m_triangulation->extend_turn_clockwise(turn, h);
-      if(h == null_index)
+      h = h.extend_turn_clockwise(turn);
+      if(h.is_none())
         return {Wedge_state::BORDER, {}};
-      if(m_triangulation->is_straight(turn, a.halfedge, h))
+      if(m_triangulation->is_straight(turn, a.halfedge, h.index()))
         return {Wedge_state::STRAIGHT, {}};
-    } while(!is_occupied(h));
-    return {b == Strand_end{h, outermost(h, Side::LEFT)} ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
+    } while(h.label() == 0);
+    const Strand_end end = {h.index(), m_segments.outermost(h.index(), h.label(), Side::LEFT)};
+    return {b == end ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
   }
 
   template <class HalfedgeRange>

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Insertion_log.h>
+#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
@@ -157,9 +158,9 @@ public:
   static Index edge(Index h) { return h >> 1; }
 
   /// The next halfedge around the face. \pre `h` is not on the border
-  Index next(Index h) const { return record(h).next(); }
+  Index next(Index h) const { return m_halfedges.halfedge(record(h).next()); }
   /// The previous halfedge around the face. \pre `h` is not on the border
-  Index previous(Index h) const { return next(next(h)); }
+  Index previous(Index h) const { return m_halfedges.halfedge(m_halfedges[record(h).next()].next()); }
   /// The vertex at which `h` starts.
   Index tail(Index h) const { return record(h).tail; }
   /// The vertex at which `h` ends.
@@ -168,13 +169,17 @@ public:
   bool is_border(Index h) const { return record(h).is_border(); }
 
   /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
-  Index clockwise(Index h) const { return record(twin(h)).next_if_any(); }
+  Index clockwise(Index h) const
+  {
+    const Halfedge_record& at_t = record(twin(h));
+    return at_t.is_border() ? null_index : m_halfedges.halfedge(at_t.next());
+  }
 
   /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
   Index counterclockwise(Index h) const { return is_border(h) ? null_index : twin(previous(h)); }
 
   /// Announces that the face on the left of `h` will be read soon: a hint to the cache, without any effect.
-  void prefetch_face(Index h) const { m_halfedges.prefetch_face(h); }
+  void prefetch_face(Index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
 
   /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
   Index outgoing(Index v) const { return m_halfedges.outgoing(v); }
@@ -211,19 +216,12 @@ public:
    */
   Index extend_turn_clockwise(Turn& turn, Index h) const
   {
-    const Halfedge_record& in = record(twin(h));
-    if(in.is_border())
-      return null_index;
-    extend_turn_over(turn, in);
-    internal::prefetch(&m_halfedges.known(m_halfedges.known(in.next()).next())); // for flips, should it come to that
-    return in.next();
+    const Placed_halfedge next = placed(h).extend_turn_clockwise(turn);
+    return next.is_none() ? null_index : next.index();
   }
 
   /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
-  void extend_turn(Turn& turn, Index h) const
-  {
-    extend_turn_over(turn, record(h)); // from here on the whole face is known
-  }
+  void extend_turn(Turn& turn, Index h) const { placed(h).extend_turn(turn); }
 
   /*!
    * Is the turn, which leads clockwise about a vertex from halfedge `from` to halfedge `to`, at least \f$\pi\f$?
@@ -251,15 +249,7 @@ public:
   const Decision_statistics& decision_statistics() const { return m_statistics; }
 
   /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
-  bool is_reflex_at_head(Index h) const
-  {
-    const Halfedge_record& at_h = record(h);
-    const Index tp = m_halfedges.known(record(twin(h)).next()).next();
-    Turn turn;
-    extend_turn_over(turn, at_h);
-    extend_turn_over(turn, m_halfedges.known(tp));
-    return is_straight(turn, twin(tp), at_h.next());
-  }
+  bool is_reflex_at_head(Index h) const { return placed(h).is_reflex_at_head(); }
 
   /*!
    * Is the edge of `h` locally Delaunay: on the border, or the two angles opposite to it together at most \f$\pi\f$? An
@@ -303,28 +293,27 @@ public:
    */
   void flip(Index h)
   {
-    const Index t = twin(h);
-    Halfedge_record &at_h = m_halfedges[h], &at_t = m_halfedges[t]; // from here on both faces are known
-    const Index hn = at_h.next(), tn = at_t.next();
-    CGAL_precondition_msg(hn != t && tn != h, "an edge at a vertex of degree 1 cannot be flipped");
-    Halfedge_record &at_hn = m_halfedges.known(hn), &at_tn = m_halfedges.known(tn);
-    const Index hp = at_hn.next(), tp = at_tn.next();
-    Halfedge_record &at_hp = m_halfedges.known(hp), &at_tp = m_halfedges.known(tp);
+    const Slot s = m_halfedges.taken(h), t = internal::twin_slot(s);
+    Halfedge_record &at_h = m_halfedges.known(s), &at_t = m_halfedges.known(t); // from here on both faces are known
+    const Slot hn = at_h.next(), tn = at_t.next();
+    CGAL_precondition_msg(hn != t && tn != s, "an edge at a vertex of degree 1 cannot be flipped");
+    Halfedge_record &at_hn = m_halfedges[hn], &at_tn = m_halfedges[tn];
+    const Slot hp = at_hn.next(), tp = at_tn.next();
+    Halfedge_record &at_hp = m_halfedges[hp], &at_tp = m_halfedges[tp];
 
     const auto flipped = traits().flip_object()(at_h.geometry, at_hn.geometry, at_hp.geometry, at_t.geometry,
                                                 at_tn.geometry, at_tp.geometry);
-    const internal::Quad_crossings crossing(crossings(edge(h)), crossings(edge(hn)), crossings(edge(hp)),
-                                            crossings(edge(tn)), crossings(edge(tp)));
-    m_log.push_back({h, hp, tn, version(edge(hp)), version(edge(tn)), crossing.rotation_at_i(), version(edge(h)),
-                     crossings(edge(h)) + 1, at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
+    const internal::Quad_crossings crossing(crossings(s), crossings(hn), crossings(hp), crossings(tn), crossings(tp));
+    m_log.push_back({h, m_halfedges.halfedge(hp), m_halfedges.halfedge(tn), m_halfedges.version(hp),
+                     m_halfedges.version(tn), crossing.rotation_at_i(), m_halfedges.version(s), crossings(s) + 1,
+                     at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
 
-    m_halfedges.move_outgoing(at_h.tail, h, tn);
-    m_halfedges.move_outgoing(at_t.tail, t, hn);
-    m_halfedges.version(edge(h)) = static_cast<Index>(m_log.size());
-    m_halfedges.crossings_plus_one(edge(h)) = crossing.other_diagonal() + 1;
+    m_halfedges.move_outgoing(s, tn, hn);
+    m_halfedges.version(s) = static_cast<Index>(m_log.size());
+    m_halfedges.crossings_plus_one(s) = crossing.other_diagonal() + 1;
     at_h.set_next(hp);
     at_hp.set_next(tn);
-    at_tn.set_next(h);
+    at_tn.set_next(s);
     at_t.set_next(tp);
     at_tp.set_next(hn);
     at_hn.set_next(t);
@@ -334,7 +323,7 @@ public:
     at_t.geometry = flipped.t;
     at_tn.geometry = flipped.tn;
     at_tp.geometry = flipped.tp;
-    refresh_inaccurate({h, t, tn, tp});
+    refresh_inaccurate({s, t, tn, tp});
   }
 
   /// The end of the flip log: the number of flips and insertions since the input, and of faces laid out afresh.
@@ -438,7 +427,7 @@ public:
   /// @{
 
   /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
-  Index crossings(Index e) const { return m_halfedges.crossings_plus_one(e) - 1; }
+  Index crossings(Index e) const { return crossings(m_halfedges.slot(2 * e)); }
 
   /*!
    * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone [GSC21, section
@@ -449,7 +438,7 @@ public:
   Crossing_word crossing_word(Index h) const { return m_history.word(*this, h); }
 
   /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
-  Index version(Index e) const { return m_halfedges.version(e); }
+  Index version(Index e) const { return m_halfedges.version(m_halfedges.slot(2 * e)); }
 
   /*!
    * How many input edges start strictly inside the wedge from halfedge `from` clockwise to halfedge `to` of one vertex;
@@ -475,9 +464,9 @@ public:
   /// @{
 
   /// The label of edge `e`.
-  Index label(Index e) const { return m_halfedges.label(e); }
+  Index label(Index e) const { return m_halfedges.label(m_halfedges.slot(2 * e)); }
   /// Sets the label of edge `e`.
-  void set_label(Index e, Index label) { m_halfedges.label(e) = label; }
+  void set_label(Index e, Index label) { m_halfedges.label(m_halfedges.taken(2 * e)) = label; }
 
   /// @}
 
@@ -488,13 +477,15 @@ public:
   bool is_valid(double tolerance = 1e-9) const
   {
     for(Index h = 0; h < number_of_halfedges(); ++h)
-      if(m_halfedges.known(h).encoded_next > 0 &&
-         !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges.known(twin(h)).is_known()))
+      if(m_halfedges[m_halfedges.slot(h)].encoded_next > 0 &&
+         !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges[m_halfedges.slot(twin(h))].is_known()))
         return false;
     return true;
   }
 
 private:
+  template <class>
+  friend class internal::Placed_halfedge;
   template <class>
   friend class internal::Point_insertion;
   template <class>
@@ -502,39 +493,37 @@ private:
 
   using Halfedge_store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
   using Halfedge_record = typename Halfedge_store::Record;
+  using Slot = internal::Slot;
+  using Placed_halfedge = internal::Placed_halfedge<Intrinsic_triangulation>;
   using Insertion_record = internal::Insertion_record<Halfedge_geometry>;
 
   // Of a face that is known from here on.
-  const Halfedge_record& record(Index h) const { return m_halfedges[h]; }
+  const Halfedge_record& record(Index h) const { return m_halfedges.known(h); }
 
-  void extend_turn_over(Turn& turn, const Halfedge_record& in) const
+  Placed_halfedge placed(Index h) const { return Placed_halfedge::take(*this, h); }
+
+  Index crossings(Slot s) const { return m_halfedges.crossings_plus_one(s) - 1; }
+
+  void link_face(Index a, Index b, Index c)
   {
-    const Halfedge_record& out = m_halfedges.known(in.next());
-    traits().extend_turn_object()(turn, in.geometry, out.geometry, m_halfedges.known(out.next()).geometry);
+    m_halfedges.link_face(m_halfedges.slot(a), m_halfedges.slot(b), m_halfedges.slot(c));
   }
 
-  void set_geometries(Index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_t, Index tn,
-                      const Halfedge_geometry& at_tn, Index tp, const Halfedge_geometry& at_tp)
+  void refresh_inaccurate(const std::array<Slot, 4>& halfedges)
   {
-    m_halfedges.known(h).geometry = at_h;
-    m_halfedges.known(twin(h)).geometry = at_t;
-    m_halfedges.known(tn).geometry = at_tn;
-    m_halfedges.known(tp).geometry = at_tp;
-  }
-
-  void refresh_inaccurate(const std::array<Index, 4>& halfedges)
-  {
-    for(Index h : halfedges)
-      if(traits().is_inaccurate_object()(m_halfedges.known(h).geometry))
-        internal::refresh_face(*this, h);
+    for(Slot s : halfedges)
+      if(traits().is_inaccurate_object()(m_halfedges[s].geometry))
+        internal::refresh_face(*this, m_halfedges.halfedge(s));
   }
 
   void set_geometries_of_face(Index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
                               const Halfedge_geometry& at_hp)
   {
-    m_halfedges.known(h).geometry = at_h;
-    m_halfedges.known(next(h)).geometry = at_hn;
-    m_halfedges.known(previous(h)).geometry = at_hp;
+    Halfedge_record& first = m_halfedges[m_halfedges.slot(h)];
+    Halfedge_record& second = m_halfedges[first.next()];
+    first.geometry = at_h;
+    second.geometry = at_hn;
+    m_halfedges[second.next()].geometry = at_hp;
   }
 
   template <class OnSplit>
@@ -568,17 +557,21 @@ private:
       return internal::Insertion_log<Intrinsic_triangulation>(*this).undo(flip);
     if(flip.hp == null_index)
       return set_geometries_of_face(flip.h, flip.old_h, flip.old_t, flip.old_tn);
-    const Index h = flip.h, t = twin(h);
-    const Index hp = next(h), tn = next(hp), tp = next(t), hn = next(tp);
-    m_halfedges.move_outgoing(tail(h), h, tp);
-    m_halfedges.move_outgoing(tail(t), t, hp);
-    m_halfedges.version(edge(h)) = flip.old_version;
-    m_halfedges.crossings_plus_one(edge(h)) = flip.old_crossings;
+    const Slot h = m_halfedges.slot(flip.h), t = internal::twin_slot(h);
+    Halfedge_record &at_h = m_halfedges[h], &at_t = m_halfedges[t];
+    const Slot hp = at_h.next(), tp = at_t.next(), tn = m_halfedges[hp].next(), hn = m_halfedges[tp].next();
+    Halfedge_record &at_tn = m_halfedges[tn], &at_tp = m_halfedges[tp];
+    m_halfedges.move_outgoing(h, tp, hp);
+    m_halfedges.version(h) = flip.old_version;
+    m_halfedges.crossings_plus_one(h) = flip.old_crossings;
     m_halfedges.link_face(h, hn, hp);
     m_halfedges.link_face(t, tn, tp);
-    m_halfedges.known(h).tail = m_halfedges.known(tn).tail;
-    m_halfedges.known(t).tail = m_halfedges.known(hn).tail;
-    set_geometries(h, flip.old_h, flip.old_t, tn, flip.old_tn, tp, flip.old_tp);
+    at_h.tail = at_tn.tail;
+    at_t.tail = m_halfedges[hn].tail;
+    at_h.geometry = flip.old_h;
+    at_t.geometry = flip.old_t;
+    at_tn.geometry = flip.old_tn;
+    at_tp.geometry = flip.old_tp;
   }
 
   mutable Halfedge_store m_halfedges; // mutable, since faces of the input are copied when they are first read

@@ -5,11 +5,16 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/Slot_table.h>
+
+#include <boost/align/aligned_allocator.hpp>
+#include <boost/config.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -26,33 +31,41 @@ inline void prefetch(const void* address)
 #endif
 }
 
+/* Where a triangulation keeps a halfedge, with its twin beside it. */
+enum class Slot : Index { NONE = 0 };
+
+inline Slot twin_slot(Slot s) { return static_cast<Slot>(static_cast<Index>(s) ^ 1); }
+
+/* The slot of h, given that of h or its twin. */
+inline Slot side_slot(Slot s, Index h) { return static_cast<Slot>((static_cast<Index>(s) & ~1) | (h & 1)); }
+
 /*
  * What a triangulation keeps of a halfedge, and half of what it keeps of its edge: the first side has the crossings and
- * the version, the second the label. All zeros is a side of an input edge whose face is not known yet. With two doubles
- * of geometry it takes 32 bytes, so that an edge is a cache line.
+ * the version, the second the label and which edge it is. All zeros is a side of an input edge whose face is not known
+ * yet. With two doubles of geometry it takes 32 bytes, so that an edge is a cache line.
  */
 template <class Halfedge_geometry>
 struct Halfedge_record
 {
   static constexpr Index untouched = 0, border = -1;
 
-  Index encoded_next; // untouched, border, or one more than the next halfedge
+  Index encoded_next; // untouched, border, or the slot of the next halfedge
   Index tail;
-  Index of_edge[2]; // crossings, one more, and version; or label, and nothing
+  Index of_edge[2]; // crossings, one more, and version; or label, and first halfedge, one more if a side is kept
   Halfedge_geometry geometry;
 
   bool is_known() const { return encoded_next != untouched; }
   bool is_border() const { return encoded_next == border; }
   /* \pre known and not on the border */
-  Index next() const { return encoded_next - 1; }
-  /* \pre known; null_index on the border */
-  Index next_if_any() const { return (std::max)(encoded_next, 0) - 1; }
-  void set_next(Index h) { encoded_next = h + 1; }
+  Slot next() const { return static_cast<Slot>(encoded_next); }
+  void set_next(Slot s) { encoded_next = static_cast<Index>(s); }
 };
 
 /*
  * The halfedges of a triangulation, and a halfedge per vertex: those of the input, each face copied when it is first
- * touched, and those that are added. So nothing is read or written of what is not touched.
+ * touched, and those that are added. So nothing is read or written of what is not touched; and what was touched
+ * together lies together, since the halfedges have slots in that order. Links between halfedges are slots, so that only
+ * the way in, from a halfedge that is given by its index, goes through the table of slots.
  */
 template <class Input_mesh_, class Traits_, class Metric_>
 class Halfedge_store
@@ -68,99 +81,178 @@ public:
     : m_input(input)
     , m_metric(metric)
     , m_traits(traits)
-    , m_records(static_cast<std::size_t>(m_input.number_of_halfedges()))
-    , m_outgoing(static_cast<std::size_t>(m_input.number_of_vertices()))
+    , m_number_of_vertices(m_input.number_of_vertices())
+    , m_number_of_halfedges(m_input.number_of_halfedges())
+    , m_slots(static_cast<std::size_t>(m_number_of_halfedges))
+    , m_vertex_slots(static_cast<std::size_t>(m_number_of_vertices))
   {
+    m_records.reserve(room_for(m_slots)); // so that none moves
+    m_records.resize(m_slots.number_of_slots());
+    m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
   }
 
   const Input_mesh& input() const { return m_input; }
   const Metric& metric() const { return m_metric; }
   const Traits& traits() const { return m_traits; }
 
-  Index number_of_vertices() const { return static_cast<Index>(m_outgoing.size()); }
-  Index number_of_edges() const { return static_cast<Index>(m_records.size() / 2); }
+  Index number_of_vertices() const { return m_number_of_vertices; }
+  Index number_of_edges() const { return m_number_of_halfedges / 2; }
 
-  /* The record of a halfedge as it is; if its face is known, so are the two others of the face. */
-  Record& known(Index h) { return m_records[static_cast<std::size_t>(h)]; }
-  const Record& known(Index h) const { return m_records[static_cast<std::size_t>(h)]; }
+  /* The record of a slot as it is; if the face is known, so are the two others of the face. */
+  Record& operator[](Slot s) { return m_records[static_cast<std::size_t>(s)]; }
+  const Record& operator[](Slot s) const { return m_records[static_cast<std::size_t>(s)]; }
 
-  /* The record of a halfedge, whose face is copied if need be. */
-  Record& operator[](Index h)
+  /* The slot of a halfedge; one with a record of zeros, not to be written, if its edge was never touched. */
+  Slot slot(Index h) const { return static_cast<Slot>(m_slots[h]); }
+
+  /* The halfedge with a slot that is taken. */
+  Index halfedge(Slot s) const { return (second_side(s).of_edge[1] & ~1) | (static_cast<Index>(s) & 1); }
+
+  /* The record of a halfedge or of a slot that is taken, whose face is copied if need be. The latter is
+   * in each step of a walk. */
+  Record& known(Index h)
   {
-    Record& record = known(h);
-    if(!record.is_known())
-      import_face(h);
-    return record;
+    Record& record = (*this)[slot(h)];
+    return record.is_known() ? record : imported(h);
   }
 
-  /* Calls the two other sides of the face of a halfedge into the cache, if the face is known. */
-  void prefetch_face(Index h) const
+  BOOST_FORCEINLINE Record& known(Slot s)
   {
-    if(known(h).encoded_next <= 0)
+    Record& record = (*this)[s];
+    return record.is_known() ? record : imported(halfedge(s));
+  }
+
+  /* The slot of a halfedge, which takes one if it has none. */
+  Slot taken(Index h)
+  {
+    if(!m_slots.has_slot(h))
+      take(h);
+    return slot(h);
+  }
+
+  /* Calls the two other sides of the face of a slot into the cache, if the face is known. */
+  void prefetch_face(Slot s) const
+  {
+    const Record& record = (*this)[s];
+    if(record.encoded_next <= 0)
       return;
-    const Record& hn = known(known(h).next());
+    const Record& hn = (*this)[record.next()];
     prefetch(&hn);
-    prefetch(&known(hn.next()));
+    prefetch(&(*this)[hn.next()]);
   }
 
-  Index& crossings_plus_one(Index e) { return known(2 * e).of_edge[0]; }
-  Index& version(Index e) { return known(2 * e).of_edge[1]; }
-  Index& label(Index e) { return known(2 * e + 1).of_edge[0]; }
+  Index& crossings_plus_one(Slot s) { return first_side(s).of_edge[0]; }
+  Index& version(Slot s) { return first_side(s).of_edge[1]; }
+  Index crossings_plus_one(Slot s) const { return first_side(s).of_edge[0]; }
+  Index version(Slot s) const { return first_side(s).of_edge[1]; }
+  Index& label(Slot s) { return second_side(s).of_edge[0]; }
+  Index label(Slot s) const { return second_side(s).of_edge[0]; }
 
   /* A halfedge that starts at v, null_index at an isolated vertex. */
   Index outgoing(Index v)
   {
-    if(m_outgoing[v] == 0) {
+    if(outgoing_slot(v) == Slot::NONE) {
       const Index h = v < m_input.number_of_vertices() ? m_input.outgoing(v) : null_index;
       if(h == null_index)
         return null_index;
-      (*this)[h];
-      m_outgoing[v] = h + 1;
+      known(h);
+      set_outgoing(v, slot(h));
     }
-    return m_outgoing[v] - 1;
+    return halfedge(outgoing_slot(v));
   }
 
-  void set_outgoing(Index v, Index h) { m_outgoing[v] = h + 1; }
+  void set_outgoing(Index v, Slot s)
+  {
+    if(!m_vertex_slots.has_slot(v)) {
+      m_vertex_slots.add(v);
+      m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
+    }
+    m_outgoing[static_cast<std::size_t>(m_vertex_slots[v])] = s;
+    if(s != Slot::NONE)
+      second_side(s).of_edge[1] |= 1;
+  }
 
   /* If `from` is the halfedge that is kept for v, keeps `to` instead. */
-  void move_outgoing(Index v, Index from, Index to)
+  void move_outgoing(Index v, Slot from, Slot to)
   {
-    if(m_outgoing[v] == from + 1)
-      m_outgoing[v] = to + 1;
+    if(outgoing_slot(v) == from)
+      set_outgoing(v, to);
   }
 
-  void link_face(Index a, Index b, Index c)
+  /* The same for both sides of an edge, which all leave their vertices v and w. Mostly neither is kept. */
+  void move_outgoing(Slot s, Slot instead_of_s, Slot instead_of_twin)
   {
-    known(a).set_next(b);
-    known(b).set_next(c);
-    known(c).set_next(a);
+    Index& is_kept = second_side(s).of_edge[1];
+    if((is_kept & 1) == 0)
+      return;
+    move_outgoing((*this)[s].tail, s, instead_of_s);
+    move_outgoing((*this)[twin_slot(s)].tail, twin_slot(s), instead_of_twin);
+    is_kept &= ~1;
   }
 
-  void add_vertex() { m_outgoing.resize(m_outgoing.size() + 1); }
-
-  void remove_last_vertex()
+  void link_face(Slot a, Slot b, Slot c)
   {
-    m_outgoing[m_outgoing.size() - 1] = 0;
-    m_outgoing.resize(m_outgoing.size() - 1);
+    (*this)[a].set_next(b);
+    (*this)[b].set_next(c);
+    (*this)[c].set_next(a);
   }
 
-  /* An edge whose sides are in no face yet. */
-  void add_edge() { m_records.resize(m_records.size() + 2); }
+  void add_vertex() { m_vertex_slots.grow(static_cast<std::size_t>(++m_number_of_vertices)); }
+
+  void remove_last_vertex() { set_outgoing(--m_number_of_vertices, Slot::NONE); }
+
+  /* An edge whose sides are in no face yet; all may move. Returns its first slot. */
+  Slot add_edge()
+  {
+    m_number_of_halfedges += 2;
+    m_slots.grow(static_cast<std::size_t>(m_number_of_halfedges));
+    if(m_records.capacity() < m_slots.largest_number_of_slots())
+      m_records.reserve(room_for(m_slots));
+    return taken(m_number_of_halfedges - 2);
+  }
 
   void remove_last_edge()
   {
-    const std::size_t size = m_records.size() - 2;
-    m_records[size] = m_records[size + 1] = Record();
-    m_records.resize(size);
+    m_number_of_halfedges -= 2;
+    const Slot s = slot(m_number_of_halfedges);
+    first_side(s) = second_side(s) = Record();
+    second_side(s).of_edge[1] = m_number_of_halfedges;
   }
 
 private:
-  void import_face(Index h)
+  using Halfedge_slots = Slot_table<8>;
+  using Vertex_slots = Slot_table<16>;
+
+  // For some more elements than there are.
+  template <class Slots>
+  static std::size_t room_for(const Slots& slots)
+  {
+    return slots.largest_number_of_slots() + slots.largest_number_of_slots() / 8;
+  }
+
+  const Record& first_side(Slot s) const { return m_records[static_cast<std::size_t>(s) & ~std::size_t(1)]; }
+  const Record& second_side(Slot s) const { return m_records[static_cast<std::size_t>(s) | 1]; }
+  Record& first_side(Slot s) { return m_records[static_cast<std::size_t>(s) & ~std::size_t(1)]; }
+  Record& second_side(Slot s) { return m_records[static_cast<std::size_t>(s) | 1]; }
+
+  Slot outgoing_slot(Index v) const { return m_outgoing[static_cast<std::size_t>(m_vertex_slots[v])]; }
+
+  BOOST_NOINLINE void take(Index h)
+  {
+    const Index start = m_slots.add(h), first = h - (m_slots[h] - start);
+    m_records.resize(m_slots.number_of_slots());
+    for(Index i = 0; i < static_cast<Index>(Halfedge_slots::block_size); i += 2)
+      second_side(static_cast<Slot>(start + i)).of_edge[1] = first + i;
+  }
+
+  // Copies the face of a halfedge.
+  BOOST_NOINLINE Record& imported(Index h)
   {
     if(m_input.is_border(h)) {
-      known(h).tail = m_input.tail(h);
-      known(h).encoded_next = Record::border;
-      return;
+      Record& record = (*this)[taken(h)];
+      record.tail = m_input.tail(h);
+      record.encoded_next = Record::border;
+      return record;
     }
     const Index hn = m_input.next(h), hp = m_input.next(hn);
     if(m_input.next(hp) != h)
@@ -170,21 +262,27 @@ private:
     const Index first = (std::min)({h, hn, hp});
     const Index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
     const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
+    std::array<Slot, 3> slots;
     for(int i = 0; i < 3; ++i) {
-      Record& record = known(sides[i]);
+      slots[i] = taken(sides[i]);
+      Record& record = (*this)[slots[i]];
       record.tail = m_input.tail(sides[i]);
       record.geometry = geometry[i];
-      if(m_outgoing[record.tail] == 0)
-        m_outgoing[record.tail] = sides[i] + 1;
+      if(outgoing_slot(record.tail) == Slot::NONE)
+        set_outgoing(record.tail, slots[i]);
     }
-    link_face(sides[0], sides[1], sides[2]);
+    link_face(slots[0], slots[1], slots[2]);
+    return (*this)[slot(h)];
   }
 
   Input_mesh m_input;
   Metric m_metric;
   Traits m_traits;
-  Lazy_array<Record> m_records;
-  Lazy_array<Index> m_outgoing; // one more than a halfedge, 0 where none is known
+  Index m_number_of_vertices, m_number_of_halfedges;
+  Halfedge_slots m_slots;
+  Vertex_slots m_vertex_slots;
+  std::vector<Record, boost::alignment::aligned_allocator<Record, 64>> m_records;
+  std::vector<Slot> m_outgoing; // NONE where none is known
 };
 
 } // namespace internal

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 
@@ -60,18 +61,18 @@ public:
   /* A new edge, whose sides are in no face yet; the halfedge with the word. */
   Index add_edge(const Crossing_word& word)
   {
-    const Index e = m_triangulation.number_of_edges(), h = 2 * e;
-    m_triangulation.m_halfedges.add_edge();
-    set_word(h, word);
-    m_triangulation.m_halfedges.known(h).tail = word.tail;
-    m_triangulation.m_halfedges.known(Triangulation::twin(h)).tail = word.head;
-    return h;
+    auto& halfedges = m_triangulation.m_halfedges;
+    const Slot s = halfedges.add_edge();
+    halfedges[s].tail = word.tail;
+    halfedges[twin_slot(s)].tail = word.head;
+    set_word(halfedges.halfedge(s), word);
+    return halfedges.halfedge(s);
   }
 
   /* Moves the tail of h: the word is that from its new tail on. */
   void shorten_edge(Index h, const Crossing_word& word)
   {
-    m_triangulation.m_halfedges.known(h).tail = word.tail;
+    m_triangulation.m_halfedges[m_triangulation.m_halfedges.slot(h)].tail = word.tail;
     set_word(h, word);
   }
 
@@ -87,16 +88,18 @@ public:
     }
     t.m_halfedges.remove_last_vertex();
     t.m_points.pop_back();
-    t.m_halfedges.version(Triangulation::edge(log.h)) = log.old_version;
-    t.m_halfedges.crossings_plus_one(Triangulation::edge(log.h)) = log.old_crossings;
-    t.m_halfedges.known(Triangulation::twin(log.h)).tail = record.head_of_h;
+    auto& halfedges = t.m_halfedges;
+    const Slot h = halfedges.slot(log.h);
+    halfedges.version(h) = log.old_version;
+    halfedges.crossings_plus_one(h) = log.old_crossings;
+    halfedges[twin_slot(h)].tail = record.head_of_h;
     for(int i = 0; i < 6 && record.faces[i] != null_index; i += 3)
-      t.m_halfedges.link_face(record.faces[i], record.faces[i + 1], record.faces[i + 2]);
+      t.link_face(record.faces[i], record.faces[i + 1], record.faces[i + 2]);
     for(int i = 0; i < 6 && record.faces[i] != null_index; ++i) {
-      const Index h = record.faces[i];
-      t.m_halfedges.known(h).geometry = record.geometry[i];
-      if(t.outgoing(t.tail(h)) >= t.number_of_halfedges()) // of an edge that is gone
-        t.m_halfedges.set_outgoing(t.tail(h), h);
+      const Slot s = halfedges.slot(record.faces[i]);
+      halfedges[s].geometry = record.geometry[i];
+      if(t.outgoing(halfedges[s].tail) >= t.number_of_halfedges()) // of an edge that is gone
+        halfedges.set_outgoing(halfedges[s].tail, s);
     }
     t.m_insertions.pop_back();
   }
@@ -106,9 +109,10 @@ private:
 
   void set_word(Index h, const Crossing_word& word)
   {
-    const Index e = Triangulation::edge(h), version = static_cast<Index>(m_triangulation.m_log.size());
-    m_triangulation.m_halfedges.version(e) = version;
-    m_triangulation.m_halfedges.crossings_plus_one(e) =
+    const Index version = static_cast<Index>(m_triangulation.m_log.size());
+    const Slot s = m_triangulation.m_halfedges.slot(h);
+    m_triangulation.m_halfedges.version(s) = version;
+    m_triangulation.m_halfedges.crossings_plus_one(s) =
         word.along != null_index ? 0 : static_cast<Index>(word.crossed.size()) + 1;
     m_triangulation.m_history.store_word(h, version, word);
   }

@@ -92,7 +92,7 @@ private:
         const Index last = network.m_curves[c].last;
         if(last != null_index && triangulation.head(network.halfedge(last)) != triangulation.tail(s.halfedge))
           return false;
-        network.m_segments[s.id].halfedge = s.halfedge;
+        network.m_segments.set_halfedge(s.id, s.halfedge);
         network.m_segments[s.id].curve = c;
         network.m_segments[s.id].is_head_fixed = s.is_head_fixed;
         network.m_segments.link_outermost(s.id, s.halfedge);

@@ -87,12 +87,11 @@ public:
   {
     const Index h = m_place.h, hn = next(h), hp = next(hn);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    const Index a = m_log.add_edge(to_a), b = m_log.add_edge(to_b),
-                o = m_log.add_edge(to_o);
-    m_triangulation.m_halfedges.link_face(h, twin(b), a);
-    m_triangulation.m_halfedges.link_face(hn, twin(o), b);
-    m_triangulation.m_halfedges.link_face(hp, twin(a), o);
-    m_triangulation.m_halfedges.set_outgoing(m_x, a);
+    const Index a = m_log.add_edge(to_a), b = m_log.add_edge(to_b), o = m_log.add_edge(to_o);
+    m_triangulation.link_face(h, twin(b), a);
+    m_triangulation.link_face(hn, twin(o), b);
+    m_triangulation.link_face(hp, twin(a), o);
+    m_triangulation.m_halfedges.set_outgoing(m_x, m_triangulation.m_halfedges.slot(a));
     lay_out_faces({h, hn, hp});
   }
 
@@ -164,11 +163,12 @@ private:
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
     const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o);
     m_log.shorten_edge(t, to_a);
-    m_triangulation.m_halfedges.known(twin(xb)).encoded_next = Triangulation::Halfedge_record::border;
-    m_triangulation.m_halfedges.move_outgoing(b, t, twin(xb));
-    m_triangulation.m_halfedges.set_outgoing(m_x, xb);
-    m_triangulation.m_halfedges.link_face(h, xo, hp);
-    m_triangulation.m_halfedges.link_face(xb, hn, twin(xo));
+    auto& halfedges = m_triangulation.m_halfedges;
+    halfedges[halfedges.slot(twin(xb))].encoded_next = Triangulation::Halfedge_record::border;
+    halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
+    halfedges.set_outgoing(m_x, halfedges.slot(xb));
+    m_triangulation.link_face(h, xo, hp);
+    m_triangulation.link_face(xb, hn, twin(xo));
     lay_out_faces({h, xb});
     return {h, xb};
   }
@@ -179,15 +179,15 @@ private:
                 b = m_triangulation.tail(t);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place),
                         to_p = word_to_apex(m_place.reversed());
-    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o),
-                xp = m_log.add_edge(to_p);
+    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xp = m_log.add_edge(to_p);
     m_log.shorten_edge(t, to_a);
-    m_triangulation.m_halfedges.move_outgoing(b, t, twin(xb));
-    m_triangulation.m_halfedges.set_outgoing(m_x, xb);
-    m_triangulation.m_halfedges.link_face(h, xo, hp);
-    m_triangulation.m_halfedges.link_face(xb, hn, twin(xo));
-    m_triangulation.m_halfedges.link_face(t, tn, twin(xp));
-    m_triangulation.m_halfedges.link_face(twin(xb), xp, tp);
+    auto& halfedges = m_triangulation.m_halfedges;
+    halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
+    halfedges.set_outgoing(m_x, halfedges.slot(xb));
+    m_triangulation.link_face(h, xo, hp);
+    m_triangulation.link_face(xb, hn, twin(xo));
+    m_triangulation.link_face(t, tn, twin(xp));
+    m_triangulation.link_face(twin(xb), xp, tp);
     lay_out_faces({h, xb, t, twin(xb)});
     return {h, xb};
   }
@@ -206,14 +206,14 @@ private:
     const Index face = Point_side<Triangulation>::face_of_gap(from_twin.word, from_twin.gap);
     const Crossing_word around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
 
-    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o),
-                xx = m_log.add_edge(around_b);
+    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xx = m_log.add_edge(around_b);
     m_log.shorten_edge(t, to_a);
-    m_triangulation.m_halfedges.move_outgoing(b, t, twin(xb));
-    m_triangulation.m_halfedges.set_outgoing(m_x, xb);
-    m_triangulation.m_halfedges.link_face(h, xo, hp);
-    m_triangulation.m_halfedges.link_face(xb, twin(xb), twin(xx));
-    m_triangulation.m_halfedges.link_face(xx, t, twin(xo));
+    auto& halfedges = m_triangulation.m_halfedges;
+    halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
+    halfedges.set_outgoing(m_x, halfedges.slot(xb));
+    m_triangulation.link_face(h, xo, hp);
+    m_triangulation.link_face(xb, twin(xb), twin(xx));
+    m_triangulation.link_face(xx, t, twin(xo));
     lay_out_faces({h, xb, xx});
     return {h, xb};
   }

@@ -4,11 +4,15 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SEARCH_LABELS_H
 
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/Slot_table.h>
+
+#include <boost/align/aligned_allocator.hpp>
+#include <boost/config.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -17,9 +21,7 @@ namespace internal {
 /*
  * What a search knows of the vertices that it has reached: the distance, through which halfedge the path arrives, and
  * whether the vertex is settled. Only vertices that were once reached take memory, with their neighbors in a cache
- * line, which holds the labels of five: a table of blocks, and the blocks in the order in which they were first
- * written. A `Lazy_array` alone takes whole pages of memory, and where a mesh is numbered without order, nearly all of
- * them.
+ * line, which holds the labels of five, in the order in which they were first written.
  *
  * A block knows in which search it was last written, so that a new search forgets all labels in constant time.
  */
@@ -39,8 +41,8 @@ class Search_labels
 public:
   explicit Search_labels(std::size_t size)
     : m_size(size)
-    , m_table(size / block_size + 1)
-    , m_blocks(m_table.size() + 1)
+    , m_slots(size / block_size + 1)
+    , m_blocks(m_slots.number_of_slots())
   {
   }
 
@@ -69,13 +71,14 @@ public:
   }
 
   /* \pre `v` is reached */
-  void settle(Index v) { m_blocks[m_table[place(v)]].arrivals[slot(v)] |= settled_bit; }
+  void settle(Index v) { m_blocks[index(v)].arrivals[slot(v)] |= settled_bit; }
 
 private:
-  static std::size_t place(Index v) { return static_cast<std::uint32_t>(v) / block_size; }
+  static Index place(Index v) { return static_cast<Index>(static_cast<std::uint32_t>(v) / block_size); }
   static std::size_t slot(Index v) { return static_cast<std::uint32_t>(v) % block_size; }
 
-  const Block& block(Index v) const { return m_blocks[m_table[place(v)]]; }
+  std::size_t index(Index v) const { return static_cast<std::size_t>(m_slots[place(v)]); }
+  const Block& block(Index v) const { return m_blocks[index(v)]; }
 
   std::uint32_t arrival(Index v) const
   {
@@ -85,10 +88,8 @@ private:
 
   Block& writable_block(Index v)
   {
-    std::uint32_t& number = m_table[place(v)];
-    if(number == 0)
-      number = ++m_number_of_blocks;
-    Block& result = m_blocks[number];
+    const std::size_t i = index(v);
+    Block& result = i != 0 ? m_blocks[i] : added_block(v);
     if(result.search != m_search) {
       result.search = m_search;
       result.arrivals.fill(0);
@@ -96,10 +97,17 @@ private:
     return result;
   }
 
+  BOOST_NOINLINE Block& added_block(Index v)
+  {
+    m_slots.add(place(v));
+    m_blocks.resize(m_slots.number_of_slots());
+    return m_blocks.back();
+  }
+
   std::size_t m_size;
-  Lazy_array<std::uint32_t> m_table; // 0 if never written: that block stays zero, of no search
-  Lazy_array<Block> m_blocks;
-  std::uint32_t m_number_of_blocks = 0;
+  // Of blocks; the first is of no search.
+  Slot_table<1> m_slots;
+  std::vector<Block, boost::alignment::aligned_allocator<Block, sizeof(Block)>> m_blocks;
   std::uint32_t m_search = 1;
 };
 

@@ -42,16 +42,13 @@ template <class Triangulation>
 bool is_bent_clockwise(const Triangulation& triangulation, Index a, Index c)
 {
   typename Triangulation::Turn turn;
-  Index h = a;
+  const Placed_halfedge<Triangulation> last(triangulation, c);
+  Placed_halfedge<Triangulation> h(triangulation, a);
   do {
-    const Index t = Triangulation::twin(h);
-    if(triangulation.is_border(t))
+    h = h.extend_turn_clockwise(turn);
+    if(h.is_none() || triangulation.is_straight(turn, a, h.index()))
       return false;
-    triangulation.extend_turn(turn, t);
-    h = triangulation.next(t);
-    if(triangulation.is_straight(turn, a, h))
-      return false;
-  } while(h != c);
+  } while(h != last);
   return true;
 }
 

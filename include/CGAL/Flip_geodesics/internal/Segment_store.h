@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 
 #include <array>
 #include <cstddef>
@@ -21,6 +22,7 @@ struct Segment
   Index next = null_index, previous = null_index;
   std::array<Index, 2> beside = {{null_index, null_index}}; // by side, in the stack, circular, along the first halfedge
   Index curve = null_index;
+  Slot place = Slot::NONE; // of a side of its edge
   bool is_head_fixed = false;
   // By side: is the angle at the head known to be pi or more, or to hold the border? It stays so while the joint lives.
   std::array<bool, 2> is_head_straight = {{false, false}};
@@ -54,9 +56,22 @@ public:
   Index create(Index curve, Index h)
   {
     m_segments.emplace_back();
-    m_segments.back().halfedge = h;
     m_segments.back().curve = curve;
+    set_halfedge(end_of_ids() - 1, h);
     return end_of_ids() - 1;
+  }
+
+  /* Puts s on a halfedge, but not into the stack there. */
+  void set_halfedge(Index s, Index h)
+  {
+    (*this)[s].halfedge = h;
+    (*this)[s].place = Placed_halfedge<Triangulation>::take(*m_triangulation, h).slot();
+  }
+
+  /* A side of the edge of s. */
+  Placed_halfedge<Triangulation> placed(Index s, Index h) const
+  {
+    return Placed_halfedge<Triangulation>(*m_triangulation, side_slot((*this)[s].place, h));
   }
 
   /* Puts t after s in their chain; either may be null_index. */
@@ -73,13 +88,17 @@ public:
   {
     const std::size_t i = side_along_first_halfedge(h, side);
     const Index found = (*this)[s].beside[i];
-    return chosen(i, s, found) == leftmost(h) ? null_index : found; // the circle closes at the leftmost
+    if(found == s) // alone, as nearly always
+      return null_index;
+    return chosen(i, s, found) == placed(s, h).label() ? null_index : found; // the circle closes at the leftmost
   }
 
   /* The outermost segment on a side of the edge of h, as seen along h. \pre there is one */
-  Index outermost(Index h, Side side) const
+  Index outermost(Index h, Side side) const { return outermost(h, leftmost(h), side); }
+
+  /* The same, with the label of the edge. */
+  Index outermost(Index h, Index first, Side side) const
   {
-    const Index first = leftmost(h);
     return chosen(side_along_first_halfedge(h, side), first, (*this)[first].beside[0]);
   }
 
@@ -101,15 +120,16 @@ public:
   /* Puts s outermost on the right of its edge as seen along h. */
   void link_outermost(Index s, Index h)
   {
-    const Index e = Triangulation::edge(h), first = leftmost(h);
+    const Placed_halfedge<Triangulation> place = placed(s, h);
+    const Index first = place.label();
     if(first == 0) {
       (*this)[s].beside = {{s, s}};
-      m_triangulation->set_label(e, s);
+      place.set_label(s);
       return;
     }
     link_right_of(s, (*this)[first].beside[0]);
     if((h & 1) != 0)
-      m_triangulation->set_label(e, s);
+      place.set_label(s);
   }
 
   void link_right_of(Index s, Index left)
@@ -123,12 +143,12 @@ public:
   /* Takes s out of its stack. */
   void unlink(Index s)
   {
-    const Index e = Triangulation::edge((*this)[s].halfedge);
+    const Placed_halfedge<Triangulation> place = placed(s, (*this)[s].halfedge);
     const auto [left, right] = (*this)[s].beside;
     (*this)[left].beside[1] = right;
     (*this)[right].beside[0] = left;
-    if(leftmost(2 * e) == s)
-      m_triangulation->set_label(e, right == s ? 0 : right);
+    if(place.label() == s)
+      place.set_label(right == s ? 0 : right);
   }
 
   void remove(Index s)

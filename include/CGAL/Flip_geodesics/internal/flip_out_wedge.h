@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WEDGE_H
 
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 
 #include <vector>
 
@@ -28,27 +29,28 @@ namespace internal {
 template <class Triangulation, class Flip>
 double flip_out_wedge(const Triangulation& triangulation, Index a, Index c, std::vector<Index>& arc, Flip flip)
 {
-  Index spoke = triangulation.clockwise(a);
-  while(spoke != c) {
-    if(triangulation.is_reflex_at_head(spoke)) {
-      spoke = triangulation.clockwise(spoke);
+  const Placed_halfedge<Triangulation> first(triangulation, a), last(triangulation, c);
+  Placed_halfedge<Triangulation> spoke = first.clockwise();
+  while(spoke != last) {
+    if(spoke.is_reflex_at_head()) {
+      spoke = spoke.clockwise();
       continue;
     }
-    const Index before = triangulation.counterclockwise(spoke), after = triangulation.clockwise(spoke);
-    flip(spoke);
-    spoke = before == a ? after : before;
+    const Placed_halfedge<Triangulation> before = spoke.counterclockwise(), after = spoke.clockwise();
+    flip(spoke.index());
+    spoke = before == first ? after : before;
   }
 
   double length = 0;
   arc.clear();
-  spoke = a;
+  spoke = first;
   do { // a == c is all the way round
-    const Index t = Triangulation::twin(spoke);
-    arc.push_back(Triangulation::twin(triangulation.previous(t)));
-    triangulation.prefetch_face(arc.back()); // to be looked at when the curve lies on the arc
-    length += triangulation.length(arc.back());
-    spoke = triangulation.next(t);
-  } while(spoke != c);
+    const Placed_halfedge<Triangulation> outer = spoke.twin().previous().twin();
+    outer.prefetch_face(); // to be looked at when the curve lies on the arc
+    arc.push_back(outer.index());
+    length += outer.length();
+    spoke = spoke.clockwise();
+  } while(spoke != last);
   return length;
 }
 
