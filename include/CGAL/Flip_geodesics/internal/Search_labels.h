@@ -6,13 +6,10 @@
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Slot_table.h>
 
-#include <boost/align/aligned_allocator.hpp>
-#include <boost/config.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -30,7 +27,7 @@ class Search_labels
   static constexpr std::size_t block_size = 5;
   static constexpr std::uint32_t settled_bit = std::uint32_t(1) << 31;
 
-  struct Block
+  struct alignas(64) Block
   {
     std::array<double, block_size> distances;
     std::array<std::uint32_t, block_size> arrivals; // 0 if not reached, else the halfedge + 2, and the settled bit
@@ -42,8 +39,9 @@ public:
   explicit Search_labels(std::size_t size)
     : m_size(size)
     , m_slots(size / block_size + 1)
-    , m_blocks(m_slots.number_of_slots())
+    , m_blocks(new Block[m_slots.largest_number_of_slots()]) // not written before they are used
   {
+    m_blocks[0] = Block();
   }
 
   /* Forgets all labels. */
@@ -88,8 +86,12 @@ private:
 
   Block& writable_block(Index v)
   {
-    const std::size_t i = index(v);
-    Block& result = i != 0 ? m_blocks[i] : added_block(v);
+    std::size_t i = index(v);
+    if(i == 0) {
+      i = static_cast<std::size_t>(m_slots.add(place(v)));
+      m_blocks[i] = Block();
+    }
+    Block& result = m_blocks[i];
     if(result.search != m_search) {
       result.search = m_search;
       result.arrivals.fill(0);
@@ -97,17 +99,10 @@ private:
     return result;
   }
 
-  BOOST_NOINLINE Block& added_block(Index v)
-  {
-    m_slots.add(place(v));
-    m_blocks.resize(m_slots.number_of_slots());
-    return m_blocks.back();
-  }
-
   std::size_t m_size;
   // Of blocks; the first is of no search.
   Slot_table<1> m_slots;
-  std::vector<Block, boost::alignment::aligned_allocator<Block, sizeof(Block)>> m_blocks;
+  std::unique_ptr<Block[]> m_blocks;
   std::uint32_t m_search = 1;
 };
 

@@ -30,6 +30,7 @@ public:
   explicit Slot_table(std::size_t number_of_elements)
     : m_starts(number_of_blocks(number_of_elements))
   {
+    checked_index_bound(largest_number_of_slots());
   }
 
   /* The slot of an element; below `block_size` if it has none. */
@@ -41,7 +42,6 @@ public:
   Index add(Index i)
   {
     const Index start = static_cast<Index>(m_number_of_slots);
-    checked_index_bound(m_number_of_slots + block_size);
     m_starts[block(i)] = start;
     m_number_of_slots += block_size;
     return start;
@@ -58,6 +58,7 @@ public:
   {
     if(number_of_blocks(number_of_elements) > m_starts.size())
       m_starts.resize(number_of_blocks(number_of_elements));
+    checked_index_bound(largest_number_of_slots());
   }
 
 private:
