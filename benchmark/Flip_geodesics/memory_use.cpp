@@ -19,6 +19,10 @@
 #include <unistd.h>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace {
 
 namespace FG = CGAL::Flip_geodesics;
@@ -34,6 +38,15 @@ long long resident_bytes()
   if(!(file >> size >> resident))
     throw std::runtime_error("/proc/self/statm cannot be read");
   return resident * sysconf(_SC_PAGESIZE);
+}
+
+// Resident memory without what was freed and is kept for reuse, so that what is taken later shows.
+long long resident_bytes_in_use()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+  return resident_bytes();
 }
 
 /// The vertex that is farthest from `source` in space.
@@ -83,16 +96,16 @@ struct Workspace
 
 void measure(const std::string& name)
 {
-  const long long before = resident_bytes();
+  const long long before = resident_bytes_in_use();
   const Mesh mesh = benchmark_meshes::make_mesh(name);
   const Index target = farthest_vertex(mesh, 0);
-  const long long with_mesh = resident_bytes();
+  const long long with_mesh = resident_bytes_in_use();
   auto workspace = std::make_unique<Workspace>(mesh);
   const long long constructed = resident_bytes();
   const std::size_t segments = workspace->query(0, target);
   const long long queried = resident_bytes();
   workspace.reset();
-  const long long empty = resident_bytes();
+  const long long empty = resident_bytes_in_use();
   workspace = std::make_unique<Workspace>(mesh);
   workspace->touch_all();
   const long long touched = resident_bytes() - empty;

@@ -19,8 +19,10 @@ import pathlib
 import statistics
 import subprocess
 
-STAGES = ["dijkstra_s", "search_s", "shorten_s", "extract_s", "certify_s"]
-COLORS = {"dijkstra": "#888888", "search": "#0072b2", "shorten": "#d55e00", "extract": "#009e73", "certify": "#cc79a7"}
+STAGES = ["dijkstra_s", "search_s", "shorten_s", "extract_s", "certify_s", "fresh_s"]
+COLORS = {"dijkstra": "#888888", "search": "#0072b2", "shorten": "#d55e00", "extract": "#009e73", "certify": "#cc79a7",
+          "fresh": "#000000"}
+TITLES = {"dijkstra": "Dijkstra's algorithm, for comparison", "fresh": "geodesic_path(), all of it"}
 
 
 def read_table(path):
@@ -62,8 +64,7 @@ def stage_series(rows, x, style):
     for stage in STAGES:
         name = stage[:-2]
         points = [(row[x], 1e3 * float(row[stage])) for row in rows if float(row[stage]) > 0]
-        title = "Dijkstra's algorithm, for comparison" if name == "dijkstra" else name
-        result.append((title, f"{style} lc rgb '{COLORS[name]}'", points))
+        result.append((TITLES.get(name, name), f"{style} lc rgb '{COLORS[name]}'", points))
     return result
 
 
@@ -104,15 +105,26 @@ def draw_opponents(tables, out, name):
         print(f"{name}, {method}: geodesic {good} of {len(rows)}, time over Dijkstra {ratio:.3g}")
 
 
+def time_of_a_flip(rows):
+    """Nanoseconds, all that FlipOut does included, on paths of 50 to 300 segments; NaN if there are none."""
+    rows = [row for row in rows if 50 <= int(row["segments"]) <= 300]
+    flips = sum(int(row["flips"]) for row in rows)
+    return 1e9 * sum(float(row["steps_s"]) for row in rows) / flips if flips else math.nan
+
+
 def print_stages(tables):
-    print("mesh | triangles | m | flips | " + " | ".join(s[:-2] + " ms" for s in STAGES) + " | query over Dijkstra")
+    print("mesh | triangles | m | flips | " + " | ".join(s[:-2] + " ms" for s in STAGES) +
+          " | query over Dijkstra | all of it over Dijkstra | a flip of the steps, ns")
     for search in ("lookback", "astar"):
         rows = read_table(tables / f"stages_{search}.csv")
         for row in rows:
             row["ratio"] = sum(float(row[s]) for s in ("search_s", "shorten_s", "extract_s")) / float(row["dijkstra_s"])
-        for mesh, m in medians(rows, "mesh", ["triangles", "edge_segments", "flips", "ratio", *STAGES]):
+            row["fresh_ratio"] = float(row["fresh_s"]) / float(row["dijkstra_s"])
+        for mesh, m in medians(rows, "mesh", ["triangles", "edge_segments", "flips", "ratio", "fresh_ratio", *STAGES]):
+            flip = time_of_a_flip([row for row in rows if row["mesh"] == mesh]) if search == "astar" else math.nan
             print(f"{search} {mesh} | {m['triangles']:.0f} | {m['edge_segments']:.0f} | {m['flips']:.0f} | " +
-                  " | ".join(f"{1e3 * m[s]:.3g}" for s in STAGES) + f" | {m['ratio']:.3f}")
+                  " | ".join(f"{1e3 * m[s]:.3g}" for s in STAGES) +
+                  f" | {m['ratio']:.3f} | {m['fresh_ratio']:.3f} | {flip:.0f}")
 
 
 def main():
