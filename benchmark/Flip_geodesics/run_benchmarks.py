@@ -35,7 +35,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programs", type=pathlib.Path, required=True, help="the folder with the built benchmarks")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the folder for the tables")
-    parser.add_argument("--all", action="store_true", help="large meshes as well; takes about half an hour")
+    parser.add_argument("--all", action="store_true", help="large meshes as well; takes about twenty minutes")
     parser.add_argument("--meshes", nargs="*", default=[], help="further mesh files")
     return parser.parse_args()
 
