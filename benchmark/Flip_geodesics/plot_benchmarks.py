@@ -22,7 +22,7 @@ import subprocess
 STAGES = ["dijkstra_s", "search_s", "shorten_s", "extract_s", "certify_s", "fresh_s"]
 COLORS = {"dijkstra": "#888888", "search": "#0072b2", "shorten": "#d55e00", "extract": "#009e73", "certify": "#cc79a7",
           "fresh": "#000000"}
-TITLES = {"dijkstra": "Dijkstra's algorithm, for comparison", "fresh": "geodesic_path(), all of it"}
+TITLES = {"dijkstra": "Dijkstra's algorithm", "fresh": "a whole call"}
 
 
 def read_table(path):
