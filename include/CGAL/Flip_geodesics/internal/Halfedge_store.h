@@ -108,8 +108,7 @@ public:
   /* The halfedge with a slot that is taken. */
   Index halfedge(Slot s) const { return (second_side(s).of_edge[1] & ~1) | (static_cast<Index>(s) & 1); }
 
-  /* The record of a halfedge or of a slot that is taken, whose face is copied if need be. The latter is
-   * in each step of a walk. */
+  /* The record of a halfedge, or of a slot that is taken, as in each step of a walk; its face is copied if need be. */
   Record& known(Index h)
   {
     Record& record = (*this)[slot(h)];
