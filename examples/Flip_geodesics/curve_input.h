@@ -3,11 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_INPUT_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_INPUT_H
 
+#include "curve_requests.h"
 #include "mesh_input.h"
-
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 
 #include <cstdint>
 #include <fstream>
@@ -19,28 +16,6 @@
 
 // Which curves the program is to compute: read from files or drawn at random, and checked before the first is computed.
 namespace program {
-
-using CGAL::Flip_geodesics::Index;
-
-/// A curve to compute. Two vertices of a pair need not be neighbours; those of a curve given by its edges are.
-struct Curve_request
-{
-  std::string name;            ///< for messages: where it comes from
-  std::vector<Index> vertices; ///< a closed curve does not repeat the first
-  bool is_pair = false;
-  bool is_closed = false;
-  std::vector<CGAL::Flip_geodesics::Surface_location> points; ///< instead of vertices: points anywhere
-  bool is_drawn = false;                                      ///< are the points those of a polyline?
-  std::optional<CGAL::Flip_geodesics::Spline_kind> spline; ///< of the points, if they are control points
-};
-
-/// Curves that are shortened together, with the vertices where they are fixed; or instead the source of a tree.
-struct Network_request
-{
-  std::vector<Curve_request> curves;
-  std::vector<Index> fixed_vertices;
-  std::optional<Index> tree_source;
-};
 
 /// Vertices joined by edges, as a union-find forest: pairs in different components have no geodesic.
 class Components

@@ -3,11 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H
 
-#include "curve_input.h"
+#include "curve_engine.h"
 #include "mesh_results.h"
 #include "progress.h"
-#include "scene.h"
 #include "shortening_recorder.h"
+#include "soup_checks.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
@@ -36,46 +36,6 @@
 // Computes the curves: each by itself on the same triangulation, whose flips are taken back in between, or a network.
 namespace program {
 
-/// A point of a curve: where on the input, (1 - t) a + t b, and where in space.
-struct Curve_point
-{
-  CGAL::Flip_geodesics::Surface_point on_surface;
-  Point_3 in_space;
-  bool is_stop = false; ///< not where an edge is crossed
-};
-
-/// What became of a curve.
-struct Curve_result
-{
-  std::string name;
-  Index source = CGAL::Flip_geodesics::null_index; ///< -1 if it is closed or starts at no vertex
-  Index target = CGAL::Flip_geodesics::null_index;
-  std::size_t initial_segments = 0;
-  double initial_length = std::numeric_limits<double>::quiet_NaN();
-  double length = std::numeric_limits<double>::quiet_NaN();
-  std::size_t flips = 0, flip_outs = 0; ///< of the whole run if it is a network
-  double smallest_angle = std::numeric_limits<double>::quiet_NaN();
-  std::string status = "ERROR";
-  std::string certificate = "none";                  ///< the verdict of `certify()`, if it was asked for
-  bool is_closed = false, is_of_tree = false;
-  double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
-  std::string error;                                 ///< why the status is ERROR
-  std::vector<Curve_point> points;
-
-  bool is_error() const { return status == "ERROR"; }
-};
-
-struct Run_options
-{
-  CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
-  bool is_certifying = false;
-  std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
-  bool is_shortest = false;          ///< replace paths of a tree that are not globally shortest
-  int rounds = 5;                    ///< how often the pieces of splines are halved
-  bool is_snapped = false;           ///< move polylines to edges, and do not insert their points
-  Mesh_result_options meshes;
-};
-
 /// Passes flips on to the progress, and steps to a recorder if there is one.
 template <class Network>
 class Recording_visitor : public Progress_visitor
@@ -97,22 +57,16 @@ private:
   std::optional<Shortening_recorder<Network>>& m_recorder;
 };
 
-/// The mesh's own metric.
-using Metric = CGAL::Flip_geodesics::Embedded_metric<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point_3>>;
-
-/*!
- * \tparam Traits the kernel to compute with, a model of `IntrinsicTriangulationTraits`
- * \tparam Metric_ the metric to compute in, a model of `IntrinsicMetric` with points
- */
-template <class Traits, class Metric_>
-class Curve_runner
+/// \tparam Traits the arithmetic, a model of `IntrinsicTriangulationTraits`
+template <class Traits>
+class Curve_runner : public Curve_engine
 {
-  using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Metric_>;
+  using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Program_metric>;
   using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
   using Recorder = std::optional<Shortening_recorder<Network>>;
 
 public:
-  Curve_runner(const Mesh& mesh, const Metric_& metric, const Run_options& options, Progress& progress)
+  Curve_runner(const Mesh& mesh, const Program_metric& metric, const Run_options& options, Progress& progress)
     : m_mesh(mesh)
     , m_metric(metric)
     , m_options(options)
@@ -122,25 +76,19 @@ public:
   {
   }
 
-  /// Computes a curve by itself. A failure is a result with the status ERROR.
-  Curve_result run(const Curve_request& request) { return run(Network_request{{request}, {}, {}}).front(); }
-
-  /// Computes curves that are shortened together. A failure is one of all of them.
-  std::vector<Curve_result> run(const Network_request& request)
+  std::vector<Curve_result> run(const Network_request& request) override
   {
     std::vector<Curve_result> results;
     for(const Curve_request& curve : request.curves)
       results.push_back(make_result(curve));
-    m_record.reset();
-    m_map.reset();
+    forget_last_run();
     try {
       if(may_have_free_legs(request) && m_most_recorded_points == 0)
         run_free_legs(request.curves.front(), results.front());
       else
         run_network(request, results);
     } catch(const std::exception& error) {
-      m_record.reset();
-      m_map.reset();
+      forget_last_run();
       if(request.tree_source)
         results.assign(1, tree_result(*request.tree_source));
       for(Curve_result& result : results)
@@ -150,24 +98,7 @@ public:
     return results;
   }
 
-  /// What was done to the triangulation of the last run, for people.
-  const std::string& mesh_results() const { return m_mesh_results; }
-
-  /// Has the steps of the next runs recorded, in up to so many points per run; 0 is none.
-  void set_most_recorded_points(std::size_t count) { m_most_recorded_points = count; }
-
-  /// Has meshes with the edges of the next runs written to files; null for none.
-  void set_mesh_files(Mesh_files* files) { m_mesh_files = files; }
-
-  /// The record of the last run, if it was wanted and has not failed.
-  const std::optional<Shortening_record>& record() const { return m_record; }
-
-  /// The map of the last run, if it was that of a tree and has not failed.
-  const std::optional<CGAL::Flip_geodesics::Logarithmic_map>& map() const { return m_map; }
-
-  /// Looks for curves that cross, which no order of their strands can mend. Paths between points are found, not given:
-  /// where those of one curve cross, it alone fails when it is computed. \throws Bad_input
-  void check(const Network_request& request)
+  void check(const Network_request& request) override
   {
     if(!request.curves.empty() && !request.curves.front().points.empty())
       return;
@@ -189,6 +120,14 @@ public:
   }
 
 private:
+  void forget_last_run()
+  {
+    m_record.reset();
+    m_map.reset();
+    m_meshes = Result_meshes();
+    m_mesh_results.clear();
+  }
+
   static Curve_result make_result(const Curve_request& request)
   {
     Curve_result result;
@@ -283,8 +222,7 @@ private:
     extract(network, results);
     m_mesh_results = improve_triangulation(m_options.meshes, network);
     record(network, recorder);
-    if(m_mesh_files)
-      m_mesh_files->write(m_mesh, network);
+    m_meshes = result_meshes(m_options.meshes, m_mesh, network);
     network.clear();
     m_triangulation.rollback();
   }
@@ -482,14 +420,9 @@ private:
   }
 
   const Mesh& m_mesh;
-  Metric_ m_metric;
+  const Program_metric& m_metric;
   Run_options m_options;
   Progress& m_progress;
-  std::size_t m_most_recorded_points = 0;
-  std::optional<Shortening_record> m_record;
-  std::string m_mesh_results;
-  Mesh_files* m_mesh_files = nullptr;
-  std::optional<CGAL::Flip_geodesics::Logarithmic_map> m_map;
   Triangulation m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
 };

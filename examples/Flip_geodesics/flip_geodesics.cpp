@@ -4,29 +4,20 @@
 //
 // Exit status: 0 on success, 1 if a curve could not be computed (the others are written), 2 on bad input.
 
-#include "curve_input.h"
-#include "curve_runner.h"
-#include "data_input.h"
-#include "drawn_input.h"
-#include "mesh_input.h"
-#include "page_file.h"
+#include "curve_engine.h"
 #include "parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
-#include "point_input.h"
+#include "program_input.h"
+#include "program_options.h"
+#include "program_output.h"
 #include "progress.h"
-#include "result_files.h"
-#include "run_summary.h"
-#include "viewer_files.h"
-
-#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Mollified_metric.h>
+#include "soup_checks.h"
 
 #include <CGAL/assertions_behaviour.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -39,25 +30,6 @@ namespace {
 using namespace program;
 
 constexpr int success = 0, incomplete = 1, bad_input = 2;
-
-struct Options
-{
-  std::string mesh;
-  std::optional<long long> from, to;
-  std::string pairs, edges, loop, network, segmentation, points, bezier, draw;
-  bool is_snapped = false;
-  std::optional<int> rounds;
-  bool has_seams = false, has_free_junctions = false, is_shortest = false;
-  std::optional<long long> source;
-  std::optional<long long> random;
-  long long seed = 1;
-  std::string kernel = "double", search = "lookback";
-  std::optional<double> stop_length, mollify;
-  int threads = 1;
-  std::string polylines, stats, viewer, page, map;
-  Mesh_result_options meshes;
-  bool is_quiet = false;
-};
 
 void add_options(CLI::App& app, Options& options)
 {
@@ -78,10 +50,12 @@ void add_options(CLI::App& app, Options& options)
       "--bezier", options.bezier,
       "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
   app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved; 5 if not given");
-  app.add_option("--draw", options.draw,
-                 "File: a polyline per line, drawn on the mesh and pulled tight: points as above, after `o` closed; or, in "
-                 "a file .polylines.txt, points in space");
-  app.add_flag("--snap", options.is_snapped, "Move the polylines of --draw to edges first, and do not insert their points");
+  app.add_option(
+      "--draw", options.draw,
+      "File: a polyline per line, drawn on the mesh and pulled tight: points as above, after `o` closed; or, in "
+      "a file .polylines.txt, points in space");
+  app.add_flag("--snap", options.is_snapped,
+               "Move the polylines of --draw to edges first, and do not insert their points");
   app.add_option("--segmentation", options.segmentation,
                  "File: a label per line for each face; the network of the boundaries between labels");
   app.add_flag("--free-junctions", options.has_free_junctions,
@@ -99,14 +73,16 @@ void add_options(CLI::App& app, Options& options)
       ->capture_default_str();
   app.add_option("--stop-length", options.stop_length,
                  "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
-  app.add_option("--map", options.map,
+  app.add_option("--map", options.results.map,
                  "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
   app.add_option("--threads", options.threads, "Compute so many curves at the same time")->capture_default_str();
-  app.add_option("--polylines", options.polylines, "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
-  app.add_option("--stats", options.stats, "Write a line per curve, comma-separated, with a header");
-  app.add_option("--mesh", options.viewer,
+  app.add_option("--polylines", options.results.polylines,
+                 "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
+  app.add_option("--stats", options.results.stats, "Write a line per curve, comma-separated, with a header");
+  app.add_option("--mesh", options.results.viewer,
                  "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
-  app.add_option("--page", options.page, "Write a page for a browser: surface, curves, and the flips step by step");
+  app.add_option("--page", options.results.page,
+                 "Write a page for a browser: surface, curves, and the flips step by step");
   app.add_flag("--delaunay", options.meshes.is_delaunay, "Flip the other edges to constrained Delaunay");
   app.add_option("--refine", options.meshes.refine, "Insert vertices until no angle is smaller, in degrees");
   app.add_option("--longest-edge", options.meshes.longest_edge, "With --refine: until no edge is longer, too");
@@ -135,14 +111,31 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 void check_names_of_results(const Options& options)
 {
   std::vector<std::string> names;
-  for(const std::string& name : {options.polylines, options.stats, options.viewer, options.page, options.map,
-                                 options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
+  for(const std::string& name :
+      {options.results.polylines, options.results.stats, options.results.viewer, options.results.page,
+       options.results.map, options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
     if(!name.empty())
       names.push_back(name);
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if(twice != names.end())
     throw Bad_input(*twice + ": two results cannot go to one file; name another one");
+}
+
+void check_mesh_results(const Mesh_result_options& options)
+{
+  if(options.refine && !(*options.refine >= 0 && *options.refine <= 30))
+    throw Bad_input("--refine takes the smallest angle, in degrees, between 0 and 30");
+  if((options.longest_edge || options.most_vertices) && !options.refine)
+    throw Bad_input("--longest-edge and --most-vertices belong to --refine; give an angle, 0 for any");
+  if(options.longest_edge && !(*options.longest_edge > 0))
+    throw Bad_input("--longest-edge must be greater than 0");
+  if(options.most_vertices && *options.most_vertices < 0)
+    throw Bad_input("--most-vertices must not be negative");
+  const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};
+  for(const std::string& name : {options.subdivision, options.insertion, options.cut})
+    if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
+      throw Bad_input(name + ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
 }
 
 void check_options(const Options& options)
@@ -155,7 +148,7 @@ void check_options(const Options& options)
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --draw, --segmentation, --seams, --source");
-  if(!options.source && (options.is_shortest || !options.map.empty()))
+  if(!options.source && (options.is_shortest || !options.results.map.empty()))
     throw Bad_input("--shortest and --map belong to --source; give a source");
   if(options.source && options.stop_length)
     throw Bad_input("--stop-length is of no use with --source; leave one of them out");
@@ -189,197 +182,68 @@ void check_options(const Options& options)
     throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
   check_mesh_results(options.meshes);
   check_names_of_results(options);
-  if(options.threads > 1 && !options.page.empty())
+  if(options.threads > 1 && !options.results.page.empty())
     throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
 }
 
-// The independent runs: one curve each, or all curves of a network.
-std::vector<Network_request> read_requests(const Options& options, const Mesh& mesh)
+// What becomes of the curves, and a line for people above them.
+int run(const Options& options, const Mesh& mesh, const Program_metric& metric, const std::string& title)
 {
-  if(!options.network.empty())
-    return {read_network(mesh, options.network)};
-  if(!options.segmentation.empty())
-    return {read_segmentation(mesh, options.segmentation, options.has_free_junctions)};
-  if(options.has_seams)
-    return {read_seams(mesh, options.mesh)};
-  if(options.source)
-    return {tree_request(mesh, *options.source)};
-  const std::vector<Curve_request> curves =
-      options.random            ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))
-      : !options.pairs.empty()  ? read_pairs(mesh, options.pairs)
-      : !options.points.empty() ? read_point_curves(mesh, options.points, false)
-      : !options.bezier.empty() ? read_point_curves(mesh, options.bezier, true)
-      : !options.draw.empty()   ? read_drawn_curves(mesh, options.draw)
-      : !options.edges.empty()  ? read_curves(mesh, options.edges, false)
-      : !options.loop.empty()   ? read_curves(mesh, options.loop, true)
-                                : single_pair(mesh, *options.from, *options.to);
-  std::vector<Network_request> requests;
-  for(const Curve_request& curve : curves)
-    requests.push_back({{curve}, {}, {}});
-  return requests;
-}
-
-/// Where the results go.
-class Outputs
-{
-public:
-  explicit Outputs(const Options& options)
-    : m_polylines(options.polylines)
-    , m_stats(options.stats)
-    , m_viewer(options.viewer)
-    , m_page(options.page)
-    , m_map(options.map)
-    , m_meshes(options.meshes)
-  {
-    m_scene.title = options.mesh.substr(options.mesh.find_last_of("/\\") + 1);
-  }
-
-  /// How many points of the next run are to be recorded for the page.
-  std::size_t most_recorded_points() const { return m_page.is_wanted() ? m_most_recorded_points : 0; }
-
-  void write(const std::vector<Curve_result>& run, const std::optional<Shortening_record>& record)
-  {
-    for(std::size_t i = 0; i < run.size(); ++i, ++m_curve) {
-      m_polylines.write(m_curve, run[i]);
-      m_stats.write(m_curve, run[i]);
-      m_summary.add(m_curve, run[i], i > 0);
-      if(m_viewer.is_wanted() || m_page.is_wanted())
-        m_scene.curves.push_back(scene_curve(run[i]));
-      if(run[i].is_error())
-        std::cerr << "flip_geodesics: curve " << m_curve << " (" << run[i].name << "): " << run[i].error << '\n';
-      m_has_failed = m_has_failed || run[i].is_error();
-    }
-    ++m_run;
-    if(!m_page.is_wanted())
-      return;
-    m_scene.records.push_back(record.value_or(Shortening_record()));
-    m_most_recorded_points -= (std::min)(m_most_recorded_points, number_of_points(m_scene.records.back()));
-  }
-
-  void write(const CGAL::Flip_geodesics::Logarithmic_map& map) { m_map.write(map); }
-
-  Mesh_files& mesh_files() { return m_meshes; }
-
-  void close(const Mesh& mesh)
-  {
-    m_map.close();
-    m_polylines.close();
-    m_stats.close();
-    m_meshes.close();
-    m_viewer.write(mesh, m_scene);
-    m_page.write(mesh, m_scene);
-  }
-
-  const Run_summary& summary() const { return m_summary; }
-  bool has_failed() const { return m_has_failed; }
-
-private:
-  Scene_curve scene_curve(const Curve_result& r) const
-  {
-    Scene_curve curve = {m_curve,
-                         r.name,
-                         r.status,
-                         r.certificate,
-                         r.initial_length,
-                         r.length,
-                         r.flips,
-                         r.is_closed,
-                         r.is_of_tree,
-                         m_run,
-                         {}};
-    for(const Curve_point& p : r.points)
-      curve.points.push_back(p.in_space);
-    return curve;
-  }
-
-  Polylines_file m_polylines;
-  Stats_file m_stats;
-  Viewer_file m_viewer;
-  Page_file m_page;
-  Map_file m_map;
-  Mesh_files m_meshes;
-  Scene m_scene;
-  std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
-  Run_summary m_summary;
-  std::size_t m_curve = 0;
-  bool m_has_failed = false;
-};
-
-// `title` is printed above the table.
-template <class Traits, class Metric_>
-int run(const Options& options, const Mesh& mesh, const Metric_& metric, const std::vector<Network_request>& requests,
-        const std::string& title)
-{
-  std::size_t number_of_curves = 0;
-  for(const Network_request& request : requests)
-    number_of_curves += request.curves.size();
-  const CGAL::Flip_geodesics::Search_method search = search_method(options.search);
-  Progress progress(number_of_curves, options.is_quiet);
-  const bool is_certifying = options.kernel == "certified";
-  using Runner = Curve_runner<Traits, Metric_>;
-  const auto make_runner = [&] {
-    return std::make_unique<Runner>(
-        mesh, metric,
-        Run_options{search, is_certifying, options.stop_length, options.is_shortest, options.rounds.value_or(5), options.is_snapped, options.meshes},
-        progress);
-  };
-  const std::unique_ptr<Runner> runner = make_runner();
-  for(const Network_request& request : requests)
-    if(!request.tree_source && !request.curves.front().is_pair)
-      runner->check(request);
-
-  Outputs outputs(options);
-  runner->set_mesh_files(&outputs.mesh_files());
-  const auto write = [&](const Network_request& request, const std::vector<Curve_result>& results) {
-    outputs.write(results, runner->record());
-    if(runner->map())
-      outputs.write(*runner->map());
-    progress.add_curves(request.curves.size());
-  };
-  if(options.threads > 1 && requests.size() > 1) {
-    run_in_parallel(requests, options.threads, make_runner, write);
-  } else {
-    for(const Network_request& request : requests) {
-      runner->set_most_recorded_points(outputs.most_recorded_points());
-      write(request, runner->run(request));
-    }
-  }
-  outputs.close(mesh);
-  if(!options.is_quiet) {
-    outputs.summary().print(std::cout << title);
-    std::cout << runner->mesh_results();
-  }
-  return outputs.has_failed() ? incomplete : success;
-}
-
-template <class Metric_>
-int run(const Options& options, const Mesh& mesh, const Metric_& metric, const std::string& title)
-{
-  namespace FG = CGAL::Flip_geodesics;
   const std::vector<Network_request> requests = read_requests(options, mesh);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
     throw Bad_input("--delaunay, --refine, --subdivision, --insert and --cut take one curve, or a network of several");
-  if(options.kernel == "certified")
-    return run<FG::Certified_intrinsic_triangulation_traits<Kernel>>(options, mesh, metric, requests, title);
-  return run<FG::Intrinsic_triangulation_traits<Kernel>>(options, mesh, metric, requests, title);
+  std::size_t number_of_curves = 0;
+  for(const Network_request& request : requests)
+    number_of_curves += request.curves.size();
+  Progress progress(number_of_curves, options.is_quiet);
+  const bool is_certified = options.kernel == "certified";
+  const Run_options run_options = {
+      search_method(options.search), is_certified,       options.stop_length, options.is_shortest,
+      options.rounds.value_or(5),    options.is_snapped, options.meshes};
+  const auto make_engine = [&] {
+    return (is_certified ? make_certified_engine : make_double_engine)(mesh, metric, run_options, progress);
+  };
+  const std::unique_ptr<Curve_engine> engine = make_engine();
+  for(const Network_request& request : requests)
+    if(!request.tree_source && !request.curves.front().is_pair)
+      engine->check(request);
+
+  const std::unique_ptr<Outputs> outputs = make_outputs(options);
+  const auto write = [&](const Network_request& request, const std::vector<Curve_result>& results) {
+    outputs->write(results, engine->record());
+    if(engine->map())
+      outputs->write(*engine->map());
+    outputs->write(engine->meshes());
+    progress.add_curves(request.curves.size());
+  };
+  if(options.threads > 1 && requests.size() > 1) {
+    run_in_parallel(requests, options.threads, make_engine, write);
+  } else {
+    for(const Network_request& request : requests) {
+      engine->set_most_recorded_points(outputs->most_recorded_points());
+      write(request, engine->run(request));
+    }
+  }
+  outputs->close(mesh);
+  if(!options.is_quiet) {
+    outputs->print_summary(std::cout << title);
+    std::cout << engine->mesh_results();
+  }
+  return outputs->has_failed() ? incomplete : success;
 }
 
 int run(const Options& options)
 {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mesh mesh = read_mesh(options.mesh);
+  const Mesh mesh = read_input_mesh(options);
   std::ostringstream title;
   title << options.mesh << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
         << " triangles, read in " << stopwatch.seconds() << " s\n";
-  const Metric metric(mesh.points());
-  if(!options.mollify)
-    return run(options, mesh, metric, title.str());
-  //! [Mollified metric]
-  const CGAL::Flip_geodesics::Mollified_metric<Metric> mollified(mesh, metric, *options.mollify);
-  title << mollified.added_length() << " added to the length of every edge\n";
-  //! [Mollified metric]
-  return run(options, mesh, mollified, title.str());
+  const Program_metric metric(mesh, options.mollify);
+  if(options.mollify)
+    title << metric.added_length() << " added to the length of every edge\n";
+  return run(options, mesh, metric, title.str());
 }
 
 } // namespace

@@ -4,12 +4,11 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_MESH_INPUT_H
 
 #include "memory_limit.h"
+#include "program_mesh.h"
 #include "soup_checks.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cctype>
@@ -26,20 +25,6 @@
 // Reads the mesh of the program: anything that CGAL reads, as a soup first, so that an error can name its element and
 // vertices keep the numbers that they have in the file.
 namespace program {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
-
-/// The extension of a file name in lower case, without the dot.
-inline std::string extension(const std::string& file)
-{
-  const std::size_t dot = file.find_last_of("./\\");
-  std::string result = dot == std::string::npos || file[dot] != '.' ? "" : file.substr(dot + 1);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// The beginning of a text, on one line.
 inline std::string printable(const std::string& text)

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_RESULT_FILES_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_RESULT_FILES_H
 
-#include "curve_runner.h"
+#include "curve_engine.h"
 #include "output_file.h"
 
 #include <string>

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_RUN_SUMMARY_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_RUN_SUMMARY_H
 
-#include "curve_runner.h"
+#include "curve_engine.h"
 
 #include <algorithm>
 #include <cstdio>

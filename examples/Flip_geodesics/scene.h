@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_SCENE_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_SCENE_H
 
-#include "mesh_input.h"
+#include "program_mesh.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "../curve_input.h"
+#include "../data_input.h"
+#include "../drawn_input.h"
+#include "../mesh_input.h"
+#include "../point_input.h"
+#include "../program_input.h"
+
+#include <cstddef>
+#include <cstdint>
+
+program::Mesh program::read_input_mesh(const Options& options) { return read_mesh(options.mesh); }
+
+std::vector<program::Network_request> program::read_requests(const Options& options, const Mesh& mesh)
+{
+  if(!options.network.empty())
+    return {read_network(mesh, options.network)};
+  if(!options.segmentation.empty())
+    return {read_segmentation(mesh, options.segmentation, options.has_free_junctions)};
+  if(options.has_seams)
+    return {read_seams(mesh, options.mesh)};
+  if(options.source)
+    return {tree_request(mesh, *options.source)};
+  const std::vector<Curve_request> curves =
+      options.random
+          ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))
+      : !options.pairs.empty()  ? read_pairs(mesh, options.pairs)
+      : !options.points.empty() ? read_point_curves(mesh, options.points, false)
+      : !options.bezier.empty() ? read_point_curves(mesh, options.bezier, true)
+      : !options.draw.empty()   ? read_drawn_curves(mesh, options.draw)
+      : !options.edges.empty()  ? read_curves(mesh, options.edges, false)
+      : !options.loop.empty()   ? read_curves(mesh, options.loop, true)
+                                : single_pair(mesh, *options.from, *options.to);
+  std::vector<Network_request> requests;
+  for(const Curve_request& curve : curves)
+    requests.push_back({{curve}, {}, {}});
+  return requests;
+}
