@@ -4,14 +4,16 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_INPUT_H
 
 #include "curve_requests.h"
-#include "mesh_input.h"
+#include "input_text.h"
+#include "program_mesh.h"
+#include "text_scanner.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <random>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // Which curves the program is to compute: read from files or drawn at random, and checked before the first is computed.
@@ -75,46 +77,41 @@ inline void check_chain(const Mesh& mesh, const Curve_request& curve)
   }
 }
 
-inline void check_not_empty(const std::vector<Curve_request>& curves, const std::string& file)
+inline void check_not_empty(const std::vector<Curve_request>& curves, const Input_text& input)
 {
   if(curves.empty())
-    throw Bad_input(file + ": there is no curve in it; write one per line");
+    throw Bad_input(input.name() + ": there is no curve in it; write one per line");
 }
 
-inline void check_fixed_vertices(const Network_request& network, const std::string& file)
+inline void check_fixed_vertices(const Network_request& network, const Input_text& input)
 {
   for(Index v : network.fixed_vertices) {
     const bool is_passed = std::any_of(network.curves.begin(), network.curves.end(), [&](const Curve_request& curve) {
       return std::find(curve.vertices.begin(), curve.vertices.end(), v) != curve.vertices.end();
     });
     if(!is_passed)
-      throw Bad_input(file + ": no curve passes the fixed vertex " + std::to_string(v) + "; remove it, or correct it");
+      throw Bad_input(input.name() + ": no curve passes the fixed vertex " + std::to_string(v) +
+                      "; remove it, or correct it");
   }
 }
 
-// Calls `use(words, name)` for each line that is neither empty nor a comment.
+// Calls `use(words)` for each line that is neither empty nor a comment.
 template <class Function>
-void for_each_line(const std::string& file, Function use)
+void for_each_line(const Input_text& input, Function use)
 {
-  std::ifstream in(file);
-  if(!in || in.peek() == std::ifstream::traits_type::eof())
-    throw Bad_input(file + ": cannot be opened or is empty; check the path");
-  std::string line;
-  for(std::size_t number = 1; std::getline(in, line); ++number) {
-    std::istringstream words(line.substr(0, line.find('#')));
-    if(!(words >> std::ws).eof())
-      use(words, file + " line " + std::to_string(number));
-  }
+  Text_scanner words(input, '#');
+  while(words.next_line_with_words())
+    use(words);
 }
 
-inline std::vector<Index> read_vertices(const Mesh& mesh, std::istringstream& words, const std::string& name)
+inline std::vector<Index> read_vertices(const Mesh& mesh, Text_scanner& words)
 {
+  const std::string name = words.place();
   std::vector<Index> vertices;
-  for(std::string word; words >> word;) {
-    std::istringstream number(word);
+  for(std::string_view word; !(word = words.next_word()).empty();) {
     long long v = 0;
-    if(!(number >> v) || !number.eof())
-      throw Bad_input(name + ": '" + word + "' is not a vertex number; write 0-based numbers between blanks");
+    if(const char* const error = parse_number(word, v))
+      words.fail("'" + printable(word) + "' " + error + "; write 0-based numbers of vertices between blanks");
     check_vertex(mesh, v, name);
     vertices.push_back(static_cast<Index>(v));
   }
@@ -149,18 +146,18 @@ inline std::vector<Curve_request> single_pair(const Mesh& mesh, long long s, lon
 }
 
 /// Lines `s t`.
-inline std::vector<Curve_request> read_pairs(const Mesh& mesh, const std::string& file)
+inline std::vector<Curve_request> read_pairs(const Mesh& mesh, const Input_text& input)
 {
   Components components(mesh);
   std::vector<Curve_request> pairs;
-  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
-    const std::vector<Index> v = read_vertices(mesh, words, name);
+  for_each_line(input, [&](Text_scanner& words) {
+    const std::vector<Index> v = read_vertices(mesh, words);
     if(v.size() != 2)
-      throw Bad_input(name + ": a pair is two vertices, not " + std::to_string(v.size()) + "; write `source target`");
-    pairs.push_back(make_pair_request(mesh, v[0], v[1], name));
+      words.fail("a pair is two vertices, not " + std::to_string(v.size()) + "; write `source target`");
+    pairs.push_back(make_pair_request(mesh, v[0], v[1], words.place()));
     check_pair(components, pairs.back());
   });
-  check_not_empty(pairs, file);
+  check_not_empty(pairs, input);
   return pairs;
 }
 
@@ -189,46 +186,44 @@ inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t cou
 }
 
 /// Lines of vertices, each joined to the next by an edge. A closed curve may repeat its first vertex at the end.
-inline std::vector<Curve_request> read_curves(const Mesh& mesh, const std::string& file, bool are_closed)
+inline std::vector<Curve_request> read_curves(const Mesh& mesh, const Input_text& input, bool are_closed)
 {
   std::vector<Curve_request> curves;
-  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
+  for_each_line(input, [&](Text_scanner& words) {
     Curve_request curve;
-    curve.name = name;
-    curve.vertices = read_vertices(mesh, words, name);
+    curve.name = words.place();
+    curve.vertices = read_vertices(mesh, words);
     curve.is_closed = are_closed;
     if(are_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
       curve.vertices.pop_back();
     check_chain(mesh, curve);
     curves.push_back(curve);
   });
-  check_not_empty(curves, file);
+  check_not_empty(curves, input);
   return curves;
 }
 
 /// Lines of vertices as in `read_curves()`; after `o` the curve is closed, after `!` the vertices are fixed.
-inline Network_request read_network(const Mesh& mesh, const std::string& file)
+inline Network_request read_network(const Mesh& mesh, const Input_text& input)
 {
   Network_request network;
-  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
+  for_each_line(input, [&](Text_scanner& words) {
     Curve_request curve;
-    curve.name = name;
-    const char mark = static_cast<char>(words.peek());
-    if(mark == '!' || mark == 'o')
-      words.get();
-    curve.vertices = read_vertices(mesh, words, name);
-    if(mark == '!') {
+    curve.name = words.place();
+    const bool are_fixed = words.take('!');
+    curve.is_closed = !are_fixed && words.take('o');
+    curve.vertices = read_vertices(mesh, words);
+    if(are_fixed) {
       network.fixed_vertices.insert(network.fixed_vertices.end(), curve.vertices.begin(), curve.vertices.end());
       return;
     }
-    curve.is_closed = mark == 'o';
     if(curve.is_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
       curve.vertices.pop_back();
     check_chain(mesh, curve);
     network.curves.push_back(curve);
   });
-  check_not_empty(network.curves, file);
-  check_fixed_vertices(network, file);
+  check_not_empty(network.curves, input);
+  check_fixed_vertices(network, input);
   return network;
 }
 

@@ -10,16 +10,18 @@
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/version.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
 #else
 #include <CGAL/AABB_traits.h>
 #endif
 
-#include <cmath>
+#include <array>
 #include <optional>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // Files of polylines that are drawn on the mesh: lines of points as for --points, after `o` closed; or, in a file
@@ -61,55 +63,55 @@ private:
 
 /// A line of a file `.polylines.txt`: the number of points, and their coordinates. It is closed if the first point is
 /// repeated at the end.
-inline Curve_request read_polyline_in_space(std::istringstream& words, const std::string& name,
-                                            const Surface_projector& project)
+inline Curve_request read_polyline_in_space(Text_scanner& words, const Surface_projector& project)
 {
   Curve_request curve;
-  std::size_t count = 0;
-  words >> count;
+  long long count = 0;
+  if(parse_number(words.next_word(), count) != nullptr || count < 0)
+    words.fail("a polyline starts with its number of points; correct the line");
   std::vector<Point_3> points;
-  for(double x, y, z; points.size() < count && words >> x >> y >> z;)
-    points.emplace_back(x, y, z);
-  if(points.size() != count || !(words >> std::ws).eof())
-    throw Bad_input(name + ": a polyline is its number of points and three coordinates for each; correct the line");
+  while(static_cast<long long>(points.size()) < count) {
+    const Element element = {"point", points.size()};
+    std::array<double, 3> x;
+    for(double& coordinate : x)
+      coordinate = words.number<double>(words.next_word(), element);
+    points.emplace_back(x[0], x[1], x[2]);
+  }
+  if(words.has_word())
+    words.fail("there is more after the last of the points; a polyline is their number and three coordinates for each");
   curve.is_closed = count > 3 && points.front() == points.back();
   if(curve.is_closed)
     points.pop_back();
-  for(const Point_3& p : points) {
-    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
-      throw Bad_input(name + ": a coordinate is not finite; correct it");
+  for(const Point_3& p : points)
     curve.points.push_back(project(p));
-  }
   return curve;
 }
 
-inline Curve_request read_polyline_on_mesh(const Mesh& mesh, std::istringstream& words, const std::string& name)
+inline Curve_request read_polyline_on_mesh(const Mesh& mesh, Text_scanner& words, const std::string& name)
 {
   Curve_request curve;
-  curve.is_closed = words.peek() == 'o';
-  if(curve.is_closed)
-    words.get();
-  for(std::string word; words >> word;)
+  curve.is_closed = words.take('o');
+  for(std::string_view word; !(word = words.next_word()).empty();)
     curve.points.push_back(read_point(mesh, word, name));
   return curve;
 }
 
-inline std::vector<Curve_request> read_drawn_curves(const Mesh& mesh, const std::string& file)
+inline std::vector<Curve_request> read_drawn_curves(const Mesh& mesh, const Input_text& input)
 {
   const std::string ending = ".polylines.txt";
   std::optional<Surface_projector> project;
-  if(file.size() > ending.size() && file.compare(file.size() - ending.size(), ending.size(), ending) == 0)
+  if(boost::algorithm::ends_with(input.file, ending) && input.file != ending)
     project.emplace(mesh);
   std::vector<Curve_request> curves;
-  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
-    curves.push_back(project ? read_polyline_in_space(words, name, *project)
-                             : read_polyline_on_mesh(mesh, words, name));
+  for_each_line(input, [&](Text_scanner& words) {
+    const std::string name = words.place();
+    curves.push_back(project ? read_polyline_in_space(words, *project) : read_polyline_on_mesh(mesh, words, name));
     curves.back().name = name;
     curves.back().is_drawn = true;
     if(curves.back().points.size() < (curves.back().is_closed ? 3u : 2u))
-      throw Bad_input(name + ": a polyline needs two points, a closed one three; add points or remove the line");
+      words.fail("a polyline needs two points, a closed one three; add points or remove the line");
   });
-  check_not_empty(curves, file);
+  check_not_empty(curves, input);
   return curves;
 }
 

@@ -4,13 +4,15 @@
 //
 // Exit status: 0 on success, 1 if a curve could not be computed (the others are written), 2 on bad input.
 
+#include "bad_input.h"
 #include "curve_engine.h"
+#include "file_name.h"
 #include "parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
+#include "printable.h"
 #include "program_input.h"
 #include "program_options.h"
 #include "program_output.h"
 #include "progress.h"
-#include "soup_checks.h"
 
 #include <CGAL/assertions_behaviour.h>
 
@@ -104,7 +106,7 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
     return Search_method::A_STAR;
   if(name == "dijkstra")
     return Search_method::DIJKSTRA;
-  throw Bad_input("--search " + name + ": not known; use lookback, astar or dijkstra");
+  throw Bad_input("--search " + printable(name) + ": not known; use lookback, astar or dijkstra");
 }
 
 // Each result in a file of its own.
@@ -119,7 +121,7 @@ void check_names_of_results(const Options& options)
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if(twice != names.end())
-    throw Bad_input(*twice + ": two results cannot go to one file; name another one");
+    throw Bad_input(printable(*twice) + ": two results cannot go to one file; name another one");
 }
 
 void check_mesh_results(const Mesh_result_options& options)
@@ -135,7 +137,7 @@ void check_mesh_results(const Mesh_result_options& options)
   const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};
   for(const std::string& name : {options.subdivision, options.insertion, options.cut})
     if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
-      throw Bad_input(name + ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
+      throw Bad_input(printable(name) + ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
 }
 
 void check_options(const Options& options)
@@ -164,7 +166,7 @@ void check_options(const Options& options)
   if(options.seed < 0)
     throw Bad_input("--seed " + std::to_string(options.seed) + ": give 0 or more");
   if(options.kernel != "double" && options.kernel != "certified")
-    throw Bad_input("--kernel " + options.kernel + ": not known; use double or certified");
+    throw Bad_input("--kernel " + printable(options.kernel) + ": not known; use double or certified");
   if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
     throw Bad_input("--mollify must lie between 0 and 1");
   if(options.rounds && (*options.rounds < 0 || *options.rounds > 16))
@@ -238,7 +240,7 @@ int run(const Options& options)
   const Stopwatch stopwatch;
   const Mesh mesh = read_input_mesh(options);
   std::ostringstream title;
-  title << options.mesh << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
+  title << printable(options.mesh) << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
         << " triangles, read in " << stopwatch.seconds() << " s\n";
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
@@ -263,9 +265,9 @@ int main(int argc, char** argv)
     std::cout << app.help();
     return success;
   } catch(const CLI::ParseError& error) {
-    std::cerr << "flip_geodesics: " << error.what() << "; see --help\n";
+    std::cerr << "flip_geodesics: " << printable(error.what(), 300) << "; see --help\n";
   } catch(const std::exception& error) {
-    std::cerr << "flip_geodesics: " << error.what() << '\n';
+    std::cerr << "flip_geodesics: " << without_controls(error.what()) << '\n';
   }
   return bad_input;
 }

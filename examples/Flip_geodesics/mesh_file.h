@@ -3,20 +3,36 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_MESH_FILE_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_MESH_FILE_H
 
-#include "mesh_input.h"
+#include "file_name.h"
 #include "output_file.h"
-#include "program_options.h"
+#include "program_mesh.h"
 #include "vtp_file.h"
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <algorithm>
+#include <iostream>
 #include <limits>
 #include <ostream>
+#include <streambuf>
 #include <string>
-#include <vector>
 
 namespace program {
+
+/// While it lives, nothing that CGAL's writers say reaches standard error.
+class Silent_errors
+{
+public:
+  Silent_errors()
+    : m_buffer(std::cerr.rdbuf(nullptr))
+  {
+  }
+  Silent_errors(const Silent_errors&) = delete;
+  Silent_errors& operator=(const Silent_errors&) = delete;
+  ~Silent_errors() { std::cerr.rdbuf(m_buffer); }
+
+private:
+  std::streambuf* m_buffer;
+};
 
 /// A mesh without curves; the format follows from the extension, one of .off, .obj, .ply, .stl and .vtp.
 class Mesh_file
@@ -33,7 +49,7 @@ public:
 
   void write(const Mesh& mesh)
   {
-    const Captured_output captured;
+    const Silent_errors silent; // what goes wrong is seen by the state of the file
     std::ostream& out = m_file.stream();
     const auto digits = CGAL::parameters::stream_precision(std::numeric_limits<double>::max_digits10);
     if(m_format == "off")

@@ -3,7 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_OUTPUT_FILE_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_OUTPUT_FILE_H
 
-#include "soup_checks.h"
+#include "bad_input.h"
+#include "printable.h"
 
 #include <filesystem>
 #include <fstream>
@@ -37,7 +38,7 @@ public:
     m_out.open(m_is_direct ? m_name : part(), std::ios::binary);
     m_out.precision(std::numeric_limits<double>::max_digits10);
     if(!m_out || !may_be_written)
-      throw Bad_input(m_name + ": cannot be written; choose another place");
+      throw Bad_input(printable(m_name) + ": cannot be written; choose another place");
   }
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
@@ -63,7 +64,7 @@ public:
     if(m_out && !m_is_direct)
       std::filesystem::rename(part(), m_place, failure);
     if(!m_out || failure)
-      throw Bad_input(m_name + ": could not be written to its end; look for space on the disk");
+      throw Bad_input(printable(m_name) + ": could not be written to its end; look for space on the disk");
     m_is_finished = true;
   }
 

@@ -7,24 +7,30 @@
 
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 
-#include <sstream>
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
-// Files of points anywhere on the mesh: `v` is a vertex, `a,b,t` the point (1-t) a + t b of an edge, and `a,b,c,t,u` the
-// point (1-t-u) a + t b + u c of a face, as in the polylines that the program writes.
+// Files of points anywhere on the mesh: `v` is a vertex, `a,b,t` the point (1-t) a + t b of an edge, and `a,b,c,t,u`
+// the point (1-t-u) a + t b + u c of a face, as in the polylines that the program writes.
 namespace program {
 
-inline std::vector<double> read_numbers(const std::string& word, const std::string& name)
+[[noreturn]] inline void throw_no_point(std::string_view word, const std::string& name)
+{
+  throw Bad_input(name + ": '" + printable(word) +
+                  "' is not a point; write a vertex, a,b,t or a,b,c,t,u without blanks");
+}
+
+inline std::vector<double> read_numbers(std::string_view word, const std::string& name)
 {
   std::vector<double> numbers;
-  std::istringstream fields(word);
-  for(std::string field; std::getline(fields, field, ',');) {
-    std::istringstream number(field);
-    double x = 0;
-    if(!(number >> x) || !number.eof())
-      throw Bad_input(name + ": '" + word + "' is not a point; write a vertex, a,b,t or a,b,c,t,u without blanks");
-    numbers.push_back(x);
+  for(std::size_t start = 0, end = 0; end < word.size(); start = end + 1) {
+    end = (std::min)(word.find(',', start), word.size());
+    numbers.push_back(0);
+    if(parse_number(word.substr(start, end - start), numbers.back()) != nullptr)
+      throw_no_point(word, name);
   }
   return numbers;
 }
@@ -46,12 +52,12 @@ inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Index a, Index b,
   return is_of_face ? h : Mesh::null_halfedge();
 }
 
-inline CGAL::Flip_geodesics::Surface_location read_point(const Mesh& mesh, const std::string& word,
+inline CGAL::Flip_geodesics::Surface_location read_point(const Mesh& mesh, std::string_view word,
                                                          const std::string& name)
 {
   const std::vector<double> n = read_numbers(word, name);
   if(n.size() != 1 && n.size() != 3 && n.size() != 5)
-    throw Bad_input(name + ": '" + word + "' is not a point; write a vertex, a,b,t or a,b,c,t,u without blanks");
+    throw_no_point(word, name);
   const Index a = read_vertex(mesh, n[0], name);
   if(n.size() == 1) {
     const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(a));
@@ -62,39 +68,41 @@ inline CGAL::Flip_geodesics::Surface_location read_point(const Mesh& mesh, const
   const Index b = read_vertex(mesh, n[1], name), c = n.size() == 5 ? read_vertex(mesh, n[2], name) : -1;
   const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
   if(!(t >= 0 && u >= 0 && t + u <= 1))
-    throw Bad_input(name + ": '" + word + "' is outside; its coordinates must not be negative or sum to more than 1");
+    throw Bad_input(name + ": '" + printable(word) +
+                    "' is outside; its coordinates must not be negative or sum to more than 1");
   if(const auto h = halfedge_between(mesh, a, b, c); h != Mesh::null_halfedge())
     return {static_cast<Index>(h), {{1 - t - u, t, u}}};
   if(const auto h = halfedge_between(mesh, b, a, c); h != Mesh::null_halfedge())
     return {static_cast<Index>(h), {{t, 1 - t - u, u}}};
-  throw Bad_input(name + ": '" + word + "' names vertices that are not those of an edge or face; correct them");
+  throw Bad_input(name + ": '" + printable(word) +
+                  "' names vertices that are not those of an edge or face; correct them");
 }
 
 /// Lines of points. Those of splines are control points; `s` before them makes them those of a cubic B-spline, `o` of a
 /// closed one, and nothing those of a Bezier curve.
-inline std::vector<Curve_request> read_point_curves(const Mesh& mesh, const std::string& file, bool are_splines)
+inline std::vector<Curve_request> read_point_curves(const Mesh& mesh, const Input_text& input, bool are_splines)
 {
   using CGAL::Flip_geodesics::Spline_kind;
   std::vector<Curve_request> curves;
-  for_each_line(file, [&](std::istringstream& words, const std::string& name) {
+  for_each_line(input, [&](Text_scanner& words) {
+    const std::string name = words.place();
     Curve_request curve;
     curve.name = name;
     if(are_splines) {
       curve.spline = Spline_kind::BEZIER;
-      const char mark = static_cast<char>(words.peek());
-      if(mark == 's' || mark == 'o') {
-        words.get();
-        curve.spline = mark == 's' ? Spline_kind::CUBIC_B_SPLINE : Spline_kind::CLOSED_CUBIC_B_SPLINE;
-        curve.is_closed = mark == 'o';
-      }
+      curve.is_closed = words.take('o');
+      if(curve.is_closed)
+        curve.spline = Spline_kind::CLOSED_CUBIC_B_SPLINE;
+      else if(words.take('s'))
+        curve.spline = Spline_kind::CUBIC_B_SPLINE;
     }
-    for(std::string word; words >> word;)
+    for(std::string_view word; !(word = words.next_word()).empty();)
       curve.points.push_back(read_point(mesh, word, name));
     if(curve.points.size() < (curve.is_closed ? 3u : 2u))
-      throw Bad_input(name + ": a curve needs two points, a closed one three; add points or remove the line");
+      words.fail("a curve needs two points, a closed one three; add points or remove the line");
     curves.push_back(curve);
   });
-  check_not_empty(curves, file);
+  check_not_empty(curves, input);
   return curves;
 }
 

@@ -3,7 +3,7 @@
 # cmake -D PROGRAM=... -D ARGUMENTS=a|b|... -D STATUS=n -D PATTERN=regex -P run_program.cmake
 #
 # Fails unless the program exits with STATUS and prints something like PATTERN: on standard output if STATUS is 0, else
-# on standard error, where bad input (2) must be told in one line and print nothing else.
+# on standard error, where bad input (2) must be told in one line without control characters and print nothing else.
 
 string(REPLACE "|" ";" arguments "${ARGUMENTS}")
 execute_process(
@@ -21,6 +21,10 @@ else()
 endif()
 if(NOT text MATCHES "${PATTERN}")
   message(FATAL_ERROR "no '${PATTERN}' in:\n${text}")
+endif()
+string(ASCII 1 45 9 11 45 31 controls) # but not the end of the line
+if(STATUS EQUAL 2 AND errors MATCHES "[${controls}]")
+  message(FATAL_ERROR "control characters in:\n${errors}")
 endif()
 if(STATUS EQUAL 2 AND NOT errors MATCHES "^flip_geodesics: [^\n]*\n$")
   message(FATAL_ERROR "not one line:\n${errors}")

@@ -3,30 +3,17 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_SOUP_CHECKS_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_SOUP_CHECKS_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "bad_input.h"
+#include "soup.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 // What has to hold of a soup of polygons so that it is an oriented manifold triangle mesh. Elements are counted from 0.
 namespace program {
-
-/// Input that the program cannot use; the message is one line that says what is wrong where, and what to do.
-class Bad_input : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-struct Soup
-{
-  std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> points;
-  std::vector<std::vector<std::size_t>> faces;
-};
 
 inline void check_points(const Soup& soup)
 {

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_VIEWER_FILES_H
 
+#include "file_name.h"
 #include "gltf_file.h"
 #include "output_file.h"
 #include "scene.h"
@@ -57,7 +58,7 @@ private:
       return "polylines";
     const std::vector<std::string> known = {"obj", "ply", "vtp", "glb"};
     if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
-      throw Bad_input(name + ": the extension of --mesh tells the format; use .obj, .ply, .vtp, .glb or "
+      throw Bad_input(printable(name) + ": the extension of --mesh tells the format; use .obj, .ply, .vtp, .glb or "
                              ".polylines.txt");
     return extension(name);
   }

@@ -3,6 +3,7 @@
 #include "../curve_input.h"
 #include "../data_input.h"
 #include "../drawn_input.h"
+#include "../input_text.h"
 #include "../mesh_input.h"
 #include "../point_input.h"
 #include "../program_input.h"
@@ -15,22 +16,22 @@ program::Mesh program::read_input_mesh(const Options& options) { return read_mes
 std::vector<program::Network_request> program::read_requests(const Options& options, const Mesh& mesh)
 {
   if(!options.network.empty())
-    return {read_network(mesh, options.network)};
+    return {read_network(mesh, read_text(options.network))};
   if(!options.segmentation.empty())
-    return {read_segmentation(mesh, options.segmentation, options.has_free_junctions)};
+    return {read_segmentation(mesh, read_text(options.segmentation), options.has_free_junctions)};
   if(options.has_seams)
-    return {read_seams(mesh, options.mesh)};
+    return {read_seams(mesh, read_text(options.mesh))};
   if(options.source)
     return {tree_request(mesh, *options.source)};
   const std::vector<Curve_request> curves =
       options.random
           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))
-      : !options.pairs.empty()  ? read_pairs(mesh, options.pairs)
-      : !options.points.empty() ? read_point_curves(mesh, options.points, false)
-      : !options.bezier.empty() ? read_point_curves(mesh, options.bezier, true)
-      : !options.draw.empty()   ? read_drawn_curves(mesh, options.draw)
-      : !options.edges.empty()  ? read_curves(mesh, options.edges, false)
-      : !options.loop.empty()   ? read_curves(mesh, options.loop, true)
+      : !options.pairs.empty()  ? read_pairs(mesh, read_text(options.pairs))
+      : !options.points.empty() ? read_point_curves(mesh, read_text(options.points), false)
+      : !options.bezier.empty() ? read_point_curves(mesh, read_text(options.bezier), true)
+      : !options.draw.empty()   ? read_drawn_curves(mesh, read_text(options.draw))
+      : !options.edges.empty()  ? read_curves(mesh, read_text(options.edges), false)
+      : !options.loop.empty()   ? read_curves(mesh, read_text(options.loop), true)
                                 : single_pair(mesh, *options.from, *options.to);
   std::vector<Network_request> requests;
   for(const Curve_request& curve : curves)

@@ -2,6 +2,7 @@
 
 #include "../mesh_file.h"
 #include "../page_file.h"
+#include "../printable.h"
 #include "../program_output.h"
 #include "../result_files.h"
 #include "../run_summary.h"
@@ -27,7 +28,7 @@ public:
     , m_insertion(options.meshes.insertion)
     , m_cut(options.meshes.cut)
   {
-    m_scene.title = options.mesh.substr(options.mesh.find_last_of("/\\") + 1);
+    m_scene.title = printable(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
   }
 
   std::size_t most_recorded_points() const override { return m_page.is_wanted() ? m_most_recorded_points : 0; }
