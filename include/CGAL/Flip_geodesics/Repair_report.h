@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_REPAIR_REPORT_H
+#define CGAL_FLIP_GEODESICS_REPAIR_REPORT_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsRepair
+/// What `polygon_soup_to_triangle_mesh()` may have to do; each is counted in a `Repair_report`.
+enum class Repair {
+  POINTS_NOT_FINITE,       ///< points with a coordinate that is NaN or infinite, which no vertex comes from
+  POLYGONS_WITHOUT_POINTS, ///< polygons dropped since they name such a point, or one that is not there
+  POLYGONS_COLLAPSED,      ///< polygons dropped since they have fewer than three corners in different places
+  CORNERS_REPEATED,        ///< corners left out since the corner before them is in the same place
+  POLYGONS_SPLIT,          ///< polygons that pass one place twice, split there
+  POLYGONS_TRIANGULATED,   ///< polygons of more than three corners, cut into triangles
+  DUPLICATES_DROPPED,      ///< triangles dropped since another one has the same corners
+  POLYGONS_REVERSED,       ///< polygons oriented the other way round, as their neighbors
+  EDGES_CUT,               ///< edges with more than two faces, at which the faces were cut apart
+  VERTICES_SPLIT,          ///< vertices added to take over some of the faces of another one
+  POINTS_MERGED, ///< points merged into another one in the same place, at stitched borders or corners left out
+  FACES_WITHOUT_AREA_FLIPPED, ///< triangles with collinear corners removed by a flip of their longest edge
+  FACES_WITHOUT_AREA_DROPPED, ///< triangles with collinear corners, or two in one place, dropped
+  POINTS_LEFT                 ///< points that lost all their polygons by that
+};
+
+/// \ingroup PkgFlipGeodesicsRepair
+/// The number of enumerators of `Repair`.
+constexpr std::size_t number_of_repairs = static_cast<std::size_t>(Repair::POINTS_LEFT) + 1;
+
+/// \ingroup PkgFlipGeodesicsRepair
+/// Says in words how often a repair was done, such as "2 points merged into ...".
+inline std::string describe(Repair repair, std::size_t count)
+{
+  const auto counted = [count](const char* one, const char* several, const char* what) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : several) + ' ' + what;
+  };
+  switch(repair) {
+  case Repair::POINTS_NOT_FINITE:
+    return counted("point", "points", "left out: a coordinate is not a finite number");
+  case Repair::POLYGONS_WITHOUT_POINTS:
+    return counted("polygon", "polygons", "dropped: a corner is no point of the input, or not finite");
+  case Repair::POLYGONS_COLLAPSED:
+    return counted("polygon", "polygons", "dropped: fewer than three corners in different places");
+  case Repair::CORNERS_REPEATED:
+    return counted("corner", "corners", "left out: in the same place as the corner before");
+  case Repair::POLYGONS_SPLIT:
+    return counted("polygon", "polygons", "split where a place is passed twice");
+  case Repair::POLYGONS_TRIANGULATED:
+    return counted("polygon", "polygons", "of more than three corners cut into triangles");
+  case Repair::DUPLICATES_DROPPED:
+    return counted("triangle", "triangles", "dropped: the same corners as another one");
+  case Repair::POLYGONS_REVERSED:
+    return counted("polygon", "polygons", "turned over to be oriented as the neighbors");
+  case Repair::EDGES_CUT:
+    return counted("edge", "edges", "with more than two faces cut open");
+  case Repair::VERTICES_SPLIT:
+    return counted("vertex", "vertices", "added where faces that share no edge met in a vertex");
+  case Repair::POINTS_MERGED:
+    return counted("point", "points", "merged into others in the same place");
+  case Repair::FACES_WITHOUT_AREA_FLIPPED:
+    return counted("triangle", "triangles", "without area removed by flips");
+  case Repair::FACES_WITHOUT_AREA_DROPPED:
+    return counted("triangle", "triangles", "without area dropped");
+  case Repair::POINTS_LEFT:
+    return counted("point", "points", "left without faces");
+  }
+  return {};
+}
+
+namespace internal {
+
+/* What a Repair_report says. Pairs of point and vertex, and of polygon and face, are sorted. */
+struct Repair_record
+{
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  void add(Repair repair, std::size_t count = 1) { counts[static_cast<std::size_t>(repair)] += count; }
+
+  std::array<std::size_t, number_of_repairs> counts = {};
+  std::size_t number_of_points = 0, number_of_polygons = 0;
+  std::vector<std::size_t> point_of_vertex, polygon_of_face;
+  Pairs vertices_of_points, faces_of_polygons;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsRepair
+ *
+ * What `polygon_soup_to_triangle_mesh()` did, and which element of the mesh comes from which of the soup.
+ *
+ * Vertices and faces are given as positions in `vertices(mesh)` and `faces(mesh)`, points and polygons as positions in
+ * the soup. Where nothing had to be done, each vertex is its point: the vertex at position i comes from point i for
+ * every i below the number of points. Vertices added for further parts follow.
+ */
+class Repair_report
+{
+public:
+  /// The vertices that come from a point, or the triangles that come from a polygon, in ascending order.
+  using Elements = std::vector<std::size_t>;
+
+  Repair_report() = default;
+
+#ifndef DOXYGEN_RUNNING
+  explicit Repair_report(internal::Repair_record record)
+    : m_record(std::move(record))
+  {
+  }
+#endif
+
+  /// How often a repair was done.
+  std::size_t number_of(Repair repair) const { return m_record.counts[static_cast<std::size_t>(repair)]; }
+
+  /// Was nothing done, so that the mesh is the soup?
+  bool is_empty() const
+  {
+    return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });
+  }
+
+  /// What was done in words: a line for each repair, without line ends.
+  std::vector<std::string> lines() const
+  {
+    std::vector<std::string> result;
+    for(std::size_t i = 0; i < number_of_repairs; ++i)
+      if(m_record.counts[i] > 0)
+        result.push_back(describe(static_cast<Repair>(i), m_record.counts[i]));
+    return result;
+  }
+
+  /// The number of points of the soup.
+  std::size_t number_of_points() const { return m_record.number_of_points; }
+
+  /// The number of polygons of the soup.
+  std::size_t number_of_polygons() const { return m_record.number_of_polygons; }
+
+  /// The point that a vertex of the mesh comes from, and has its place from.
+  std::size_t point_of_vertex(std::size_t vertex) const { return m_record.point_of_vertex[vertex]; }
+
+  /// The polygon that a face of the mesh comes from.
+  std::size_t polygon_of_face(std::size_t face) const { return m_record.polygon_of_face[face]; }
+
+  /// The vertices with faces that were made from a point: several if it was split, the vertex of another point if it
+  /// was merged into that, none if it has no faces.
+  Elements vertices_of_point(std::size_t point) const { return elements(m_record.vertices_of_points, point); }
+
+  /// The triangles that were made from a polygon; none if it was dropped, or became part of a neighbor by flips.
+  Elements faces_of_polygon(std::size_t polygon) const { return elements(m_record.faces_of_polygons, polygon); }
+
+private:
+  static Elements elements(const internal::Repair_record::Pairs& pairs, std::size_t key)
+  {
+    Elements result;
+    for(auto it = std::lower_bound(pairs.begin(), pairs.end(), std::make_pair(key, std::size_t(0)));
+        it != pairs.end() && it->first == key; ++it)
+      result.push_back(it->second);
+    return result;
+  }
+
+  internal::Repair_record m_record;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_REPAIR_REPORT_H

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_POLYGON_SOUP_TO_TRIANGLE_MESH_H
+#define CGAL_FLIP_GEODESICS_POLYGON_SOUP_TO_TRIANGLE_MESH_H
+
+/*!
+ * \file polygon_soup_to_triangle_mesh.h
+ * \ingroup PkgFlipGeodesicsRepair
+ * The repair of polygon soups. `Flip_geodesics.h` does not include this header: it includes CGAL's packages Polygon
+ * Mesh Processing, Surface Mesh, 2D Triangulations and 2D Polygons, whose license is the GPL. A program that includes
+ * it is bound by that license, which other programs that use this package are not.
+ */
+
+#include <CGAL/Flip_geodesics/Repair_report.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Soup_polygons.h>
+#include <CGAL/Flip_geodesics/internal/Soup_repair.h>
+#include <CGAL/Flip_geodesics/internal/Triangle_soup.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+/* The kernel in which a repair decides: predicates have to be exact. */
+template <class Point_3>
+using Repair_kernel =
+    std::conditional_t<std::is_same<typename Kernel_traits<Point_3>::Kernel::FT, double>::value,
+                       CGAL::Exact_predicates_inexact_constructions_kernel, typename Kernel_traits<Point_3>::Kernel>;
+
+/* Numbers the vertices and triangles of a repaired soup as they will be in the mesh, and completes the record. */
+template <class Kernel>
+class Repaired_elements
+{
+  using Soup = Triangle_soup<Kernel>;
+
+public:
+  Repaired_elements(const Soup& soup, const std::vector<char>& had_polygon, Repair_record& record)
+    : m_soup(soup)
+    , m_record(record)
+    , m_numbers(soup.origins.size(), Soup::none)
+  {
+    number_vertices();
+    order_faces();
+    list_vertices_of_points(had_polygon);
+  }
+
+  /* In the order of the polygons. */
+  std::vector<std::array<std::size_t, 3>> triangles() const
+  {
+    std::vector<std::array<std::size_t, 3>> result;
+    for(std::size_t t : m_order) {
+      const auto& corners = m_soup.triangles[t];
+      result.push_back({m_numbers[corners[0]], m_numbers[corners[1]], m_numbers[corners[2]]});
+    }
+    return result;
+  }
+
+private:
+  // Points keep their numbers. A copy takes that of its point if it is free, or the next.
+  void number_vertices()
+  {
+    std::vector<char> is_used(m_soup.origins.size(), 0);
+    for(const auto& triangle : m_soup.triangles)
+      for(std::size_t v : triangle)
+        is_used[v] = 1;
+    m_record.point_of_vertex.resize(m_soup.points.size());
+    std::iota(m_record.point_of_vertex.begin(), m_record.point_of_vertex.end(), std::size_t(0));
+    for(std::size_t v = 0; v < is_used.size(); ++v) {
+      if(is_used[v] == 0)
+        continue;
+      const std::size_t origin = m_soup.origins[v];
+      const bool is_free = v == origin || is_used[origin] == 0;
+      m_numbers[v] = is_free ? origin : m_record.point_of_vertex.size();
+      if(is_free)
+        is_used[origin] = 1;
+      else
+        m_record.point_of_vertex.push_back(origin);
+    }
+    m_record.add(Repair::VERTICES_SPLIT, m_record.point_of_vertex.size() - m_soup.points.size());
+  }
+
+  void order_faces()
+  {
+    m_order.resize(m_soup.triangles.size());
+    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+    std::stable_sort(m_order.begin(), m_order.end(),
+                     [this](std::size_t s, std::size_t t) { return m_soup.polygons[s] < m_soup.polygons[t]; });
+    for(std::size_t t : m_order) {
+      m_record.faces_of_polygons.emplace_back(m_soup.polygons[t], m_record.polygon_of_face.size());
+      m_record.polygon_of_face.push_back(m_soup.polygons[t]);
+    }
+  }
+
+  void list_vertices_of_points(const std::vector<char>& had_polygon)
+  {
+    auto& pairs = m_record.vertices_of_points;
+    std::vector<std::size_t> vertex_at(m_soup.points.size(), Soup::none); // a place
+    std::vector<char> has_vertex(m_soup.points.size(), 0), is_kept(m_soup.points.size(), 0);
+    for(std::size_t v = 0; v < m_soup.origins.size(); ++v) {
+      const std::size_t number = m_numbers[m_soup.resolve(v)];
+      if(number == Soup::none)
+        continue;
+      pairs.emplace_back(m_soup.origins[v], number);
+      has_vertex[m_soup.origins[v]] = 1;
+      is_kept[m_record.point_of_vertex[number]] = 1;
+      vertex_at[m_soup.place(v)] = (std::min)(vertex_at[m_soup.place(v)], number);
+    }
+    for(std::size_t i = 0; i < m_soup.points.size(); ++i) {
+      if(had_polygon[i] == 0 || m_soup.places[i] == Soup::none)
+        continue;
+      const std::size_t vertex = vertex_at[m_soup.places[i]];
+      if(has_vertex[i] == 0 && vertex != Soup::none)
+        pairs.emplace_back(i, vertex);
+      if(is_kept[i] == 0)
+        m_record.add(vertex == Soup::none ? Repair::POINTS_LEFT : Repair::POINTS_MERGED);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  }
+
+  const Soup& m_soup;
+  Repair_record& m_record;
+  std::vector<std::size_t> m_numbers, m_order;
+};
+
+/* Checks what a repair has to give. */
+template <class Kernel>
+void check_repaired(const Triangle_soup<Kernel>& soup, const Repair_record& record)
+{
+  if(record.number_of_polygons == 0)
+    throw Invalid_mesh_error("the soup has no polygons");
+  if(soup.triangles.empty()) {
+    std::string reasons;
+    for(const std::string& line : Repair_report(record).lines())
+      reasons += (reasons.empty() ? "" : "; ") + line;
+    throw Invalid_mesh_error("no triangle is left by the repair: " + reasons);
+  }
+  if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.triangles))
+    throw Invalid_mesh_error("the repair failed: the triangles are no oriented manifold");
+}
+
+template <class Kernel, class PointRange>
+std::vector<typename Kernel::Point_3> repair_points(const PointRange& points)
+{
+  std::vector<typename Kernel::Point_3> result;
+  for(const auto& p : points)
+    result.emplace_back(p.x(), p.y(), p.z());
+  return result;
+}
+
+/* Cuts the polygons into the triangles of the soup. Marks the points that are corners. */
+template <class Kernel, class PolygonRange>
+std::vector<char> add_polygons(const PolygonRange& polygons, Triangle_soup<Kernel>& soup, Repair_record& record)
+{
+  Soup_polygons<Kernel> add(soup, record);
+  std::vector<char> had_polygon(soup.points.size(), 0);
+  for(const auto& polygon : polygons) {
+    const std::vector<std::size_t> corners(std::begin(polygon), std::end(polygon));
+    for(std::size_t v : corners)
+      if(v < had_polygon.size())
+        had_polygon[v] = 1;
+    add(corners, record.number_of_polygons++);
+  }
+  return had_polygon;
+}
+
+/* Adds vertices and triangles to an empty mesh; `place(v)` is the point of a vertex. */
+template <class TriangleMesh, class PointMap, class Place>
+void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices, const Place& place,
+                const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  vertices.reserve(number_of_vertices);
+  for(std::size_t v = 0; v < number_of_vertices; ++v) {
+    vertices.push_back(add_vertex(mesh));
+    put(map, vertices.back(), place(v));
+  }
+  for(const auto& t : triangles)
+    Euler::add_face(std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>{vertices[t[0]],
+                                                                                                 vertices[t[1]],
+                                                                                                 vertices[t[2]]},
+                    mesh);
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsRepair
+ *
+ * Makes a triangle mesh of a polygon soup, whatever is wrong with it, for which the functions of this package have an
+ * answer: an oriented manifold without faces of area zero.
+ *
+ * These are done where they are needed, and counted in the report, see `Repair`:
+ * - Points with coordinates that are not finite are left out, and polygons that name them, or points that are not
+ *   there. Corners that repeat the place of the corner before are left out, and polygons split that pass a place twice.
+ * - Polygons of more than three corners are cut into triangles.
+ * - Triangles with the corners of another one are dropped.
+ * - Triangles are oriented as their neighbors, with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. In each
+ *   component as many as possible stay as they are. Faces are cut apart at edges with more than two of them, at edges
+ *   between orientations that cannot be made alike, and where they share a vertex only.
+ * - Borders in one place are stitched, with `CGAL::Polygon_mesh_processing::stitch_borders()`; coordinates are equal
+ *   there, to the bit. Where more than two border edges lie in one place, two of one component are, and others are not.
+ * - Triangles with collinear corners, which exact predicates tell, are removed by a flip of their longest edge, which
+ *   leaves the surface as it is. They are dropped where that cannot be done; inside the surface that leaves a slit.
+ *
+ * No point is moved, and none is new. The vertex at position `i` of `vertices(mesh)` comes from point `i`, whatever was
+ * done; those of points that were merged or lost their faces are isolated, and have no further vertices. Vertices that
+ * were split follow. Faces are in the order of the polygons they come from. So a soup with nothing wrong gives the very
+ * mesh, and an empty report. `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes those without faces.
+ * The result depends on nothing but the input.
+ *
+ * \tparam PointRange a range of points of a CGAL kernel. Where its number type is `double`, the predicates of
+ *         `CGAL::Exact_predicates_inexact_constructions_kernel` decide; where not, its own, which have to be exact.
+ * \tparam PolygonRange a range of ranges of positions in `points`, of any integer type
+ * \tparam TriangleMesh a model of `MutableFaceGraph`, with vertices and faces listed in the order in which they are
+ * added \param points the points \param polygons the corners of each polygon \param mesh the mesh that is made. An
+ * isolated vertex of a point that is not finite gets the place of another. \param np named parameters:
+ * `vertex_point_map` \pre `mesh` is empty \return what was done, and which elements come from which \throws
+ * Invalid_mesh_error if there are no polygons, or no triangle is left of them, with the reason; `mesh` is then empty
+ *
+ * The time is about that of sorting the corners a few times. Polygons of many corners take the time of a
+ * triangulation in the plane, and CGAL's orientation takes up to the square of a vertex' degree.
+ */
+template <class PointRange, class PolygonRange, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
+Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const PolygonRange& polygons, TriangleMesh& mesh,
+                                            const NamedParameters& np = parameters::default_values())
+{
+  CGAL_precondition_msg(num_vertices(mesh) == 0, "the mesh is not empty");
+  using Point_3 = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
+  using Kernel = internal::Repair_kernel<Point_3>;
+  internal::Repair_record record;
+  internal::Triangle_soup<Kernel> soup(internal::repair_points<Kernel>(points));
+  record.number_of_points = soup.points.size();
+  record.add(Repair::POINTS_NOT_FINITE,
+             static_cast<std::size_t>(std::count(soup.places.begin(), soup.places.end(), soup.none)));
+  const std::vector<char> had_polygon = internal::add_polygons(polygons, soup, record);
+  internal::Soup_repair<Kernel>(soup, record)();
+  const internal::Repaired_elements<Kernel> elements(soup, had_polygon, record);
+  internal::check_repaired(soup, record);
+
+  const auto map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                get_property_map(CGAL::vertex_point, mesh));
+  using Mesh_point = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
+  const auto place = [&](std::size_t v) {
+    const std::size_t i = record.point_of_vertex[v];
+    const auto& p = soup.points[soup.places[i] == soup.none ? soup.origins[soup.triangles[0][0]] : i];
+    return Mesh_point(p.x(), p.y(), p.z());
+  };
+  internal::build_mesh(mesh, map, record.point_of_vertex.size(), place, elements.triangles());
+  return Repair_report(std::move(record));
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_POLYGON_SOUP_TO_TRIANGLE_MESH_H

@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE polygon_soup_repair
+
+#include "generated_meshes.h"
+#include "invalid_meshes.h"
+#include "mesh_soup.h"
+#include "test_scale.h"
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/polygon_soup_to_triangle_mesh.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using FG::Repair;
+using FG::Repair_report;
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Polygon = std::vector<std::size_t>;
+
+struct Soup
+{
+  std::vector<Point_3> points;
+  std::vector<Polygon> polygons;
+};
+
+Soup to_soup(const Mesh_soup& mesh)
+{
+  Soup soup;
+  for(const Coordinates& p : mesh.points)
+    soup.points.emplace_back(p[0], p[1], p[2]);
+  for(const Corners& t : mesh.triangles)
+    soup.polygons.emplace_back(t.begin(), t.end());
+  return soup;
+}
+
+Soup to_soup(const Mesh& mesh)
+{
+  Soup soup;
+  for(const auto v : mesh.vertices())
+    soup.points.push_back(mesh.point(v));
+  for(const auto f : mesh.faces()) {
+    soup.polygons.emplace_back();
+    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      soup.polygons.back().push_back(v);
+  }
+  return soup;
+}
+
+/// Each triangle with points of its own.
+Soup taken_apart(const Soup& soup)
+{
+  Soup result;
+  for(const Polygon& polygon : soup.polygons) {
+    result.polygons.emplace_back();
+    for(const std::size_t v : polygon) {
+      result.polygons.back().push_back(result.points.size());
+      result.points.push_back(soup.points[v]);
+    }
+  }
+  return result;
+}
+
+bool is_rotation(const Polygon& a, Polygon b)
+{
+  for(std::size_t i = 0; i < b.size() && a != b; ++i)
+    std::rotate(b.begin(), b.begin() + 1, b.end());
+  return a == b;
+}
+
+// An oriented manifold without collinear triangles, found without halfedges.
+void check_mesh(const Mesh& mesh)
+{
+  const Soup soup = to_soup(mesh);
+  std::map<std::pair<std::size_t, std::size_t>, int> sides;
+  std::vector<std::map<std::size_t, std::size_t>> links(soup.points.size()); // from corner to corner around a vertex
+  for(const Polygon& t : soup.polygons) {
+    BOOST_REQUIRE_EQUAL(t.size(), 3u);
+    BOOST_CHECK(!CGAL::collinear(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]));
+    for(std::size_t i = 0; i < 3; ++i) {
+      BOOST_CHECK_EQUAL((++sides[{t[i], t[(i + 1) % 3]}]), 1);
+      links[t[i]][t[(i + 1) % 3]] = t[(i + 2) % 3];
+    }
+  }
+  for(const auto& link : links) { // one chain, or one cycle
+    std::set<std::size_t> heads;
+    for(const auto& step : link)
+      heads.insert(step.second);
+    std::size_t start = link.empty() ? 0 : link.begin()->first, length = 0;
+    for(const auto& step : link)
+      start = heads.count(step.first) == 0 ? step.first : start;
+    for(auto at = link.find(start); at != link.end() && length < link.size(); at = link.find(at->second))
+      ++length;
+    BOOST_CHECK_EQUAL(length, link.size());
+  }
+}
+
+bool is_finite(const Point_3& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
+
+void check_vertex_map(const Soup& soup, const Mesh& mesh, const Repair_report& report)
+{
+  BOOST_REQUIRE_EQUAL(report.number_of_points(), soup.points.size());
+  BOOST_CHECK_EQUAL(mesh.number_of_vertices(), soup.points.size() + report.number_of(Repair::VERTICES_SPLIT));
+  for(const auto v : mesh.vertices()) {
+    const std::size_t i = report.point_of_vertex(v);
+    BOOST_CHECK(is_finite(mesh.point(v)));
+    BOOST_CHECK(!is_finite(soup.points[i]) || mesh.point(v) == soup.points[i]);
+    BOOST_CHECK(v >= soup.points.size() || i == v);
+    const auto vertices = report.vertices_of_point(i);
+    BOOST_CHECK(mesh.is_isolated(v) || std::count(vertices.begin(), vertices.end(), v) == 1);
+  }
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    for(const std::size_t v : report.vertices_of_point(i)) {
+      BOOST_CHECK(mesh.point(Mesh::Vertex_index(static_cast<unsigned>(v))) == soup.points[i]);
+      BOOST_CHECK(!mesh.is_isolated(Mesh::Vertex_index(static_cast<unsigned>(v))));
+    }
+}
+
+void check_face_map(const Soup& soup, const Mesh& mesh, const Repair_report& report)
+{
+  BOOST_REQUIRE_EQUAL(report.number_of_polygons(), soup.polygons.size());
+  std::size_t count = 0, last = 0;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+    for(const std::size_t f : report.faces_of_polygon(i)) {
+      BOOST_CHECK_EQUAL(f, count++);
+      BOOST_CHECK_EQUAL(report.polygon_of_face(f), i);
+      last = i;
+    }
+  BOOST_CHECK_EQUAL(count, mesh.number_of_faces());
+  BOOST_CHECK(last < soup.polygons.size());
+}
+
+struct Repaired
+{
+  Mesh mesh;
+  Repair_report report;
+
+  std::size_t number_of_components() const
+  {
+    Mesh copy = mesh;
+    const auto components = FG::internal::face_components(copy);
+    return components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1;
+  }
+
+  std::size_t number_of_border_edges() const
+  {
+    const auto edges = mesh.edges();
+    return static_cast<std::size_t>(
+        std::count_if(edges.begin(), edges.end(), [this](Mesh::Edge_index e) { return mesh.is_border(e); }));
+  }
+
+  std::size_t number_of_used_vertices() const
+  {
+    const auto vertices = mesh.vertices();
+    return static_cast<std::size_t>(
+        std::count_if(vertices.begin(), vertices.end(), [this](Mesh::Vertex_index v) { return !mesh.is_isolated(v); }));
+  }
+
+  double area() const
+  {
+    double sum = 0;
+    const Soup soup = to_soup(mesh);
+    for(const Polygon& t : soup.polygons)
+      sum += std::sqrt(CGAL::squared_area(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]));
+    return sum;
+  }
+};
+
+void check_same(const Soup& a, const Soup& b)
+{
+  BOOST_CHECK(a.points == b.points);
+  BOOST_CHECK(a.polygons == b.polygons);
+}
+
+/// A repair with all that holds of every one.
+Repaired repair_once(const Soup& soup)
+{
+  Repaired result;
+  result.report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.polygons, result.mesh);
+  check_mesh(result.mesh);
+  check_vertex_map(soup, result.mesh, result.report);
+  check_face_map(soup, result.mesh, result.report);
+  return result;
+}
+
+/// A repair after which a second one finds nothing to do.
+Repaired repair(const Soup& soup)
+{
+  const Repaired result = repair_once(soup);
+  const Repaired again = repair_once(to_soup(result.mesh));
+  BOOST_CHECK(again.report.is_empty());
+  check_same(to_soup(again.mesh), to_soup(result.mesh));
+  return result;
+}
+
+/// Just these repairs, so often.
+void check_repairs(const Repair_report& report, const std::map<Repair, std::size_t>& expected)
+{
+  for(std::size_t i = 0; i < FG::number_of_repairs; ++i) {
+    const auto kind = static_cast<Repair>(i);
+    const auto it = expected.find(kind);
+    BOOST_TEST_INFO(FG::describe(kind, report.number_of(kind)));
+    BOOST_CHECK_EQUAL(report.number_of(kind), it == expected.end() ? 0u : it->second);
+  }
+  BOOST_CHECK_EQUAL(report.lines().size(), expected.size());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_done_to_a_clean_mesh)
+{
+  const Mesh_soup back_to_back = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {1, 0, 2}}};
+  for(const Mesh_soup& clean :
+      {single_triangle(), tetrahedron(3), cube(3), genus_3_plate(), torus(9, 7, 3, 1), cylinder(8, 3, 1, 2),
+       back_to_back, with_isolated_vertices(cube(2), 2, 3), disjoint_union(cube(1), translated(back_to_back, 0, 0, 7))})
+  {
+    const Soup soup = to_soup(clean);
+    const Repaired repaired = repair(soup);
+    BOOST_CHECK(repaired.report.is_empty());
+    BOOST_CHECK(repaired.report.lines().empty());
+    BOOST_CHECK(to_soup(repaired.mesh).points == soup.points);
+    for(std::size_t f = 0; f < soup.polygons.size(); ++f)
+      BOOST_CHECK(is_rotation(to_soup(repaired.mesh).polygons[f], soup.polygons[f]));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(polygons_are_triangulated)
+{
+  // A step seen from the side, with a corner on a straight side; the fan from corner 0 would leave it.
+  const Soup step = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}},
+                     {{6, 5, 4, 3, 2, 1, 0}}};
+  for(int k = 0; k < 7; ++k) {
+    Soup soup = step;
+    std::rotate(soup.polygons[0].begin(), soup.polygons[0].begin() + k, soup.polygons[0].end());
+    const Repaired repaired = repair(soup);
+    check_repairs(repaired.report, {{Repair::POLYGONS_TRIANGULATED, 1}});
+    BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 5u);
+    BOOST_CHECK_CLOSE(repaired.area(), 3, 1e-12);
+  }
+  // A quadrilateral with a corner on a straight side has one diagonal only.
+  for(int k = 0; k < 4; ++k) {
+    Soup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{0, 1, 2, 3}}};
+    std::rotate(soup.polygons[0].begin(), soup.polygons[0].begin() + k, soup.polygons[0].end());
+    const Repaired repaired = repair(soup);
+    check_repairs(repaired.report, {{Repair::POLYGONS_TRIANGULATED, 1}});
+    BOOST_CHECK_CLOSE(repaired.area(), 2, 1e-12);
+  }
+  // A star of five lines is simple in no projection.
+  Soup star = {{}, {{0, 2, 4, 1, 3}}};
+  for(int i = 0; i < 5; ++i)
+    star.points.emplace_back(std::cos(i * 2 * pi / 5), std::sin(i * 2 * pi / 5), 0);
+  BOOST_CHECK_EQUAL(repair(star).mesh.number_of_faces(), 3u);
+}
+
+BOOST_AUTO_TEST_CASE(polygons_are_cleaned)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Point_3> points = {{0, 0, 0}, {1, 0, 0},   {1, 1, 0},  {0, 1, 0}, {nan, 0, 0},
+                                       {1, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {9, 9, 9}};
+  // Point 5 repeats point 1; the last polygon passes point 0 twice.
+  const Soup soup = {points,
+                     {{0, 1, 5, 2, 3, 3}, {0, 2, 4}, {0, 1, 99}, {1, 5, 2}, {8, 8, 8}, {0, 6, 7}, {3, 2, 0, 7, 6, 0}}};
+  const Repaired repaired = repair(soup);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POINTS_NOT_FINITE), 1u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POLYGONS_WITHOUT_POINTS), 2u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POLYGONS_COLLAPSED), 2u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::CORNERS_REPEATED), 2u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POLYGONS_SPLIT), 1u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POINTS_LEFT), 1u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POINTS_MERGED), 1u);
+  BOOST_CHECK(repaired.report.vertices_of_point(4).empty());
+  BOOST_CHECK(repaired.report.vertices_of_point(8).empty());
+  BOOST_CHECK(repaired.report.vertices_of_point(5) == repaired.report.vertices_of_point(1));
+  BOOST_CHECK(repaired.report.faces_of_polygon(1).empty());
+}
+
+BOOST_AUTO_TEST_CASE(duplicates_are_dropped)
+{
+  Soup soup = to_soup(cube(2));
+  const Polygon copy = soup.polygons[5];
+  soup.polygons.push_back({copy[1], copy[2], copy[0]});                                          // turned
+  soup.polygons.push_back({copy[1], copy[0], copy[2]});                                          // turned over
+  soup.polygons.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2}); // of its own points
+  for(const std::size_t v : copy)
+    soup.points.push_back(Point_3(soup.points[v]));
+  const Repaired repaired = repair(soup);
+  check_repairs(repaired.report, {{Repair::DUPLICATES_DROPPED, 3}, {Repair::POINTS_MERGED, 3}});
+  BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 0u);
+}
+
+BOOST_AUTO_TEST_CASE(most_orientations_are_kept)
+{
+  Soup soup = to_soup(sphere(4));
+  std::reverse(soup.polygons[0].begin(), soup.polygons[0].end());
+  std::reverse(soup.polygons[7].begin(), soup.polygons[7].end());
+  const Repaired repaired = repair(soup);
+  check_repairs(repaired.report, {{Repair::POLYGONS_REVERSED, 2}});
+  BOOST_CHECK(is_rotation(to_soup(repaired.mesh).polygons[1], soup.polygons[1]));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_manifold_is_cut_apart)
+{
+  const Repaired fin = repair(to_soup(with_non_manifold_edge()));
+  check_repairs(fin.report, {{Repair::EDGES_CUT, 1}, {Repair::VERTICES_SPLIT, 4}});
+  BOOST_CHECK_EQUAL(fin.report.vertices_of_point(0).size(), 3u);
+
+  const Repaired two = repair(to_soup(with_non_manifold_vertex()));
+  check_repairs(two.report, {{Repair::VERTICES_SPLIT, 1}});
+  BOOST_CHECK_EQUAL(two.number_of_border_edges(), 0u);
+  BOOST_CHECK_EQUAL(two.number_of_components(), 2u);
+
+  const Repaired band = repair(to_soup(moebius_band()));
+  BOOST_CHECK_EQUAL(band.number_of_components(), 1u);
+  BOOST_CHECK_EQUAL(band.report.number_of(Repair::VERTICES_SPLIT), 2u);
+  BOOST_CHECK_EQUAL(band.mesh.number_of_faces(), 5u);
+}
+
+// Two boxes share the vertices of an edge, in several pieces: each is closed again after it was cut.
+BOOST_AUTO_TEST_CASE(solids_that_share_edges_stay_closed)
+{
+  const Mesh_soup boxes = disjoint_union(cube(3), translated(cube(3), 3, 3, 0));
+  Soup soup = to_soup(boxes);
+  std::map<Point_3, std::size_t> vertices;
+  for(Polygon& polygon : soup.polygons)
+    for(std::size_t& v : polygon)
+      v = vertices.emplace(soup.points[v], v).first->second;
+  const Repaired repaired = repair(soup);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::EDGES_CUT), 3u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::VERTICES_SPLIT), 4u);
+  BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 0u);
+  BOOST_CHECK_EQUAL(repaired.number_of_components(), 2u);
+}
+
+BOOST_AUTO_TEST_CASE(borders_in_one_place_are_stitched)
+{
+  for(const Mesh_soup& whole : {cube(2), torus(9, 7, 3, 1), sphere(3)}) {
+    Soup soup = taken_apart(to_soup(whole));
+    for(std::size_t f = 0; f < soup.polygons.size(); f += 3)
+      std::reverse(soup.polygons[f].begin(), soup.polygons[f].end());
+    const Repaired repaired = repair(soup);
+    BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 0u);
+    BOOST_CHECK_EQUAL(repaired.number_of_components(), 1u);
+    BOOST_CHECK_EQUAL(repaired.number_of_used_vertices(), whole.points.size());
+    BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POINTS_MERGED), soup.points.size() - whole.points.size());
+    BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::POLYGONS_REVERSED), (soup.polygons.size() + 2) / 3);
+    for(std::size_t i = 0; i < soup.points.size(); ++i)
+      BOOST_CHECK_EQUAL(repaired.report.vertices_of_point(i).size(), 1u);
+  }
+}
+
+// Points on straight edges of one side only, as many as there is room for, leave triangles without area between.
+BOOST_AUTO_TEST_CASE(collinear_triangles_are_flipped_away)
+{
+  for(int n : {1, 2, 5, 9}) { // points between (0,0) and (n+1,0)
+    Soup soup;
+    for(int i = 0; i <= n + 1; ++i)
+      soup.points.emplace_back(i, 0, 0);
+    const auto last = static_cast<std::size_t>(n + 1), below = last + 1, above = last + 2;
+    soup.points.emplace_back(1, -2, 0);
+    soup.points.emplace_back(1, 3, 0);
+    for(std::size_t i = 0; i < last; ++i)
+      soup.polygons.push_back({i, below, i + 1});
+    soup.polygons.push_back({0, last, above});
+    for(std::size_t i = 1; i < last; ++i) // a fan from point 0, flat
+      soup.polygons.push_back({0, i, i + 1});
+    const Repaired repaired = repair(soup);
+    check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_FLIPPED, static_cast<std::size_t>(n)}});
+    BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 4u);
+    BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), soup.polygons.size());
+    BOOST_CHECK_CLOSE(repaired.area(), 2.5 * (n + 1), 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(collinear_triangles_at_a_border_are_dropped)
+{
+  const Soup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}, {0, 2, 1}}};
+  const Repaired repaired = repair(soup);
+  check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_DROPPED, 1}});
+  BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 2u);
+}
+
+// An edge of length zero inside a surface closes: its two triangles go, and its ends are merged.
+BOOST_AUTO_TEST_CASE(edges_of_length_zero_close)
+{
+  Soup soup = to_soup(flat_grid(4, 4, Diagonal_rule::RISING));
+  soup.points[12] = soup.points[13];
+  const Repaired repaired = repair(soup);
+  check_repairs(repaired.report, {{Repair::POLYGONS_COLLAPSED, 2}, {Repair::POINTS_MERGED, 1}});
+  BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 16u);
+  BOOST_CHECK(repaired.report.vertices_of_point(12) == repaired.report.vertices_of_point(13));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_repaired_is_said)
+{
+  const auto reason = [](const Soup& soup) -> std::string {
+    Mesh mesh;
+    try {
+      FG::polygon_soup_to_triangle_mesh(soup.points, soup.polygons, mesh);
+    } catch(const FG::Invalid_mesh_error& error) {
+      BOOST_CHECK_EQUAL(mesh.number_of_vertices(), 0u);
+      return error.what();
+    }
+    return "none";
+  };
+  BOOST_CHECK_EQUAL(reason({{}, {}}), "the soup has no polygons");
+  BOOST_CHECK_EQUAL(reason({{{0, 0, 0}}, {{0, 0, 0}}}),
+                    "no triangle is left by the repair: 1 polygon dropped: fewer than three corners in different "
+                    "places; 1 point left without faces");
+  BOOST_CHECK_EQUAL(reason({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}}).substr(0, 36),
+                    "no triangle is left by the repair: 1");
+}
+
+BOOST_AUTO_TEST_CASE(each_repair_has_words)
+{
+  std::set<std::string> texts;
+  for(std::size_t i = 0; i < FG::number_of_repairs; ++i) {
+    texts.insert(FG::describe(static_cast<Repair>(i), 2));
+    BOOST_CHECK_EQUAL(FG::describe(static_cast<Repair>(i), 2).substr(0, 2), "2 ");
+    BOOST_CHECK(FG::describe(static_cast<Repair>(i), 1).substr(1) != FG::describe(static_cast<Repair>(i), 2).substr(1));
+  }
+  BOOST_CHECK_EQUAL(texts.size(), FG::number_of_repairs);
+}
+
+namespace {
+
+// Damages of a soup; each keeps it a soup, and nothing more.
+void damage(Soup& soup, Random_numbers& random)
+{
+  const auto point = [&] { return static_cast<std::size_t>(random.below(static_cast<int>(soup.points.size()))); };
+  const auto polygon = [&] { return static_cast<std::size_t>(random.below(static_cast<int>(soup.polygons.size()))); };
+  const std::size_t f = polygon(), v = point();
+  switch(random.below(11)) {
+  case 0:
+    soup.polygons.erase(soup.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+    break;
+  case 1:
+    soup.polygons.push_back(Polygon(soup.polygons[f]));
+    break;
+  case 2:
+    std::reverse(soup.polygons[f].begin(), soup.polygons[f].end());
+    break;
+  case 3: // merge two points
+    for(Polygon& corners : soup.polygons)
+      std::replace(corners.begin(), corners.end(), v, point());
+    break;
+  case 4:
+    soup.points[v] = Point_3(soup.points[point()]);
+    break;
+  case 5: // onto a straight line
+    soup.points[v] = CGAL::midpoint(soup.points[point()], soup.points[point()]);
+    break;
+  case 6: // a corner in the middle of a side, not in the neighbor's
+    soup.points.push_back(CGAL::midpoint(soup.points[soup.polygons[f][0]], soup.points[soup.polygons[f][1]]));
+    soup.polygons[f].insert(soup.polygons[f].begin() + 1, soup.points.size() - 1);
+    break;
+  case 7: // a triangle anywhere
+    soup.polygons.push_back({point(), point(), point()});
+    break;
+  case 8:
+    soup.polygons.push_back({point(), point(), point(), point(), point(), point()});
+    break;
+  case 9:
+    soup.points[v] = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+    break;
+  default: // points of its own
+    for(std::size_t& corner : soup.polygons[f]) {
+      soup.points.push_back(Point_3(soup.points[corner]));
+      corner = soup.points.size() - 1;
+    }
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(whatever_is_damaged_is_repaired)
+{
+  const std::vector<Mesh_soup> meshes = {tetrahedron(), cube(2), flat_grid(5, 4, Diagonal_rule::RISING),
+                                         torus(6, 5, 3, 1)};
+  const int runs = 300 * scale;
+  int unfinished = 0; // where stitching joins what has to be cut again
+  for(int run = 0; run < runs; ++run) {
+    BOOST_TEST_CONTEXT("run " << run)
+    {
+      Random_numbers random(static_cast<unsigned>(run));
+      Soup soup = to_soup(meshes[static_cast<std::size_t>(run) % meshes.size()]);
+      for(int i = 1 + random.below(run % 3 == 0 ? 40 : 5); i > 0 && !soup.polygons.empty(); --i)
+        damage(soup, random);
+      try {
+        const Repaired repaired = repair_once(soup);
+        unfinished += repair_once(to_soup(repaired.mesh)).report.is_empty() ? 0 : 1;
+      } catch(const FG::Invalid_mesh_error& error) {
+        BOOST_CHECK_EQUAL(run % 4, 0); // of a tetrahedron, nothing may be left
+        BOOST_TEST_MESSAGE(error.what());
+      }
+    }
+  }
+  BOOST_CHECK_LT(unfinished, runs / 100);
+}
