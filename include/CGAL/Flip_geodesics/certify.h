@@ -22,9 +22,10 @@ enum class Certificate_verdict {
   PROVEN,       ///< the curve is locally shortest, exactly
   PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ with a probability of error below
                 ///< \f$2^{-100}\f$ each, see `Decision_statistics::unproven_zeros`
-  BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces; or it touches a vertex, as
-                ///< happens along faces without area, whose angles sum up to less than \f$2\pi\f$
-  BENT_JOINT ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
+  BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces, or its word is no such strip; or
+                ///< it touches a vertex, as happens along faces without area, whose angles sum up to less than
+                ///< \f$2\pi\f$
+  BENT_JOINT    ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
 };
 
 /// The name of a verdict, as the enumerator is spelled.
@@ -93,14 +94,14 @@ public:
     Curve_certificate result;
     const std::size_t unproven = m_statistics.unproven_zeros;
     m_network.for_each_segment(curve, [&](Index s) {
-      if(!result.is_locally_shortest())
-        return;
-      if(!is_straight(s))
+      if(result.is_locally_shortest() && !is_straight(s))
         result = {Certificate_verdict::BENT_SEGMENT, s, Side::LEFT};
-      else if(is_bent({s, Side::LEFT}))
-        result = {Certificate_verdict::BENT_JOINT, s, Side::LEFT};
-      else if(is_bent({s, Side::RIGHT}))
-        result = {Certificate_verdict::BENT_JOINT, s, Side::RIGHT};
+    });
+    // The angle of a joint is that between its segments' words, which are known to be true now.
+    m_network.for_each_segment(curve, [&](Index s) {
+      for(Side side : {Side::LEFT, Side::RIGHT})
+        if(result.is_locally_shortest() && is_bent({s, side}))
+          result = {Certificate_verdict::BENT_JOINT, s, side};
     });
     if(result.is_locally_shortest() && m_statistics.unproven_zeros > unproven)
       result.verdict = Certificate_verdict::PROBABLE;

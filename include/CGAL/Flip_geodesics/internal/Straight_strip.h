@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Touched_vertices.h>
 #include <CGAL/Flip_geodesics/internal/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/Word_ends.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -46,6 +47,8 @@ public:
   bool operator()(Index h) const
   {
     const Crossing_word word = m_triangulation.crossing_word(h);
+    if(word.tail != m_triangulation.tail(h) || word.head != m_triangulation.head(h) || !is_strip(word))
+      return false;
     if(word.along == null_index && word.crossed.empty())
       return true;
     const Strip_in_double strip(m_triangulation, word);
@@ -63,6 +66,51 @@ private:
   {
     Sign left, right;
   };
+
+  // Do the faces follow on one another, from one that has the tail to one that has the head? Numbers have no say here.
+  bool is_strip(const Crossing_word& word) const
+  {
+    if(word.along != null_index)
+      return is_on(word.tail, word.along) && is_on(word.head, Triangulation::twin(word.along));
+    if(word.crossed.empty())
+      return word.face != null_index && is_in_face(word.tail, word.face) && is_in_face(word.head, word.face);
+    const auto& input = m_triangulation.input();
+    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
+      const Index entered = Triangulation::twin(word.crossed[i]);
+      if(input.is_border(word.crossed[i]) || input.is_border(entered))
+        return false;
+      const Index right_side = input.next(entered), left_side = input.next(right_side);
+      if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
+        return false;
+    }
+    return is_opposite(word.tail, word.crossed.front()) &&
+           is_opposite(word.head, Triangulation::twin(word.crossed.back()));
+  }
+
+  // Is a vertex the tail of input halfedge h, or a point inside its edge?
+  bool is_on(Index v, Index h) const
+  {
+    if(!m_triangulation.is_inserted(v))
+      return m_triangulation.input().tail(h) == v;
+    return vertex_kind(m_triangulation, v) == Location_kind::EDGE &&
+           Triangulation::edge(m_triangulation.location(v).halfedge) == Triangulation::edge(h);
+  }
+
+  // Is a vertex somewhere in the face of input halfedge h, but not on its edge?
+  bool is_opposite(Index v, Index h) const
+  {
+    return is_in_face(v, h) && !is_on(v, h) && !is_on(v, Triangulation::twin(h));
+  }
+
+  bool is_in_face(Index v, Index h) const
+  {
+    const auto& input = m_triangulation.input();
+    const bool is_inside = m_triangulation.is_inserted(v) && vertex_kind(m_triangulation, v) == Location_kind::FACE;
+    for(int i = 0; i < 3; ++i, h = input.next(h))
+      if(is_inside ? m_triangulation.location(v).halfedge == h : is_on(v, h))
+        return true;
+    return false;
+  }
 
   // All of the input edge, of which the segment can be a part.
   void add_edge_along(const Crossing_word& word, Touched& touched) const

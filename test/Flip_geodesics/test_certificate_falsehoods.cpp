@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE certificate_falsehoods
+
+#include "Curve_setting.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+/*
+ * True certificates, and then something changed that makes them false, by as little as there is: a letter of a word, a
+ * unit in the last place of a vertex. What is true is known by rational arithmetic: the surfaces are screens, flat or
+ * folded, that unfold to the plane by rational numbers.
+ */
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using FG::Index;
+
+namespace {
+
+// A triangulation that can be made to lie about its words.
+class Planted_triangulation : public FG::Intrinsic_triangulation<Surface>
+{
+  using Base = FG::Intrinsic_triangulation<Surface>;
+
+public:
+  using Base::Base;
+
+  void plant(Index h, const FG::Crossing_word& word) { m_planted = {h, word}; }
+  void uproot() { m_planted.reset(); }
+
+  FG::Crossing_word crossing_word(Index h) const
+  {
+    return m_planted && m_planted->first == h ? m_planted->second : Base::crossing_word(h);
+  }
+
+private:
+  std::optional<std::pair<Index, FG::Crossing_word>> m_planted;
+};
+
+using Setting = Basic_curve_setting<Planted_triangulation>;
+using Verdict = FG::Certificate_verdict;
+
+// ---------------------------------------------------------------- screens
+
+constexpr int columns = 5, rows = 4;
+
+// The vertices of column i at x = 5 i, unfolded; folded like a fan, all coordinates stay rational.
+struct Screen
+{
+  bool is_folded;
+  std::array<double, (columns + 1) * (rows + 1)> y;
+  Mesh_soup connectivity;
+
+  Screen(bool folded, unsigned seed)
+    : is_folded(folded)
+    , connectivity(flat_grid(columns, rows, Diagonal_rule::RANDOM))
+  {
+    Random_numbers random(seed);
+    for(int v = 0; v < static_cast<int>(y.size()); ++v) // in eighths
+      y[v] = 5 * (v / (columns + 1)) + (random.below(25) - 12) / 8.0;
+  }
+
+  static int column(Index v) { return v % (columns + 1); }
+  static int row(Index v) { return v / (columns + 1); }
+
+  Coordinates point(Index v) const
+  {
+    const double i = column(v);
+    return is_folded ? Coordinates{3 * i, y[v], column(v) % 2 == 0 ? 0.0 : 4.0} : Coordinates{5 * i, y[v], 0};
+  }
+
+  Mesh_soup soup() const
+  {
+    Mesh_soup result = connectivity;
+    for(int v = 0; v < static_cast<int>(y.size()); ++v)
+      result.points[v] = point(v);
+    return result;
+  }
+
+  bool is_ordered() const // so that no face is turned over
+  {
+    for(int v = 0; v + columns + 1 < static_cast<int>(y.size()); ++v)
+      if(!(y[v] < y[v + columns + 1]))
+        return false;
+    return true;
+  }
+};
+
+void move(Setting& setting, const Screen& screen)
+{
+  for(int v = 0; v < static_cast<int>(screen.y.size()); ++v) {
+    const Coordinates p = screen.point(v);
+    setting.mesh.point(Surface::Vertex_index(v)) = {p[0], p[1], p[2]};
+  }
+}
+
+using Rational = boost::multiprecision::cpp_rational;
+
+struct Place
+{
+  Rational x, y;
+};
+
+// Where a vertex is, unfolded.
+Place place(const Setting& setting, const Screen& screen, Index v)
+{
+  if(!setting.triangulation.is_inserted(v))
+    return {5 * Screen::column(v), Rational(screen.y[v])};
+  const FG::Surface_location at = setting.triangulation.location(v);
+  const auto& input = setting.triangulation.input();
+  Place result = {0, 0};
+  Rational sum = 0;
+  Index h = at.halfedge;
+  for(int i = 0; i < 3; ++i, h = input.next(h)) {
+    const Rational weight(at.weights[i]);
+    const Place corner = place(setting, screen, input.tail(h));
+    result = {result.x + weight * corner.x, result.y + weight * corner.y};
+    sum += weight;
+  }
+  return {result.x / sum, result.y / sum};
+}
+
+// Positive if r lies on the left of the line from p to q.
+int orientation(const Place& p, const Place& q, const Place& r)
+{
+  const Rational sine = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  return sine > 0 ? 1 : (sine < 0 ? -1 : 0);
+}
+
+// Does the segment with a word stay in its strip?
+bool is_straight(const Setting& setting, const Screen& screen, const FG::Crossing_word& word)
+{
+  const Place p = place(setting, screen, word.tail), q = place(setting, screen, word.head);
+  const auto& input = setting.triangulation.input();
+  for(Index h : word.crossed)
+    if(orientation(p, q, place(setting, screen, input.tail(h))) > 0 ||
+       orientation(p, q, place(setting, screen, input.tail(h ^ 1))) < 0)
+      return false;
+  return true;
+}
+
+// The point half way from column i to the next one, in the face that has a corner at `corner` and two in the other
+// column, at its middle height there.
+FG::Surface_location middle_of_face(const Setting& setting, Index lone, bool is_leftmost)
+{
+  const auto& input = setting.triangulation.input();
+  for(Index h = 0; h < input.number_of_halfedges(); ++h) {
+    if(input.tail(h) != lone || input.is_border(h))
+      continue;
+    const int a = Screen::column(input.tail(input.next(h)));
+    const int b = Screen::column(input.tail(input.next(input.next(h))));
+    if(a == b && (a > Screen::column(lone)) == is_leftmost && a != Screen::column(lone))
+      return {h, {{0.5, 0.25, 0.25}}};
+  }
+  return {};
+}
+
+// A curve of one segment between two ends in the first and last columns, if there is one.
+bool add_segment(Setting& setting, bool is_inserted, Index from, Index to)
+{
+  Index ends[2] = {from, to};
+  if(is_inserted) {
+    const FG::Surface_location first = middle_of_face(setting, from, true), last = middle_of_face(setting, to, false);
+    if(first.halfedge == FG::null_index || last.halfedge == FG::null_index)
+      return false;
+    ends[0] = setting.network.insert(first);
+    ends[1] = setting.network.insert(last);
+  }
+  setting.network.add_curve(FG::shortest_intrinsic_edge_path(setting.triangulation, ends[0], ends[1]), false);
+  setting.pull();
+  return setting.network.halfedges(0).size() == 1;
+}
+
+double moved_by_units(double y, int units)
+{
+  for(; units > 0; --units)
+    y = std::nextafter(y, std::numeric_limits<double>::infinity());
+  for(; units < 0; ++units)
+    y = std::nextafter(y, -std::numeric_limits<double>::infinity());
+  return y;
+}
+
+struct Tally
+{
+  int straight = 0, bent = 0, touching = 0;
+};
+
+// Moves vertex v to the line of the only segment, and a little further, and compares the certificate with the truth.
+void move_across(const Screen& screen, bool is_inserted, Index from, Index to, Index v, Tally& tally)
+{
+  for(int units : {-1000000000, -2, -1, 0, 1, 2, 1000000000}) {
+    Setting setting(screen.soup()); // afresh, for what is known of the input's faces is kept
+    BOOST_REQUIRE(add_segment(setting, is_inserted, from, to));
+    const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0).front());
+    Screen moved = screen;
+    for(int round = 0; round < 3; ++round) { // the ends may move along
+      const Place p = place(setting, moved, word.tail), q = place(setting, moved, word.head);
+      const Rational x = 5 * Screen::column(v), y = p.y + (q.y - p.y) * (x - p.x) / (q.x - p.x);
+      moved.y[v] = y.convert_to<double>();
+    }
+    if(std::abs(units) > 2)
+      moved.y[v] += units > 0 ? 0.25 : -0.25;
+    else
+      moved.y[v] = moved_by_units(moved.y[v], units);
+    if(!moved.is_ordered())
+      continue;
+    move(setting, moved);
+    const bool is_true = is_straight(setting, moved, word);
+    const Verdict verdict = FG::certify(setting.network).curves[0].verdict;
+    BOOST_TEST((verdict == (is_true ? Verdict::PROVEN : Verdict::BENT_SEGMENT)),
+               "folded " << screen.is_folded << ", from " << from << " to " << to << ", vertex " << v << ", " << units);
+    const int side =
+        orientation(place(setting, moved, word.tail), place(setting, moved, word.head), place(setting, moved, v));
+    (side == 0 ? tally.touching : (is_true ? tally.straight : tally.bent)) += 1;
+  }
+}
+
+} // namespace
+
+// On either side, by a quarter and by a unit in the last place; with ends at vertices and inside faces.
+BOOST_AUTO_TEST_CASE(a_segment_that_leaves_its_strip_is_bent)
+{
+  for(bool is_folded : {false, true})
+    for(bool is_inserted : {false, true}) {
+      Tally tally;
+      for(unsigned seed = 1; seed <= 3; ++seed) {
+        const Screen screen(is_folded, seed);
+        for(int j = 0; j <= rows; ++j)
+          for(int k = 0; k <= rows; ++k) {
+            const Index from = grid_vertex(columns, 0, j), to = grid_vertex(columns, is_inserted ? 5 : 4, k);
+            Setting setting(screen.soup());
+            if(!add_segment(setting, is_inserted, from, to))
+              continue;
+            const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0).front());
+            const auto& input = setting.triangulation.input();
+            for(std::size_t i = 1; i + 1 < word.crossed.size(); ++i)
+              for(Index v : {input.tail(word.crossed[i]), input.tail(word.crossed[i] ^ 1)})
+                if(Screen::column(v) >= 1 && Screen::column(v) <= (is_inserted ? 4 : 3) && i % 2 == 1)
+                  move_across(screen, is_inserted, from, to, v, tally);
+          }
+      }
+      BOOST_TEST(tally.straight > 100);
+      BOOST_TEST(tally.bent > 100);
+      BOOST_TEST(tally.touching > 10);
+    }
+}
+
+namespace {
+
+// All words that differ by a letter: one left out, put in, replaced, two swapped.
+std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting, const FG::Crossing_word& word,
+                                                         Random_numbers& random)
+{
+  const auto& input = setting.triangulation.input();
+  std::vector<FG::Crossing_word> result;
+  const auto add = [&](const FG::Crossing_word& changed) {
+    if(changed.crossed != word.crossed || changed.along != word.along)
+      result.push_back(changed);
+  };
+  const auto beside = [&](Index h) { // the letters that could be taken for h
+    const Index t = h ^ 1;
+    std::vector<Index> letters = {t, random.below(input.number_of_halfedges())};
+    for(Index side : {h, t})
+      if(!input.is_border(side))
+        letters.insert(letters.end(), {input.next(side), input.next(input.next(side)), input.next(side) ^ 1,
+                                       input.next(input.next(side)) ^ 1});
+    return letters;
+  };
+  for(std::size_t i = 0; i < word.crossed.size(); ++i) {
+    FG::Crossing_word changed = word;
+    changed.crossed.erase(changed.crossed.begin() + static_cast<std::ptrdiff_t>(i));
+    add(changed);
+    changed = word;
+    if(i > 0)
+      std::swap(changed.crossed[i - 1], changed.crossed[i]);
+    add(changed);
+    for(Index letter : beside(word.crossed[i])) {
+      changed = word;
+      changed.crossed[i] = letter;
+      add(changed);
+      for(std::size_t at : {i, i + 1}) {
+        changed = word;
+        changed.crossed.insert(changed.crossed.begin() + static_cast<std::ptrdiff_t>(at), letter);
+        add(changed);
+      }
+    }
+  }
+  for(Index letter : beside(word.along != FG::null_index ? word.along : word.crossed.front())) {
+    FG::Crossing_word changed = word;
+    changed.crossed.clear();
+    changed.along = letter;
+    add(changed);
+  }
+  for(Index v : {word.tail, word.head}) { // and of another edge
+    FG::Crossing_word changed = word;
+    (v == word.tail ? changed.tail : changed.head) = (v + 1) % input.number_of_vertices();
+    result.push_back(changed);
+  }
+  return result;
+}
+
+int plant_falsehoods(Setting& setting, Random_numbers& random)
+{
+  int result = 0;
+  setting.network.for_each_segment(0, [&](Index s) {
+    const Index h = setting.network.halfedge(s);
+    const FG::Crossing_word word = setting.triangulation.crossing_word(h);
+    if(word.along == FG::null_index && word.crossed.empty())
+      return;
+    for(const FG::Crossing_word& changed : words_changed_by_a_letter(setting, word, random)) {
+      setting.triangulation.plant(h, changed);
+      const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
+      setting.triangulation.uproot();
+      BOOST_TEST((certificate.verdict == Verdict::BENT_SEGMENT));
+      BOOST_TEST(certificate.segment == s);
+      ++result;
+    }
+  });
+  return result;
+}
+
+} // namespace
+
+// Between two vertices of a surface without positive curvature there is one straight word.
+BOOST_AUTO_TEST_CASE(a_word_changed_by_a_letter_is_found)
+{
+  Random_numbers random(3);
+  for(const Mesh_soup& soup :
+      {Screen(false, 1).soup(), Screen(true, 2).soup(), jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1),
+       needle_strip(7, 7, 0x1p20), saddle_disk(6, 3, 8)})
+  {
+    int falsehoods = 0;
+    for(int i = 0; i < 10; ++i) {
+      Setting setting(soup);
+      const int n = setting.triangulation.number_of_vertices();
+      const int u = random.below(n);
+      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      setting.pull();
+      if(FG::certify(setting.network).is_locally_shortest())
+        falsehoods += plant_falsehoods(setting, random);
+    }
+    BOOST_TEST(falsehoods > 100);
+  }
+}
+
+// The same between points of faces and edges.
+BOOST_AUTO_TEST_CASE(a_word_between_points_changed_by_a_letter_is_found)
+{
+  Random_numbers random(4);
+  int falsehoods = 0;
+  for(int i = 0; i < 20; ++i) {
+    Setting setting(Screen(i % 2 != 0, 1 + i).soup());
+    Index ends[2];
+    for(int k = 0; k < 2; ++k) {
+      const Index h = setting.triangulation.index(
+          halfedge(Surface::Face_index(random.below(static_cast<int>(setting.mesh.number_of_faces()))), setting.mesh));
+      ends[k] = setting.network.insert({h, {{0.25, 0.5, i % 3 == 0 ? 0.0 : 0.25}}});
+    }
+    if(ends[0] == ends[1])
+      continue;
+    setting.network.add_curve(FG::shortest_intrinsic_edge_path(setting.triangulation, ends[0], ends[1]), false);
+    setting.pull();
+    if(FG::certify(setting.network).is_locally_shortest())
+      falsehoods += plant_falsehoods(setting, random);
+  }
+  BOOST_TEST(falsehoods > 100);
+}
+
+// ---------------------------------------------------------------- joints
+
+namespace {
+
+// The verdict on the path from vertex 2 over the new vertex to vertex 3, in the diamond of two triangles over the edge
+// from vertex 0 to vertex 1; with the sides of the joint.
+FG::Curve_certificate verdict_on_joint(const Mesh_soup& soup, const FG::Surface_location& middle, bool is_reversed)
+{
+  Setting setting(soup);
+  const Index x = setting.network.insert(middle);
+  std::vector<Index> path = {FG::internal::halfedge_between(setting.triangulation, 2, x),
+                             FG::internal::halfedge_between(setting.triangulation, x, 3)};
+  if(is_reversed)
+    path = {path[1] ^ 1, path[0] ^ 1};
+  setting.network.add_curve(path, false);
+  return FG::certify(setting.network).curves[0];
+}
+
+Index halfedge_from_to(const Mesh_soup& soup, Index v, Index w)
+{
+  const Setting setting(soup);
+  return FG::internal::halfedge_between(setting.triangulation, v, w);
+}
+
+} // namespace
+
+// The middle of an edge that is a fold; the far vertex a unit in the last place to the left or to the right.
+BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_an_edge_bent_by_a_unit_is_found)
+{
+  for(bool is_folded : {false, true})
+    for(int units : {-1000, -1, 0, 1, 1000}) {
+      const double x = moved_by_units(1, units);
+      const Mesh_soup soup = {
+          {{0, 0, 0}, {1, 0, 0}, {0, -5, 0}, is_folded ? Coordinates{x, 3, 4} : Coordinates{x, 5, 0}},
+          {{0, 1, 3}, {1, 0, 2}}};
+      const FG::Surface_location middle = {halfedge_from_to(soup, 0, 1), {{0.5, 0.5, 0}}};
+      for(bool is_reversed : {false, true}) {
+        const FG::Curve_certificate certificate = verdict_on_joint(soup, middle, is_reversed);
+        BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
+        if(units != 0)
+          BOOST_TEST((certificate.side == ((units > 0) != is_reversed ? FG::Side::RIGHT : FG::Side::LEFT)));
+      }
+    }
+}
+
+// From a corner of a face through one point inside to another: straight if the weights of the other corners have one
+// ratio.
+BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_a_face_bent_by_a_unit_is_found)
+{
+  for(double height : {0.0, 1.0})
+    for(int corner : {0, 1, 2})
+      for(int units : {-1000, -1, 0, 1, 1000}) {
+        const Mesh_soup soup = {{{0, 0, height}, {7, 1, 0}, {2, 5, 3 * height}}, {{0, 1, 2}}};
+        Setting setting(soup);
+        const Index h = FG::internal::halfedge_between(setting.triangulation, corner, (corner + 1) % 3);
+        const Index x = setting.network.insert({h, {{0.5, 0.25, 0.25}}});
+        const Index y = setting.network.insert({h, {{0.25, moved_by_units(0.375, units), 0.375}}});
+        setting.network.add_curve(std::vector<Index>{FG::internal::halfedge_between(setting.triangulation, corner, x),
+                                                     FG::internal::halfedge_between(setting.triangulation, x, y)},
+                                  false);
+        const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
+        BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
+        if(units != 0) // more of the next corner is on the right
+          BOOST_TEST((certificate.side == (units > 0 ? FG::Side::RIGHT : FG::Side::LEFT)));
+      }
+}
+
+// A line through a vertex of a folded screen.
+BOOST_AUTO_TEST_CASE(a_joint_at_a_vertex_bent_by_a_unit_is_found)
+{
+  for(bool is_folded : {false, true})
+    for(int units : {-1000, -1, 0, 1, 1000}) {
+      Screen screen(is_folded, 1);
+      for(std::size_t v = 0; v < screen.y.size(); ++v)
+        screen.y[v] = 5 * Screen::row(static_cast<Index>(v)) + Screen::column(static_cast<Index>(v));
+      const Index v = grid_vertex(columns, 2, 2);
+      screen.y[v] = moved_by_units(screen.y[v], units);
+      Setting setting(screen.soup());
+      setting.add({grid_vertex(columns, 1, 2), v, grid_vertex(columns, 3, 2)}, false);
+      const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
+      BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
+      if(units != 0)
+        BOOST_TEST((certificate.side == (units > 0 ? FG::Side::RIGHT : FG::Side::LEFT)));
+    }
+}
