@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(data_is_carried_across)
   for(auto v : mesh.vertices()) // at inserted vertices as well
     if(subdivision.vertex_origin(v).intrinsic_vertex >= static_cast<int>(at_input.size()))
       at_intrinsic.push_back(result[v]);
-  result.assign(result.size(), 0);
+  std::fill(result.begin(), result.end(), 0);
   subdivision.interpolate_from_intrinsic(
       boost::make_iterator_property_map(at_intrinsic.begin(), boost::typed_identity_property_map<FG::Index>()),
       on_mesh);

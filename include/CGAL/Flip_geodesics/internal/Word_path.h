@@ -83,7 +83,7 @@ public:
     }
     m_spokes_at_end = static_cast<Index>(m_word.crossed.end() - last);
     m_word.crossed.erase(last, m_word.crossed.end());
-    m_word.crossed.erase(m_word.crossed.begin(), first);
+    m_word.crossed.erase(m_word.crossed.begin(), m_word.crossed.begin() + m_spokes_at_start);
     if(m_word.crossed.empty())
       place_in_face(first_anchor, last_anchor);
     return std::move(m_word);
