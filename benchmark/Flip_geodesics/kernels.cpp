@@ -109,13 +109,8 @@ private:
   std::size_t shorten_and_undo()
   {
     Triangulation& triangulation = m_triangulation;
+    const std::size_t flips = FG::shorten(m_untouched).flips;
     m_untouched.clear();
-    std::size_t flips = 0;
-    {
-      Network network(triangulation);
-      network.add_curve(m_path, false);
-      flips = FG::shorten(network).flips;
-    }
     triangulation.rollback();
     m_untouched.add_curve(m_path, false);
     return flips;

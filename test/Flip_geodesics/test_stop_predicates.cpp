@@ -462,12 +462,13 @@ BOOST_AUTO_TEST_CASE(limits_are_lowered)
 // A run looks at what its steps touch, once.
 BOOST_AUTO_TEST_CASE(runs_look_at_nothing_twice)
 {
-  Curve_setting setting(shaken(torus(24, 20, 3, 1), 0.2, 1));
+  const Surface mesh = to_mesh<Surface>(shaken(torus(24, 20, 3, 1), 0.2, 1));
   using Network = Counting_network<Curve_setting::Triangulation>;
-  Curve_setting::Search search(setting.triangulation);
+  Curve_setting::Triangulation triangulation(mesh);
+  Curve_setting::Search search(triangulation);
   std::size_t wedges_at_once = 0;
   for(bool is_at_once : {true, false}) {
-    Network network(setting.triangulation);
+    Network network(triangulation);
     for(int v = 0; v < 200; v += 10)
       network.add_curve(search(v, 479 - v), false);
     FG::Shortener<Network> shortener(network);
@@ -485,7 +486,7 @@ BOOST_AUTO_TEST_CASE(runs_look_at_nothing_twice)
     BOOST_TEST(network.wedges < 20 * (shortener.number_of_steps() + looked_at_first));
     BOOST_TEST(shortener.report().is_complete());
     network.clear();
-    setting.triangulation.rollback();
+    triangulation.rollback();
   }
 }
 

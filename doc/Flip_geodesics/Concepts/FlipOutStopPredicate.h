@@ -9,6 +9,11 @@
  * It is asked when the outcome of a step is known and before the curve is changed, so that a limit on the length is
  * never overrun, not even by a step in which a curve collapses. If it objects, the flips of the step are taken back.
  *
+ * A predicate that remembers something, as `Time_stop_predicate` does the time, may have a const member function
+ * `restarted()`, which returns one of the same type that has forgotten it. What pulls several curves tight, one after
+ * the other or in several threads, then asks another one for each, made when the curve's turn comes:
+ * `geodesic_paths()`, `geodesics_through()`, `geodesic_path_through()`.
+ *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}
  * \cgalHasModels{CGAL::Flip_geodesics::Length_ratio_stop_predicate}

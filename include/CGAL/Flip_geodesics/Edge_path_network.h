@@ -8,10 +8,12 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Joint_replacement.h>
+#include <CGAL/Flip_geodesics/internal/Network_place.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
 #include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/Segment_division.h>
 #include <CGAL/Flip_geodesics/internal/Segment_store.h>
+#include <CGAL/Flip_geodesics/internal/check_chain.h>
 
 #include <CGAL/assertions.h>
 
@@ -48,7 +50,8 @@ class Network_access;
  * Segment ids are given once and never again, so that an id in a queue cannot come to mean something else.
  *
  * A triangulation serves one network at a time: the network keeps the head of each stack in the edges' labels, and
- * takes them out again in its destructor. The triangulation must outlive the network.
+ * takes them out again in its destructor. The triangulation must outlive the network, of which nothing but the
+ * destructor may be called afterwards.
  *
  * \tparam Triangulation an `Intrinsic_triangulation`
  *
@@ -68,16 +71,30 @@ public:
     Turn turn; ///< over the corners up to the next strand; to be compared only if `state` is `FREE`
   };
 
-  /// An empty network in a triangulation, which no other network uses.
+  /// An empty network in a triangulation.
+  /// \throws Occupied_triangulation_error if another network lives there; nothing is changed then
   explicit Edge_path_network(Triangulation& triangulation)
-    : m_triangulation(&triangulation)
+    : m_claim(triangulation.network_place())
+    , m_triangulation(&triangulation)
+    , m_segments(triangulation)
+  {
+  }
+
+  /* The same beside another one that has no curves, and is not used meanwhile. */
+  Edge_path_network(Triangulation& triangulation, internal::Beside_empty_network place)
+    : m_claim(triangulation.network_place(), place)
+    , m_triangulation(&triangulation)
     , m_segments(triangulation)
   {
   }
 
   Edge_path_network(const Edge_path_network&) = delete;
   Edge_path_network& operator=(const Edge_path_network&) = delete;
-  ~Edge_path_network() { clear(); }
+  ~Edge_path_network()
+  {
+    if(!m_claim.has_lapsed())
+      clear();
+  }
 
   /// The triangulation that the curves lie in.
   Triangulation& triangulation() const { return *m_triangulation; }
@@ -96,9 +113,10 @@ public:
   template <class HalfedgeRange>
   Index add_curve(const HalfedgeRange& halfedges, bool is_closed)
   {
-    check_chain(halfedges, is_closed);
+    internal::check_chain(*m_triangulation, halfedges, is_closed);
     const Index curve = static_cast<Index>(m_curves.size());
     m_curves.push_back({null_index, null_index, is_closed, 0});
+    m_claim.set_has_curves(true);
     for(Index h : halfedges)
       append(curve, h);
     if(is_closed)
@@ -191,6 +209,7 @@ public:
         m_triangulation->set_label(Triangulation::edge(halfedge(s)), 0);
     m_segments.set_end_of_ids(1);
     m_curves.clear();
+    m_claim.set_has_curves(false);
   }
 
   /// @}
@@ -448,28 +467,6 @@ private:
     return {b == end ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
   }
 
-  template <class HalfedgeRange>
-  void check_chain(const HalfedgeRange& halfedges, bool is_closed) const
-  {
-    std::size_t position = 0;
-    Index first = null_index, last = null_index;
-    for(Index h : halfedges) {
-      if(h < 0 || h >= m_triangulation->number_of_halfedges())
-        throw Invalid_curve_error("a curve has a halfedge that the mesh does not have", {position});
-      if(last != null_index && m_triangulation->head(last) != m_triangulation->tail(h))
-        throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
-      m_triangulation->length(h); // copies its face, which may throw: before the network changes
-      if(first == null_index)
-        first = h;
-      last = h;
-      ++position;
-    }
-    if(first == null_index)
-      throw Invalid_curve_error("a curve has no edge");
-    if(is_closed && m_triangulation->head(last) != m_triangulation->tail(first))
-      throw Invalid_curve_error("a closed curve does not end where it starts", {position});
-  }
-
   void append(Index curve, Index h)
   {
     const Index s = m_segments.create(curve, h);
@@ -489,6 +486,7 @@ private:
       m_segments.remove(s);
   }
 
+  internal::Network_claim m_claim;
   Triangulation* m_triangulation;
   mutable internal::Segment_store<Triangulation> m_segments; // mutable, since what is known of wedges is kept
   std::vector<Curve> m_curves;

@@ -54,6 +54,7 @@ public:
    * \param control_points at least two, no two in a row in one place; a closed spline has at least three, and does not
    *        repeat the first
    * \throws Invalid_curve_error for fewer points, or two in a row in one place
+   * \throws Occupied_triangulation_error if there are curves
    * \throws Invalid_location_error, Insertion_error, Disconnected_endpoints_error, and as `refine()`
    */
   Free_geodesic_spline(Triangulation& triangulation, const std::vector<Surface_location>& control_points,

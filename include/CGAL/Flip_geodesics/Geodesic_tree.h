@@ -88,13 +88,16 @@ public:
    * \param max_distance no path longer than this is wanted. Vertices that are nearer, but of which the search meets
    *        only neighbors that are farther, are not found; so give a little more to have all
    * \param visitor a model of `FlipOutVisitor`, of which `on_flip()` and `go_further()` are called
-   * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error
+   * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+   * \throws Occupied_triangulation_error if a network in the triangulation has curves
    */
   template <class Visitor = Default_shortening_visitor>
   Geodesic_tree_report grow(Index source, double max_distance = std::numeric_limits<double>::infinity(),
                             Visitor&& visitor = Visitor())
   {
     internal::check_vertex(source, m_triangulation->number_of_vertices());
+    if(m_triangulation->has_curves())
+      throw Occupied_triangulation_error("a tree cannot be grown in a triangulation that has curves");
     const bool is_small = m_labels.size() < static_cast<std::size_t>(m_triangulation->number_of_vertices());
     if(is_small || m_epoch > (std::numeric_limits<Index>::max)() - 8) { // some were inserted, or no epoch is left
       m_labels = internal::Lazy_array<Label>(static_cast<std::size_t>(m_triangulation->number_of_vertices()));

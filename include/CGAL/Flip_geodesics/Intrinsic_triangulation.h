@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Insertion_log.h>
+#include <CGAL/Flip_geodesics/internal/Network_place.h>
 #include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
@@ -60,7 +61,7 @@ namespace Flip_geodesics {
  * Not safe to be used from two threads at once, not even for reading; give each thread a triangulation of its own.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
- *         `Surface_mesh` without removed elements
+ *         `Surface_mesh` without removed vertices or edges
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`
  * \tparam Metric_ a model of `IntrinsicMetric`
  */
@@ -99,20 +100,21 @@ public:
   /// @{
 
   /// Over an embedded mesh with the mesh's own points. Complexity: see the class.
+  /// \throws Invalid_mesh_error if there are too many elements, or a `Surface_mesh` keeps removed vertices or edges
   explicit Intrinsic_triangulation(const TriangleMesh& mesh, const Traits& traits = Traits())
     : Intrinsic_triangulation(mesh, Metric(get(CGAL::vertex_point, mesh)), traits)
   {
   }
 
-  /// Over a mesh with a metric. Complexity: see the class.
+  /// Over a mesh with a metric. Complexity, exceptions: as above.
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
     : m_halfedges(Input_mesh(mesh), metric, traits)
   {
   }
 
-  /// Moves a triangulation; one with a network cannot be moved, since the network refers to it.
+  /// Moves a triangulation. \throws Occupied_triangulation_error if a network lives in it; nothing is changed then
   Intrinsic_triangulation(Intrinsic_triangulation&&) = default;
-  /// Moves a triangulation, as above.
+  /// Moves a triangulation. \throws Occupied_triangulation_error if a network lives in one of the two, as above
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&&) = default;
 
   /// @}
@@ -148,8 +150,9 @@ public:
 
   /// @}
   /// \name Connectivity
-  /// Constant time; the face on the left of a halfedge is copied from the input at the first touch, and then a
-  /// degenerate or non-finite face throws `Degenerate_face_error` or `Invalid_coordinate_error`.
+  /// Constant time; the face on the left of a halfedge is copied from the input at the first touch, and then a face
+  /// that is no triangle, degenerate or not finite throws `Invalid_mesh_error`, `Degenerate_face_error` or
+  /// `Invalid_coordinate_error`.
   /// @{
 
   /// The other side of the edge.
@@ -289,7 +292,7 @@ public:
   /*!
    * Flips the edge of `h`: `h` leads from the apex of its twin's face to the apex of its own afterwards. Four flips of
    * one halfedge restore the connectivity. Constant time.
-   * \pre `is_flippable(h)`
+   * \pre `is_flippable(h)`, and no curve lies on the edge
    */
   void flip(Index h)
   {
@@ -297,6 +300,7 @@ public:
     Halfedge_record &at_h = m_halfedges.known(s), &at_t = m_halfedges.known(t); // from here on both faces are known
     const Slot hn = at_h.next(), tn = at_t.next();
     CGAL_precondition_msg(hn != t && tn != s, "an edge at a vertex of degree 1 cannot be flipped");
+    CGAL_precondition_msg(m_halfedges.label(s) == 0, "a curve lies on the edge that is flipped");
     Halfedge_record &at_hn = m_halfedges[hn], &at_tn = m_halfedges[tn];
     const Slot hp = at_hn.next(), tp = at_tn.next();
     Halfedge_record &at_hp = m_halfedges[hp], &at_tp = m_halfedges[tp];
@@ -330,7 +334,7 @@ public:
   Log_position log_position() const { return m_log.size(); }
 
   /// Takes flips and insertions back, the last first, until the log has `position` entries; bit for bit. Linear in what
-  /// is undone. \pre no curve lies on an edge that goes
+  /// is undone. \pre no curve lies on an edge that goes, or is removed before anything is asked of it
   void rollback(Log_position position = 0)
   {
     for(; m_log.size() > position; m_log.pop_back()) {
@@ -369,22 +373,27 @@ public:
    * whose decisions err can leave no face for a point; then it goes onto the nearest edge, if that is as close as
    * rounding explains.
    *
-   * `rollback()` takes the vertex out again. An edge that a curve lies on is split by `Edge_path_network::insert()`.
+   * `rollback()` takes the vertex out again.
    *
    * \param location any point of the surface
    * \return the new vertex, or the one that is there already
    * \throws Invalid_location_error
    * \throws Insertion_error if flips were wrong by rounding around the point, the point is closer to a vertex than
    *         numbers can tell, or an exact number type cannot express it; nothing is changed then
+   * \throws Occupied_triangulation_error if a curve lies on the edge that the point is on, which
+   *         `Edge_path_network::insert()` splits; nothing is changed then
    * \throws Degenerate_face_error, Invalid_coordinate_error
    *
    * Linear in the words of the edges that pass the point's input face, most often those of its face alone.
    */
   Index insert(const Surface_location& location)
   {
-    return insert(location, [this](const internal::Edge_halves& halves) {
-      CGAL_precondition_msg(label(edge(halves.first)) == 0, "a curve lies on the edge that is split");
-      static_cast<void>(halves);
+    const Log_position start = log_position();
+    return insert(location, [this, start](const internal::Edge_halves& halves) {
+      if(label(edge(halves.first)) == 0)
+        return;
+      rollback(start);
+      throw Occupied_triangulation_error("a curve lies on the edge that a point is to be inserted on");
     });
   }
 
@@ -468,6 +477,11 @@ public:
   /// Sets the label of edge `e`.
   void set_label(Index e, Index label) { m_halfedges.label(m_halfedges.taken(2 * e)) = label; }
 
+  /// Where the network claims its place; of a type that is not documented.
+  internal::Network_place& network_place() { return m_network_place; }
+  /// Does a network live in the triangulation that has curves?
+  bool has_curves() const { return m_network_place.has_curves(); }
+
   /// @}
 
   /*!
@@ -529,8 +543,9 @@ private:
   template <class OnSplit>
   Index insert_at(internal::Located_point place, const Surface_location& point, const OnSplit& on_split)
   {
-    if(place.is_on_edge && next(twin(place.halfedge)) == place.halfedge) // of degree 1 is the head, if an end is
-      place = {twin(place.halfedge), (std::max)(crossings(edge(place.halfedge)), 0) - place.gap, true, null_index};
+    const Index t = twin(place.halfedge);
+    if(place.is_on_edge && !is_border(t) && next(t) == place.halfedge) // of degree 1 is the head, if an end is
+      place = {t, (std::max)(crossings(edge(t)), 0) - place.gap, true, null_index};
     const Log_position start = log_position();
     internal::Insertion_log<Intrinsic_triangulation>(*this).begin(place, point);
     const Index x = number_of_vertices() - 1;
@@ -574,6 +589,7 @@ private:
     at_tp.geometry = flip.old_tp;
   }
 
+  internal::Network_place m_network_place; // first, so that it can refuse to be moved before anything is
   mutable Halfedge_store m_halfedges; // mutable, since faces of the input are copied when they are first read
   mutable internal::Edge_history<Intrinsic_triangulation> m_history;
   mutable Decision_statistics m_statistics;

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_MOLLIFIED_METRIC_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/check_triangle.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>
@@ -62,6 +63,7 @@ public:
    * \param factor the margin of the triangle inequality, relative to the mean edge length
    * \pre 0 < factor < 1
    * \throws Invalid_coordinate_error if an edge's length is negative or not a finite number
+   * \throws Invalid_mesh_error if a face is not a triangle
    */
   template <class TriangleMesh>
   Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor = 1e-5)
@@ -143,6 +145,7 @@ private:
     for(Index h = 0; h < mesh.number_of_halfedges(); ++h) {
       if(mesh.is_border(h))
         continue;
+      internal::check_triangle(mesh, h);
       const Index hn = mesh.next(h), hp = mesh.next(hn);
       needed = (std::max)(needed, margin + Base::weight(mesh, h) - Base::weight(mesh, hn) - Base::weight(mesh, hp));
     }

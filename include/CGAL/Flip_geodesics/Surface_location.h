@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/check_triangle.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -66,6 +67,8 @@ void check_location(const Input_mesh& input, const Surface_location& location)
     throw Invalid_location_error("the weights of a location in the face of halfedge " + std::to_string(h) +
                                      " are all zero",
                                  {static_cast<std::size_t>(h)});
+  if(!input.is_border(h) && (location.weights[1] != 0 || location.weights[2] != 0))
+    check_triangle(input, h);
   if(input.is_border(h) && location.weights[2] != 0)
     throw Invalid_location_error("a location lies in the face of halfedge " + std::to_string(h) +
                                      ", which is on the border",

@@ -72,8 +72,9 @@ struct Free_legs
  *
  * \param triangulation that of the input, without flips and curves, as it is afterwards
  * \param points at least two, no two in a row in one place
- * \param stop, visitor as for `shorten()`, for each leg
+ * \param stop, visitor as for `shorten()`, for each leg; the first `restarted()` for each if it can be
  * \throws Invalid_curve_error for fewer than two points, or two in a row in one place
+ * \throws Occupied_triangulation_error if there are curves
  * \throws Disconnected_endpoints_error, and as `Intrinsic_triangulation::insert()`, `shorten()`
  */
 template <class Triangulation, class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
@@ -83,10 +84,14 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
   if(points.size() < 2)
     throw Invalid_curve_error("a path needs two points");
   internal::Path_straightener<Triangulation> straightener(triangulation);
-  const auto tighten = [&](Edge_path_network<Triangulation>& network) { return shorten(network, stop, visitor); };
   Free_legs result;
-  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+  for(std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto& stop_on_leg = internal::restarted(stop);
+    const auto tighten = [&](Edge_path_network<Triangulation>& network) {
+      return shorten(network, stop_on_leg, visitor);
+    };
     result.legs.push_back(straightener.shortest(points[i], points[i + 1], tighten));
+  }
   result.report = straightener.report();
   result.certificate = straightener.certificate();
   return result;

@@ -50,7 +50,8 @@ std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const 
  * do not, a geodesic between them is put in, as the points where it crosses edges.
  *
  * \return the polyline, for `draw_polyline()` and `snap_polyline()`
- * \pre no curve lies in the triangulation, which is the same afterwards
+ * \pre no edge of the triangulation has been flipped; it is the same afterwards
+ * \throws Occupied_triangulation_error if there are curves in it, and a geodesic is needed
  * \throws Invalid_curve_error if there are fewer than two points, or three of a closed polyline
  * \throws Disconnected_endpoints_error, and as `draw_polyline()`, `shorten()`
  */

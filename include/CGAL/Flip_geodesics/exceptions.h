@@ -37,7 +37,9 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// The connectivity is not that of an oriented triangulated surface.
+/// The connectivity is not that of an oriented triangulated surface: a face is not a triangle, an edge is in no face,
+/// vertices or edges of a `Surface_mesh` have been removed but are still there, or there are more elements than indices.
+/// `elements()` are the vertices of the face, eight at most, or of the edge.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -106,6 +108,15 @@ public:
 /// \ingroup PkgFlipGeodesicsErrors
 /// Strands of the input curves cross at the vertex in `elements()`, whatever their order on shared edges.
 class Crossing_curves_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
+/// A network lives in a triangulation, which therefore can neither be given another one nor be moved, nor flipped by
+/// what takes no notice of the network's curves.
+class Occupied_triangulation_error : public Error
 {
 public:
   using Error::Error;

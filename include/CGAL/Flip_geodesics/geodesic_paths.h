@@ -100,10 +100,11 @@ private:
 
   void compute(State& state, Vertex source, Vertex target, Result& result) const
   {
+    const auto& stop = restarted(m_stop);
     const std::vector<Index> ends = {state.triangulation.index(source), state.triangulation.index(target)};
     Network network(state.triangulation);
     const std::vector<Index> path = shortest_halfedges_through(state.search, ends);
-    result.report = shorten_between_ends(network, path, m_np, m_stop).curves.front();
+    result.report = shorten_between_ends(network, path, m_np, stop).curves.front();
     Curve_extractor<Network>(network).points(0, std::back_inserter(result.points));
   }
 
@@ -178,7 +179,7 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
  * \param pairs a range of `std::pair`s of vertices, source and target
  * \param out receives a `Geodesic_path` with the mesh's points per pair, in the order of the pairs
  * \param np named parameters as for `geodesic_path()`; a `visitor` is called from all threads
- * \param stop as for `geodesic_path()`, for each path; it is asked from all threads
+ * \param stop as for `geodesic_path()`; it is asked from all threads, for each path as `restarted()` if it can be
  * \return the end of the output
  *
  * Complexity: that of the searches and of `shorten()`; meshes other than `Surface_mesh` are indexed once per thread,

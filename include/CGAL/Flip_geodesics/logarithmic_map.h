@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_LOGARITHMIC_MAP_H
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
 
 #include <CGAL/assertions.h>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -66,23 +68,25 @@ struct Logarithmic_map
  * \param zero the input halfedge whose direction is 0; it starts at the source. By default that of the input's first
  *        halfedge of the vertex; ignored on the border, where the angles start at the border,
  *        and at an inserted vertex, where they start at the direction of its `location()`'s halfedge.
+ * \throws Invalid_location_error if `zero` is another halfedge
  */
 template <class Triangulation>
 Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Index zero = null_index)
 {
   const Triangulation& triangulation = tree.triangulation();
   CGAL_precondition(tree.source() != null_index);
-  CGAL_precondition(zero == null_index || triangulation.is_inserted(tree.source()) ||
-                    triangulation.input().tail(zero) == tree.source());
+  const bool is_zero_told = zero != null_index && !triangulation.is_inserted(tree.source());
+  if(is_zero_told && (zero < 0 || zero >= triangulation.input().number_of_halfedges() ||
+                      triangulation.input().tail(zero) != tree.source()))
+    throw Invalid_location_error("the halfedge of angle zero does not start at the source of the tree, vertex " +
+                                 std::to_string(tree.source()));
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
   Logarithmic_map map;
   map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
   map.vertices[tree.source()].radius = 0;
   map.total_angle = directions.total();
   map.is_on_border = directions.has_border();
-  const double start = zero == null_index || map.is_on_border || triangulation.is_inserted(tree.source())
-                           ? 0
-                           : directions.of_input(zero);
+  const double start = is_zero_told && !map.is_on_border ? directions.of_input(zero) : 0;
 
   std::vector<Index> way; // from a vertex back to one whose angle is known
   for(Index v = 0; v < triangulation.number_of_vertices(); ++v) {

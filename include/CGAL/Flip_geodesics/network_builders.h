@@ -113,10 +113,10 @@ std::vector<Index> shortest_halfedges_through(Search& search, const VertexRange&
     v.push_back(v.front());
   std::vector<Index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
+    const std::vector<Index> leg = search(v[i], v[i + 1]); // first of all refuses what is no vertex
     if(v[i] == v[i + 1])
       throw Invalid_curve_error("a curve starts and ends at the same vertex " + std::to_string(v[i]),
                                 {static_cast<std::size_t>(v[i])});
-    const std::vector<Index> leg = search(v[i], v[i + 1]);
     result.insert(result.end(), leg.begin(), leg.end());
   }
   return result;

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Delaunay_refiner.h>
 
 #include <CGAL/assertions.h>
@@ -135,11 +136,13 @@ Refinement_report refine(Edge_path_network<Triangulation>& network,
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
-/// The same for a triangulation without curves. \pre no network lives in it
+/// The same for a triangulation without curves. \throws Occupied_triangulation_error if a network in it has some
 template <class Triangulation, class Visitor = Default_shortening_visitor>
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),
                          Visitor&& visitor = Visitor())
 {
+  if(triangulation.has_curves())
+    throw Occupied_triangulation_error("a triangulation that has curves is refined by way of their network");
   internal::Triangulation_splitter<Triangulation> splitter = {triangulation};
   return internal::refine(triangulation, splitter, options, visitor);
 }

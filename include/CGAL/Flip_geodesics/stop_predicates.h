@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -129,23 +131,55 @@ private:
   std::size_t m_limit;
 };
 
+namespace internal {
+
+template <class StopPredicate, class = void>
+struct Can_restart : std::false_type
+{
+};
+
+template <class StopPredicate>
+struct Can_restart<StopPredicate, std::void_t<decltype(std::declval<const StopPredicate&>().restarted())>>
+  : std::true_type
+{
+};
+
+/* The predicate for a further curve: itself, unless it can start afresh. */
+template <class StopPredicate>
+decltype(auto) restarted(const StopPredicate& stop)
+{
+  if constexpr(Can_restart<StopPredicate>::value)
+    return stop.restarted();
+  else
+    return (stop);
+}
+
+} // namespace internal
+
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when a time is over, counted from the predicate's construction. \cgalModels{FlipOutStopPredicate}
+/// Stops when a time is over, counted from the predicate's construction; where a function computes several curves, one
+/// after the other, counted for each from its start. \cgalModels{FlipOutStopPredicate}
 class Time_stop_predicate
 {
 public:
   explicit Time_stop_predicate(std::chrono::duration<double> limit)
-    : m_end(std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(limit))
+    : m_limit(limit)
+    , m_start(std::chrono::steady_clock::now())
   {
   }
 
   Stop_decision operator()(const Shortening_step&) const
   {
-    return std::chrono::steady_clock::now() >= m_end ? Stop_decision::ITERATION_LIMIT : Stop_decision::CONTINUE;
+    return std::chrono::steady_clock::now() - m_start >= m_limit ? Stop_decision::ITERATION_LIMIT
+                                                                 : Stop_decision::CONTINUE;
   }
 
+  /// The same time, counted from now.
+  Time_stop_predicate restarted() const { return Time_stop_predicate(m_limit); }
+
 private:
-  std::chrono::steady_clock::time_point m_end;
+  std::chrono::duration<double> m_limit;
+  std::chrono::steady_clock::time_point m_start;
 };
 
 /// \ingroup PkgFlipGeodesicsStop
@@ -168,6 +202,14 @@ public:
         },
         m_predicates);
     return decision;
+  }
+
+  /// The same predicates, those started afresh that can.
+  Any_stop_predicate restarted() const
+  {
+    return std::apply(
+        [](const Predicates&... predicate) { return Any_stop_predicate(internal::restarted(predicate)...); },
+        m_predicates);
   }
 
 private:

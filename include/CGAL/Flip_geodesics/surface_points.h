@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <CGAL/number_utils.h>
 
@@ -48,7 +49,7 @@ Surface_location surface_location(
  * located with rounding, at -5.6e-17 for instance, are on the edge or at the vertex that is meant.
  *
  * \param snap a barycentric coordinate, not negative and below 1/3
- * \throws Invalid_location_error if the face is null, a coordinate is less than `-snap` or no number, or the three do
+ * \throws Invalid_location_error if the face is null or none of the mesh's, a coordinate is less than `-snap` or no number, or the three do
  *         not sum to one within 1e-6
  *
  * Complexity: constant.
@@ -60,8 +61,8 @@ Surface_location surface_location(
                     std::array<FT, 3>>& location,
     double snap = 1e-12)
 {
-  if(location.first == boost::graph_traits<typename Triangulation::Triangle_mesh>::null_face())
-    throw Invalid_location_error("a location is in no face");
+  if(!internal::is_face(location.first, mesh))
+    throw Invalid_location_error("a location is in no face of the mesh");
   Surface_location result;
   result.halfedge = triangulation.index(internal::graph_halfedge(location.first, mesh));
   double sum = 0;
@@ -177,8 +178,7 @@ private:
   // Moves weights to the left of the edge by a part of its length.
   void add_height(const Crossing_word& word, Index h, double height, std::array<double, 3>& weights) const
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-    const auto f = m_triangulation.metric().face_geometry(m_triangulation.input(), h, Double_traits());
+    const auto f = input_face_geometry(m_triangulation, h);
     const Vector u(f[0].x, f[0].y), v(-f[2].x, -f[2].y); // the two sides at the tail of h
     const Vector left = height * Vector(0, 1) * barycentric_vector(word, h, u, v);
     const double area = cross(u, v), at_head = cross(left, v) / area, at_apex = cross(u, left) / area;

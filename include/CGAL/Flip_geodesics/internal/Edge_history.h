@@ -8,6 +8,8 @@
 #include <CGAL/Flip_geodesics/internal/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/Precise_face.h>
 #include <CGAL/Flip_geodesics/internal/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +60,7 @@ public:
     const auto found = m_exact_faces.find(h);
     if(found != m_exact_faces.end())
       return found->second;
+    check_triangle(triangulation.input(), h);
     return m_exact_faces.emplace(h, triangulation.metric().exact_face(triangulation.input(), h)).first->second;
   }
 
@@ -68,7 +71,7 @@ public:
     if(found != m_halfedges.end())
       return found->second;
     const auto& input = triangulation.input();
-    const auto face = triangulation.metric().face_geometry(input, h, Precise_face_traits());
+    const auto face = input_face_geometry(triangulation, h, Precise_face_traits());
     const Index hn = input.next(h), hp = input.next(hn);
     m_halfedges.emplace(hn, face[1]);
     m_halfedges.emplace(hp, face[2]);

@@ -3,11 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FACE_CHART_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FACE_CHART_H
 
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/internal/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
 
 #include <algorithm>
@@ -190,10 +190,9 @@ private:
 
   std::optional<Surface_location> moved(const Vertex& from, const Vertex& to, const Complex& z) const
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
     if(from.position == to.position)
       return {};
-    const auto face = m_triangulation.metric().face_geometry(m_triangulation.input(), from.face, Double_traits());
+    const auto face = input_face_geometry(m_triangulation, from.face);
     const Complex b(face[0].x, face[0].y), c(-face[2].x, -face[2].y);
     const auto place = [&](const Weights& w) { return w[1] * b + w[2] * c; };
     const Complex motion = (place(to.weights) - place(from.weights)) / (to.position - from.position);

@@ -6,6 +6,9 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/check_triangle.h>
+
+#include <CGAL/assertions.h>
 
 #include <boost/align/aligned_allocator.hpp>
 #include <boost/config.hpp>
@@ -57,7 +60,11 @@ struct Halfedge_record
   bool is_known() const { return encoded_next != untouched; }
   bool is_border() const { return encoded_next == border; }
   /* \pre known and not on the border */
-  Slot next() const { return static_cast<Slot>(encoded_next); }
+  Slot next() const
+  {
+    CGAL_precondition_msg(encoded_next > 0, "the next halfedge is asked for where there is no face");
+    return static_cast<Slot>(encoded_next);
+  }
   void set_next(Slot s) { encoded_next = static_cast<Index>(s); }
 };
 
@@ -244,19 +251,30 @@ private:
       second_side(static_cast<Slot>(start + i)).of_edge[1] = first + i;
   }
 
+  // Throws unless an edge with no face on one side has one on the other: only there its length is kept.
+  void check_has_face(Index h) const
+  {
+    const Index t = twin_index(h);
+    if(!m_input.is_border(t))
+      return;
+    const Index v = m_input.tail(h), w = m_input.tail(t);
+    throw Invalid_mesh_error("the edge between vertices " + std::to_string(v) + " and " + std::to_string(w) +
+                                 " is in no face",
+                             {static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
+  }
+
   // Copies the face of a halfedge.
   BOOST_NOINLINE Record& imported(Index h)
   {
     if(m_input.is_border(h)) {
+      check_has_face(h);
       Record& record = (*this)[taken(h)];
       record.tail = m_input.tail(h);
       record.encoded_next = Record::border;
       return record;
     }
+    check_triangle(m_input, h);
     const Index hn = m_input.next(h), hp = m_input.next(hn);
-    if(m_input.next(hp) != h)
-      throw Invalid_mesh_error("the face at vertex " + std::to_string(m_input.tail(h)) + " is not a triangle",
-                               {static_cast<std::size_t>(m_input.tail(h))});
     // From the smallest side on, so that the bits do not depend on which side is touched first.
     const Index first = (std::min)({h, hn, hp});
     const Index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};

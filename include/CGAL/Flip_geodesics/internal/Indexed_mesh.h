@@ -61,6 +61,20 @@ auto graph_face(Descriptor h, const TriangleMesh& mesh)
   return face(h, mesh);
 }
 
+/* Is a descriptor one of a face of the mesh? Of most meshes it cannot be asked more than whether it is null. */
+template <class TriangleMesh>
+bool is_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh&)
+{
+  return f != boost::graph_traits<TriangleMesh>::null_face();
+}
+
+template <class P>
+bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh)
+{
+  const std::size_t end = mesh.number_of_faces() + mesh.number_of_removed_faces();
+  return static_cast<std::size_t>(f) < end && !mesh.is_removed(f);
+}
+
 /*
  * A FaceListGraph seen through consecutive integers, with twin(h) == h ^ 1.
  *
@@ -92,6 +106,7 @@ public:
   Index index(halfedge_descriptor h) const { return find(m_halfedge_order, h); }
 
   Index next(Index h) const { return m_next[h]; }
+  bool is_triangle(Index h) const { return next(h) != h && next(next(next(h))) == h; }
   Index tail(Index h) const { return m_tail[h]; }
   bool is_border(Index h) const { return m_is_border[h] != 0; }
   /// A halfedge that starts at `v`, or `null_index` at an isolated vertex.
@@ -170,9 +185,11 @@ public:
 
   explicit Indexed_mesh(const Mesh& mesh)
     : m_mesh(&mesh)
-    , m_number_of_vertices(checked_index_bound(mesh.number_of_vertices() + mesh.number_of_removed_vertices()))
-    , m_number_of_halfedges(checked_index_bound(mesh.number_of_halfedges() + mesh.number_of_removed_halfedges()))
+    , m_number_of_vertices(checked_index_bound(mesh.number_of_vertices()))
+    , m_number_of_halfedges(checked_index_bound(mesh.number_of_halfedges()))
   {
+    if(mesh.number_of_removed_vertices() != 0 || mesh.number_of_removed_edges() != 0)
+      throw Invalid_mesh_error("the mesh keeps vertices or edges that have been removed; collect_garbage() drops them");
   }
 
   Index number_of_vertices() const { return m_number_of_vertices; }
@@ -184,6 +201,11 @@ public:
   Index index(halfedge_descriptor h) const { return to_index(h, m_number_of_halfedges); }
 
   Index next(Index h) const { return static_cast<Index>(m_mesh->next(halfedge(h))); }
+  bool is_triangle(Index h) const
+  {
+    const halfedge_descriptor hn = m_mesh->next(halfedge(h));
+    return hn != halfedge(h) && m_mesh->next(hn) == m_mesh->prev(halfedge(h));
+  }
   Index tail(Index h) const { return static_cast<Index>(m_mesh->target(halfedge(twin_index(h)))); }
   bool is_border(Index h) const { return m_mesh->is_border(halfedge(h)); }
   Index outgoing(Index v) const

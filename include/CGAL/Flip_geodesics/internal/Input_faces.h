@@ -3,9 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_INPUT_FACES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_INPUT_FACES_H
 
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <array>
 #include <cmath>
@@ -29,6 +30,7 @@ public:
   {
   }
 
+  bool has_halfedge(Index h) const { return h >= 0 && h < m_triangulation.input().number_of_halfedges(); }
   Index next(Index h) const { return m_triangulation.input().next(h); }
   Index previous(Index h) const { return next(next(h)); }
   Index tail(Index h) const { return m_triangulation.input().tail(h); }
@@ -37,18 +39,22 @@ public:
   bool is_border(Index h) const { return m_triangulation.input().is_border(h); }
   double length(Index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
 
-  /* \pre the face exists on this side */
+  /* \pre the face exists on this side. Throws Invalid_mesh_error if it is no triangle, where it has to be one. */
   Index clockwise(Index h) const { return next(twin_index(h)); }
-  Index counterclockwise(Index h) const { return twin_index(previous(h)); }
+  Index counterclockwise(Index h) const
+  {
+    check_triangle(m_triangulation.input(), h);
+    return twin_index(previous(h));
+  }
 
-  /* The third corner of the face of h where h leads from 0 to 1 in the complex plane. */
+  /* The third corner of the face of h where h leads from 0 to 1 in the complex plane. Throws as above. */
   Plane_vector corner(Index h) const
   {
     if constexpr(std::is_empty<typename Metric::Place>::value) {
-      using Double_traits = Intrinsic_triangulation_traits<typename Metric::Kernel>;
-      const auto face = m_triangulation.metric().face_geometry(m_triangulation.input(), h, Double_traits());
+      const auto face = input_face_geometry(m_triangulation, h);
       return {-face[2].x / face[0].x, -face[2].y / face[0].x};
     } else {
+      check_triangle(m_triangulation.input(), h);
       return corner(place(tail(h)), place(head(h)), place(apex(h)));
     }
   }

@@ -9,6 +9,8 @@
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 
 namespace CGAL {
@@ -83,6 +85,7 @@ public:
     const auto& record = t.m_insertions.back();
     while(t.number_of_edges() > record.number_of_edges) {
       const Index e = t.number_of_edges() - 1;
+      CGAL_precondition_msg(t.label(e) == 0, "a curve lies on an edge that goes with its point");
       t.m_history.forget(e, t.version(e));
       t.m_halfedges.remove_last_edge();
     }

@@ -85,6 +85,7 @@ private:
     for(const Network_state::Curve& curve : state.curves) {
       const Index c = network.number_of_curves();
       network.m_curves.push_back({null_index, null_index, curve.is_closed, curve.initial_length});
+      network.m_claim.set_has_curves(true);
       for(const Network_state::Segment& s : curve.segments) {
         const bool is_free = s.id > 0 && s.id < state.end_of_segment_ids && !network.is_alive(s.id);
         if(!is_free || s.halfedge < 0 || s.halfedge >= triangulation.number_of_halfedges())

@@ -3,10 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_LAYOUT_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_LAYOUT_H
 
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <algorithm>
 #include <array>
@@ -91,8 +91,7 @@ public:
   /* The corners of an input face in the plane, the tail of f at the origin. */
   std::array<Point_2, 3> corners(Index f) const
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-    const auto vectors = triangulation().metric().face_geometry(triangulation().input(), f, Double_traits());
+    const auto vectors = input_face_geometry(triangulation(), f);
     return {{{0, 0}, {vectors[0].x, vectors[0].y}, {-vectors[2].x, -vectors[2].y}}};
   }
 

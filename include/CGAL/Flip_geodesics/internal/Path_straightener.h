@@ -83,7 +83,7 @@ private:
     const auto before = m_triangulation.log_position();
     Surface_polyline result;
     try {
-      Network network(m_triangulation);
+      Network network(m_triangulation, Beside_empty_network());
       const Index v = network.insert(p), w = network.insert(q);
       const std::vector<Index> path = make_path(v, w);
       if(path.empty()) {

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/Insertion_log.h>
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Word_path.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -261,8 +262,7 @@ private:
     for(int i = 0; i < 3; ++i)
       weights[i] = vertex_weights(m_triangulation, m_triangulation.tail(sides[i]), face);
     const Traits& traits = m_triangulation.traits();
-    return traits.construct_subface_object()(
-        m_triangulation.metric().face_geometry(m_triangulation.input(), face, traits), weights);
+    return traits.construct_subface_object()(input_face_geometry(m_triangulation, face, traits), weights);
   }
 
   [[noreturn]] void fail(const std::string& reason) const

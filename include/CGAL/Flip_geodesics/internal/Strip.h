@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIP_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <algorithm>
 #include <array>
@@ -179,8 +179,7 @@ private:
   // The vectors of h, next(h), previous(h) of an input face, turned so that h lies along the given vector.
   Face_vectors face_along(Index h, const Vector& along) const
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-    const auto face = m_triangulation->metric().face_geometry(m_triangulation->input(), h, Double_traits());
+    const auto face = known_input_face_geometry(*m_triangulation, h);
     const Vector turn = along / face[0].x; // the layout puts h on the positive real axis
     return {along, product(turn, Vector(face[1].x, face[1].y)), product(turn, Vector(face[2].x, face[2].y))};
   }

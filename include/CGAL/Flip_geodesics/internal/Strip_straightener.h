@@ -111,6 +111,8 @@ private:
     m_legs.clear();
     m_path_length = 0;
     for(Index h : path) {
+      if(!m_faces.has_halfedge(h) || (!m_legs.empty() && m_legs.back().head != m_faces.tail(h)))
+        return false; // no chain, which whoever adds the path refuses
       m_legs.push_back(edge_leg(h));
       m_path_length += m_legs.back().length;
     }

@@ -3,10 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_POLYLINE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_POLYLINE_H
 
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/locations_in_faces.h>
 
 #include <array>
@@ -79,11 +79,10 @@ public:
 private:
   double distance(const Surface_location& p, const Surface_location& q) const
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
     const auto& input = m_triangulation.input();
     const Index h = common_face(input, p, q);
     const auto d = barycentric_difference(normalized_weights(input, p, h), normalized_weights(input, q, h));
-    const auto f = m_triangulation.metric().face_geometry(input, h, Double_traits());
+    const auto f = input_face_geometry(m_triangulation, h);
     return std::abs(d[1] * std::complex<double>(f[0].x, f[0].y) - d[2] * std::complex<double>(f[2].x, f[2].y));
   }
 

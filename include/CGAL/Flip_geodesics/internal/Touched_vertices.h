@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <CGAL/enum.h>
 
@@ -105,9 +106,8 @@ private:
 
   bool has_no_area(Index h) const
   {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
     constexpr double error = 64 * std::numeric_limits<double>::epsilon(); // of a layout, generously
-    const auto face = m_triangulation.metric().face_geometry(m_triangulation.input(), h, Double_traits());
+    const auto face = input_face_geometry(m_triangulation, h);
     if(face[1].y > error * std::abs(face[1].x))
       return false;
     return m_triangulation.exact_input_face(h).doubled_area_squared == 0;

@@ -3,8 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_WEDGE_ANGLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_WEDGE_ANGLE_H
 
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -38,19 +39,19 @@ struct Wedge_angle
 /* Bounds the error of an input corner, and of a sum of few. */
 constexpr double input_corner_error = 100 * std::numeric_limits<double>::epsilon();
 
-/* The input corner at the head of input halfedge h, as a complex number. */
+/* The input corner at the head of input halfedge h, as a complex number, in a face that is known. */
 template <class Triangulation>
 std::complex<double> input_corner_vector(const Triangulation& triangulation, Index h)
 {
-  using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-  const auto face = triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
+  const auto face = known_input_face_geometry(triangulation, h);
   return {-face[1].x, face[1].y}; // the layout puts h on the positive real axis
 }
 
-/* The input corner at the head of input halfedge h. */
+/* The input corner at the head of input halfedge h, in any face; it has to be a triangle. */
 template <class Triangulation>
 double input_corner(const Triangulation& triangulation, Index h)
 {
+  check_triangle(triangulation.input(), h);
   return std::arg(input_corner_vector(triangulation, h));
 }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -165,8 +166,7 @@ private:
   {
     Face_record& record = m_faces[h];
     if(record.length == 0) {
-      using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-      const auto vectors = m_triangulation.metric().face_geometry(m_triangulation.input(), h, Double_traits());
+      const auto vectors = input_face_geometry(m_triangulation, h);
       record = {vectors[0].x, vectors[0].x + vectors[1].x, vectors[1].y};
       constexpr double flat = 1e-10;
       m_has_flat_face = m_has_flat_face || !(record.y > flat * (record.length + std::abs(record.x)));

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/check_triangle.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <algorithm>
@@ -25,8 +26,10 @@ std::vector<Index> faces_of_location(const Input_mesh& input, const Surface_loca
 {
   std::vector<Index> result;
   const auto add = [&](Index h) {
-    if(!input.is_border(h))
-      result.push_back((std::min)({h, input.next(h), input.next(input.next(h))}));
+    if(input.is_border(h))
+      return;
+    check_triangle(input, h);
+    result.push_back((std::min)({h, input.next(h), input.next(input.next(h))}));
   };
   if(kind(location) != Location_kind::VERTEX) {
     add(location.halfedge);
