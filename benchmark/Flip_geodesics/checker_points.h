@@ -92,7 +92,7 @@ inline std::string crossing_error(const Mesh& mesh, const Polyline_point& point)
     return "there is no such vertex";
   if(!mesh.is_edge(point.a, point.b))
     return "there is no edge from " + std::to_string(point.a) + " to " + std::to_string(point.b);
-  return point.t >= 0 && point.t <= 1 ? std::string() : "t is not between 0 and 1";
+  return point.t > 0 && point.t < 1 ? std::string() : "t is not that of a point inside the edge";
 }
 
 /// What is wrong with a single point, nothing if it is right.

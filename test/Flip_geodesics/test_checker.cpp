@@ -47,7 +47,7 @@ struct Kite
     : mesh({{0, 0, 0}, {4, 0, 0}, {2, h, 0}, {2, 2, 0}, {2, -2, 0}}, {{0, 2, 3}, {2, 1, 3}, {0, 4, 2}, {4, 1, 2}})
     , curve{0,
             {{0, 0, 0, {0, 0, 0}},
-             {2, 3, (std::max)(0.0, -h / (2 - h)), {2, (std::max)(h, 0.0), 0}},
+             {2, 3, (std::max)(1e-100, -h / (2 - h)), {2, (std::max)(h, 0.0), 0}},
              {1, 1, 0, {4, 0, 0}}}}
   {
   }
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(through_a_flat_vertex)
     const Polyline rest = straight_line(grid, 3, 1, 6, 2);
     beside.points.pop_back();
     for(const auto& [x, y] : fan)
-      beside.points.push_back(edge_point(grid, 3, 1, x, y, 0));
+      beside.points.push_back(edge_point(grid, 3, 1, x, y, 1e-100));
     beside.points.insert(beside.points.end(), rest.points.begin() + 1, rest.points.end());
     const Curve_report crossing = check(mesh, beside);
     BOOST_TEST(crossing.segments == 1u);
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(face_without_area)
                   {{0, 1, 2}, {1, 0, 3}, {3, 0, 4}, {1, 3, 4}});
   const Polyline_point c{2, 2, 0, {1, 1, 0}}, d{4, 4, 0, {1.25, -1, 0}}, on_ab{1, 0, 0.4375, {1.125, 0, 0}};
   expect_geodesic(check(mesh, {0, {c, on_ab, {3, 1, 0.125, {1.125, 0, 0}}, d}}), std::hypot(2.0L, 0.25L));
-  const Curve_report wrong_side = check(mesh, {0, {c, on_ab, {3, 0, 0, {1, 0, 0}}, d}});
+  const Curve_report wrong_side = check(mesh, {0, {c, on_ab, {3, 0, 1e-100, {1, 0, 0}}, d}});
   BOOST_TEST(wrong_side.broken == 0u);
   BOOST_TEST(!is_geodesic(wrong_side));
 }
@@ -242,12 +242,14 @@ BOOST_AUTO_TEST_CASE(wrong_points)
   const Grid grid{8, 4, plane()};
   const Mesh mesh = grid.mesh();
   const Polyline line = straight_line(grid, 0, 0, 7, 3);
-  Polyline displaced = line, outside = line, unknown = line, headless = line;
+  Polyline displaced = line, outside = line, unknown = line, headless = line, at_end = line;
   displaced.points[3].position[1] += 1e-9;
   outside.points[3].t = 1.5;
   unknown.points[3].a = 1000;
   headless.points.erase(headless.points.begin());
-  for(const Polyline& wrong : {displaced, outside, unknown, headless})
+  at_end.points[3].t = 0; // not of a crossing: that is inside
+  at_end.points[3].position = mesh.point(at_end.points[3].a);
+  for(const Polyline& wrong : {displaced, outside, unknown, headless, at_end})
     BOOST_TEST(check(mesh, wrong).broken == 1u);
   const Polyline jump{0, {vertex_point(grid, 0, 0), vertex_point(grid, 3, 0)}};
   BOOST_TEST(check(mesh, jump).broken == 1u);

@@ -12,6 +12,7 @@
 #define BOOST_TEST_MODULE extract
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <random>
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(points_face_locations_and_crossed_halfedges_agree)
       if(k > 0)
         length += std::sqrt(CGAL::squared_distance(points[k - 1], points[k]));
       if(!on_surface[k].is_vertex()) {
-        BOOST_CHECK(on_surface[k].t >= 0 && on_surface[k].t <= 0.5);
+        BOOST_CHECK(on_surface[k].t > 0 && on_surface[k].t <= 0.5);
         BOOST_REQUIRE(next_crossed < crossed.size());
         BOOST_CHECK(triangulation.input_halfedge(on_surface[k].halfedge) == crossed[next_crossed++]);
       }
@@ -129,6 +130,60 @@ BOOST_AUTO_TEST_CASE(edges_of_a_flipped_triangulation_are_as_long_on_the_input_a
     crossings += there.size() - 2;
   }
   BOOST_CHECK_GT(crossings, 500);
+}
+
+// Where rounding puts a crossing at an end of the edge, or beyond a zero's sign.
+BOOST_AUTO_TEST_CASE(a_crossing_is_inside_its_edge)
+{
+  const Mesh mesh = to_mesh<Mesh>(tetrahedron());
+  const Triangulation triangulation(mesh);
+  const FG::Index right = triangulation.tail(0), left = triangulation.head(0);
+  for(double from_right : {0.0, -0.0, 5e-324, 1e-99, 0.25, 0.5, 0.75, std::nextafter(1.0, 0.0), 1.0}) {
+    const FG::Surface_point p = FG::internal::surface_point_on_edge(triangulation, 0, from_right);
+    BOOST_TEST_CONTEXT("from the right " << from_right)
+    {
+      BOOST_CHECK_EQUAL(p.a, from_right <= 0.5 ? right : left);
+      BOOST_CHECK_EQUAL(p.b, from_right <= 0.5 ? left : right);
+      BOOST_CHECK(!p.is_vertex() && !p.is_inside_face());
+      BOOST_CHECK(p.t > 0 && p.t <= 0.5 && p.u == 0);
+      BOOST_CHECK_SMALL(p.t - (std::min)(from_right, 1 - from_right), 1e-99);
+      const FG::Surface_location location = FG::internal::surface_location(triangulation, p);
+      BOOST_CHECK(FG::kind(location) == FG::Location_kind::EDGE);
+      const FG::Surface_point again = FG::surface_point(triangulation, location);
+      BOOST_CHECK(again.a == p.a && again.b == p.b && again.t == p.t);
+    }
+  }
+  const FG::Surface_point inside = FG::surface_point(triangulation, {0, {{1e-100, 1e100, 1e-100}}});
+  BOOST_CHECK(inside.is_inside_face() && inside.t > 0 && inside.u > 0);
+  BOOST_CHECK_NO_THROW(FG::internal::check_location(triangulation.input(), {0, {{inside.u, 1, inside.t}}}));
+}
+
+// The diagonal of a square crosses that which was there halfway.
+BOOST_AUTO_TEST_CASE(a_point_of_an_edge_is_inside_a_face_unless_the_edge_runs_along_one)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(1, 1, Diagonal_rule::RISING));
+  Triangulation triangulation(mesh);
+  FG::Index diagonal = 0;
+  while(!triangulation.is_flippable(diagonal))
+    ++diagonal;
+  const auto kind_at = [&](FG::Index h, double t) { return FG::kind(FG::location_on_edge(triangulation, h, t)); };
+  for(FG::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    for(double t : {1e-90, 1e-17, 0.5, std::nextafter(1.0, 0.0)})
+      BOOST_CHECK(kind_at(h, t) == FG::Location_kind::EDGE);
+  triangulation.flip(diagonal);
+  for(double t : {1e-90, 1e-17, 0.25, 0.5, std::nextafter(1.0, 0.0)})
+    BOOST_CHECK(kind_at(diagonal, t) == FG::Location_kind::FACE);
+  const auto subdivision = FG::common_subdivision(triangulation, mesh);
+  int crossings = 0;
+  for(const auto v : vertices(subdivision.mesh())) {
+    const FG::Subdivision_vertex& origin = subdivision.vertex_origin(v);
+    if(origin.intrinsic_vertex != FG::null_index)
+      continue;
+    ++crossings;
+    BOOST_CHECK(!origin.on_input.is_vertex() && origin.on_input.t > 0);
+    BOOST_CHECK(origin.intrinsic_t > 0 && origin.intrinsic_t < 1);
+  }
+  BOOST_CHECK_EQUAL(crossings, 1);
 }
 
 BOOST_AUTO_TEST_CASE(the_conforming_triangulation_keeps_euler_characteristic_and_area)

@@ -49,8 +49,11 @@ inline Location_kind kind(const Surface_location& location)
 
 namespace internal {
 
+/* The smallest weight that is not zero. */
+constexpr double least_weight = 1e-100;
+
 /* Are two weights a point strictly between the ends? Then the sums and products of weights are normal numbers. */
-inline bool is_usable_weight(double weight) { return weight == 0 || (weight >= 1e-100 && weight <= 1e100); }
+inline bool is_usable_weight(double weight) { return weight == 0 || (weight >= least_weight && weight <= 1e100); }
 
 template <class Input_mesh>
 void check_location(const Input_mesh& input, const Surface_location& location)

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <type_traits>
 #include <vector>
@@ -45,7 +46,7 @@ struct Subdivision_vertex
   Surface_point on_input;                ///< its place on the input mesh
   Index intrinsic_vertex = null_index;   ///< the triangulation's vertex; or else:
   Index intrinsic_halfedge = null_index; ///< the first halfedge of the intrinsic edge that crosses the input edge here,
-  double intrinsic_t = 0;                ///< and where on it, from 0 at its tail to 1 at its head
+  double intrinsic_t = 0;                ///< and where on it, strictly between 0 at its tail and 1 at its head
 };
 
 /*!
@@ -272,7 +273,8 @@ private:
       origin.on_input =
           internal::surface_point_on_edge(*m_triangulation, overlay.crossed_halfedge(v), layout.on_input(v));
       origin.intrinsic_halfedge = layout.intrinsic_halfedge(v);
-      origin.intrinsic_t = layout.on_intrinsic(v);
+      constexpr double below_one = 1 - std::numeric_limits<double>::epsilon() / 2;
+      origin.intrinsic_t = (std::min)((std::max)(internal::least_weight, layout.on_intrinsic(v)), below_one);
     } else {
       origin.on_input = internal::surface_point_at_vertex(*m_triangulation, v);
       origin.intrinsic_vertex = v;

@@ -24,8 +24,11 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsExtraction
  *
  * A point of the surface, by vertices of the input: \f$(1-t-u)\,a + t\,b + u\,c\f$. At a vertex `a == b`, and `t` is 0.
- * On an edge `a` is the nearer end, so that `t` lies in [0, 1/2] and keeps its relative accuracy close to vertices; `u`
+ * On an edge `a` is the nearer end, so that `t` lies in (0, 1/2] and keeps its relative accuracy close to vertices; `u`
  * is 0 there, and `c` null. Inside a face, where only inserted points are, `a` is the vertex of the largest weight.
+ *
+ * What it is a point of is exact: `t` inside an edge, and `t` and `u` inside a face, are at least 1e-100, also where
+ * rounding says 0.
  */
 struct Surface_point
 {
@@ -49,10 +52,10 @@ inline Surface_point surface_point(const std::array<Index, 3>& corners, const st
   const auto largest = (std::max_element)(weights.begin(), weights.end()) - weights.begin();
   const auto second = weights[(largest + 1) % 3] == 0 ? (largest + 2) % 3 : (largest + 1) % 3, third = 3 - largest - second;
   const double sum = weights[0] + weights[1] + weights[2];
-  Surface_point result = {corners[largest], corners[second], weights[second] / sum, halfedge};
+  Surface_point result = {corners[largest], corners[second], (std::max)(least_weight, weights[second] / sum), halfedge};
   if(weights[third] != 0) {
     result.c = corners[third];
-    result.u = weights[third] / sum;
+    result.u = (std::max)(least_weight, weights[third] / sum);
   }
   return result;
 }
@@ -85,15 +88,16 @@ Surface_point surface_point_at_vertex(const Triangulation& triangulation, Index 
   return result;
 }
 
-/* The point where a curve crosses an input edge, `from_right` of the edge's length away from its right end. */
+/* The point where a curve crosses an input edge, `from_right` of the edge's length away from its right end. That it is
+ * crossed is exact, where is not: an end by rounding, 0, -0 or 1, stands for a point next to it. */
 template <class Triangulation>
 Surface_point surface_point_on_edge(const Triangulation& triangulation, Index crossed, double from_right)
 {
   const Index right = triangulation.input().tail(crossed);
   const Index left = triangulation.input().tail(Triangulation::twin(crossed));
   if(from_right <= 0.5)
-    return {right, left, from_right, crossed};
-  return {left, right, 1 - from_right, crossed};
+    return {right, left, (std::max)(least_weight, from_right), crossed};
+  return {left, right, (std::max)(least_weight, 1 - from_right), crossed};
 }
 
 } // namespace internal
@@ -142,8 +146,8 @@ auto point_in_space(const Triangulation& triangulation, const Surface_point& p)
  * Reads curves of a network off on the input mesh, by unfolding the words of their segments: which edges are crossed,
  * and in which order, is exact; where they are crossed is rounded to double.
  *
- * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there; the
- * edges then tell on which side the curve passes.
+ * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space;
+ * the edges then tell on which side the curve passes, and `Surface_point::t` is not zero.
  *
  * \tparam Network an `Edge_path_network`
  */

@@ -133,14 +133,16 @@ public:
     return canonical_location(m_triangulation.input(), result);
   }
 
-  /* The best face as a gap of the word, and weights there that are all positive. */
-  Surface_location result_inside() const
+  /* The best face as a gap of the word, and weights there that are all positive; those on an edge of the face keep what
+   * is exactly zero. */
+  Surface_location result_inside(bool is_on_edge = false) const
   {
     constexpr double least = 1.0 / (1LL << 50);
     Surface_location result = m_best;
     const double sum = result.weights[0] + result.weights[1] + result.weights[2];
     for(double& weight : result.weights)
-      weight = (std::max)(weight / sum, least);
+      if(!is_on_edge || weight != 0)
+        weight = (std::max)(weight / sum, least);
     return result;
   }
   std::size_t gap() const { return m_gap; }
@@ -213,8 +215,9 @@ template <class Triangulation>
 Surface_location location_on_edge(const Triangulation& triangulation, Index h, double t)
 {
   internal::Location_finder<Triangulation> finder(triangulation);
-  finder.look_along(triangulation.crossing_word(h), t);
-  return finder.result();
+  const Crossing_word word = triangulation.crossing_word(h);
+  finder.look_along(word, t);
+  return internal::canonical_location(triangulation.input(), finder.result_inside(word.along != null_index));
 }
 
 /*!

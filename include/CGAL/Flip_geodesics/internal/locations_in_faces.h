@@ -131,16 +131,14 @@ Index nearest_vertex(const Input_mesh& input, const Surface_location& p)
   return input.tail(nearest == 0 ? h : (nearest == 1 ? hn : input.next(hn)));
 }
 
-/* Where a curve crosses an input edge, on its inside even if rounding says an end; or the place of a vertex. */
+/* Where a curve crosses an input edge, or the place of a vertex. */
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const Surface_point& p)
 {
   if(p.vertex != null_index)
     return triangulation.location(p.vertex);
-  constexpr double least = 1e-100; // of usable weights
   const bool is_forward = triangulation.input().tail(p.halfedge) == p.a;
-  const double t = (std::max)(p.t, least);
-  return {p.halfedge, {{is_forward ? 1 - t : t, is_forward ? t : 1 - t, 0}}};
+  return {p.halfedge, {{is_forward ? 1 - p.t : p.t, is_forward ? p.t : 1 - p.t, 0}}};
 }
 
 } // namespace internal
