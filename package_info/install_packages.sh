@@ -2,6 +2,30 @@
 #
 # For examples/run.sh and test/run.sh, which read this file with `source`.
 
+# apt_get(arguments...): apt-get as root, without questions. While another package manager is at work it waits, up to ten
+# minutes: for the lock of dpkg by apt's own option, for those of lists and archives, which that does not cover, by trying
+# again.
+apt_get() {
+  local attempt log
+  log=$(mktemp)
+  for attempt in {1..120}; do
+    if "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -o DPkg::Lock::Timeout=600 "$@" \
+      < /dev/null 2> "$log"; then
+      cat "$log" >&2
+      rm -f "$log"
+      return
+    fi
+    grep -q 'Could not get lock' "$log" || break
+    if [ "$attempt" -eq 1 ]; then
+      echo "Another package manager is at work; waiting for it, up to ten minutes."
+    fi
+    sleep 5
+  done
+  cat "$log" >&2
+  rm -f "$log"
+  return 1
+}
+
 # install_packages(package...): installs those Debian packages that are missing, as root or by sudo. Without Debian
 # packages it goes on with what there is; without the rights it prints the command and ends the script.
 install_packages() {
@@ -28,7 +52,6 @@ install_packages() {
     fi
   fi
   echo "== installing ${missing[*]}"
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -q
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" \
-    < /dev/null
+  apt_get update -q
+  apt_get install -y -q --no-install-recommends "${missing[@]}"
 }
