@@ -272,5 +272,5 @@ int main(int argc, char** argv)
     uncertified += row.certified.uncertified;
   }
   std::cerr << curves << " curves, " << uncertified << " uncertified\n";
-  return uncertified == 0 ? 0 : 1;
+  return uncertified == 0 && std::cout.flush() ? 0 : 1;
 }

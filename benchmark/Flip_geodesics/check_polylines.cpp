@@ -14,10 +14,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace checker = polyline_checker;
@@ -98,7 +100,14 @@ void write(const Options& options, const std::map<long, checker::Verdict>& verdi
 {
   if(options.csv.empty()) {
     checker::write_verdicts(std::cout, verdicts);
+    if(!std::cout.flush())
+      throw Bad_input("standard output: it cannot be written");
     return;
+  }
+  for(const std::string& input : {options.mesh, options.polylines, options.stats, options.points, options.splines}) {
+    std::error_code failure;
+    if(std::filesystem::equivalent(options.csv, input, failure) && std::filesystem::is_regular_file(input))
+      throw Bad_input(options.csv + ": it would replace what is read; name another file");
   }
   std::ofstream out(options.csv);
   checker::write_verdicts(out, verdicts);

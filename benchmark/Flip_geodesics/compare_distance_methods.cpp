@@ -128,5 +128,5 @@ int main(int argc, char** argv)
     std::cerr << "compare_distance_methods: " << error.what() << '\n';
     return 2;
   }
-  return 0;
+  return std::cout.flush() ? 0 : 1;
 }

@@ -354,5 +354,5 @@ int main(int argc, char** argv)
     total_faces += faces;
   }
   write("total", total_faces, total);
-  return total.shorter == 0 ? 0 : 1;
+  return total.shorter == 0 && std::cout.flush() ? 0 : 1;
 }

@@ -193,5 +193,5 @@ int main(int argc, char** argv)
       std::cerr << file << ": " << error.what() << '\n';
       ++failures;
     }
-  return failures == 0 ? 0 : 1;
+  return failures == 0 && std::cout.flush() ? 0 : 1;
 }

@@ -257,5 +257,5 @@ int main(int argc, char** argv)
     std::cerr << "compare_straightening: " << error.what() << '\n';
     return 2;
   }
-  return 0;
+  return std::cout.flush() ? 0 : 1;
 }

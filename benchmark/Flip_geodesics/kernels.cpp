@@ -164,7 +164,7 @@ int run_alone(const std::string& name, long count)
   for(long i = 0; i < count; ++i)
     units += found->second();
   std::cout << units << '\n';
-  return 0;
+  return std::cout.flush() ? 0 : 1;
 }
 
 } // namespace

@@ -154,5 +154,5 @@ int main(int argc, char** argv)
     std::cerr << "many_paths: " << error.what() << '\n';
     return 1;
   }
-  return 0;
+  return std::cout.flush() ? 0 : 1;
 }

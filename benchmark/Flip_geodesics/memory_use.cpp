@@ -129,5 +129,5 @@ int main(int argc, char** argv)
     std::cerr << "memory_use: " << error.what() << '\n';
     return 2;
   }
-  return 0;
+  return std::cout.flush() ? 0 : 1;
 }

@@ -245,5 +245,5 @@ int main(int argc, char** argv)
   measure("small tetrahedron", tetrahedron(4), rounds);
   measure("tetrahedron", tetrahedron(n), rounds, false);
   measure("bumpy sphere", bumpy_sphere(n / 2, 0.05, 1), rounds, is_small);
-  return 0;
+  return std::cout.flush() ? 0 : 1;
 }

@@ -253,5 +253,5 @@ int main(int argc, char** argv)
     std::cerr << "query_stages: " << error.what() << '\n';
     return 2;
   }
-  return 0;
+  return std::cout.flush() ? 0 : 1;
 }

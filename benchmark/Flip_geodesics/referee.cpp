@@ -203,5 +203,5 @@ int main(int argc, char** argv)
     add(total, row);
   }
   write("total", total);
-  return total.disagreements == 0 && total.bent_edges == 0 ? 0 : 1;
+  return total.disagreements == 0 && total.bent_edges == 0 && std::cout.flush() ? 0 : 1;
 }

@@ -123,5 +123,5 @@ int main(int argc, char** argv)
       std::cout << segmentation << (junctions == FG::Junctions::FIXED ? " fixed " : " free ") << result << std::endl;
     }
   }
-  return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
+  return is_good && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

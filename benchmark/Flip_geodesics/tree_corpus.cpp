@@ -146,5 +146,5 @@ int main(int argc, char** argv)
       std::cout << argument << " cannot be read\n";
     }
   }
-  return are_valid ? EXIT_SUCCESS : EXIT_FAILURE;
+  return are_valid && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -301,5 +301,5 @@ int main(int argc, char** argv)
   for(const std::string& file : sample::mesh_files(options.paths))
     wrong += run(file, options);
   std::cerr << wrong << " wrong\n";
-  return wrong == 0 ? 0 : 1;
+  return wrong == 0 && std::cout.flush() ? 0 : 1;
 }
