@@ -50,7 +50,7 @@ inline Location_kind kind(const Surface_location& location)
 namespace internal {
 
 /* The smallest weight that is not zero. */
-constexpr double least_weight = 1e-100;
+inline constexpr double least_weight = 1e-100;
 
 /* Are two weights a point strictly between the ends? Then the sums and products of weights are normal numbers. */
 inline bool is_usable_weight(double weight) { return weight == 0 || (weight >= least_weight && weight <= 1e100); }
