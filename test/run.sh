@@ -4,15 +4,16 @@
 # Builds and runs the tests, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
 #   bash test/run.sh           every test with g++; headers and smoke tests with clang++ and under sanitizers
-#   bash test/run.sh --full    every test in all three, OpenMesh installed as well
+#   bash test/run.sh --full    every test in all three and with checked iterators, OpenMesh installed as well
 #
 # Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
 # parallel jobs (default: one per processor), SKIP_INSTALL=1 neither looks for packages nor installs any.
 
 set -euo pipefail
 
-# Run with clang++ and under sanitizers each time. Few, since each costs half a minute to compile twice more.
-smoke_tests=(test_checker test_edge_path_graph)
+# Run with clang++ and under sanitizers each time, so that each public function is. Few, since each costs half a minute to
+# compile twice more.
+smoke_tests=(test_checker test_edge_path_graph test_entry_points)
 
 packages=(g++ clang cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev libeigen3-dev
           libtbb-dev libcli11-dev python3)
@@ -107,6 +108,9 @@ fi
 run_stage clang "${smoke[@]}"
 # What compiles is known by now: the headers need no sanitizer.
 run_stage asan-ubsan $((smoke[0] - 1)) "${smoke[@]:1}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
+if [ $full -eq 1 ]; then
+  run_stage checked-iterators $((smoke[0] - 1)) "${smoke[@]:1}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
+fi
 
 say "done"
 for problem in ${problems[@]+"${problems[@]}"}; do
