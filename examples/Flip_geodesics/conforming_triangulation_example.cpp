@@ -61,5 +61,5 @@ int main(int argc, char** argv)
     out << f.vertices[0] << ' ' << f.vertices[1] << ' ' << f.vertices[2] << ' ' << f.lengths[0] << ' ' << f.lengths[1]
         << ' ' << f.lengths[2] << '\n';
   std::cout << faces.size() << " faces, the geodesic along " << edges_of_curve << " of their edges.\n";
-  return out.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,6 +6,7 @@
 //
 // Writes cross_field.obj: the mesh, and a cross at every vertex as two lines.
 
+#include "kept_input.h"
 #include "torus.h"
 
 #include <CGAL/Flip_geodesics.h>
@@ -107,6 +108,8 @@ int main(int argc, char** argv)
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
+  if(!is_input_kept(argc, argv, {"cross_field.obj"}))
+    return EXIT_FAILURE;
 
   std::ofstream out("cross_field.obj");
   try {
@@ -132,5 +135,5 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return out.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

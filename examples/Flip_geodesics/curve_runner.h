@@ -95,6 +95,7 @@ public:
         fail(result, error.what());
       m_triangulation = Triangulation(m_mesh, m_metric); // whatever state the failure left
     }
+    m_progress.add_curves(request.curves.size());
     return results;
   }
 
@@ -103,6 +104,7 @@ public:
     if(!request.curves.empty() && !request.curves.front().points.empty())
       return;
     namespace FG = CGAL::Flip_geodesics;
+    m_progress.enter("looking for curves that cross");
     const std::string name = request.curves.size() == 1 ? request.curves.front().name + ": " : "the network: ";
     std::vector<Curve_result> results(request.curves.size());
     try {
@@ -164,9 +166,11 @@ private:
     for(std::size_t c = 0; c < request.curves.size(); ++c) {
       const Stopwatch stopwatch;
       if(request.curves[c].is_drawn) {
+        m_progress.enter("drawing");
         draw(network, request.curves[c], results[c]);
         continue;
       }
+      m_progress.enter("searching");
       if(!request.curves[c].points.empty()) {
         const Index curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
         results[c].search_s = stopwatch.seconds();
@@ -177,7 +181,9 @@ private:
       results[c].search_s = stopwatch.seconds();
       results[c].initial_segments = halfedges.size();
       if(is_straightened(request)) {
+        m_progress.enter("straightening");
         results[c].flips = add_straightened_path(network, halfedges);
+        m_progress.add_flips(results[c].flips);
         results[c].shorten_s = stopwatch.seconds() - results[c].search_s;
       } else {
         network.add_curve(halfedges, request.curves[c].is_closed);
@@ -220,8 +226,10 @@ private:
     }
     certify(network, results);
     extract(network, results);
-    m_mesh_results = improve_triangulation(m_options.meshes, network);
+    m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
     record(network, recorder);
+    if(m_options.meshes.has_files())
+      m_progress.enter("making meshes of the curves");
     m_meshes = result_meshes(m_options.meshes, m_mesh, network);
     network.clear();
     m_triangulation.rollback();
@@ -240,13 +248,16 @@ private:
     const Stopwatch stopwatch;
     FG::Free_legs path;
     if(request.spline) {
+      m_progress.enter("subdividing", "rounds");
       FG::Free_geodesic_spline<Triangulation> spline(m_triangulation, request.points, *request.spline);
-      for(int i = 0; i < m_options.rounds; ++i)
+      for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
         spline.refine();
       path.legs = spline.finish();
       path.report = spline.report();
       path.certificate = spline.certificate();
+      m_progress.add_flips(path.report.flips);
     } else {
+      m_progress.enter("shortening", "steps");
       Progress_visitor visitor(m_progress);
       path = FG::geodesics_through(m_triangulation, request.points, FG::Never_stop_predicate(), visitor);
     }
@@ -299,13 +310,17 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
+    m_progress.enter("growing the tree", "steps");
     Progress_visitor visitor(m_progress);
     FG::Geodesic_tree<Triangulation> tree(m_triangulation);
     const FG::Geodesic_tree_report report = tree.grow(source, std::numeric_limits<double>::infinity(), visitor);
     FG::Shortest_tree_report shortest;
     shortest.status = report.status;
-    if(m_options.is_shortest)
+    if(m_options.is_shortest) {
+      m_progress.enter("looking for shorter paths");
       shortest = FG::make_shortest(tree);
+      m_progress.add_flips(shortest.flips);
+    }
     m_map = FG::logarithmic_map(tree);
     Curve_result common;
     common.flips = report.flips + shortest.flips;
@@ -342,6 +357,7 @@ private:
     if(m_most_recorded_points > 0)
       recorder.emplace(network, m_most_recorded_points);
     const Stopwatch stopwatch;
+    m_progress.enter("shortening", "steps");
     Recording_visitor<Network> visitor(m_progress, recorder);
     const FG::Shortening_report report =
         m_options.stop_length ? FG::shorten(network, FG::Length_ratio_stop_predicate(*m_options.stop_length), visitor)
@@ -372,11 +388,13 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
+    m_progress.enter("subdividing", "rounds");
     auto spline = *request.spline == FG::Spline_kind::BEZIER ? FG::Geodesic_spline<Network>(network, 0)
                                                              : FG::Geodesic_spline<Network>::cubic_b_spline(network, 0);
-    for(int i = 0; i < m_options.rounds; ++i)
+    for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
       spline.refine();
     const FG::Shortening_report& report = spline.finish();
+    m_progress.add_flips(report.flips);
     note(report, report.curves.front(), result);
     result.shorten_s = stopwatch.seconds();
   }
@@ -397,6 +415,7 @@ private:
 
   void extract(Network& network, std::vector<Curve_result>& results)
   {
+    m_progress.enter("reading curves off", "curves");
     CGAL::Flip_geodesics::Curve_extractor<Network> extractor(network);
     for(std::size_t c = 0; c < results.size(); ++c) {
       const Stopwatch stopwatch;
@@ -404,6 +423,7 @@ private:
         results[c].points.push_back({p, extractor.point(p), p.vertex != CGAL::Flip_geodesics::null_index});
       note_ends(results[c]);
       results[c].extract_s = stopwatch.seconds();
+      m_progress.add_steps(1);
     }
   }
 
@@ -412,6 +432,7 @@ private:
   {
     if(!m_options.is_certifying)
       return;
+    m_progress.enter("certifying");
     //! [Certify]
     const CGAL::Flip_geodesics::Network_certificate certificate = CGAL::Flip_geodesics::certify(network);
     for(std::size_t c = 0; c < results.size(); ++c)

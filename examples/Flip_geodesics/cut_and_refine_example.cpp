@@ -5,6 +5,7 @@
 //
 //   cut_and_refine_example [MESH]
 
+#include "kept_input.h"
 #include "torus.h"
 
 #include <CGAL/Flip_geodesics.h>
@@ -32,6 +33,8 @@ int main(int argc, char** argv)
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
+  if(!is_input_kept(argc, argv, {"cut.off", "subdivision.off"}))
+    return EXIT_FAILURE;
 
   try {
     Triangulation triangulation(mesh);
@@ -55,7 +58,7 @@ int main(int argc, char** argv)
     const auto subdivision = FG::common_subdivision(triangulation, mesh);
     std::cout << "Common subdivision: " << subdivision.mesh().number_of_faces() << " faces.\n";
     return CGAL::IO::write_polygon_mesh("cut.off", cut.mesh()) &&
-                   CGAL::IO::write_polygon_mesh("subdivision.off", subdivision.mesh())
+                   CGAL::IO::write_polygon_mesh("subdivision.off", subdivision.mesh()) && std::cout.flush()
                ? EXIT_SUCCESS
                : EXIT_FAILURE;
   } catch(const FG::Error& error) {

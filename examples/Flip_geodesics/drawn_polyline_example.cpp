@@ -110,5 +110,5 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return write_polylines("drawn_polyline.polylines.txt", curves) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return write_polylines("drawn_polyline.polylines.txt", curves) && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -66,5 +66,7 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return write_polylines<Kernel::Point_3>("edge_length_metric.polylines.txt", {points}) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return write_polylines<Kernel::Point_3>("edge_length_metric.polylines.txt", {points}) && std::cout.flush()
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
 }

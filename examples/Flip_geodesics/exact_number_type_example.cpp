@@ -73,5 +73,5 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return EXIT_SUCCESS;
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -9,6 +9,7 @@
 //
 // Writes flattening.obj, with texture coordinates.
 
+#include "kept_input.h"
 #include "torus.h"
 
 #include <CGAL/Flip_geodesics.h>
@@ -70,6 +71,8 @@ int main(int argc, char** argv)
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
+  if(!is_input_kept(argc, argv, {"flattening.obj"}))
+    return EXIT_FAILURE;
 
   std::ofstream out("flattening.obj");
   try {
@@ -105,5 +108,5 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return out.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

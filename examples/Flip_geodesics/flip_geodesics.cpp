@@ -2,7 +2,8 @@
 //
 // Computes geodesic curves on a triangle mesh from the command line; see --help.
 //
-// Exit status: 0 on success, 1 if a curve could not be computed (the others are written), 2 on bad input.
+// Exit status: 0 on success, 1 if a curve could not be computed or a result not be written (the others are), 2 on bad
+// input, 128 and the signal's number if it is interrupted.
 
 #include "bad_input.h"
 #include "curve_engine.h"
@@ -13,6 +14,8 @@
 #include "program_options.h"
 #include "program_output.h"
 #include "progress.h"
+#include "run_files.h"
+#include "watcher.h"
 
 #include <CGAL/assertions_behaviour.h>
 
@@ -94,6 +97,7 @@ void add_options(CLI::App& app, Options& options)
                  "Write the common subdivision of mesh and triangulation: .off, .obj, .ply, .stl or .vtp");
   app.add_option("--insert", options.meshes.insertion, "Write the mesh with the curves as edges, as above");
   app.add_option("--cut", options.meshes.cut, "Write the mesh cut open along the curves, as above");
+  app.add_flag("--force", options.is_replacing_input, "Let a result replace the mesh or a file of curves that is read");
   app.add_flag("--quiet", options.is_quiet, "No table and no progress");
 }
 
@@ -109,19 +113,25 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
   throw Bad_input("--search " + printable(name) + ": not known; use lookback, astar or dijkstra");
 }
 
-// Each result in a file of its own.
+// Each result in a file of its own, and none of them in one that is read.
 void check_names_of_results(const Options& options)
 {
-  std::vector<std::string> names;
+  std::vector<std::string> results;
   for(const std::string& name :
       {options.results.polylines, options.results.stats, options.results.viewer, options.results.page,
        options.results.map, options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
-    if(!name.empty())
-      names.push_back(name);
-  std::sort(names.begin(), names.end());
-  const auto twice = std::adjacent_find(names.begin(), names.end());
-  if(twice != names.end())
-    throw Bad_input(printable(*twice) + ": two results cannot go to one file; name another one");
+  {
+    if(name.empty())
+      continue;
+    for(const std::string& other : results)
+      if(is_same_file(name, other))
+        throw Bad_input(printable(name) + ": two results cannot go to one file; name another one");
+    for(const std::string& input : {options.mesh, options.pairs, options.edges, options.loop, options.network,
+                                    options.segmentation, options.points, options.bezier, options.draw})
+      if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
+        throw Bad_input(printable(name) + ": a result would replace what is read; name another file, or add --force");
+    results.push_back(name);
+  }
 }
 
 void check_mesh_results(const Mesh_result_options& options)
@@ -137,7 +147,8 @@ void check_mesh_results(const Mesh_result_options& options)
   const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};
   for(const std::string& name : {options.subdivision, options.insertion, options.cut})
     if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
-      throw Bad_input(printable(name) + ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
+      throw Bad_input(printable(name) +
+                      ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
 }
 
 void check_options(const Options& options)
@@ -189,15 +200,17 @@ void check_options(const Options& options)
 }
 
 // What becomes of the curves, and a line for people above them.
-int run(const Options& options, const Mesh& mesh, const Program_metric& metric, const std::string& title)
+int run(const Options& options, const Mesh& mesh, const Program_metric& metric, const std::string& title,
+        Progress& progress)
 {
+  progress.enter("reading curves");
   const std::vector<Network_request> requests = read_requests(options, mesh);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
     throw Bad_input("--delaunay, --refine, --subdivision, --insert and --cut take one curve, or a network of several");
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();
-  Progress progress(number_of_curves, options.is_quiet);
+  progress.expect_curves(number_of_curves);
   const bool is_certified = options.kernel == "certified";
   const Run_options run_options = {
       search_method(options.search), is_certified,       options.stop_length, options.is_shortest,
@@ -211,12 +224,11 @@ int run(const Options& options, const Mesh& mesh, const Program_metric& metric, 
       engine->check(request);
 
   const std::unique_ptr<Outputs> outputs = make_outputs(options);
-  const auto write = [&](const Network_request& request, const std::vector<Curve_result>& results) {
+  const auto write = [&](const Network_request&, const std::vector<Curve_result>& results) {
     outputs->write(results, engine->record());
     if(engine->map())
       outputs->write(*engine->map());
     outputs->write(engine->meshes());
-    progress.add_curves(request.curves.size());
   };
   if(options.threads > 1 && requests.size() > 1) {
     run_in_parallel(requests, options.threads, make_engine, write);
@@ -226,6 +238,7 @@ int run(const Options& options, const Mesh& mesh, const Program_metric& metric, 
       write(request, engine->run(request));
     }
   }
+  progress.enter("writing");
   outputs->close(mesh);
   if(!options.is_quiet) {
     outputs->print_summary(std::cout << title);
@@ -237,6 +250,9 @@ int run(const Options& options, const Mesh& mesh, const Program_metric& metric, 
 int run(const Options& options)
 {
   check_options(options);
+  Progress progress;
+  const Watcher watcher(progress, options.is_quiet);
+  progress.enter("reading the mesh");
   const Stopwatch stopwatch;
   const Mesh mesh = read_input_mesh(options);
   std::ostringstream title;
@@ -245,7 +261,16 @@ int run(const Options& options)
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";
-  return run(options, mesh, metric, title.str());
+  return run(options, mesh, metric, title.str(), progress);
+}
+
+// What is left of standard output goes out.
+int flushed(int status)
+{
+  if(std::cout.flush())
+    return status;
+  std::cerr << "flip_geodesics: standard output: could not be written to its end; look for space on the disk\n";
+  return status == success ? incomplete : status;
 }
 
 } // namespace
@@ -260,10 +285,10 @@ int main(int argc, char** argv)
       throw Bad_input("an argument is empty; leave its option out or give it a value");
     app.parse(argc, argv);
     CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
-    return run(options);
+    return flushed(run(options));
   } catch(const CLI::CallForHelp&) {
     std::cout << app.help();
-    return success;
+    return flushed(success);
   } catch(const CLI::ParseError& error) {
     std::cerr << "flip_geodesics: " << printable(error.what(), 300) << "; see --help\n";
   } catch(const std::exception& error) {

@@ -53,7 +53,9 @@ int main(int argc, char** argv)
     const FG::Curve_report& curve = result.report.curves.front();
     std::cout << "The loop of " << loop.size() << " edges is " << curve.initial_length << " long, the geodesic "
               << curve.length << ": " << to_string(curve.status) << ".\n";
-    return write_polylines<Kernel::Point_3>("geodesic_loop.polylines.txt", {points}) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return write_polylines<Kernel::Point_3>("geodesic_loop.polylines.txt", {points}) && std::cout.flush()
+               ? EXIT_SUCCESS
+               : EXIT_FAILURE;
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

@@ -45,5 +45,6 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  return write_polylines<Kernel::Point_3>("geodesic_path.polylines.txt", {points}) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return write_polylines<Kernel::Point_3>("geodesic_path.polylines.txt", {points}) && std::cout.flush() ? EXIT_SUCCESS
+                                                                                                        : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A geodesic between points inside of faces, and a Bezier curve and a B-spline whose control points are inside of faces.
+// A geodesic between points inside of faces, and a Bezier curve and a B-spline whose control points are inside of
+// faces.
 //
 //   geodesic_spline_example [MESH]
 
@@ -43,7 +44,8 @@ int main(int argc, char** argv)
     const auto geodesic = FG::geodesic_path(mesh, points.front(), points.back(), std::back_inserter(path));
     const auto bezier = FG::geodesic_spline(mesh, points, FG::Spline_kind::BEZIER, std::back_inserter(curve),
                                             CGAL::parameters::number_of_iterations(6));
-    const auto b_spline = FG::geodesic_spline(mesh, points, FG::Spline_kind::CUBIC_B_SPLINE, std::back_inserter(spline));
+    const auto b_spline =
+        FG::geodesic_spline(mesh, points, FG::Spline_kind::CUBIC_B_SPLINE, std::back_inserter(spline));
     std::cout << "The geodesic is " << geodesic.report.curves.front().length << " long, the Bezier curve "
               << bezier.report.curves.front().length << ", the B-spline " << b_spline.report.curves.front().length
               << ".\n";
@@ -51,6 +53,7 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return write_polylines<Kernel::Point_3>("geodesic_spline.polylines.txt", {path, curve, spline}) ? EXIT_SUCCESS
-                                                                                                  : EXIT_FAILURE;
+  return write_polylines<Kernel::Point_3>("geodesic_spline.polylines.txt", {path, curve, spline}) && std::cout.flush()
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
 }

@@ -5,6 +5,7 @@
 //
 //   geodesic_tree_example [MESH [SOURCE]]
 
+#include "kept_input.h"
 #include "torus.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
@@ -57,13 +58,15 @@ int main(int argc, char** argv)
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
+  if(!is_input_kept(argc, argv, {"logarithmic_map.obj"}))
+    return EXIT_FAILURE;
   try {
     Triangulation triangulation(mesh);
     FG::Geodesic_tree<Triangulation> tree(triangulation);
     const FG::Geodesic_tree_report report = tree.grow(source);
     std::cout << report.flips << " flips; the paths are " << FG::to_string(report.status) << '\n';
     const FG::Logarithmic_map map = FG::logarithmic_map(tree);
-    return write_textured_obj("logarithmic_map.obj", mesh, map) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return write_textured_obj("logarithmic_map.obj", mesh, map) && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

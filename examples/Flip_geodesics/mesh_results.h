@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_MESH_RESULTS_H
 
 #include "curve_engine.h"
+#include "progress.h"
 
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/refine.h>
@@ -19,12 +20,14 @@ namespace program {
 
 /// Flips and refines the triangulation of a network whose curves are finished. Returns lines for people.
 template <class Network>
-std::string improve_triangulation(const Mesh_result_options& options, Network& network)
+std::string improve_triangulation(const Mesh_result_options& options, Network& network, Progress& progress)
 {
   namespace FG = CGAL::Flip_geodesics;
   std::ostringstream text;
   if(options.is_delaunay) {
+    progress.enter("flipping to Delaunay");
     const FG::Delaunay_report report = FG::flip_to_delaunay(network.triangulation());
+    progress.add_flips(report.flips);
     text << "delaunay " << report.flips << " flips, " << report.constrained << " edges held by curves\n";
   }
   if(options.refine) {
@@ -33,7 +36,8 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     bounds.longest_edge = options.longest_edge.value_or(bounds.longest_edge);
     if(options.most_vertices)
       bounds.maximum_insertions = static_cast<std::size_t>(*options.most_vertices);
-    const FG::Refinement_report report = FG::refine(network, bounds);
+    progress.enter("refining", "steps");
+    const FG::Refinement_report report = FG::refine(network, bounds, Progress_visitor(progress));
     text << "refined  " << report.insertions << " vertices inserted, " << report.splits
          << " edges split; smallest angle " << report.smallest_angle << " degrees, " << report.smallest_free_angle
          << " without " << report.exempt << " exempt faces; " << report.missed << " missed\n";

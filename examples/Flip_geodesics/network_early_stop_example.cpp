@@ -91,7 +91,8 @@ int main(int argc, char** argv)
     const bool is_written = write_curves("network.polylines.txt", network);
     std::cout << network.number_of_curves() << " curves after " << visitor.steps << " steps.\n";
     FG::shorten(network);
-    return is_written && write_curves("finished_network.polylines.txt", network) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return is_written && write_curves("finished_network.polylines.txt", network) && std::cout.flush() ? EXIT_SUCCESS
+                                                                                                      : EXIT_FAILURE;
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

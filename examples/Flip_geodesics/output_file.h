@@ -5,10 +5,13 @@
 
 #include "bad_input.h"
 #include "printable.h"
+#include "run_files.h"
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <system_error>
 
@@ -17,13 +20,14 @@ namespace program {
 /*!
  * A file that is written with all digits of a double, and that complains if it cannot be.
  *
- * What is written goes to `NAME.part` first, which takes the place of the file in `close()`: a run that fails leaves the
- * results of an earlier one. What is no plain file, and anything in /dev, is written directly.
+ * What is written goes to a file of its own beside it first, which takes its place, with its permissions, in `close()`:
+ * a run that fails leaves the results of an earlier one, and two runs do not mix theirs. What is no plain file, and
+ * anything in /dev, is written directly.
  */
 class Output_file
 {
 public:
-  /// An empty name means that nothing is to be written.
+  /// An empty name means that nothing is to be written. \throws Bad_input if it cannot be begun
   explicit Output_file(const std::string& name)
     : m_name(name)
   {
@@ -33,48 +37,72 @@ public:
     const std::filesystem::file_status status = std::filesystem::status(m_name, failure); // of what a link leads to
     const bool exists = std::filesystem::exists(status);
     m_is_direct = m_name.rfind("/dev/", 0) == 0 || (exists && !std::filesystem::is_regular_file(status));
-    m_place = exists && !m_is_direct ? std::filesystem::canonical(m_name, failure) : std::filesystem::path(m_name);
+    m_place = m_is_direct ? std::filesystem::path(m_name) : destination(m_name);
     const bool may_be_written = !exists || m_is_direct || std::ofstream(m_place, std::ios::app).is_open();
-    m_out.open(m_is_direct ? m_name : part(), std::ios::binary);
+    if(may_be_written && !m_is_direct)
+      m_part = Run_files::instance().create_beside(m_place);
+    if(exists && !m_part.empty())
+      std::filesystem::permissions(m_part, status.permissions(), failure);
+    m_out.open(m_is_direct ? m_place : m_part, std::ios::binary);
     m_out.precision(std::numeric_limits<double>::max_digits10);
-    if(!m_out || !may_be_written)
+    if(!m_out || !may_be_written) {
+      abandon();
       throw Bad_input(printable(m_name) + ": cannot be written; choose another place");
+    }
+    m_is_open = true;
   }
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
-  ~Output_file()
-  {
-    if(!is_wanted() || m_is_direct || m_is_finished)
-      return;
-    m_out.close();
-    std::error_code ignored;
-    std::filesystem::remove(part(), ignored);
-  }
+  ~Output_file() { abandon(); }
 
   bool is_wanted() const { return !m_name.empty(); }
   std::ostream& stream() { return m_out; }
   const std::string& name() const { return m_name; }
 
+  /// Looks whether all could be written so far. If not, says so, once, and takes nothing more.
+  void check()
+  {
+    if(m_is_open && !m_out)
+      fail();
+  }
+
+  /// Completes the file, or says that this is not possible.
   void close()
   {
-    if(!is_wanted() || m_is_finished)
+    if(!m_is_open)
       return;
     m_out.close();
-    std::error_code failure;
-    if(m_out && !m_is_direct)
-      std::filesystem::rename(part(), m_place, failure);
-    if(!m_out || failure)
-      throw Bad_input(printable(m_name) + ": could not be written to its end; look for space on the disk");
-    m_is_finished = true;
+    if(!m_out || (!m_is_direct && !Run_files::instance().complete(m_part, m_place)))
+      return fail();
+    m_is_open = false;
+    m_part.clear();
   }
 
 private:
-  std::string part() const { return m_place.string() + ".part"; }
+  void fail()
+  {
+    abandon();
+    Run_files::instance().note_failure();
+    std::cerr << "flip_geodesics: " + printable(m_name) +
+                     ": could not be written to its end; look for space on the disk\n";
+  }
+
+  // Leaves what was there before.
+  void abandon()
+  {
+    m_is_open = false;
+    if(m_part.empty())
+      return;
+    m_out.close();
+    m_out.setstate(std::ios::badbit);
+    Run_files::instance().remove(m_part);
+    m_part.clear();
+  }
 
   std::string m_name;
-  std::filesystem::path m_place;
+  std::filesystem::path m_place, m_part; // the latter empty if there is none
   std::ofstream m_out;
-  bool m_is_direct = false, m_is_finished = false;
+  bool m_is_direct = false, m_is_open = false;
 };
 
 } // namespace program

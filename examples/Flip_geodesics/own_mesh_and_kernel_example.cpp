@@ -71,5 +71,6 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
   std::cout << "A geodesic of " << points.size() << " points, for which " << count << " flips were computed.\n";
-  return write_polylines<Kernel::Point_3>("own_mesh.polylines.txt", {points}) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return write_polylines<Kernel::Point_3>("own_mesh.polylines.txt", {points}) && std::cout.flush() ? EXIT_SUCCESS
+                                                                                                   : EXIT_FAILURE;
 }

@@ -9,6 +9,7 @@
 //
 // Writes poisson.ply, the mesh with the property `u` at its vertices.
 
+#include "kept_input.h"
 #include "torus.h"
 
 #include <CGAL/Flip_geodesics.h>
@@ -72,6 +73,8 @@ int main(int argc, char** argv)
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
+  if(!is_input_kept(argc, argv, {"poisson.ply"}))
+    return EXIT_FAILURE;
 
   auto temperature = mesh.add_property_map<Mesh::Vertex_index, double>("v:u", 0).first;
   try {
@@ -105,5 +108,5 @@ int main(int argc, char** argv)
 
   std::ofstream out("poisson.ply");
   out.precision(17);
-  return CGAL::IO::write_PLY(out, mesh) && out.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return CGAL::IO::write_PLY(out, mesh) && out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -44,7 +44,7 @@ struct Options
   int threads = 1;
   Result_names results;
   Mesh_result_options meshes;
-  bool is_quiet = false;
+  bool is_replacing_input = false, is_quiet = false;
 };
 
 } // namespace program

@@ -5,11 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <cstdio>
-#include <iostream>
-#include <mutex>
+#include <string>
 
 namespace program {
 
@@ -22,54 +21,52 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// Tells on standard error, every two seconds, how far a run has come; nothing about a shorter run. For several
-/// threads.
+/*!
+ * What a run is doing and how far it has come: written by those who work, in several threads or one, and read by a
+ * `Watcher`. A figure is as it was a moment ago, for flips and steps up to `portion` of each thread less.
+ */
 class Progress
 {
 public:
-  Progress(std::size_t number_of_curves, bool is_quiet)
-    : m_number_of_curves(number_of_curves)
-    , m_is_quiet(is_quiet)
+  static constexpr std::size_t portion = 64;
+
+  /// Something else begins. \param name, steps a literal; the latter what `add_steps()` counts, null if it is not
+  /// called
+  void enter(const char* name, const char* steps = nullptr)
   {
+    m_steps.store(0, std::memory_order_relaxed);
+    m_name_of_steps.store(steps, std::memory_order_relaxed);
+    m_phase.store(name, std::memory_order_relaxed);
   }
 
-  void add_flips(std::size_t count)
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_flips += count;
-    report_now_and_then();
-  }
+  void expect_curves(std::size_t count) { m_expected_curves.store(count, std::memory_order_relaxed); }
+  void add_curves(std::size_t count) { m_curves.fetch_add(count, std::memory_order_relaxed); }
+  void add_flips(std::size_t count) { m_flips.fetch_add(count, std::memory_order_relaxed); }
+  void add_steps(std::size_t count) { m_steps.fetch_add(count, std::memory_order_relaxed); }
 
-  void add_curves(std::size_t count)
+  /// A line for people, as `reading the mesh, 2 s` or `shortening, 131 steps, 7 of 20 curves, 94413 flips, 4 s`.
+  std::string line() const
   {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_curves += count;
-    report_now_and_then();
+    const auto figure = [](const std::atomic<std::size_t>& count) {
+      return std::to_string(count.load(std::memory_order_relaxed));
+    };
+    std::string text = m_phase.load(std::memory_order_relaxed);
+    if(const char* const name = m_name_of_steps.load(std::memory_order_relaxed))
+      text += ", " + figure(m_steps) + ' ' + name;
+    if(m_expected_curves.load(std::memory_order_relaxed) > 0)
+      text += ", " + figure(m_curves) + " of " + figure(m_expected_curves) + " curves";
+    if(m_flips.load(std::memory_order_relaxed) > 0)
+      text += ", " + figure(m_flips) + " flips";
+    return text + ", " + std::to_string(static_cast<long long>(m_stopwatch.seconds())) + " s";
   }
 
 private:
-  void report_now_and_then()
-  {
-    constexpr double period = 2;
-    const double now = m_stopwatch.seconds();
-    if(m_is_quiet || now < m_last + period)
-      return;
-    m_last = now;
-    char line[160];
-    std::snprintf(line, sizeof line, "flip_geodesics: %zu of %zu curves, %.1f million flips, %.0f s\n", m_curves,
-                  m_number_of_curves, static_cast<double>(m_flips) * 1e-6, now);
-    std::cerr << line;
-  }
-
-  std::mutex m_mutex;
   Stopwatch m_stopwatch;
-  double m_last = 0;
-  std::size_t m_curves = 0, m_flips = 0;
-  std::size_t m_number_of_curves;
-  bool m_is_quiet;
+  std::atomic<const char*> m_phase = "starting", m_name_of_steps = nullptr;
+  std::atomic<std::size_t> m_steps = 0, m_expected_curves = 0, m_curves = 0, m_flips = 0;
 };
 
-/// Passes flips on to the progress, a few thousand at a time.
+/// Passes flips and steps on to the progress, some at a time.
 class Progress_visitor : public CGAL::Flip_geodesics::Default_shortening_visitor
 {
 public:
@@ -79,21 +76,34 @@ public:
   }
   Progress_visitor(const Progress_visitor&) = delete;
   Progress_visitor& operator=(const Progress_visitor&) = delete;
-  ~Progress_visitor() { m_progress.add_flips(m_flips); }
+  ~Progress_visitor()
+  {
+    m_progress.add_flips(m_flips);
+    m_progress.add_steps(m_steps);
+  }
 
   template <class Triangulation>
   void on_flip(const Triangulation&, CGAL::Flip_geodesics::Index)
   {
-    constexpr std::size_t portion = 4096;
-    if(++m_flips < portion)
-      return;
-    m_progress.add_flips(m_flips);
-    m_flips = 0;
+    if(++m_flips == Progress::portion) {
+      m_progress.add_flips(m_flips);
+      m_flips = 0;
+    }
+  }
+
+  /// What is asked before each step counts it.
+  bool go_further()
+  {
+    if(++m_steps == Progress::portion) {
+      m_progress.add_steps(m_steps);
+      m_steps = 0;
+    }
+    return true;
   }
 
 private:
   Progress& m_progress;
-  std::size_t m_flips = 0;
+  std::size_t m_flips = 0, m_steps = 0;
 };
 
 } // namespace program

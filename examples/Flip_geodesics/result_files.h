@@ -37,6 +37,7 @@ public:
         m_file.stream() << p.on_surface.t;
       m_file.stream() << ' ' << p.in_space.x() << ' ' << p.in_space.y() << ' ' << p.in_space.z() << '\n';
     }
+    m_file.check();
   }
 
   void close() { m_file.close(); }
@@ -70,6 +71,7 @@ public:
                     << r.initial_length << ',' << r.length << ',' << r.flips << ',' << r.flip_outs << ','
                     << r.smallest_angle << ',' << r.status << ',' << r.certificate << ',' << r.search_s << ','
                     << r.shorten_s << ',' << r.extract_s << '\n';
+    m_file.check();
   }
 
   void close() { m_file.close(); }

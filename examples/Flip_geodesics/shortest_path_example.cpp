@@ -57,5 +57,5 @@ int main(int argc, char** argv)
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;
   }
-  return write_polylines("shortest_path.polylines.txt", paths) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return write_polylines("shortest_path.polylines.txt", paths) && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

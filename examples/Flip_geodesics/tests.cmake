@@ -24,10 +24,31 @@ foreach(
   shortest_path_example)
   if(TARGET ${example})
     add_test(NAME ${example} COMMAND ${example} WORKING_DIRECTORY ${example_dir})
-    add_test(NAME ${example}_bad_input COMMAND ${example} no_such_mesh.off WORKING_DIRECTORY ${example_dir})
-    set_tests_properties(${example}_bad_input PROPERTIES WILL_FAIL ON)
+    # With an exit status of its own: a crash is none.
+    add_test(
+      NAME ${example}_bad_input
+      COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${example}> -D STATUS=1 -D PATTERN=. -D
+              ARGUMENTS=no_such_mesh.off -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
+      WORKING_DIRECTORY ${example_dir})
+    if(EXISTS /dev/full)
+      add_test(NAME ${example}_full_output COMMAND sh -c "\"$1\" > /dev/full; test $? -eq 1" sh $<TARGET_FILE:${example}>
+               WORKING_DIRECTORY ${example_dir})
+    endif()
   endif()
 endforeach()
+
+# A result of one run as the mesh of the next.
+if(TARGET cut_and_refine_example)
+  add_test(
+    NAME cut_and_refine_example_input_kept
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:cut_and_refine_example> -D STATUS=1 -D PATTERN=replace -D
+            ARGUMENTS=./cut.off -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
+    WORKING_DIRECTORY ${example_dir})
+  set_tests_properties(cut_and_refine_example_input_kept PROPERTIES DEPENDS cut_and_refine_example)
+endif()
+
+# What is read by other programs than ours, and what happens to files and streams.
+find_package(Python3 COMPONENTS Interpreter QUIET)
 
 # flip_geodesics_add_program_test(name status pattern arguments...): the exit status and what is printed.
 function(flip_geodesics_add_program_test name status pattern)
@@ -86,6 +107,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${example_dir}/escape.txt "0 1\n2 ${escape}c7\n")
   file(WRITE ${example_dir}/marked.txt "${byte_order_mark}0 150\r\n3 77\r")
   file(WRITE ${example_dir}/beyond.txt "0 99999999999999999999\n")
+  file(WRITE ${example_dir}/no_vertex.off "OFF\n0 0 0\n")
+  file(WRITE ${example_dir}/one_vertex.off "OFF\n1 0 0\n0 0 0\n")
   file(WRITE ${example_dir}/two_parts.off
        "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n3 3 4 5\n")
   # Vertices 3 and 4 are one point; the path from 0 to 2 stays away from them.
@@ -191,12 +214,49 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
                                   zero_length.txt)
 
-  add_test(NAME readme_example COMMAND readme_example torus.off WORKING_DIRECTORY ${example_dir})
-  set_tests_properties(readme_example PROPERTIES FIXTURES_REQUIRED program_input PASS_REGULAR_EXPRESSION
-                                                                                 "LOCALLY_SHORTEST")
+  # flip_geodesics_add_readme_test(name status pattern arguments...)
+  function(flip_geodesics_add_readme_test name status pattern)
+    add_test(
+      NAME readme_example${name}
+      COMMAND
+        ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:readme_example> -D STATUS=${status} -D PATTERN=${pattern} -D
+        ARGUMENTS=${ARGN} -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
+      WORKING_DIRECTORY ${example_dir})
+    set_tests_properties(readme_example${name} PROPERTIES FIXTURES_REQUIRED program_input)
+  endfunction()
+  flip_geodesics_add_readme_test("" 0 "LOCALLY_SHORTEST" torus.off)
+  flip_geodesics_add_readme_test(_disconnected 1 "^no path of edges joins vertex 0 and vertex 5\n$" two_parts.off)
+  flip_geodesics_add_readme_test(_no_mesh 1 "triangle mesh" missing.off)
+  flip_geodesics_add_readme_test(_no_vertex 1 "triangle mesh" no_vertex.off)
+  flip_geodesics_add_readme_test(_one_vertex 1 "." one_vertex.off)
+  flip_geodesics_add_readme_test(_no_argument 1 "triangle mesh" "")
+
+  # The curve passes a vertex at a distance that rounding does not see: it crosses the edges of that vertex inside.
+  file(WRITE ${example_dir}/below.off
+       "OFF\n5 4 0\n-1 0 0\n1 0 0\n0 -1e-30 0\n0 1 0\n0 -1 0\n3 0 2 3\n3 2 1 3\n3 0 4 2\n3 4 1 2\n")
+  file(WRITE ${example_dir}/there_and_back.txt "0 2 1\n1 2 0\n")
+  flip_geodesics_add_program_test(near_vertex 0 "2 LOCALLY_SHORTEST" below.off --edges there_and_back.txt --kernel
+                                  certified --polylines near_vertex.txt)
+  flip_geodesics_add_program_test(near_vertex_legs 0 "2 LOCALLY_SHORTEST" below.off --points ends.txt --kernel certified
+                                  --polylines near_vertex_legs.txt)
+  file(WRITE ${example_dir}/ends.txt "0 1\n1 0\n")
+  foreach(name near_vertex near_vertex_legs)
+    add_test(NAME program_${name}_checked COMMAND check_polylines below.off ${name}.txt WORKING_DIRECTORY ${example_dir})
+    set_tests_properties(program_${name}_checked PROPERTIES DEPENDS program_${name})
+  endforeach()
+
+  if(Python3_Interpreter_FOUND AND UNIX)
+    foreach(case inputs results places interruption full_disk closed_streams progress)
+      add_test(NAME program_files_${case}
+               COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_program_files.py --program
+                       $<TARGET_FILE:flip_geodesics> --torus $<TARGET_FILE:generate_torus> ${case})
+    endforeach()
+    set_tests_properties(program_files_progress PROPERTIES PROCESSORS 3)
+  else()
+    message(STATUS "Flip_geodesics: what the program does to files and streams is NOT checked, for want of Python 3")
+  endif()
 
   # What is written for viewers is read back by readers that share nothing with the program.
-  find_package(Python3 COMPONENTS Interpreter QUIET)
   find_program(FLIP_GEODESICS_CHROMIUM NAMES chromium chromium-browser google-chrome
                DOC "A browser to load pages of flip_geodesics with; none if it is not found")
   mark_as_advanced(FLIP_GEODESICS_CHROMIUM)

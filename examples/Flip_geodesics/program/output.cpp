@@ -71,7 +71,7 @@ public:
   }
 
   void print_summary(std::ostream& out) const override { m_summary.print(out); }
-  bool has_failed() const override { return m_has_failed; }
+  bool has_failed() const override { return m_has_failed || Run_files::instance().has_failed(); }
 
 private:
   // What a run that failed does not have leaves the file of an earlier one.

@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Checks what flip_geodesics does to files and to who waits for it: inputs stay, results are whole or not there,
+interruption and full disks are told.
+
+    check_program_files.py --program flip_geodesics --torus generate_torus CASE
+"""
+
+import argparse
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PAIRS = '0 150\n3 77\n'
+ENDLESS = ['--random', '500000', '--kernel', 'certified']  # for as long as a test may take
+
+
+def check(condition, message):
+    if not condition:
+        raise SystemExit(f'check_program_files: {message}')
+
+
+class Folder:
+    """A folder with a mesh and files of curves, where the program runs."""
+
+    def __init__(self, options, path):
+        self.program, self.torus, self.path = options.program, options.torus, Path(path)
+        self.make_torus('torus.off', 24, 12)
+        (self.path / 'pairs.txt').write_text(PAIRS)
+
+    def make_torus(self, name, around, along):
+        subprocess.run([self.torus, self.path / name, str(around), str(along)], check=True, stdout=subprocess.DEVNULL)
+
+    def names(self):
+        return sorted(p.name for p in self.path.iterdir())
+
+    def text(self, name):
+        return (self.path / name).read_text()
+
+    def start(self, *arguments, **how):
+        how = {'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **how}
+        return subprocess.Popen([self.program, *arguments], cwd=self.path, text=True, **how)
+
+    def run(self, status, *arguments, **how):
+        process = self.start(*arguments, **how)
+        output, errors = process.communicate()
+        check(process.returncode == status,
+              f'{" ".join(arguments)}: exit status {process.returncode} instead of {status}\n{errors}')
+        return output, errors
+
+    def refuse(self, pattern, *arguments):
+        """Bad input is told in one line, and changes no file."""
+        before = {name: self.path.joinpath(name).read_bytes() for name in self.names()}
+        _, errors = self.run(2, *arguments)
+        check(re.fullmatch(r'flip_geodesics: [^\n]*\n', errors) and re.search(pattern, errors),
+              f'{" ".join(arguments)}: {errors}')
+        after = {name: self.path.joinpath(name).read_bytes() for name in self.names()}
+        check(before == after, f'{" ".join(arguments)}: the files are others now')
+
+
+def case_inputs(folder):
+    """No result replaces what is read, whatever it is called."""
+    pair = ['torus.off', '--from', '0', '--to', '150']
+    os.symlink('torus.off', folder.path / 'soft.off')
+    os.link(folder.path / 'torus.off', folder.path / 'hard.off')
+    os.symlink(folder.path, folder.path.parent / (folder.path.name + '-link'))
+    linked = folder.path.parent / (folder.path.name + '-link')
+    try:
+        for name in ['torus.off', './torus.off', str(folder.path / 'torus.off'), 'soft.off', 'hard.off',
+                     str(linked / 'torus.off')]:
+            for option in ['--insert', '--cut', '--subdivision', '--stats', '--polylines', '--page']:
+                if name != 'torus.off' and option not in ('--insert', '--stats'):
+                    continue
+                folder.refuse('read', *pair, option, name)
+    finally:
+        linked.unlink()
+    for option, content in [('--pairs', PAIRS), ('--points', '0 150\n'), ('--edges', '0 1 2\n'),
+                            ('--loop', '0 12 13\n'), ('--network', '3 4 5\n'), ('--bezier', '0 15 40 65\n'),
+                            ('--draw', '0 15 40\n'), ('--segmentation', ''.join(f'{i // 200}\n' for i in range(576)))]:
+        (folder.path / 'curves.txt').write_text(content)
+        folder.refuse('read', 'torus.off', option, 'curves.txt', '--polylines', './curves.txt')
+        folder.run(0, 'torus.off', option, 'curves.txt', '--polylines', 'result.txt', '--quiet')
+    folder.run(0, *pair, '--insert', 'elsewhere.off')
+    folder.run(0, *pair, '--insert', 'torus.off', '--force')
+    check(folder.text('torus.off') == folder.text('elsewhere.off'), 'with --force the mesh is not the result')
+    check(folder.text('hard.off') != folder.text('torus.off'), 'a link that was not named has changed')
+
+
+def case_results(folder):
+    """Two results do not share a file, two runs do not mix theirs, and what is there stays as it is."""
+    both = ['torus.off', '--random', '3']
+    folder.refuse('two results', *both, '--stats', './same.txt', '--polylines', 'same.txt')
+    (folder.path / 'below').mkdir()
+    os.symlink('../nowhere.txt', folder.path / 'below/dangling.txt')
+    _, errors = folder.run(2, *both, '--stats', 'below/dangling.txt', '--polylines', 'nowhere.txt')
+    check('two results' in errors, errors)
+    folder.run(0, *both, '--stats', 'below/dangling.txt', '--quiet')
+    check((folder.path / 'below/dangling.txt').is_symlink() and (folder.path / 'nowhere.txt').is_file(),
+          'a link has been replaced, not what it leads to')
+
+    (folder.path / 'curves.txt.part').write_text('mine\n')
+    (folder.path / 'curves.txt').write_text('earlier\n')
+    os.chmod(folder.path / 'curves.txt', 0o640)
+    folder.run(0, *both, '--polylines', 'curves.txt', '--quiet')
+    check(folder.text('curves.txt.part') == 'mine\n', 'a file .part has been overwritten')
+    check((folder.path / 'curves.txt').stat().st_mode & 0o777 == 0o640, 'the permissions are others')
+
+    expected = []
+    for seed in '12':
+        folder.run(0, 'torus.off', '--random', '400', '--seed', seed, '--polylines', seed, '--quiet')
+        expected.append(folder.text(seed))
+    for _ in range(3):
+        runs = [folder.start('torus.off', '--random', '400', '--seed', seed, '--polylines', 'both.txt', '--quiet')
+                for seed in '12']
+        check([run.wait() for run in runs] == [0, 0], 'two runs at once do not succeed')
+        check(folder.text('both.txt') in expected, 'two runs have mixed their lines')
+    check(not [n for n in folder.names() if n.endswith('.part') and n != 'curves.txt.part'], 'files are left over')
+
+
+def case_places(folder):
+    """What is no plain file is written as it is."""
+    folder.run(0, 'torus.off', '--random', '3', '--quiet', '--stats', 'stats.csv')
+    lines = folder.text('stats.csv').count('\n')
+    output, _ = folder.run(0, 'torus.off', '--random', '3', '--quiet', '--stats', '/dev/stdout')
+    check(output.count('\n') == lines, 'standard output has not the lines of the file')
+    folder.run(0, 'torus.off', '--random', '3', '--quiet', '--stats', '/dev/null', '--polylines', 'a.txt')
+    os.mkfifo(folder.path / 'pipe')
+    run = folder.start('torus.off', '--random', '3', '--quiet', '--stats', 'pipe')
+    check(folder.text('pipe').count('\n') == lines and run.wait() == 0, 'the pipe has not the lines of the file')
+    check((folder.path / 'pipe').is_fifo(), 'the pipe has become a file')
+    (folder.path / 'folder').mkdir()
+    _, errors = folder.run(2, 'torus.off', '--random', '3', '--stats', 'folder')
+    check('folder: cannot be written' in errors, errors)
+    folder.run(0, 'torus.off', '--pairs', '/dev/stdin', '--polylines', '/dev/stdout', '--quiet',
+               stdin=open(folder.path / 'pairs.txt', encoding='ascii'))
+
+
+def case_interruption(folder):
+    """A signal removes temporary files and says so in one line; results of earlier runs stay."""
+    def by_default():
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        (folder.path / 'curves.txt').write_text('earlier\n')
+        before = folder.names()
+        run = folder.start('torus.off', *ENDLESS, '--quiet', '--polylines', 'curves.txt', '--stats', 'stats.csv',
+                           preexec_fn=by_default)
+        while len(folder.names()) < len(before) + 2 and run.poll() is None:
+            pass
+        run.send_signal(number)
+        _, errors = run.communicate()
+        check(run.returncode == 128 + number, f'exit status {run.returncode} after {number}\n{errors}')
+        check(re.fullmatch(r'flip_geodesics: interrupted[^\n]*\n', errors), f'{errors} after {number}')
+        check(folder.names() == before and folder.text('curves.txt') == 'earlier\n', 'the files are others')
+
+
+def case_full_disk(folder):
+    """What cannot be written to its end is told when it happens; the other results are written."""
+    def small_files():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+    (folder.path / 'curves.txt').write_text('earlier\n')
+    before = folder.names() + ['stats.csv']
+    _, errors = folder.run(1, 'torus.off', '--random', '20', '--quiet', '--polylines', 'curves.txt', '--stats',
+                           'stats.csv', '--page', '/dev/full', preexec_fn=small_files)
+    for name in ['curves.txt', '/dev/full']:
+        check(errors.count(f'flip_geodesics: {name}: could not be written to its end') == 1, errors)
+    check(folder.text('stats.csv').count('\n') == 21, 'the other result is not whole')
+    check(folder.text('curves.txt') == 'earlier\n' and folder.names() == sorted(before), 'the files are others')
+
+    run = folder.start('torus.off', *ENDLESS, '--quiet', '--polylines', 'curves.txt', preexec_fn=small_files)
+    check('could not be written' in run.stderr.readline(), 'it is not told when it happens')
+    check(run.poll() is None and folder.names() == sorted(before), 'the file is not given up')
+    run.terminate()
+    run.communicate()
+
+    for arguments in (['--help'], ['torus.off', '--random', '20']):
+        for stream in ('/dev/full', None):
+            how = {'stdout': open(stream, 'w', encoding='ascii')} if stream else {'preexec_fn': lambda: os.close(1)}
+            _, errors = folder.run(1, *arguments, **how)
+            check('standard output' in errors, errors)
+
+
+def case_closed_streams(folder):
+    """A result does not become standard error, which a curve that fails writes to."""
+    (folder.path / 'flat.off').write_text('OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n9 9 0\n9 9 0\n3 0 1 2\n3 0 2 3\n3 3 2 4\n')
+    (folder.path / 'flat.txt').write_text('0 4\n0 1\n')
+    arguments = ['flat.off', '--pairs', 'flat.txt', '--quiet', '--stats']
+    status = folder.start(*arguments, 'expected.csv').wait()
+    folder.run(status, *arguments, 'closed.csv', stderr=None, preexec_fn=lambda: os.close(2))
+    without_times = [re.sub(r'(,[^,\n]*){3}$', '', folder.text(f'{name}.csv'), flags=re.M)
+                     for name in ('expected', 'closed')]
+    check(without_times[0] == without_times[1], folder.text('closed.csv'))
+
+
+def case_progress(folder):
+    """Told before the first curve is done, with figures that grow; nothing if it is to be quiet."""
+    folder.make_torus('fine.off', 700, 400)
+    quiet = folder.start('torus.off', *ENDLESS, '--quiet')
+    tree = folder.start('fine.off', '--source', '0', '--shortest')
+    random = folder.start('torus.off', *ENDLESS)
+    pattern = (r'flip_geodesics: (?:reading the mesh|reading curves|[a-z ]+(?:, \d+ steps)?, '
+               r'(\d+) of 500000 curves, (\d+) flips), (\d+) s\n')
+    lines, figures = [], []
+    while len(figures) < 2:
+        lines.append(random.stderr.readline())
+        match = re.fullmatch(pattern, lines[-1])
+        check(match, ''.join(lines))
+        if match[1]:
+            figures.append([int(figure) for figure in match.groups()])
+    check(all(0 < one < other for one, other in zip(*figures)), 'the figures do not grow:\n' + ''.join(lines))
+    line = tree.stderr.readline()
+    check(re.fullmatch(r'flip_geodesics: (reading the mesh|reading curves|growing the tree, \d+ steps(, \d+ flips)?|'
+                       r'looking for shorter paths, \d+ flips), \d+ s\n', line), line)
+    for run in (quiet, tree, random):
+        run.terminate()
+    check(re.fullmatch(r'flip_geodesics: interrupted[^\n]*\n', quiet.communicate()[1]), 'it is not quiet')
+    for run in (tree, random):
+        run.communicate()
+
+
+CASES = {name[len('case_'):]: case for name, case in globals().items() if name.startswith('case_')}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--program', required=True, type=Path)
+    parser.add_argument('--torus', required=True, type=Path)
+    parser.add_argument('case', choices=CASES)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as path:
+        CASES[options.case](Folder(options, path))
+
+
+if __name__ == '__main__':
+    sys.exit(main())
