@@ -3,11 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_RUNNER_H
 
+#include "bad_input.h"
 #include "curve_engine.h"
 #include "mesh_results.h"
 #include "progress.h"
 #include "shortening_recorder.h"
-#include "soup_checks.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
