@@ -275,6 +275,8 @@ private:
     }
     check_triangle(m_input, h);
     const Index hn = m_input.next(h), hp = m_input.next(hn);
+    if(hn == h)
+      throw_no_triangle(m_input, h);
     // From the smallest side on, so that the bits do not depend on which side is touched first.
     const Index first = (std::min)({h, hn, hp});
     const Index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};

@@ -80,6 +80,8 @@ bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh
  *
  * The general model numbers edges and vertices in the order of `edges(mesh)` and `vertices(mesh)` and copies the
  * connectivity once, O(mesh). It asks nothing of the descriptors but `<`, whose order reaches no result.
+ *
+ * `is_triangle()` takes a face of one side for a triangle, which `Halfedge_store` does not.
  */
 template <class TriangleMesh>
 class Indexed_mesh
@@ -106,7 +108,8 @@ public:
   Index index(halfedge_descriptor h) const { return find(m_halfedge_order, h); }
 
   Index next(Index h) const { return m_next[h]; }
-  bool is_triangle(Index h) const { return next(h) != h && next(next(next(h))) == h; }
+  Index previous(Index h) const { return m_previous[h]; }
+  bool is_triangle(Index h) const { return next(next(h)) == previous(h); }
   Index tail(Index h) const { return m_tail[h]; }
   bool is_border(Index h) const { return m_is_border[h] != 0; }
   /// A halfedge that starts at `v`, or `null_index` at an isolated vertex.
@@ -162,13 +165,19 @@ private:
       m_is_border.push_back(graph_face(h, mesh) == Graph::null_face() ? 1 : 0);
       m_outgoing[m_tail.back()] = static_cast<Index>(m_tail.size()) - 1;
     }
+    m_previous.resize(m_next.size());
+    for(Index h = 0; h < number_of_halfedges(); ++h) {
+      if(m_next[h] == null_index)
+        throw Invalid_mesh_error("a halfedge of the mesh is followed by none");
+      m_previous[m_next[h]] = h;
+    }
   }
 
   std::vector<vertex_descriptor> m_vertices;
   std::vector<halfedge_descriptor> m_halfedges;
   Order<vertex_descriptor> m_vertex_order;
   Order<halfedge_descriptor> m_halfedge_order;
-  std::vector<Index> m_next, m_tail, m_outgoing;
+  std::vector<Index> m_next, m_previous, m_tail, m_outgoing;
   std::vector<char> m_is_border;
 };
 
@@ -201,11 +210,8 @@ public:
   Index index(halfedge_descriptor h) const { return to_index(h, m_number_of_halfedges); }
 
   Index next(Index h) const { return static_cast<Index>(m_mesh->next(halfedge(h))); }
-  bool is_triangle(Index h) const
-  {
-    const halfedge_descriptor hn = m_mesh->next(halfedge(h));
-    return hn != halfedge(h) && m_mesh->next(hn) == m_mesh->prev(halfedge(h));
-  }
+  Index previous(Index h) const { return static_cast<Index>(m_mesh->prev(halfedge(h))); }
+  bool is_triangle(Index h) const { return next(next(h)) == previous(h); }
   Index tail(Index h) const { return static_cast<Index>(m_mesh->target(halfedge(twin_index(h)))); }
   bool is_border(Index h) const { return m_mesh->is_border(halfedge(h)); }
   Index outgoing(Index v) const

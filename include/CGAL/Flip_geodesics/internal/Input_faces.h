@@ -32,22 +32,18 @@ public:
 
   bool has_halfedge(Index h) const { return h >= 0 && h < m_triangulation.input().number_of_halfedges(); }
   Index next(Index h) const { return m_triangulation.input().next(h); }
-  Index previous(Index h) const { return next(next(h)); }
+  Index previous(Index h) const { return m_triangulation.input().previous(h); }
   Index tail(Index h) const { return m_triangulation.input().tail(h); }
   Index head(Index h) const { return tail(twin_index(h)); }
   Index apex(Index h) const { return head(next(h)); }
   bool is_border(Index h) const { return m_triangulation.input().is_border(h); }
   double length(Index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
 
-  /* \pre the face exists on this side. Throws Invalid_mesh_error if it is no triangle, where it has to be one. */
+  /* \pre the face exists on this side; it need not be a triangle */
   Index clockwise(Index h) const { return next(twin_index(h)); }
-  Index counterclockwise(Index h) const
-  {
-    check_triangle(m_triangulation.input(), h);
-    return twin_index(previous(h));
-  }
+  Index counterclockwise(Index h) const { return twin_index(previous(h)); }
 
-  /* The third corner of the face of h where h leads from 0 to 1 in the complex plane. Throws as above. */
+  /* The third corner of the face of h, which has to be a triangle, where h leads from 0 to 1 in the complex plane. */
   Plane_vector corner(Index h) const
   {
     if constexpr(std::is_empty<typename Metric::Place>::value) {
