@@ -10,6 +10,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #ifdef CGAL_USE_OPENMESH
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
@@ -218,4 +219,20 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors_have_types, Type, Mesh_types)
   BOOST_CHECK_THROW(two.path(3, 3), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(two.loop({0, 2, 1, 6}), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(two.path(0, 12), FG::Disconnected_endpoints_error);
+}
+
+using Polygon_mesh_types = boost::mpl::list<CGAL::Surface_mesh<Epick::Point_3>, CGAL::Polyhedron_3<Epick>>;
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(polygons_are_refused, Mesh, Polygon_mesh_types)
+{
+  using Point = Epick::Point_3;
+  Mesh cube;
+  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 1, 1), Point(0, 0, 1),
+                        Point(1, 0, 1), Point(1, 1, 1), cube);
+  const std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> v(vertices(cube).begin(),
+                                                                             vertices(cube).end());
+  std::vector<Point> points;
+  for(std::size_t i = 1; i < v.size(); ++i)
+    BOOST_CHECK_THROW(FG::geodesic_path(cube, v[0], v[i], std::back_inserter(points)), FG::Invalid_mesh_error);
+  BOOST_TEST(points.empty());
 }
