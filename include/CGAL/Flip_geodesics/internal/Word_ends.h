@@ -5,11 +5,12 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 
-#include <CGAL/assertions.h>
-
 #include <array>
+#include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -22,6 +23,14 @@ Location_kind vertex_kind(const Triangulation& triangulation, Index v)
   return triangulation.is_inserted(v) ? kind(triangulation.location(v)) : Location_kind::VERTEX;
 }
 
+/* The word of an edge does not lead to the end that it is to have. */
+[[noreturn]] inline void throw_wrong_flips(Index face)
+{
+  throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face) +
+                            " were wrong by rounding",
+                        {static_cast<std::size_t>(face)});
+}
+
 /* The side of an input face, given by any of its halfedges, that a point of an edge lies on; inside, its halfedge. */
 template <class Input_mesh>
 Index location_anchor(const Input_mesh& input, const Surface_location& location, Index face)
@@ -31,8 +40,7 @@ Index location_anchor(const Input_mesh& input, const Surface_location& location,
   for(Index h : {face, input.next(face), input.next(input.next(face))})
     if(h >> 1 == location.halfedge >> 1)
       return h;
-  CGAL_assertion_msg(false, "the location is not in the face");
-  return null_index;
+  throw_wrong_flips(location.halfedge);
 }
 
 /*
@@ -48,8 +56,7 @@ Index anchor(const Triangulation& triangulation, Index v, Index face)
   for(Index h : {face, input.next(face), input.next(input.next(face))})
     if(input.tail(h) == v)
       return h;
-  CGAL_assertion_msg(false, "the vertex is not in the face");
-  return null_index;
+  throw_wrong_flips(face);
 }
 
 /* An end of a word as seen from there: the input halfedge that it leaves along, the first one that it crosses, a

@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE hostile_traits
+
+#include "Curve_setting.h"
+#include "generated_curves.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/Shortener.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/straightened_path.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+/*
+ * Traits whose decisions are wrong, as rounding can make those of doubles, but often and by much: every guard against
+ * rounding has something to do. What holds all the same: no step makes a curve longer, what is not taken leaves no
+ * trace, words are right, and everything ends.
+ */
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using FG::Index;
+
+namespace {
+
+// What is said instead of the truth; empty functions are honest.
+struct Lies
+{
+  std::function<bool(bool)> is_quad_reflex;         // may an edge not be flipped? Told what is true
+  std::function<bool(int, bool)> is_wedge_straight; // of so many corners, told what is true
+  std::function<bool(bool)> is_locally_delaunay;    // told what is true
+  std::function<double(double)> length;             // told what is true
+};
+
+class Hostile_traits : public FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>
+{
+  using Base = FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
+
+public:
+  explicit Hostile_traits(const Lies& lies = honest())
+    : m_lies(&lies)
+  {
+  }
+
+  // The turns about the far end of an edge that is to be flipped are asked about after two corners; wedges, after each.
+  struct Turn : Base::Turn
+  {
+    int corners = 0;
+    mutable bool is_wedge = false;
+  };
+
+  struct Extend_turn
+  {
+    void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
+                    const Halfedge_geometry& opposite) const
+    {
+      Base::Extend_turn()(turn, in, out, opposite);
+      ++turn.corners;
+    }
+  };
+
+  struct Compare_turn_with_straight
+  {
+    CGAL::Uncertain<CGAL::Comparison_result> operator()(const Turn& turn) const
+    {
+      turn.is_wedge = turn.is_wedge || turn.corners != 2;
+      bool result = turn.is_straight;
+      if(turn.is_wedge && lies->is_wedge_straight)
+        result = lies->is_wedge_straight(turn.corners, result);
+      if(!turn.is_wedge && lies->is_quad_reflex)
+        result = lies->is_quad_reflex(result);
+      return result ? CGAL::LARGER : CGAL::SMALLER;
+    }
+
+    const Lies* lies;
+  };
+
+  struct Is_locally_delaunay
+  {
+    CGAL::Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn,
+                                     const Halfedge_geometry& hp, const Halfedge_geometry& t,
+                                     const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
+    {
+      const bool result = Base::Is_locally_delaunay()(h, hn, hp, t, tn, tp).make_certain();
+      return lies->is_locally_delaunay ? lies->is_locally_delaunay(result) : result;
+    }
+
+    const Lies* lies;
+  };
+
+  struct Compute_length
+  {
+    double operator()(const Halfedge_geometry& h) const
+    {
+      const double result = Base::Compute_length()(h);
+      return lies->length ? lies->length(result) : result;
+    }
+
+    const Lies* lies;
+  };
+
+  Extend_turn extend_turn_object() const { return {}; }
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {m_lies}; }
+  Is_locally_delaunay is_locally_delaunay_object() const { return {m_lies}; }
+  Compute_length compute_length_object() const { return {m_lies}; }
+
+private:
+  static const Lies& honest()
+  {
+    static const Lies none;
+    return none;
+  }
+
+  const Lies* m_lies;
+};
+
+using Triangulation = FG::Intrinsic_triangulation<Surface, Hostile_traits>;
+using Setting = Basic_curve_setting<Triangulation>;
+
+// The opposite of what is true, once in `period` questions.
+class Liar
+{
+public:
+  explicit Liar(int period, int first = 0)
+    : m_period(period)
+    , m_count(first)
+  {
+  }
+
+  bool operator()(bool truth) { return ++m_count % m_period == 0 ? !truth : truth; }
+
+private:
+  int m_period, m_count;
+};
+
+// Flips in the log, not faces laid out afresh.
+template <class T>
+std::size_t logged_flips(const T& triangulation)
+{
+  std::size_t result = 0;
+  for(std::size_t i = 0; i < triangulation.log_position(); ++i)
+    result += triangulation.flip_record(i).hp != FG::null_index ? 1 : 0;
+  return result;
+}
+
+// Follows a shortening: steps shorten, and the log holds the flips of the steps that were taken.
+struct Watcher
+{
+  explicit Watcher(const Setting& setting)
+    : length(setting.network.length(0))
+    , flips_of_steps(logged_flips(setting.triangulation))
+  {
+  }
+
+  template <class T>
+  void on_flip(const T&, Index)
+  {
+    ++flips;
+  }
+
+  template <class Network>
+  void after_flip_out(const Network& network, Index curve)
+  {
+    ++steps;
+    const double now = network.length(curve);
+    has_grown = has_grown || now > length * (1 + 1e-12);
+    length = now;
+    flips_of_steps = logged_flips(network.triangulation());
+  }
+
+  bool go_further() { return steps < 100000; }
+
+  double length;
+  std::size_t flips = 0, flips_of_steps = 0, steps = 0;
+  bool has_grown = false;
+};
+
+// Pulls tight among lies. Returns the number of flips that were taken back.
+std::size_t check_shortening(Setting& setting)
+{
+  const double before = setting.network.length(0);
+  Watcher watcher(setting);
+  FG::Shortener<Setting::Network> shortener(setting.network);
+  shortener.run(FG::Never_stop_predicate(), watcher);
+  BOOST_TEST(!watcher.has_grown);
+  BOOST_TEST(watcher.steps < 100000u);
+  BOOST_TEST(setting.network.is_valid());
+  BOOST_TEST(setting.triangulation.is_valid(1e-6));
+  BOOST_TEST(setting.network.length(0) <= before * (1 + 1e-12));
+  BOOST_TEST(std::abs(shortener.length() - setting.network.length(0)) <= 1e-12 * before);
+  BOOST_TEST(std::abs(shortener.length(0) - setting.network.length(0)) <= 1e-12 * before);
+  BOOST_TEST(logged_flips(setting.triangulation) == watcher.flips_of_steps); // the others have left no trace
+  setting.network.for_each_segment(
+      0, [&](Index s) { BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(setting.network.halfedge(s))); });
+  return shortener.number_of_flips() - logged_flips(setting.triangulation);
+}
+
+} // namespace
+
+// Edges are not flipped that could be, so that arcs are longer than what they replace.
+BOOST_AUTO_TEST_CASE(steps_that_lengthen_leave_no_trace)
+{
+  for(const Mesh_soup& soup : {jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1), bumpy_sphere(4, 0.3, 2)}) {
+    std::size_t taken_back = 0;
+    Random_numbers random(1);
+    for(int period : {1, 2, 3, 4, 5, 7, 9})
+      for(int i = 0; i < 20; ++i) {
+        Lies lies;
+        Liar liar(period, i);
+        lies.is_quad_reflex = [&](bool is_reflex) { return is_reflex || liar(false); };
+        Setting setting(soup, Hostile_traits(lies));
+        const int n = setting.triangulation.number_of_vertices(), u = random.below(n);
+        setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+        taken_back += check_shortening(setting);
+      }
+    BOOST_TEST(taken_back > 100u);
+  }
+}
+
+// Loops shrink to one segment, which moves as one unit, or not at all.
+BOOST_AUTO_TEST_CASE(loops_of_one_segment_that_lengthen_leave_no_trace)
+{
+  std::size_t taken_back = 0;
+  for(int period : {1, 2, 3, 4, 5, 7})
+    for(int first = 0; first < period; ++first)
+      for(int mesh = 0; mesh < 4; ++mesh) {
+        Lies lies;
+        Liar liar(period, first);
+        lies.is_quad_reflex = [&](bool is_reflex) { return is_reflex || liar(false); };
+        Setting setting(mesh == 0
+                            ? thirteen_vertex_cone_disk()
+                            : (mesh == 1 ? cone_disk(5, 3, 2.5) : (mesh == 2 ? cone_disk(7, 4, 1) : cone(5, 4, 1, 3))),
+                        Hostile_traits(lies));
+        const int k = mesh == 0 ? 6 : (mesh == 2 ? 7 : 5);
+        setting.add(disk_ring(k, mesh == 0 ? 1 : 2), true);
+        taken_back += check_shortening(setting);
+      }
+  BOOST_TEST(taken_back > 10u);
+}
+
+// A loop of one segment that is straight is called bent: its unit does not shorten, and is taken back.
+BOOST_AUTO_TEST_CASE(a_straight_loop_of_one_segment_stays)
+{
+  for(bool is_honest : {true, false})
+    for(int n : {3, 4, 5}) {
+      Lies lies;
+      bool is_lying = false;
+      lies.is_wedge_straight = [&](int corners, bool is_straight) { return is_straight && !(is_lying && corners > 1); };
+      Setting setting(cylinder(n, 4, 1, 3), Hostile_traits(lies));
+      setting.add(cylinder_ring(n, 2), true);
+      setting.pull();
+      const std::vector<Index> before = setting.network.halfedges(0);
+      const std::size_t log = setting.triangulation.log_position();
+      const double length = setting.network.length(0);
+      is_lying = !is_honest;
+      check_shortening(setting);
+      BOOST_TEST(std::abs(setting.network.length(0) - length) <= 1e-9 * length);
+      if(is_honest) {
+        BOOST_TEST(setting.network.halfedges(0) == before, boost::test_tools::per_element());
+        BOOST_TEST(setting.triangulation.log_position() == log);
+      }
+    }
+}
+
+// A visitor that throws in the middle of a unit: the loop is whole, and not longer.
+BOOST_AUTO_TEST_CASE(an_exception_leaves_loops_valid)
+{
+  struct Thrower
+  {
+    void on_flip(const Triangulation&, Index)
+    {
+      if(--left == 0)
+        throw std::runtime_error("enough");
+    }
+    void after_flip_out(const Setting::Network& network, Index curve) { length = network.length(curve); }
+    bool go_further() { return true; }
+
+    int left;
+    double length;
+  };
+  int thrown = 0;
+  for(int flips = 1; flips < 60; ++flips) {
+    Setting setting(cone_disk(7, 4, 1));
+    setting.add(disk_ring(7, 3), true);
+    Thrower thrower = {flips, setting.network.length(0)};
+    try {
+      FG::shorten(setting.network, FG::Never_stop_predicate(), thrower);
+    } catch(const std::runtime_error&) {
+      ++thrown;
+      BOOST_TEST(setting.network.is_valid());
+      BOOST_TEST(setting.triangulation.is_valid());
+      BOOST_TEST(std::abs(setting.network.length(0) - thrower.length) <= 1e-12 * thrower.length);
+    }
+  }
+  BOOST_TEST(thrown > 20);
+}
+
+// Steps that change nothing that doubles see, round and round a torus: given up after some time.
+BOOST_AUTO_TEST_CASE(steps_without_progress_end)
+{
+  Lies lies;
+  lies.is_quad_reflex = [](bool) { return true; }; // no flips
+  lies.is_wedge_straight = [](int corners, bool) { return corners > 2; };
+  lies.length = [](double) { return 1.0; };
+  const int n = 9, m = 6;
+  Setting setting(torus(n, m, 3, 1), Hostile_traits(lies));
+  setting.add(torus_loop(n, m, 1, 1), true);
+  Watcher watcher(setting);
+  const FG::Shortening_report report = FG::shorten(setting.network, FG::Never_stop_predicate(), watcher);
+  BOOST_TEST(!watcher.has_grown);
+  BOOST_TEST(watcher.steps > 10000u);
+  BOOST_TEST(watcher.steps < 100000u);
+  BOOST_TEST((report.curves[0].status == FG::Shortening_status::PRECISION_LIMIT));
+  BOOST_TEST(setting.network.is_valid());
+}
+
+// Legs that cannot be inserted: the path itself is the curve, and nothing is flipped.
+BOOST_AUTO_TEST_CASE(a_straightened_path_that_cannot_be_inserted_leaves_no_trace)
+{
+  int inserted = 0, given_up = 0;
+  for(int period : {1, 2, 3, 5, 8, 13, 1000})
+    for(int kind = 0; kind < 2; ++kind)
+      for(int i = 0; i < 10; ++i) {
+        Lies lies;
+        Liar liar(period, i);
+        bool is_lying = false;
+        if(kind == 0)
+          lies.is_quad_reflex = [&](bool is_reflex) { return is_reflex || liar(false); };
+        else
+          lies.length = [&](double length) { return is_lying && liar(false) ? 3 * length : length; };
+        Setting setting(jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1), Hostile_traits(lies));
+        FG::Shortest_edge_path<Triangulation> search(setting.triangulation);
+        const std::vector<Index> path = search(i, 63 - i);
+        double length = 0;
+        for(Index h : path)
+          length += setting.triangulation.length(h);
+        is_lying = true;
+        FG::add_straightened_path(setting.network, path);
+        is_lying = false;
+        BOOST_TEST(setting.network.is_valid());
+        BOOST_TEST(setting.network.length(0) <= length * (1 + 1e-12));
+        BOOST_TEST(std::abs(setting.network.initial_length(0) - length) <= (kind == 0 ? 1e-12 : 3) * length);
+        std::set<Index> passed;
+        setting.network.for_each_segment(0, [&](Index s) {
+          BOOST_TEST(passed.insert(setting.triangulation.tail(setting.network.halfedge(s))).second);
+        });
+        if(setting.network.halfedges(0) == path) {
+          BOOST_TEST(setting.triangulation.log_position() == 0u);
+          ++given_up;
+        } else
+          ++inserted;
+      }
+  BOOST_TEST(inserted > 10);
+  BOOST_TEST(given_up > 10);
+}
+
+namespace {
+
+// One lie for each bad face.
+struct Liars_start : FG::Default_shortening_visitor
+{
+  bool go_further()
+  {
+    *lies_left = 1;
+    return true;
+  }
+
+  int* lies_left = nullptr;
+};
+
+} // namespace
+
+// Flips of edges that must not be flipped, while points are inserted: the words tell, and the insertion is undone.
+BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
+{
+  for(bool has_curve : {false, true}) {
+    std::size_t refused = 0;
+    for(int period : {2, 3, 5, 8, 13, 30})
+      for(int first = 0; first < 4; ++first) {
+        Lies lies;
+        Liar liar(period, first);
+        int lies_left = 0;
+        const Triangulation* lied_to = nullptr;
+        lies.is_locally_delaunay = [&](bool truth) {
+          const bool is_time = lied_to != nullptr && lied_to->is_inserted(lied_to->number_of_vertices() - 1);
+          return truth && !(is_time && lies_left > 0 && liar(false) && lies_left-- > 0);
+        };
+        Setting setting(bumpy_sphere(4, 0.3, 2), Hostile_traits(lies));
+        if(has_curve)
+          setting.add_path(0, 37);
+        setting.pull();
+        FG::flip_to_delaunay(setting.triangulation);
+        lied_to = &setting.triangulation;
+        const double length = has_curve ? setting.network.length(0) : 0;
+        FG::Refinement_options options;
+        options.smallest_angle = 28;
+        options.longest_edge = 0.25;
+        options.maximum_insertions = 300;
+        Liars_start start;
+        start.lies_left = &lies_left;
+        const FG::Refinement_report report = FG::refine(setting.network, options, start);
+        refused += report.refused;
+        BOOST_TEST(report.insertions + report.splits <= 300u);
+        BOOST_TEST(report.insertions + report.splits + setting.mesh.number_of_vertices() ==
+                   std::size_t(setting.triangulation.number_of_vertices()));
+        if(has_curve)
+          BOOST_TEST(std::abs(setting.network.length(0) - length) < 1e-9 * length);
+        BOOST_TEST(setting.network.is_valid());
+        for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
+          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(2 * e));
+      }
+    BOOST_TEST(refused > 10u);
+  }
+}
+
+// A visitor that throws: the points that were inserted are gone.
+BOOST_AUTO_TEST_CASE(an_exception_between_points_leaves_the_triangulation_as_it_was)
+{
+  struct Thrower : FG::Default_shortening_visitor
+  {
+    bool go_further() { throw std::runtime_error("enough"); }
+  };
+  const Setting setting(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 2));
+  Triangulation triangulation(setting.mesh);
+  const Index h = triangulation.index(halfedge(Surface::Face_index(3), setting.mesh));
+  const Index g = triangulation.index(halfedge(Surface::Face_index(60), setting.mesh));
+  const std::vector<FG::Surface_location> ends = {{h, {{0.25, 0.25, 0.5}}}, {g, {{0.5, 0.25, 0.25}}}};
+  BOOST_CHECK_THROW(FG::geodesics_through(triangulation, ends, FG::Never_stop_predicate(), Thrower()),
+                    std::runtime_error);
+  BOOST_TEST(triangulation.log_position() == 0u);
+  BOOST_TEST(triangulation.number_of_vertices() == Index(setting.mesh.number_of_vertices()));
+  FG::geodesics_through(triangulation, ends);
+  BOOST_TEST(triangulation.log_position() == 0u);
+  BOOST_TEST(triangulation.number_of_vertices() == Index(setting.mesh.number_of_vertices()));
+}
