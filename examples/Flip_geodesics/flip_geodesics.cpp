@@ -225,6 +225,7 @@ int run(const Options& options, const Mesh& mesh, const Program_metric& metric, 
 
   const std::unique_ptr<Outputs> outputs = make_outputs(options);
   const auto write = [&](const Network_request&, const std::vector<Curve_result>& results) {
+    progress.enter("writing");
     outputs->write(results, engine->record());
     if(engine->map())
       outputs->write(*engine->map());

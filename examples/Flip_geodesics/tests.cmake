@@ -33,6 +33,8 @@ foreach(
     if(EXISTS /dev/full)
       add_test(NAME ${example}_full_output COMMAND sh -c "\"$1\" > /dev/full; test $? -eq 1" sh $<TARGET_FILE:${example}>
                WORKING_DIRECTORY ${example_dir})
+      # Both write the same files.
+      set_tests_properties(${example} ${example}_full_output PROPERTIES RESOURCE_LOCK ${example})
     endif()
   endif()
 endforeach()
@@ -44,7 +46,8 @@ if(TARGET cut_and_refine_example)
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:cut_and_refine_example> -D STATUS=1 -D PATTERN=replace -D
             ARGUMENTS=./cut.off -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
     WORKING_DIRECTORY ${example_dir})
-  set_tests_properties(cut_and_refine_example_input_kept PROPERTIES DEPENDS cut_and_refine_example)
+  set_tests_properties(cut_and_refine_example_input_kept PROPERTIES DEPENDS cut_and_refine_example RESOURCE_LOCK
+                                                                    cut_and_refine_example)
 endif()
 
 # What is read by other programs than ours, and what happens to files and streams.
