@@ -215,6 +215,25 @@ inline Mesh_soup cylinder(int n, int m, double radius, double height, bool is_cl
   return soup;
 }
 
+/// A cylinder [Schwarz's lantern] of n times m zigzags and height 4 about the unit circle: for large m, needles about it.
+inline Mesh_soup lantern(int n, int m)
+{
+  Mesh_soup soup;
+  for(int j = 0; j <= m; ++j)
+    for(int i = 0; i < n; ++i) {
+      const double angle = 2 * pi * (i + 0.5 * (j % 2)) / n;
+      soup.points.push_back({std::cos(angle), std::sin(angle), 4.0 * j / m});
+    }
+  for(int j = 0; j < m; ++j)
+    for(int i = 0; i < n; ++i) {
+      const int a = j * n + i, b = j * n + (i + 1) % n, above = (j + 1) * n;
+      const int c = above + (j % 2 == 0 ? i : (i + 1) % n), d = above + (j % 2 == 0 ? (i + n - 1) % n : i);
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+  return soup;
+}
+
 /// The side of a regular `n`-gon.
 inline double polygon_side(int n, double circumradius) { return 2 * circumradius * std::sin(pi / n); }
 

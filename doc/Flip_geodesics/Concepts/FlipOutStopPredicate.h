@@ -21,6 +21,7 @@
  * \cgalHasModels{CGAL::Flip_geodesics::Angle_stop_predicate}
  * \cgalHasModels{CGAL::Flip_geodesics::Iteration_stop_predicate}
  * \cgalHasModels{CGAL::Flip_geodesics::Time_stop_predicate}
+ * \cgalHasModels{CGAL::Flip_geodesics::Memory_stop_predicate}
  * \cgalHasModels{CGAL::Flip_geodesics::Any_stop_predicate<Predicates...>}
  * \cgalHasModelsEnd
  *

@@ -18,6 +18,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,6 +115,7 @@ public:
   Index add_curve(const HalfedgeRange& halfedges, bool is_closed)
   {
     internal::check_chain(*m_triangulation, halfedges, is_closed);
+    m_segments.make_room(static_cast<std::size_t>(std::distance(std::begin(halfedges), std::end(halfedges))));
     const Index curve = static_cast<Index>(m_curves.size());
     m_curves.push_back({null_index, null_index, is_closed, 0});
     m_claim.set_has_curves(true);
@@ -376,6 +378,7 @@ public:
     const Index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
     const Index curve = m_segments[s].curve;
     const bool is_along = h == halfedge(s);
+    m_segments.make_room(2);
     m_segments.remove(s);
     const Index a = m_segments.create(curve, is_along ? Triangulation::twin(hp) : hn);
     const Index b = m_segments.create(curve, is_along ? Triangulation::twin(hn) : hp);

@@ -18,6 +18,7 @@ enum class Shortening_status {
   LENGTH_LIMIT,       ///< a further step would have made the curve, or the network, shorter than allowed
   ANGLE_LIMIT,        ///< all angles that could be widened had reached the limit
   ITERATION_LIMIT,    ///< the allowed number of steps, or the time, was used up
+  MEMORY_LIMIT,       ///< a further step would have made the records of flips larger than allowed
   STOPPED_BY_VISITOR, ///< the visitor's `go_further()` said no
   PRECISION_LIMIT     ///< the traits' arithmetic could not tell whether the curve is locally shortest
 };
@@ -36,6 +37,8 @@ inline const char* to_string(Shortening_status status)
     return "ANGLE_LIMIT";
   case Shortening_status::ITERATION_LIMIT:
     return "ITERATION_LIMIT";
+  case Shortening_status::MEMORY_LIMIT:
+    return "MEMORY_LIMIT";
   case Shortening_status::STOPPED_BY_VISITOR:
     return "STOPPED_BY_VISITOR";
   case Shortening_status::PRECISION_LIMIT:

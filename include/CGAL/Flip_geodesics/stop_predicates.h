@@ -24,7 +24,8 @@ enum class Stop_decision {
   CURVE_LENGTH_LIMIT, ///< do not take it, and leave its curve as it is; go on with the others
   LENGTH_LIMIT,       ///< do not take it, and end
   ANGLE_LIMIT,        ///< do not take it, and end
-  ITERATION_LIMIT     ///< do not take it, and end
+  ITERATION_LIMIT,    ///< do not take it, and end
+  MEMORY_LIMIT        ///< do not take it, and end
 };
 
 /// \ingroup PkgFlipGeodesicsStop
@@ -38,6 +39,7 @@ struct Shortening_step
   double curve_length_after;   ///< of the curve, if the step is taken
   double initial_length;       ///< of the network
   double length_after;         ///< of the network, if the step is taken
+  std::size_t memory;          ///< `Intrinsic_triangulation::memory_of_records()` with the flips of the step, in bytes
 };
 
 /// \ingroup PkgFlipGeodesicsStop
@@ -180,6 +182,27 @@ public:
 private:
   std::chrono::duration<double> m_limit;
   std::chrono::steady_clock::time_point m_start;
+};
+
+/// \ingroup PkgFlipGeodesicsStop
+/// Stops when the records of flips take more memory than a limit, which the flips of one step can pass before they are
+/// taken back. \cgalModels{FlipOutStopPredicate}
+class Memory_stop_predicate
+{
+public:
+  /// \param limit in bytes
+  explicit Memory_stop_predicate(std::size_t limit)
+    : m_limit(limit)
+  {
+  }
+
+  Stop_decision operator()(const Shortening_step& step) const
+  {
+    return step.memory > m_limit ? Stop_decision::MEMORY_LIMIT : Stop_decision::CONTINUE;
+  }
+
+private:
+  std::size_t m_limit;
 };
 
 /// \ingroup PkgFlipGeodesicsStop

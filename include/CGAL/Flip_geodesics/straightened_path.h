@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -42,12 +43,12 @@ bool is_simple(const Triangulation& triangulation, const std::vector<Index>& pat
  * if two legs are in each other's way. */
 template <class Triangulation>
 std::vector<Index> insert_legs(Triangulation& triangulation, Strip_straightener<Triangulation>& straightener,
-                               std::size_t& flips)
+                               std::size_t most_memory, std::size_t& flips)
 {
   std::vector<Index> path;
   try {
     for(const auto& leg : straightener.legs())
-      if(!insert_leg(triangulation, leg.along, straightener.crossed(leg), path, flips))
+      if(!insert_leg(triangulation, leg.along, straightener.crossed(leg), path, flips, most_memory))
         return {};
   } catch(const Degenerate_face_error&) {
     return {};
@@ -76,6 +77,8 @@ std::vector<Index> insert_legs(Triangulation& triangulation, Strip_straightener<
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param path the halfedges of an open path; its length becomes the curve's initial length
+ * \param most_memory in bytes, as for `Memory_stop_predicate`: where the records of the flips would take more, the path
+ *        itself is added
  * \return the number of flips
  *
  * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path
@@ -84,7 +87,8 @@ std::vector<Index> insert_legs(Triangulation& triangulation, Strip_straightener<
  * and the geodesic. The flips are linear in the edges that the geodesic crosses.
  */
 template <class Network>
-std::size_t add_straightened_path(Network& network, const std::vector<Index>& path)
+std::size_t add_straightened_path(Network& network, const std::vector<Index>& path,
+                                  std::size_t most_memory = (std::numeric_limits<std::size_t>::max)())
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
@@ -93,7 +97,7 @@ std::size_t add_straightened_path(Network& network, const std::vector<Index>& pa
   std::size_t flips = 0;
   std::vector<Index> straight;
   if(straightener(path))
-    straight = internal::insert_legs(triangulation, straightener, flips);
+    straight = internal::insert_legs(triangulation, straightener, most_memory, flips);
   if(straight.empty() || !internal::is_simple(triangulation, straight) ||
      internal::length_of(triangulation, straight) > straightener.path_length())
   {

@@ -40,13 +40,16 @@ template <class Triangulation>
 class Crossing_removal
 {
 public:
-  explicit Crossing_removal(Triangulation& triangulation)
+  /* Gives up when the triangulation's records take more memory than that, in bytes. */
+  Crossing_removal(Triangulation& triangulation, std::size_t most_memory)
     : m_triangulation(triangulation)
+    , m_most_memory(most_memory)
   {
   }
 
   /*
-   * Flips. Returns whether all edges have been where they should; they are not if the strip has a face twice.
+   * Flips. Returns whether all edges have been where they should, as they are not if the strip has a face twice; false
+   * as well if it has given up.
    * \pre the strip's faces are the input's
    */
   bool operator()(const std::vector<Crossed_edge>& crossed)
@@ -58,7 +61,7 @@ public:
         m_left_side.push_back(i);
       }
     take_higher_ones(0, m_end);
-    return !m_is_torn;
+    return !m_is_torn && !m_has_given_up;
   }
 
   std::size_t number_of_flips() const { return m_flips; }
@@ -108,6 +111,9 @@ private:
   void take_higher_ones(double height, Index next)
   {
     while(!m_left_side.empty() && node(m_left_side.back()).left_height >= height) {
+      m_has_given_up = m_has_given_up || m_triangulation.memory_of_records() > m_most_memory;
+      if(m_has_given_up)
+        return;
       if(!take(m_left_side.back(), next))
         return;
       m_left_side.pop_back();
@@ -222,11 +228,12 @@ private:
   }
 
   Triangulation& m_triangulation;
+  std::size_t m_most_memory;
   std::vector<Node> m_nodes;
   std::vector<Index> m_left_side; // the left vertices so far that are still in the strip
   Index m_end = 0, m_tail = null_index, m_head = null_index, m_segment = null_index;
   std::size_t m_flips = 0;
-  bool m_is_torn = false;
+  bool m_is_torn = false, m_has_given_up = false;
 };
 
 } // namespace internal

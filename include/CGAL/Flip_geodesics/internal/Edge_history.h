@@ -8,12 +8,13 @@
 #include <CGAL/Flip_geodesics/internal/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/Precise_face.h>
 #include <CGAL/Flip_geodesics/internal/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/Version_cache.h>
 #include <CGAL/Flip_geodesics/internal/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,26 +22,33 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What is derived of an intrinsic triangulation's edges from its flip log and kept until they are taken back: crossing
- * words; and, for the decisions that doubles leave open, vectors of about 100 bits. Also the input's faces in the
- * numbers of these and of exact decisions.
+ * What is derived of an intrinsic triangulation's edges from its flip log: crossing words; and, for the decisions that
+ * doubles leave open, vectors of about 100 bits. Also the input's faces in the numbers of these and of exact decisions.
  *
- * Vectors are derived as the words are, each once: the diagonal kl that a flip made is ki, turned on at i by the input
- * corners that the log tells, and il. So an edge takes constant time, however many edges it crosses. Where too many
- * digits cancel, which takes needles, the edge is unfolded from the input instead. Edges with an end at an inserted
- * vertex have no bound.
+ * Vectors are derived as the words are: the diagonal kl that a flip made is ki, turned on at i by the input corners
+ * that the log tells, and il. So an edge takes constant time, however many edges it crosses. Where too many digits
+ * cancel, which takes needles, the edge is unfolded from the input instead. Edges with an end at an inserted vertex
+ * have no bound.
+ *
+ * Both are kept until they are taken back, or for as long as there is room: in memory proportional to the log's.
+ * Derived again, they are the same bit for bit.
  */
 template <class Triangulation>
 class Edge_history
 {
   using Words = Crossing_words<Triangulation>;
   using Edge_version = typename Words::Edge_version;
-  using Derived_word = typename Words::Derived_word;
+  using Spokes = typename Words::Spokes;
   using Flip_record = typename Triangulation::Flip_record;
 
 public:
   /* The word of halfedge h, from tail to head. */
-  Crossing_word word(const Triangulation& triangulation, Index h) { return m_words(triangulation, h); }
+  Crossing_word word(const Triangulation& triangulation, Index h)
+  {
+    Crossing_word found = m_words(triangulation, h);
+    m_words.shrink(triangulation.log_position());
+    return found;
+  }
 
   /* As Crossing_words::store(). */
   void store_word(Index h, Index version, const Crossing_word& word) { m_words.store(h, version, word); }
@@ -50,8 +58,11 @@ public:
   {
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
     m_words.resolve(triangulation, wanted);
-    resolve(triangulation, wanted);
-    return known_edge(triangulation, wanted);
+    derive(triangulation, wanted);
+    const Precise_edge found = known_edge(triangulation, wanted);
+    m_words.shrink(triangulation.log_position());
+    m_edges.shrink(few_bytes + bytes_per_record * triangulation.log_position(), [](Precise_edge&&) {});
+    return found;
   }
 
   /* The face on the left of input halfedge h. */
@@ -82,21 +93,32 @@ public:
   void forget(Index e, Index version)
   {
     m_words.forget(e, version);
-    if(!m_edges.empty())
-      m_edges.erase(Words::key(e, version));
+    m_edges.forget(version, [](Precise_edge&&) {});
+  }
+
+  /* About how many bytes it takes. */
+  std::size_t memory() const
+  {
+    constexpr std::size_t of_node = 32;
+    return m_words.memory() + m_edges.memory() + m_halfedges.size() * (sizeof(Precise_halfedge) + of_node) +
+           m_exact_faces.size() * (sizeof(Exact_face) + of_node);
   }
 
 private:
-  // What a derived edge may err by; and how many crossings are unfolded faster than edges are derived.
+  // What a derived edge may err by.
   static constexpr double largest_error = 0x1p-64;
-  static constexpr std::size_t few_crossings = 4;
+  // Vectors are kept in so much memory.
+  static constexpr std::size_t few_bytes = 1 << 20, bytes_per_record = 16;
 
+  // \pre it is known
   Precise_edge known_edge(const Triangulation& triangulation, const Edge_version& wanted)
   {
     const Index h = wanted.halfedge;
     if(wanted.version == 0)
       return input_edge(triangulation, h);
-    const Precise_edge& stored = m_edges.at(Words::key(Triangulation::edge(h), wanted.version));
+    if(m_words.is_of_split(wanted)) // one end is an inserted vertex
+      return {};
+    const Precise_edge& stored = *m_edges.find(wanted.version);
     return (h & 1) == 0 ? stored : stored.reversed();
   }
 
@@ -108,46 +130,46 @@ private:
 
   bool is_known(const Edge_version& wanted) const
   {
-    return wanted.version == 0 || m_edges.count(Words::key(Triangulation::edge(wanted.halfedge), wanted.version)) != 0;
+    return wanted.version == 0 || m_edges.contains(wanted.version) || m_words.is_of_split(wanted);
   }
 
-  // Depth first, as in Crossing_words. \pre the word is known
-  void resolve(const Triangulation& triangulation, const Edge_version& wanted)
+  // Depth first, as in Crossing_words. \pre the edge is resolved there
+  void derive(const Triangulation& triangulation, const Edge_version& wanted)
   {
-    m_pending = {wanted};
+    m_pending.assign(1, wanted);
     while(!m_pending.empty()) {
       const Edge_version next = m_pending.back();
       if(is_known(next)) {
         m_pending.pop_back();
         continue;
       }
-      const Index e = Triangulation::edge(next.halfedge);
-      const Derived_word& word = m_words.derived(e, next.version);
-      const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
-      if(word.spokes_at_tail < 0 || word.word.crossed.size() <= few_crossings) {
-        store(e, next.version, unfolded(triangulation, word.word));
+      const Edge_version first_side = {next.halfedge & ~1, next.version};
+      const Spokes& spokes = m_words.spokes(next.version);
+      if(!spokes.are_known()) {
+        m_edges.insert(next.version, unfolded(triangulation, first_side), 0);
       } else {
+        const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
         const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
         if(!is_known(ki) || !is_known(il)) {
           m_pending.push_back(ki);
           m_pending.push_back(il);
           continue;
         }
-        const Precise_edge kl =
-            joined(triangulation, known_edge(triangulation, ki), flip.rotation, known_edge(triangulation, il), word);
+        Precise_edge kl =
+            joined(triangulation, known_edge(triangulation, ki), flip.rotation, known_edge(triangulation, il), spokes);
         if(!(kl.end_error < largest_error))
-          store(e, next.version, unfolded(triangulation, word.word));
-        else // the flip leaves h = l->k
-          store(e, next.version, (flip.h & 1) != 0 ? kl : kl.reversed());
+          kl = unfolded(triangulation, first_side);
+        else if((flip.h & 1) == 0) // the flip leaves h = l->k
+          kl = kl.reversed();
+        m_edges.insert(next.version, std::move(kl), 0);
       }
       m_pending.pop_back();
     }
   }
 
-  void store(Index e, Index version, const Precise_edge& edge) { m_edges.emplace(Words::key(e, version), edge); }
-
-  Precise_edge unfolded(const Triangulation& triangulation, const Crossing_word& word)
+  Precise_edge unfolded(const Triangulation& triangulation, const Edge_version& wanted)
   {
+    const Crossing_word word = m_words.word(triangulation, wanted);
     if(triangulation.is_inserted(word.tail) || triangulation.is_inserted(word.head))
       return {};
     if(word.along != null_index)
@@ -156,7 +178,7 @@ private:
   }
 
   Precise_edge joined(const Triangulation& triangulation, const Precise_edge& ki, Index rotation,
-                      const Precise_edge& il, const Derived_word& word)
+                      const Precise_edge& il, const Spokes& spokes)
   {
     if(!ki.has_bound() || !il.has_bound())
       return {};
@@ -171,14 +193,14 @@ private:
 
     turn = {turn.direction * il.head_direction, turn.error + il.direction_error + double_double_vector_error,
             il.head_reference};
-    turn_clockwise(triangulation, turn, word.spokes_at_head + il.first_corner);
+    turn_clockwise(triangulation, turn, spokes.at_head + il.first_corner);
 
     // The first face is farther counterclockwise about k than that of ki.
     Turn back = {{{1, 0}, {}}, 0, ki.tail_reference};
-    for(Index i = 0; i < word.spokes_at_tail; ++i)
+    for(Index i = 0; i < spokes.at_tail; ++i)
       back.spoke = Triangulation::twin(input.next(input.next(back.spoke)));
     const Index reference = back.spoke;
-    turn_clockwise(triangulation, back, word.spokes_at_tail);
+    turn_clockwise(triangulation, back, spokes.at_tail);
 
     Precise_edge result = {end * back.direction, turn.direction * back.direction, 0, 0, 0, reference, turn.spoke, 0};
     result.length = internal::length(result.end);
@@ -206,7 +228,7 @@ private:
   }
 
   Words m_words;
-  std::unordered_map<std::uint64_t, Precise_edge> m_edges;
+  Version_cache<Precise_edge> m_edges;
   std::unordered_map<Index, Precise_halfedge> m_halfedges;
   std::unordered_map<Index, Exact_face> m_exact_faces;
   std::vector<Edge_version> m_pending;

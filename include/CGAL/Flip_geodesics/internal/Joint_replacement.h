@@ -41,6 +41,7 @@ public:
     const std::pair<Strand_end, Strand_end> old = m_network.ends(joint);
     const Index x = joint.incoming, y = m_network.next(x);
     CGAL_precondition(x != y);
+    m_segments.make_room(arc.size());
     const Strand_end after = survivor_clockwise(old.first, old.second);
     // A joint that turns back also uncovers the ends beside it at its far node.
     const Index far = Triangulation::twin(old.first.halfedge);

@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -112,11 +113,13 @@ std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, cons
 
 /*
  * Appends to a path the straight segment along an input halfedge, or across others as a strip crosses them. Returns
- * whether it could be: it cannot where edges of the strip have been flipped already, or where it has a face twice.
+ * whether it could be: it cannot where edges of the strip have been flipped already, where it has a face twice, or
+ * where the triangulation's records would take more memory than given.
  */
 template <class Triangulation>
 bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Crossed_edge>& crossed,
-                std::vector<Index>& path, std::size_t& flips)
+                std::vector<Index>& path, std::size_t& flips,
+                std::size_t most_memory = (std::numeric_limits<std::size_t>::max)())
 {
   if(along != null_index) {
     path.push_back(along);
@@ -127,7 +130,7 @@ bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Cro
       return false;
   if(!is_untouched(triangulation, Triangulation::twin(crossed.back().halfedge)))
     return false;
-  Crossing_removal<Triangulation> removal(triangulation);
+  Crossing_removal<Triangulation> removal(triangulation, most_memory);
   const bool is_done = removal(crossed);
   flips += removal.number_of_flips();
   if(!is_done)

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -51,6 +52,14 @@ public:
   Index end_of_ids() const { return static_cast<Index>(m_segments.size()); }
   void set_end_of_ids(Index end) { m_segments.resize(static_cast<std::size_t>(end)); }
   bool is_alive(Index s) const { return (*this)[s].halfedge != null_index; }
+
+  /* Makes room for so many segments and one more: so one can always be created without memory being asked for, to take
+   * back what failed. */
+  void make_room(std::size_t number)
+  {
+    if(m_segments.capacity() - m_segments.size() <= number)
+      m_segments.reserve((std::max)(2 * m_segments.capacity(), m_segments.size() + number + 1));
+  }
 
   /* A segment of a curve on a halfedge, in no chain and no stack. */
   Index create(Index curve, Index h)

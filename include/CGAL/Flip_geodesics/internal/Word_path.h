@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -37,26 +38,33 @@ public:
 
   void cross(Index letter)
   {
-    if(!m_word.crossed.empty() && m_word.crossed.back() == twin_index(letter))
+    if(is_taken_back(letter))
       m_word.crossed.pop_back();
     else
       m_word.crossed.push_back(letter);
   }
 
+  /* Crosses some letters of a word. As it is reduced, letters cancel where the two meet and nowhere else. */
   void cross(const std::vector<Index>& letters, std::size_t first, std::size_t last)
   {
-    for(std::size_t i = first; i < last; ++i)
-      cross(letters[i]);
+    for(; first < last && is_taken_back(letters[first]); ++first)
+      m_word.crossed.pop_back();
+    const auto begin = letters.begin();
+    m_word.crossed.insert(m_word.crossed.end(), begin + static_cast<std::ptrdiff_t>(first),
+                          begin + static_cast<std::ptrdiff_t>((std::max)(first, last)));
   }
 
   /* Crosses the letters of a word, or of its other direction. */
   void cross(const Crossing_word& word, bool is_reversed)
   {
-    m_word.crossed.reserve(m_word.crossed.size() + word.crossed.size());
     if(!is_reversed)
       return cross(word.crossed, 0, word.crossed.size());
-    for(std::size_t i = word.crossed.size(); i-- > 0;)
-      cross(twin_index(word.crossed[i]));
+    std::size_t last = word.crossed.size();
+    for(; last > 0 && is_taken_back(twin_index(word.crossed[last - 1])); --last)
+      m_word.crossed.pop_back();
+    m_word.crossed.reserve(m_word.crossed.size() + last);
+    for(; last > 0; --last)
+      m_word.crossed.push_back(twin_index(word.crossed[last - 1]));
   }
 
   /* Turns clockwise about vertex v over a number of input edges, that in the direction of `spoke` first. */
@@ -97,6 +105,12 @@ public:
 
 private:
   const auto& input() const { return m_triangulation.input(); }
+
+  // Does a letter cross back what was crossed last?
+  bool is_taken_back(Index letter) const
+  {
+    return !m_word.crossed.empty() && m_word.crossed.back() == twin_index(letter);
+  }
 
   // Does a side of the anchor's face touch the vertex?
   bool touches(Index v, Index anchor, Index side) const

@@ -274,7 +274,8 @@ private:
   Stop_decision ask(double key, Index curve, double change) const
   {
     return m_stop(Shortening_step{curve, key, m_state.steps - m_first_step, m_network.initial_length(curve),
-                                  m_curves[curve].length + change, m_state.initial_length, m_state.length + change});
+                                  m_curves[curve].length + change, m_state.initial_length, m_state.length + change,
+                                  m_triangulation.memory_of_records()});
   }
 
   // Does what a predicate has decided on a candidate, which waits for another run if it was refused.
@@ -296,6 +297,9 @@ private:
       return;
     case Stop_decision::ITERATION_LIMIT:
       m_end = Shortening_status::ITERATION_LIMIT;
+      return;
+    case Stop_decision::MEMORY_LIMIT:
+      m_end = Shortening_status::MEMORY_LIMIT;
       return;
     }
   }

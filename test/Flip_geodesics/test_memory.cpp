@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What records of flips take of memory, counted where it is allocated: bounded per flip however long the words of the
+// edges are; limits that become a status; and what is left when an allocation fails.
+
+#define BOOST_TEST_MODULE memory
+#include "Curve_setting.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Shortener.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/straightened_path.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <vector>
+
+namespace {
+
+// Each block begins with its size.
+constexpr std::size_t header = alignof(std::max_align_t);
+std::size_t bytes_in_use = 0, most_bytes_in_use = 0;
+std::size_t allocations_left = std::numeric_limits<std::size_t>::max(); // until one fails
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+  if(allocations_left == 0)
+    throw std::bad_alloc();
+  --allocations_left;
+  void* block = std::malloc(size + header);
+  if(block == nullptr)
+    throw std::bad_alloc();
+  *static_cast<std::size_t*>(block) = size;
+  bytes_in_use += size;
+  most_bytes_in_use = std::max(most_bytes_in_use, bytes_in_use);
+  return static_cast<char*>(block) + header;
+}
+
+void operator delete(void* memory) noexcept
+{
+  if(memory == nullptr)
+    return;
+  void* block = static_cast<char*>(memory) - header;
+  bytes_in_use -= *static_cast<std::size_t*>(block);
+  std::free(block);
+}
+
+void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using FG::Index;
+
+using Triangulation =
+    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>;
+using Setting = Basic_curve_setting<Triangulation>;
+using Status = FG::Shortening_status;
+
+std::size_t number_of_flips(const Triangulation& triangulation)
+{
+  std::size_t flips = 0;
+  for(std::size_t i = 0; i < triangulation.log_position(); ++i)
+    flips += triangulation.flip_record(i).hp != FG::null_index ? 1 : 0;
+  return flips;
+}
+
+std::size_t longest_word(const Setting& setting)
+{
+  std::size_t longest = 0;
+  setting.network.for_each_segment(0, [&](Index s) {
+    longest = std::max(longest, setting.triangulation.crossing_word(setting.network.halfedge(s)).crossed.size());
+  });
+  return longest;
+}
+
+/// What a long shortening takes, as it is allocated and as it is told; a vector per word would take `longest_word()`.
+void check_bytes_per_flip(const Mesh_soup& soup, int source, int target, bool is_straightened)
+{
+  Setting setting(soup);
+  const std::vector<Index> path = Setting::Search(setting.triangulation)(source, target);
+  const std::size_t before = bytes_in_use;
+  most_bytes_in_use = before;
+  if(is_straightened)
+    FG::add_straightened_path(setting.network, path);
+  else
+    setting.network.add_curve(path, false);
+  const FG::Shortening_report report = setting.pull();
+  BOOST_TEST((report.curves[0].status == Status::LOCALLY_SHORTEST));
+
+  const std::size_t flips = number_of_flips(setting.triangulation);
+  const std::size_t most = most_bytes_in_use - before, told = setting.triangulation.memory_of_records();
+  BOOST_TEST_MESSAGE(flips << " flips, " << most / flips << " bytes each at most, " << told / flips << " told");
+  BOOST_TEST(flips > 100000u);
+  BOOST_TEST(longest_word(setting) > 900u);
+  BOOST_TEST(most <= 200 * flips);
+  // What is left aside belongs to the curve; what is told too much, to blocks of which not all is written.
+  BOOST_TEST(told <= bytes_in_use - before);
+  BOOST_TEST(told >= (bytes_in_use - before) * 9 / 10);
+
+  setting.network.clear();
+  setting.triangulation.rollback();
+  constexpr std::size_t kept_for_reuse = 16 << 20;
+  BOOST_TEST(bytes_in_use - before <= kept_for_reuse);
+  BOOST_TEST(setting.triangulation.memory_of_records() < 100 * path.size() * sizeof(double));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_flip_on_a_strip_of_needles_takes_few_bytes)
+{
+  constexpr int n = 500;
+  check_bytes_per_flip(needle_strip(n, 1, 1e-6), grid_vertex(n, 0, 0), grid_vertex(n, n, 1), false);
+}
+
+BOOST_AUTO_TEST_CASE(a_flip_on_a_lantern_takes_few_bytes) { check_bytes_per_flip(lantern(3, 1000), 2900, 10, true); }
+
+BOOST_AUTO_TEST_CASE(a_limit_of_memory_is_a_status)
+{
+  constexpr int n = 200;
+  const Mesh_soup soup = needle_strip(n, 1, 1e-3);
+  const int source = grid_vertex(n, 0, 0), target = grid_vertex(n, n, 1);
+  constexpr std::size_t limit = 1 << 20;
+  Setting setting(soup);
+  setting.add_path(source, target);
+  FG::Shortener<Setting::Network> shortener(setting.network);
+  BOOST_TEST(!shortener.run(FG::Memory_stop_predicate(limit)));
+  BOOST_TEST(setting.triangulation.memory_of_records() <= limit);
+  BOOST_TEST(setting.triangulation.memory_of_records() > limit * 9 / 10);
+  const FG::Shortening_report stopped = shortener.report();
+  BOOST_TEST((stopped.curves[0].status == Status::MEMORY_LIMIT));
+  BOOST_TEST(!stopped.is_complete());
+  BOOST_TEST(FG::to_string(stopped.curves[0].status) == "MEMORY_LIMIT");
+  BOOST_TEST(stopped.curves[0].length < stopped.curves[0].initial_length);
+  BOOST_TEST(setting.triangulation.is_valid());
+  BOOST_TEST(setting.network.is_valid());
+
+  BOOST_TEST(shortener.run()); // goes on where it was stopped
+  Setting other(soup);
+  const FG::Curve_report whole = (other.add_path(source, target), other.pull().curves[0]);
+  BOOST_TEST(shortener.report().curves[0].length == whole.length);
+  BOOST_TEST((setting.flips() == other.flips()));
+}
+
+BOOST_AUTO_TEST_CASE(a_path_is_not_straightened_beyond_a_limit_of_memory)
+{
+  Setting setting(lantern(3, 300));
+  const std::vector<Index> path = Setting::Search(setting.triangulation)(812, 149);
+  constexpr std::size_t limit = 50000;
+  FG::add_straightened_path(setting.network, path, limit);
+  BOOST_TEST(setting.triangulation.log_position() == 0u);
+  BOOST_TEST((setting.network.halfedges(0) == path));
+  const FG::Shortening_report report = setting.pull(FG::Memory_stop_predicate(limit));
+  BOOST_TEST((report.curves[0].status == Status::MEMORY_LIMIT));
+}
+
+// Every allocation fails in turn: what there is stays valid, and goes on from there to the same geodesic.
+BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_all_valid)
+{
+  const Mesh_soup soup = needle_strip(40, 2, 1e-6);
+  const int source = grid_vertex(40, 0, 0), target = grid_vertex(40, 40, 2);
+  Setting setting(soup);
+  const double length = setting.pulled_path(source, target).length;
+  std::size_t failures = 0;
+  for(std::size_t allocations = 0; failures == allocations; ++allocations) {
+    Setting failing(soup);
+    failing.add_path(source, target);
+    allocations_left = allocations;
+    try {
+      failing.pull();
+    } catch(const std::bad_alloc&) {
+      ++failures;
+    }
+    allocations_left = std::numeric_limits<std::size_t>::max();
+    BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
+    BOOST_TEST_REQUIRE(failing.network.is_valid());
+    const FG::Curve_report report = failing.pull().curves[0];
+    BOOST_TEST_REQUIRE((report.status == Status::LOCALLY_SHORTEST));
+    BOOST_TEST_REQUIRE(std::abs(report.length - length) <= 1e-12 * length);
+    failing.network.clear();
+    failing.triangulation.rollback();
+    BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
+  }
+  BOOST_TEST(failures > 20u);
+}
+
+// As above, with the step for a loop of one segment, which is taken back as a whole.
+BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_a_loop_valid)
+{
+  const Mesh_soup soup = thirteen_vertex_cone_disk();
+  const Vertex_sequence loop = disk_ring(6, 1);
+  std::size_t failures = 0;
+  for(std::size_t allocations = 0; failures == allocations; ++allocations) {
+    Setting failing(soup);
+    failing.add(loop, true);
+    allocations_left = allocations;
+    try {
+      failing.pull();
+    } catch(const std::bad_alloc&) {
+      ++failures;
+    }
+    allocations_left = std::numeric_limits<std::size_t>::max();
+    BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
+    BOOST_TEST_REQUIRE(failing.network.is_valid());
+    BOOST_TEST_REQUIRE(failing.pull().is_complete());
+  }
+  BOOST_TEST(failures > 10u);
+}
