@@ -9,6 +9,7 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -498,6 +499,79 @@ BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
     BOOST_TEST((verdict ==
                 (far_side < std::sqrt(2.0) ? FG::Certificate_verdict::BENT_SEGMENT : FG::Certificate_verdict::PROVEN)));
   }
+}
+
+// The line from 0 to 1 touches 2, an end of the only edge that it crosses, at a right angle to that edge. The angle on
+// the other side is pi, or a unit in the last place more or less, or there is the border.
+BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_gate_has_a_full_angle_or_is_told)
+{
+  using Lengths = std::map<boost::graph_traits<Surface>::edge_descriptor, double>;
+  using Metric = FG::Edge_length_metric<Surface, boost::const_associative_property_map<Lengths>>;
+  using Triangulation =
+      FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Metric::Kernel>, Metric>;
+  for(bool has_border : {true, false})
+    for(double far_side : {4.5, std::nextafter(5.0, 4.0), 5.0, std::nextafter(5.0, 6.0), 5.5})
+      for(bool is_reversed : {false, true}) {
+        Mesh_soup soup = {{{-3, 0, 0}, {3, 0, 0}, {0, 0, 0}, {0, -4, 0}}, {{0, 3, 2}, {2, 3, 1}}};
+        if(!has_border) {
+          soup.points.push_back({0, 4, 0});
+          soup.triangles.insert(soup.triangles.end(), {{0, 2, 4}, {2, 1, 4}});
+        }
+        const Surface mesh = to_mesh<Surface>(soup);
+        const Lengths lengths = edge_lengths(mesh, [=](int u, int v) {
+          if(u == 2 || v == 2)
+            return u + v == 2 || u + v == 3 ? 3.0 : 4.0;
+          return (std::max)(u, v) == 4 ? far_side : 5.0;
+        });
+        Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
+        const int h = FG::internal::halfedge_between(triangulation, 2, 3);
+        triangulation.flip(h);
+        FG::Edge_path_network<Triangulation> network(triangulation);
+        network.add_curve(std::vector<int>{is_reversed ? h ^ 1 : h}, false);
+        const auto verdict = FG::certify(network).curves[0].verdict;
+        BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Certificate_verdict::PROVEN
+                                                            : FG::Certificate_verdict::BENT_SEGMENT)));
+      }
+}
+
+// ---------------------------------------------------------------- what is certified when the shortening was long
+
+// What a limit or a visitor has held back is taken up by the next run, on the same curve as well.
+BOOST_AUTO_TEST_CASE(wedges_that_were_held_back_are_taken_up_again)
+{
+  struct Stopped_once : FG::Default_shortening_visitor
+  {
+    bool go_further() { return std::exchange(has_stopped, true); }
+    bool has_stopped = false;
+  };
+  const int n = 12;
+  for(bool has_limit : {true, false}) {
+    Certified_setting setting(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.1, 1));
+    setting.add(vertex_path_on_grid(n, {{1, 1}, {1, 3}, {3, 3}, {9, 3}, {9, 9}, {11, 9}, {11, 11}}), false);
+    FG::Shortener<Certified_setting::Network> shortener(setting.network);
+    if(has_limit)
+      BOOST_TEST(!shortener.run(FG::Curve_length_ratio_stop_predicate(1)));
+    else
+      for(int i = 0; i < 3; ++i)
+        BOOST_TEST(!shortener.run(FG::Never_stop_predicate(), Stopped_once()));
+    BOOST_TEST(!checked_certificate(setting).is_locally_shortest());
+    BOOST_TEST(shortener.run());
+    BOOST_TEST((checked_certificate(setting).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+  }
+}
+
+// As long as a curve becomes shorter, it is not given up.
+BOOST_AUTO_TEST_CASE(a_curve_of_more_than_ten_thousand_steps_is_straight)
+{
+  const int n = 170;
+  Curve_setting setting(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.1, 1));
+  setting.add(vertex_path_on_grid(n, {{1, 1}, {n - 1, 1}, {n - 1, n - 1}}), false);
+  const FG::Shortening_report report = setting.pull();
+  BOOST_TEST(report.flip_outs > 10000u);
+  BOOST_TEST((report.curves[0].status == FG::Shortening_status::LOCALLY_SHORTEST));
+  const auto p = setting.mesh.point(Surface::Vertex_index(grid_vertex(n, 1, 1))),
+             q = setting.mesh.point(Surface::Vertex_index(grid_vertex(n, n - 1, n - 1)));
+  BOOST_TEST(std::abs(report.curves[0].length - std::sqrt(CGAL::squared_distance(p, q))) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(names_of_verdicts)
