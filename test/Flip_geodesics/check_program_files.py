@@ -30,6 +30,7 @@ class Folder:
 
     def __init__(self, options, path):
         self.program, self.torus, self.path = options.program, options.torus, Path(path)
+        self.processes = []
         self.make_torus('torus.off', 24, 12)
         (self.path / 'pairs.txt').write_text(PAIRS)
 
@@ -44,7 +45,14 @@ class Folder:
 
     def start(self, *arguments, **how):
         how = {'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **how}
-        return subprocess.Popen([self.program, *arguments], cwd=self.path, text=True, **how)
+        self.processes.append(subprocess.Popen([self.program, *arguments], cwd=self.path, text=True, **how))
+        return self.processes[-1]
+
+    def end(self):
+        """Leaves nothing that runs, whatever a check has found."""
+        for process in self.processes:
+            process.kill()
+            process.wait()
 
     def run(self, status, *arguments, **how):
         process = self.start(*arguments, **how)
@@ -234,7 +242,11 @@ def main():
     parser.add_argument('case', choices=CASES)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as path:
-        CASES[options.case](Folder(options, path))
+        folder = Folder(options, path)
+        try:
+            CASES[options.case](folder)
+        finally:
+            folder.end()
 
 
 if __name__ == '__main__':
