@@ -18,6 +18,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -75,10 +77,22 @@ double distance(const Surface& mesh, Surface::Halfedge_index h)
   return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
 }
 
+// Two edges with the same ends are one edge in a file, and to whoever tells edges by their ends.
+bool has_double_edges(const Surface& mesh)
+{
+  std::set<std::pair<Surface::Vertex_index, Surface::Vertex_index>> ends;
+  for(auto h : mesh.halfedges())
+    if(!ends.emplace(mesh.source(h), mesh.target(h)).second)
+      return true;
+  return false;
+}
+
 void check_mesh(const Subdivision& subdivision)
 {
   const Surface& mesh = subdivision.mesh();
   BOOST_REQUIRE(mesh.is_valid(false));
+  BOOST_CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  BOOST_CHECK(!has_double_edges(mesh));
   BOOST_CHECK(CGAL::is_triangle_mesh(mesh));
   BOOST_CHECK(has_manifold_vertices(mesh));
 }
@@ -293,6 +307,69 @@ int euler_characteristic_after_cut(Curve_setting& s)
   return result;
 }
 
+// The sides of faces along cuts and the border, in circles: told by the triangulation, not by the mesh.
+int number_of_borders_after_cut(const Curve_setting& s)
+{
+  const Triangulation& t = s.triangulation;
+  const auto is_wall = [&](FG::Index h) { return t.is_border(Triangulation::twin(h)) || s.network.is_occupied(h); };
+  std::vector<bool> is_seen(static_cast<std::size_t>(t.number_of_halfedges()), false);
+  int count = 0;
+  for(FG::Index start = 0; start < t.number_of_halfedges(); ++start) {
+    if(t.is_border(start) || !is_wall(start) || is_seen[start])
+      continue;
+    ++count;
+    for(FG::Index h = start; !is_seen[h];) {
+      is_seen[h] = true;
+      for(h = t.next(h); !is_wall(h);)
+        h = t.next(Triangulation::twin(h));
+    }
+  }
+  return count;
+}
+
+// Of faces that one can reach without a step over a cut.
+int number_of_parts_after_cut(const Curve_setting& s)
+{
+  const Triangulation& t = s.triangulation;
+  std::vector<bool> is_seen(static_cast<std::size_t>(t.number_of_halfedges()), false);
+  int count = 0;
+  for(FG::Index start = 0; start < t.number_of_halfedges(); ++start) {
+    std::vector<FG::Index> pending = {start};
+    count += is_seen[start] || t.is_border(start) ? 0 : 1;
+    while(!pending.empty()) {
+      const FG::Index h = pending.back();
+      pending.pop_back();
+      if(is_seen[h] || t.is_border(h))
+        continue;
+      is_seen[h] = true;
+      pending.push_back(t.next(h));
+      if(!s.network.is_occupied(h))
+        pending.push_back(Triangulation::twin(h));
+    }
+  }
+  return count;
+}
+
+int number_of_parts(const Surface& mesh)
+{
+  std::vector<bool> is_seen(mesh.number_of_faces(), false);
+  int count = 0;
+  for(auto f : mesh.faces()) {
+    std::vector<Surface::Face_index> pending = {f};
+    count += is_seen[f] ? 0 : 1;
+    while(!pending.empty()) {
+      const Surface::Face_index g = pending.back();
+      pending.pop_back();
+      if(g == Surface::null_face() || is_seen[g])
+        continue;
+      is_seen[g] = true;
+      for(auto h : CGAL::halfedges_around_face(mesh.halfedge(g), mesh))
+        pending.push_back(mesh.face(mesh.opposite(h)));
+    }
+  }
+  return count;
+}
+
 double total_area(const Subdivision& subdivision)
 {
   double sum = 0;
@@ -312,8 +389,9 @@ double area_in_space(const Surface& mesh)
   return sum;
 }
 
-// The curves are chains of marked edges and nothing else is marked; faces that no curve crosses are as they were.
-void check_inserted(Curve_setting& s)
+// The curves are chains of marked edges and nothing else is marked; faces that no curve crosses are as they were. So
+// many edges have got a vertex in their middle.
+void check_inserted(Curve_setting& s, std::size_t middles = 0)
 {
   const Subdivision subdivision = FG::insert_curves(s.network, s.mesh);
   check_mesh(subdivision);
@@ -337,10 +415,10 @@ void check_inserted(Curve_setting& s)
       if(!mesh.is_border(h))
         is_split[subdivision.input_face(mesh.face(h))] = true;
   }
-  BOOST_CHECK_CLOSE_FRACTION(marked, occupied, 1e-9);
+  BOOST_CHECK_SMALL(marked - occupied, 1e-9 * (1 + occupied));
   const bool has_inserted = s.triangulation.number_of_vertices() > static_cast<int>(s.mesh.number_of_vertices());
   if(!has_inserted)
-    BOOST_CHECK_EQUAL(mesh.number_of_vertices(), s.mesh.number_of_vertices() + crossings);
+    BOOST_CHECK_EQUAL(mesh.number_of_vertices(), s.mesh.number_of_vertices() + crossings + middles);
   std::vector<int> parts(s.mesh.number_of_halfedges(), 0);
   for(auto f : mesh.faces())
     ++parts[subdivision.input_face(f)];
@@ -353,12 +431,31 @@ Subdivision cut_open(Curve_setting& s)
   Subdivision subdivision = FG::cut_along_curves(s.network, s.mesh);
   check_mesh(subdivision);
   BOOST_CHECK_EQUAL(euler_characteristic(subdivision.mesh()), euler_characteristic_after_cut(s));
+  BOOST_CHECK_EQUAL(number_of_borders(subdivision.mesh()), number_of_borders_after_cut(s));
+  BOOST_CHECK_EQUAL(number_of_parts(subdivision.mesh()), number_of_parts_after_cut(s));
+  double marked = 0, cut = 0;
   BOOST_CHECK_CLOSE_FRACTION(total_area(subdivision), area_in_space(s.mesh), 1e-9);
   BOOST_CHECK_CLOSE_FRACTION(area_in_space(subdivision.mesh()), area_in_space(s.mesh), 1e-9);
   for(auto e : subdivision.mesh().edges()) {
     const bool is_marked = get(subdivision.edge_is_constrained_map(), e);
     BOOST_CHECK(!is_marked || subdivision.mesh().is_border(e));
+    marked += is_marked ? distance(subdivision.mesh(), subdivision.mesh().halfedge(e)) : 0;
   }
+  for(FG::Index h = 0; h < s.triangulation.number_of_halfedges(); ++h) { // chains from end to end on either side
+    if(!s.network.is_occupied(h) || s.triangulation.is_border(h))
+      continue;
+    const auto along = subdivision.halfedges_along(h);
+    BOOST_REQUIRE(!along.empty());
+    double length = 0;
+    for(std::size_t i = 0; i < along.size(); ++i) {
+      length += distance(subdivision.mesh(), along[i]);
+      BOOST_CHECK_EQUAL(subdivision.intrinsic_halfedge(along[i]), h);
+      BOOST_CHECK(i == 0 || subdivision.mesh().target(along[i - 1]) == subdivision.mesh().source(along[i]));
+    }
+    BOOST_CHECK_CLOSE_FRACTION(length, s.triangulation.length(h), 1e-9);
+    cut += length;
+  }
+  BOOST_CHECK_SMALL(marked - cut, 1e-9 * (1 + cut));
   return subdivision;
 }
 
@@ -373,6 +470,129 @@ BOOST_AUTO_TEST_CASE(a_path_cuts_a_slit)
   const Subdivision slit = cut_open(s);
   BOOST_CHECK_EQUAL(euler_characteristic(slit.mesh()), 1);
   BOOST_CHECK_EQUAL(number_of_borders(slit.mesh()), 1);
+}
+
+// With both ends inside, its two sides would share both ends: they get a vertex each in their middles.
+BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_opens)
+{
+  for(const Mesh_soup& soup : {sphere(4), tetrahedron(1), jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 4)}) {
+    const Surface plain = to_mesh<Surface>(soup);
+    int slits = 0;
+    for(FG::Index e = 0; e < static_cast<FG::Index>(plain.number_of_edges()); e += 3) {
+      Curve_setting s(soup);
+      s.network.add_curve(std::vector<int>{2 * e}, false);
+      check_inserted(s);
+      const Subdivision slit = cut_open(s);
+      const auto is_at_border = [&](FG::Index v) {
+        return plain.is_border(Surface::Vertex_index(static_cast<unsigned>(v)));
+      };
+      if(is_at_border(s.triangulation.tail(2 * e)) || is_at_border(s.triangulation.head(2 * e)))
+        continue;
+      ++slits;
+      BOOST_CHECK_EQUAL(slit.mesh().number_of_vertices(), plain.number_of_vertices() + 2);
+      BOOST_CHECK_EQUAL(slit.mesh().number_of_faces(), plain.number_of_faces() + 2);
+      BOOST_CHECK_EQUAL(number_of_borders(slit.mesh()), number_of_borders(plain) + 1);
+      for(FG::Index h : {2 * e, 2 * e + 1}) {
+        const auto along = slit.halfedges_along(h);
+        BOOST_REQUIRE_EQUAL(along.size(), 2u);
+        const FG::Subdivision_vertex middle = slit.vertex_origin(slit.mesh().target(along[0]));
+        BOOST_CHECK_EQUAL(middle.intrinsic_vertex, FG::null_index);
+        BOOST_CHECK_EQUAL(middle.intrinsic_halfedge, 2 * e);
+        BOOST_CHECK_EQUAL(middle.intrinsic_t, 0.5);
+        BOOST_CHECK_EQUAL(middle.on_input.t, 0.5);
+        BOOST_CHECK(!middle.on_input.is_inside_face());
+      }
+    }
+    BOOST_CHECK_GT(slits, 0);
+  }
+}
+
+// From the vertex of a face's middle to a corner, and between two such vertices.
+BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_inside_a_face_opens)
+{
+  Curve_setting s(flat_grid(5, 5, Diagonal_rule::RISING));
+  const FG::Index h = s.triangulation.outgoing(grid_vertex(5, 2, 2));
+  const FG::Index x = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 1}}});
+  const FG::Index y = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 4}}});
+  for(const FG::Index to : {y, static_cast<FG::Index>(grid_vertex(5, 2, 2))}) {
+    FG::Index g = s.triangulation.outgoing(x);
+    for(int i = 0; i < 10 && s.triangulation.head(g) != to; ++i)
+      g = s.triangulation.clockwise(g);
+    BOOST_REQUIRE_EQUAL(s.triangulation.head(g), to);
+    s.network.add_curve(std::vector<int>{g}, false);
+    check_inserted(s);
+    const Subdivision slit = cut_open(s);
+    BOOST_CHECK_EQUAL(number_of_borders(slit.mesh()), 2);
+    s.network.clear();
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cuts_that_meet_and_cuts_that_do_not)
+{
+  const int n = 6;
+  const auto v = [](int i, int j) { return grid_vertex(n, i, j); };
+  const std::vector<std::vector<Vertex_sequence>> worlds = {
+      {{v(2, 2), v(3, 2)}, {v(2, 4), v(3, 4)}}, // two slits of one edge
+      {{v(2, 2), v(3, 2)}, {v(3, 2), v(3, 3)}}, // that share a vertex
+      {{v(2, 2), v(3, 2)}, {v(3, 3), v(3, 2)}, {v(4, 2), v(3, 2)}},
+      {{v(2, 2), v(3, 2), v(4, 2)}},                              // of two edges
+      {{v(2, 2), v(3, 2), v(3, 3), v(2, 3), v(2, 2)}},            // closed
+      {{v(2, 2), v(3, 2), v(3, 3), v(2, 2)}, {v(3, 3), v(4, 3)}}, // with a tail
+      {{v(0, 2), v(1, 2)}},                                       // from the border
+      {{v(0, 2), v(1, 2)}, {v(1, 2), v(1, 1)}},                   // and on
+      {{v(0, 2), v(1, 2), v(1, 1), v(1, 0)}},                     // from border to border
+      {{v(0, 0), v(1, 1), v(2, 2), v(3, 3), v(4, 4), v(5, 5), v(6, 6)}, {v(0, 3), v(1, 3), v(2, 3), v(3, 3)}},
+      {{v(0, 1), v(0, 2), v(0, 3)}},            // along the border
+      {{v(0, 1), v(0, 2), v(1, 2)}},            // and off it
+      {{v(1, 1), v(0, 0)}},                     // to a corner
+      {{v(0, 5), v(1, 5), v(1, 6)}},            // a corner off
+      {{v(2, 2), v(3, 2)}, {v(2, 2), v(3, 2)}}, // twice
+      {{v(2, 2), v(3, 2)}, {v(3, 2), v(2, 2)}},
+      {}};
+  for(const std::vector<Vertex_sequence>& world : worlds) {
+    Curve_setting s(flat_grid(n, n, Diagonal_rule::RISING));
+    for(const Vertex_sequence& curve : world)
+      s.add(curve, false);
+    check_inserted(s);
+    cut_open(s);
+  }
+  Curve_setting corner(flat_grid(1, 1, Diagonal_rule::RISING)); // an edge inside with both ends on the border
+  corner.add({grid_vertex(1, 0, 0), grid_vertex(1, 1, 1)}, false);
+  check_inserted(corner);
+  BOOST_CHECK_EQUAL(number_of_parts(cut_open(corner).mesh()), 2);
+}
+
+BOOST_AUTO_TEST_CASE(short_loops_are_cut)
+{
+  // A loop about the apex of a cone, pulled to one segment, and one that contracts.
+  Curve_setting cone(cone_disk(6, 3, 2));
+  Vertex_sequence rim = disk_ring(6, 2);
+  rim.push_back(rim.front());
+  cone.add(rim, false); // fixed at one vertex
+  cone.pull();
+  check_inserted(cone);
+  BOOST_CHECK_EQUAL(number_of_parts(cut_open(cone).mesh()), 2);
+  cone.network.clear();
+  cone.triangulation.rollback();
+  rim.pop_back();
+  cone.add(rim, true);
+  cone.pull();
+  BOOST_CHECK_EQUAL(number_of_parts(cut_open(cone).mesh()), 1);
+
+  // On two triangles back to back, flips make loops that cross one edge only.
+  Mesh_soup pillow;
+  pillow.points = {{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}};
+  pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
+  for(FG::Index e = 0; e < 3; ++e) {
+    Curve_setting s(pillow);
+    if(!s.triangulation.is_flippable(2 * e))
+      continue;
+    s.triangulation.flip(2 * e);
+    BOOST_CHECK_EQUAL(s.triangulation.tail(2 * e), s.triangulation.head(2 * e));
+    s.network.add_curve(std::vector<int>{2 * e}, true);
+    check_inserted(s, 2);
+    BOOST_CHECK_EQUAL(number_of_parts(cut_open(s).mesh()), 2);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(loops_cut_a_torus_into_a_cylinder_and_a_square)

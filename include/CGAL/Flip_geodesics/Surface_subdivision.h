@@ -45,7 +45,7 @@ struct Subdivision_vertex
 {
   Surface_point on_input;                ///< its place on the input mesh
   Index intrinsic_vertex = null_index;   ///< the triangulation's vertex; or else:
-  Index intrinsic_halfedge = null_index; ///< the first halfedge of the intrinsic edge that crosses the input edge here,
+  Index intrinsic_halfedge = null_index; ///< the first halfedge of the intrinsic edge on which the vertex lies,
   double intrinsic_t = 0;                ///< and where on it, strictly between 0 at its tail and 1 at its head
 };
 
@@ -56,9 +56,10 @@ struct Subdivision_vertex
  * Made by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
  *
  * Each face lies in one face of the input. Vertices are those of the triangulation, in its order, then crossings of
- * intrinsic with input edges (after a cut, also copies of vertices). Connectivity is exact, whatever the rounding of
- * positions; the mesh is oriented and manifold, with the components, borders and genus of the input unless it is cut
- * open. Positions are rounded, and faces that are thinner than rounding may be degenerate in them.
+ * intrinsic with input edges, then middles of edges of curves that were split, see `cut_along_curves()`; after a cut,
+ * also copies of vertices. Connectivity is exact, whatever the rounding of positions; the mesh is oriented and manifold,
+ * with the components, borders and genus of the input unless it is cut open. Positions are rounded, and faces that are
+ * thinner than rounding may be degenerate in them.
  *
  * \tparam Triangulation an `Intrinsic_triangulation`; must outlive the subdivision, and not be flipped meanwhile
  * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
@@ -266,6 +267,13 @@ private:
     m_is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), m_mesh);
   }
 
+  // A place on an edge, told as strictly between its ends.
+  static double inside_edge(double t)
+  {
+    constexpr double below_one = 1 - std::numeric_limits<double>::epsilon() / 2;
+    return (std::min)((std::max)(internal::least_weight, t), below_one);
+  }
+
   void set_vertex(vertex_descriptor to, const Overlay& overlay, const Layout& layout, Index v)
   {
     Subdivision_vertex origin;
@@ -273,8 +281,10 @@ private:
       origin.on_input =
           internal::surface_point_on_edge(*m_triangulation, overlay.crossed_halfedge(v), layout.on_input(v));
       origin.intrinsic_halfedge = layout.intrinsic_halfedge(v);
-      constexpr double below_one = 1 - std::numeric_limits<double>::epsilon() / 2;
-      origin.intrinsic_t = (std::min)((std::max)(internal::least_weight, layout.on_intrinsic(v)), below_one);
+      origin.intrinsic_t = inside_edge(layout.on_intrinsic(v));
+    } else if(overlay.is_midpoint(v)) {
+      const typename Layout::Midpoint& midpoint = layout.midpoint(v);
+      origin = {midpoint.on_input, null_index, midpoint.intrinsic_halfedge, inside_edge(midpoint.on_intrinsic)};
     } else {
       origin.on_input = internal::surface_point_at_vertex(*m_triangulation, v);
       origin.intrinsic_vertex = v;
@@ -304,11 +314,11 @@ private:
   {
     for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) {
       m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
-      for(Index i = 0; i <= overlay.crossings(Triangulation::edge(h)); ++i) {
-        const Index piece = overlay.piece_with_face(h, i);
-        if(overlay.is_alive(piece) && overlay.intrinsic_halfedge(piece) == h)
-          m_along.push_back(built.halfedge(piece));
-      }
+      for(Index i = 0; i <= overlay.crossings(Triangulation::edge(h)); ++i)
+        overlay.for_each_part(h, i, [&](Index part) {
+          if(overlay.is_alive(part) && overlay.intrinsic_halfedge(part) == h)
+            m_along.push_back(built.halfedge(part));
+        });
     }
     m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
   }

@@ -125,6 +125,29 @@ void cut(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout,
   layout.add_cut(overlay.twin(h));
 }
 
+/* Edges that are to be cut, with none of both their ends on the border or on another such edge: their two sides would
+ * have both ends in common. By first halfedges. */
+template <class Triangulation, class Predicate>
+std::vector<Index> slits_of_one_edge(const Overlay<Triangulation>& overlay, const Predicate& is_on_curve)
+{
+  std::vector<int> degree(static_cast<std::size_t>(overlay.number_of_vertices()), 0); // those on the border have more
+  std::vector<Index> candidates, result;
+  for(Index h = 0; h < overlay.number_of_halfedges(); h += 2) {
+    if(!overlay.is_alive(h))
+      continue;
+    const bool is_border = overlay.is_border(h) || overlay.is_border(overlay.twin(h));
+    const bool is_cut = !is_border && is_on_curve(overlay.intrinsic_halfedge(h));
+    for(Index v : {overlay.origin(h), overlay.target(h)})
+      degree[v] += is_border ? 2 : (is_cut ? 1 : 0);
+    if(is_cut)
+      candidates.push_back(h);
+  }
+  for(Index h : candidates)
+    if(degree[overlay.origin(h)] == 1 && degree[overlay.target(h)] == 1)
+      result.push_back(h);
+  return result;
+}
+
 template <class Triangulation>
 std::vector<Index> same_vertices(const Overlay<Triangulation>& overlay)
 {
@@ -144,8 +167,12 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
   Curve_filter<Network>(overlay, layout, network)();
   Polygon_triangulator<Triangulation>(overlay, layout)();
   const auto is_on_curve = [&](Index h) { return h != null_index && network.is_occupied(h); };
+  for(Index h : overlay.parallel_edges())
+    layout.split(overlay, h);
   std::vector<Index> original;
   if(is_cutting) {
+    for(Index h : slits_of_one_edge(overlay, is_on_curve))
+      layout.split(overlay, h);
     const Index end = overlay.number_of_halfedges();
     for(Index h = 0; h < end; h += 2)
       if(overlay.is_alive(h) && is_on_curve(overlay.intrinsic_halfedge(h)))
@@ -197,7 +224,8 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
  *
  * The input mesh with the curves of a network as chains of edges: faces that curves cross are split, all others stay.
  * `Surface_subdivision::edge_is_constrained_map()` marks the edges of the curves. Curves that run along one another
- * share edges.
+ * share edges. Two edges with both ends in common, as only meshes have on which two faces share all vertices, get
+ * vertices in their middles.
  *
  * \param network an `Edge_path_network`, whose curves need not be finished
  * \param mesh the input mesh of its triangulation
@@ -224,7 +252,9 @@ auto insert_curves(const Network& network, const typename Network::Triangulation
  *
  * The input mesh cut open along the curves of a network: as `insert_curves()`, but each edge of a curve is doubled, and
  * vertices are where that separates the faces around them. Both copies are marked as constrained. An open curve inside
- * the surface makes a slit, whose ends are single vertices; a closed one, or one from border to border, two borders.
+ * the surface makes a slit, whose ends are single vertices; a closed one, or one from border to border, two borders. A
+ * slit of one edge could not open, since both sides would have both ends in common; it gets a vertex in its middle, once
+ * a side.
  *
  * \param network, mesh as for `insert_curves()`
  * \return as `common_subdivision()`

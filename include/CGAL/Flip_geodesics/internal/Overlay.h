@@ -32,7 +32,7 @@ namespace internal {
  * pieces of input edges inside intrinsic triangles. Each polygon lies in one input face. Halfedges on the border have
  * no next one.
  *
- * Afterwards edges can be dissolved, doubled (cut open) and added (diagonals of polygons).
+ * Afterwards edges can be dissolved, doubled (cut open), split and added (diagonals of polygons).
  */
 template <class Triangulation>
 class Overlay
@@ -71,6 +71,9 @@ public:
   /* Is vertex v a crossing, and not a vertex of the triangulation? */
   bool is_crossing(Index v) const { return v >= m_triangulation->number_of_vertices() && v < m_end_of_crossings; }
 
+  /* Was vertex v added by split()? */
+  bool is_midpoint(Index v) const { return v >= m_end_of_crossings; }
+
   /* Is vertex v one of the input's, and not a crossing or inserted? */
   bool is_input_vertex(Index v) const { return v < m_triangulation->input().number_of_vertices(); }
 
@@ -95,11 +98,18 @@ public:
     return (h & 1) == 0 ? 2 * (first + i) : 2 * (first + crossings(e) - i) + 1;
   }
 
-  /* The same on the side of its polygon, also where the edge was cut since. */
-  Index piece_with_face(Index h, Index i) const
+  /* Calls function(p) for the parts of piece i of intrinsic halfedge h, in its direction: two if it was split, and each
+   * on the side of its polygon, also where the edge was cut. */
+  template <class Function>
+  void for_each_part(Index h, Index i, Function function) const
   {
-    const auto found = m_doubles.find(piece(h, i));
-    return found == m_doubles.end() ? piece(h, i) : found->second;
+    const Index p = piece(h, i);
+    const auto split = m_second_halves.find(p & ~1);
+    if(split == m_second_halves.end())
+      return function(with_face(p));
+    const Index second = split->second | (p & 1);
+    function(with_face((p & 1) == 0 ? p : second));
+    function(with_face((p & 1) == 0 ? second : p));
   }
 
   /* The continuation of an input edge through a crossing: the arc after arc h. \pre the target of h is a crossing */
@@ -192,6 +202,57 @@ public:
     return d;
   }
 
+  /*
+   * Splits the edge of h, between two triangles or on the border, at a new vertex, which is joined to the opposite
+   * corners. The first half of an edge's first halfedge keeps its name. Returns the second half of that.
+   */
+  Index split(Index h)
+  {
+    h &= ~1;
+    const Index t = twin(h), k = number_of_halfedges(), m = m_number_of_vertices++, v = m_origin[t];
+    add_edge(m, v, m_intrinsic[h >> 1], m_input[h >> 1]);
+    m_second_halves.emplace(h, k);
+    m_origin[t] = m;
+    if(!is_border(h)) {
+      const Index hn = next(h);
+      link(k, hn);
+      link(h, k);
+      add_diagonal(k, previous(h));
+    }
+    if(!is_border(t)) {
+      link(previous(t), twin(k));
+      link(twin(k), t);
+      add_diagonal(t, previous(twin(k)));
+    }
+    return k;
+  }
+
+  /* Edges, by their first halfedges, that have both ends in common with another edge, and that other. Linear. */
+  std::vector<Index> parallel_edges() const
+  {
+    std::vector<Index> first(static_cast<std::size_t>(m_number_of_vertices), null_index); // edge at a smaller end
+    std::vector<Index> after(m_next.size() / 2, null_index), seen(first.size(), null_index), result;
+    for(Index h = 0; h < number_of_halfedges(); h += 2)
+      if(is_alive(h)) {
+        Index& list = first[(std::min)(origin(h), target(h))];
+        after[h >> 1] = list;
+        list = h;
+      }
+    for(Index list : first) {
+      for(Index h = list; h != null_index; h = after[h >> 1])
+        seen[(std::max)(origin(h), target(h))] = null_index;
+      for(Index h = list; h != null_index; h = after[h >> 1]) {
+        Index& other = seen[(std::max)(origin(h), target(h))];
+        if(other != null_index)
+          result.insert(result.end(), {other, h});
+        other = h;
+      }
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
   /* Doubles the edge of h, so that both of its sides lie on the border. The vertices stay; see split_vertices(). */
   void cut(Index h)
   {
@@ -230,6 +291,12 @@ public:
   }
 
 private:
+  Index with_face(Index h) const
+  {
+    const auto found = m_doubles.find(h);
+    return found == m_doubles.end() ? h : found->second;
+  }
+
   static Index oriented(Index along, Index h) { return along == null_index ? null_index : along ^ (h & 1); }
 
   Index first_of_input_face(Index h) const
@@ -385,8 +452,9 @@ private:
   std::vector<Index> m_first_crossing; // per intrinsic edge, and the end
   std::vector<Index> m_letters;
   std::vector<Index> m_next, m_previous, m_origin;
-  std::vector<Index> m_intrinsic, m_input;    // per edge: what its first halfedge runs along
-  std::unordered_map<Index, Index> m_doubles; // what took the place of a halfedge that a cut put on the border
+  std::vector<Index> m_intrinsic, m_input;          // per edge: what its first halfedge runs along
+  std::unordered_map<Index, Index> m_second_halves; // of the first halfedges of edges that were split
+  std::unordered_map<Index, Index> m_doubles;       // what took the place of a halfedge that a cut put on the border
 };
 
 } // namespace internal

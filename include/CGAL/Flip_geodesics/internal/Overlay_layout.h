@@ -3,10 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_LAYOUT_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_LAYOUT_H
 
+#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -88,6 +91,39 @@ public:
     m_weights.insert(m_weights.end(), {weights, weights});
   }
 
+  /*
+   * Splits the edge of h, between two triangles or on the border, in the middle, as the overlay does. For an overlay
+   * that is triangulated, and whose vertices have not been split yet.
+   */
+  void split(Overlay& overlay, Index h)
+  {
+    CGAL_precondition(m_intrinsic_faces.empty());
+    h &= ~1;
+    const Index t = Overlay::twin(h);
+    std::array<Side, 2> sides;
+    for(const Index side : {h, t})
+      if(!overlay.is_border(side))
+        sides[side & 1] = {m_faces[side], middle_of(side), m_weights[overlay.previous(side)]};
+    add_midpoint(h, sides[overlay.is_border(h) ? 1 : 0]);
+    overlay.split(h);
+    add_edge(sides[0].face, sides[0].middle, sides[1].face, m_weights[t]);
+    m_weights[t] = sides[1].middle;
+    for(const Side& side : sides)
+      if(side.face != null_index)
+        add_edge(side.face, side.middle, side.face, side.apex);
+  }
+
+  /* A vertex that was added by split(), with the first halfedge of the intrinsic edge that it lies on, and where; the
+   * halfedge is null if there is none. */
+  struct Midpoint
+  {
+    Surface_point on_input;
+    Index intrinsic_halfedge;
+    double on_intrinsic;
+  };
+
+  const Midpoint& midpoint(Index v) const { return m_midpoints[number(v) - m_crossings.size()]; }
+
   /* The corners of an input face in the plane, the tail of f at the origin. */
   std::array<Point_2, 3> corners(Index f) const
   {
@@ -107,7 +143,38 @@ private:
     Index intrinsic_halfedge;
   };
 
+  // What an edge that is split has on one side.
+  struct Side
+  {
+    Index face = null_index;
+    Weights middle = {{0, 0, 0}}, apex = {{0, 0, 0}};
+  };
+
   const Triangulation& triangulation() const { return m_overlay->triangulation(); }
+
+  Weights middle_of(Index h) const
+  {
+    const Weights &p = m_weights[h], &q = m_weights[m_overlay->next(h)];
+    return {{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}};
+  }
+
+  void add_edge(Index face, const Weights& from, Index face_of_twin, const Weights& to)
+  {
+    m_faces.insert(m_faces.end(), {face, face_of_twin});
+    m_weights.insert(m_weights.end(), {from, to});
+  }
+
+  void add_midpoint(Index h, const Side& side)
+  {
+    const auto& input = triangulation().input();
+    const Index f = side.face, fn = input.next(f), along = m_overlay->input_halfedge(h);
+    const Index intrinsic = m_overlay->intrinsic_halfedge(h), from = m_overlay->origin(h), to = m_overlay->target(h);
+    const double first = m_overlay->is_crossing(from) ? on_intrinsic(from) : 0,
+                 last = m_overlay->is_crossing(to) ? on_intrinsic(to) : 1;
+    m_midpoints.push_back({surface_point({{input.tail(f), input.tail(fn), input.tail(input.next(fn))}}, side.middle,
+                                         along == null_index ? f : along),
+                           intrinsic, (first + last) / 2});
+  }
 
   std::size_t number(Index v) const { return static_cast<std::size_t>(v - triangulation().number_of_vertices()); }
 
@@ -216,6 +283,7 @@ private:
   std::vector<Index> m_faces, m_intrinsic_faces;
   std::vector<Weights> m_weights;
   std::vector<Crossing> m_crossings;
+  std::vector<Midpoint> m_midpoints;
 };
 
 } // namespace internal
