@@ -18,6 +18,24 @@
 // What becomes of the triangulation once its curves are finished: flips, refinement, and meshes with the curves.
 namespace program {
 
+/// How a refinement has ended, if not as wanted.
+inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
+{
+  using CGAL::Flip_geodesics::Refinement_status;
+  switch(report.status) {
+  case Refinement_status::BOUNDS_REACHED:
+    return "";
+  case Refinement_status::BOUNDS_NOT_REACHABLE:
+    return "; the bounds cannot be reached: " + std::to_string(report.given_up) +
+           " faces are so thin that the vertices allowed would not suffice, others are as fine as numbers can tell";
+  case Refinement_status::VERTEX_LIMIT:
+    return "; ended since no more vertices are allowed";
+  case Refinement_status::STOPPED_BY_VISITOR:
+    return "; interrupted";
+  }
+  return "";
+}
+
 /// Flips and refines the triangulation of a network whose curves are finished. Returns lines for people.
 template <class Network>
 std::string improve_triangulation(const Mesh_result_options& options, Network& network, Progress& progress)
@@ -40,7 +58,7 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     const FG::Refinement_report report = FG::refine(network, bounds, Progress_visitor(progress));
     text << "refined  " << report.insertions << " vertices inserted, " << report.splits
          << " edges split; smallest angle " << report.smallest_angle << " degrees, " << report.smallest_free_angle
-         << " without " << report.exempt << " exempt faces; " << report.missed << " missed\n";
+         << " without " << report.exempt << " exempt faces; " << report.missed << " missed" << ending(report) << '\n';
   }
   return text.str();
 }

@@ -191,7 +191,16 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" torus.off --from 0 --to 150 --delaunay --refine
                                   25 --subdivision subdivision.off --insert inserted.ply)
   flip_geodesics_add_program_test(cut 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt --cut cut.off)
-  flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* missed" torus.off
+  # An edge with both ends inside opens at its middle: vertices 288 and 289 are new.
+  flip_geodesics_add_program_test(cut_one_edge 0 "1 LOCALLY_SHORTEST" torus.off --from 0 --to 1 --cut slit.off)
+  flip_geodesics_add_program_test(slit_of_one_edge 0 "289 LOCALLY_SHORTEST" slit.off --source 289)
+  set_tests_properties(program_slit_of_one_edge PROPERTIES DEPENDS program_cut_one_edge)
+  file(WRITE ${example_dir}/thread.off
+       "OFF\n6 8 0\n0 0 0\n1e-6 0 0\n0 1e-6 0\n0 0 1\n1e-6 0 1\n0 1e-6 1\n3 0 2 1\n3 3 4 5\n"
+       "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n")
+  flip_geodesics_add_program_test(refine_thread 0 "bounds cannot be reached: [1-9][0-9]* faces" thread.off --from 0
+                                  --to 4 --refine 25 --most-vertices 5000)
+  flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* missed; ended" torus.off
                                   --from 0 --to 150 --refine 0 --longest-edge 0.02 --most-vertices 30)
   flip_geodesics_add_program_test(edges_of_nothing 2 "--refine" torus.off --from 0 --to 150 --longest-edge 0.1)
   flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" torus.off --from 0 --to 150 --refine 9

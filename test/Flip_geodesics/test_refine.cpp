@@ -173,6 +173,23 @@ BOOST_AUTO_TEST_CASE(sharp_cones_end)
   check_refined(s, before, {});
 }
 
+// Numbers are too coarse for the points that would be needed.
+BOOST_AUTO_TEST_CASE(faces_at_the_end_of_numbers_are_left)
+{
+  Mesh_soup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}, {0.5 + 1e-11, 0.5, 0}};
+  soup.triangles = {{0, 1, 5}, {0, 5, 4}, {1, 2, 5}, {2, 3, 4}, {2, 4, 5}, {3, 0, 4}};
+  Curve_setting s(soup);
+  const double before = area(s.triangulation);
+  const FG::Refinement_report report = FG::refine(s.triangulation);
+  BOOST_CHECK(report.status == FG::Refinement_status::BOUNDS_NOT_REACHABLE);
+  BOOST_CHECK_GT(report.refused, 0u);
+  BOOST_CHECK_GT(report.missed, 0u);
+  BOOST_CHECK_LT(report.insertions + report.splits, 1000u);
+  BOOST_CHECK(s.triangulation.is_valid(1e-6));
+  BOOST_CHECK_CLOSE_FRACTION(area(s.triangulation), before, 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(edges_have_the_wanted_length)
 {
   Curve_setting s(cube(2));
@@ -194,9 +211,202 @@ BOOST_AUTO_TEST_CASE(a_limit_on_insertions_is_kept)
   FG::Refinement_options options;
   options.maximum_insertions = 10;
   const FG::Refinement_report report = FG::refine(s.triangulation, options);
-  BOOST_CHECK(!report.is_complete());
-  BOOST_CHECK_GE(report.insertions + report.splits, 10u);
-  BOOST_CHECK_LE(report.insertions + report.splits, 12u); // one step may split two edges
+  BOOST_CHECK(report.status == FG::Refinement_status::VERTEX_LIMIT);
+  BOOST_CHECK_EQUAL(report.insertions + report.splits, 10u);
+}
+
+// One circumcentre may ask for two edges to be split.
+BOOST_AUTO_TEST_CASE(no_limit_is_exceeded)
+{
+  for(std::size_t limit = 0; limit < 60; ++limit) {
+    Curve_setting s(needle_strip(3, 3, 20));
+    FG::Refinement_options options;
+    options.smallest_angle = 30;
+    options.maximum_insertions = limit;
+    const FG::Refinement_report report = FG::refine(s.triangulation, options);
+    BOOST_CHECK_EQUAL(report.insertions + report.splits,
+                      static_cast<std::size_t>(s.triangulation.number_of_vertices()) - s.mesh.number_of_vertices());
+    BOOST_CHECK_LE(report.insertions + report.splits, limit);
+  }
+}
+
+namespace {
+
+// The signs by which points were placed.
+std::size_t number_of_searches(const Curve_setting& s)
+{
+  const FG::Decision_statistics& statistics = s.triangulation.decision_statistics();
+  return statistics.by_strip;
+}
+
+} // namespace
+
+// On a thin cone all new points lie in a row, in each input face that they pass.
+BOOST_AUTO_TEST_CASE(insertions_in_a_row_take_linear_work)
+{
+  std::vector<std::size_t> steps, flips;
+  for(const std::size_t limit : {1000u, 2000u, 4000u}) {
+    Curve_setting s(cone_disk(20, 3, 1e-4));
+    FG::Refinement_options options;
+    options.maximum_insertions = limit;
+    const FG::Refinement_report report = FG::refine(s.triangulation, options);
+    BOOST_CHECK(report.status == FG::Refinement_status::VERTEX_LIMIT);
+    BOOST_CHECK_EQUAL(report.insertions, limit);
+    steps.push_back(number_of_searches(s));
+    flips.push_back(report.flips);
+  }
+  for(std::size_t i = 1; i < steps.size(); ++i) {
+    BOOST_TEST_MESSAGE("steps " << steps[i - 1] << " " << steps[i] << ", flips " << flips[i]);
+    BOOST_CHECK_LE(10 * steps[i], 22 * steps[i - 1]);
+    BOOST_CHECK_LE(10 * flips[i], 22 * flips[i - 1]);
+  }
+}
+
+namespace {
+
+// Counts the steps about vertices.
+struct Counting_triangulation
+{
+  using Triangulation = Curve_setting::Triangulation;
+
+  static FG::Index edge(FG::Index h) { return Triangulation::edge(h); }
+  static FG::Index twin(FG::Index h) { return Triangulation::twin(h); }
+  FG::Index next(FG::Index h) const { return triangulation.next(h); }
+  FG::Index label(FG::Index e) const { return triangulation.label(e); }
+  FG::Index version(FG::Index e) const { return triangulation.version(e); }
+  bool is_border(FG::Index h) const { return triangulation.is_border(h); }
+  double length(FG::Index h) const { return triangulation.length(h); }
+  FG::Index number_of_halfedges() const { return triangulation.number_of_halfedges(); }
+  FG::Index clockwise(FG::Index h) const
+  {
+    ++steps;
+    return triangulation.clockwise(h);
+  }
+  FG::Index counterclockwise(FG::Index h) const
+  {
+    ++steps;
+    return triangulation.counterclockwise(h);
+  }
+
+  const Triangulation& triangulation;
+  mutable std::size_t steps = 0;
+};
+
+} // namespace
+
+// A face is exempt by the angle of all faces about its apex, and there are as many of them as one likes.
+BOOST_AUTO_TEST_CASE(sharp_vertices_of_high_degree_are_walked_around_once)
+{
+  const int n = 1000;
+  for(const double angle : {0.5, 1.0, 1.1, 3.0}) { // below and above 60 degrees
+    Curve_setting s(cone_disk(n, 1, angle));
+    s.add_path(0, 1); // now the sector ends at an edge
+    for(const bool has_curve : {true, false}) {
+      if(!has_curve)
+        s.network.clear();
+      const Counting_triangulation counting = {s.triangulation};
+      FG::internal::Sharp_sectors<Counting_triangulation> is_in_sharp_sector(counting);
+      const FG::Index start = s.triangulation.outgoing(0);
+      FG::Index h = start;
+      do {
+        BOOST_CHECK_EQUAL(is_in_sharp_sector(h), angle < std::acos(0.5));
+        h = s.triangulation.clockwise(h);
+      } while(h != start);
+      if(angle < std::acos(0.5))
+        BOOST_CHECK_LE(counting.steps, 4u * n);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bounds_out_of_reach_are_told_early)
+{
+  for(const double angle : {20.0, 25.0, 30.0})
+    for(const std::size_t limit : {2000u, 5000u}) {
+      Curve_setting s(cone_disk(20, 3, 1e-6)); // takes 800000 vertices
+      const double before = area(s.triangulation);
+      FG::Refinement_options options;
+      options.smallest_angle = angle;
+      options.maximum_insertions = limit;
+      const FG::Refinement_report report = FG::refine(s.triangulation, options);
+      BOOST_CHECK(report.status == FG::Refinement_status::BOUNDS_NOT_REACHABLE);
+      BOOST_CHECK_LT(report.insertions, 1500u);
+      BOOST_CHECK_GT(report.given_up, 0u);
+      BOOST_CHECK_LE(report.given_up, report.missed);
+      BOOST_CHECK_EQUAL(report.refused, 0u);
+      BOOST_CHECK(s.triangulation.is_valid(1e-7));
+      BOOST_CHECK(FG::is_delaunay(s.triangulation));
+      BOOST_CHECK_CLOSE_FRACTION(area(s.triangulation), before, 1e-6);
+    }
+  Curve_setting s(cone_disk(20, 3, 1e-3));
+  const FG::Refinement_report report = FG::refine(s.triangulation);
+  BOOST_CHECK(report.status == FG::Refinement_status::BOUNDS_REACHED);
+  BOOST_CHECK_EQUAL(report.given_up, 0u);
+}
+
+// What can be mended beside faces that cannot is mended.
+BOOST_AUTO_TEST_CASE(faces_are_given_up_alone)
+{
+  const Mesh_soup thin = cone_disk(20, 3, 1e-6), fair = needle_strip(6, 6, 20);
+  Mesh_soup both = fair;
+  both.points.insert(both.points.end(), thin.points.begin(), thin.points.end());
+  for(auto face : thin.triangles) {
+    for(auto& v : face)
+      v += static_cast<int>(fair.points.size());
+    both.triangles.push_back(face);
+  }
+  Curve_setting s(both);
+  FG::Refinement_options options;
+  options.maximum_insertions = 5000;
+  const FG::Refinement_report report = FG::refine(s.triangulation, options);
+  BOOST_CHECK(report.status == FG::Refinement_status::BOUNDS_NOT_REACHABLE);
+  BOOST_CHECK_LT(report.insertions + report.splits, 5000u);
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(s.triangulation, std::back_inserter(faces));
+  std::size_t bad = 0;
+  for(const FG::Intrinsic_face& f : faces) {
+    const FG::internal::Face_shape<Curve_setting::Triangulation> shape(s.triangulation, f.halfedges[0]);
+    const FG::Surface_location at = s.triangulation.location(s.triangulation.tail(f.halfedges[0]));
+    const bool is_in_fair = s.triangulation.input().tail(at.halfedge) < static_cast<FG::Index>(fair.points.size());
+    bad += is_in_fair && shape.smallest_angle() < 24.9 * std::acos(-1.0) / 180 ? 1 : 0;
+  }
+  BOOST_CHECK_EQUAL(bad, 0u);
+}
+
+namespace {
+
+struct Counting_visitor : FG::Default_shortening_visitor
+{
+  explicit Counting_visitor(std::size_t patience_)
+    : patience(patience_)
+  {
+  }
+
+  template <class Triangulation>
+  void on_insertion(const Triangulation& triangulation, FG::Index v)
+  {
+    BOOST_CHECK(triangulation.is_inserted(v));
+    ++insertions;
+  }
+  bool go_further() { return insertions < patience; }
+
+  std::size_t patience, insertions = 0;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_visitor_is_told_of_each_vertex)
+{
+  for(const std::size_t patience : {0u, 1u, 5u, 1000000u}) {
+    const int n = 10;
+    Curve_setting s(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 3));
+    s.add_path(grid_vertex(n, 0, 1), grid_vertex(n, n, 3));
+    s.pull();
+    Counting_visitor visitor(patience);
+    const FG::Refinement_report report = FG::refine(s.network, FG::Refinement_options(), visitor);
+    BOOST_CHECK_EQUAL(visitor.insertions, report.insertions + report.splits);
+    BOOST_CHECK(report.status ==
+                (patience > 1000 ? FG::Refinement_status::BOUNDS_REACHED : FG::Refinement_status::STOPPED_BY_VISITOR));
+  }
 }
 
 // Where points lie on one input edge, closer together than numbers can tell, rounded flips may lead an edge around them
@@ -271,7 +481,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
         BOOST_CHECK_THROW(FG::refine(s.network, FG::Refinement_options(), impatient), int);
       } else {
         const FG::Refinement_report report = FG::refine(s.network, FG::Refinement_options(), impatient);
-        BOOST_CHECK(report.is_stopped);
+        BOOST_CHECK(report.status == FG::Refinement_status::STOPPED_BY_VISITOR);
         BOOST_CHECK(!report.is_complete());
       }
       BOOST_CHECK_EQUAL(impatient.patience, -1);

@@ -8,7 +8,8 @@
  * thread; an exception that one of them throws passes through `shorten()`, and leaves valid curves, none longer than
  * before.
  *
- * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members.
+ * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members;
+ * `refine()` takes a `RefinementVisitor`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}

@@ -176,13 +176,13 @@ public:
 
   /*!
    * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()`. Segments on an
-   * edge that is split become two each, with a joint that is not fixed; their order stays.
+   * edge that is split become two each, with a joint that is not fixed; their order stays. `near` is as there.
    * \return the new vertex, or the one that is there already
    * \throws as `Intrinsic_triangulation::insert()`
    */
-  Index insert(const Surface_location& location)
+  Index insert(const Surface_location& location, internal::Known_piece* near = nullptr)
   {
-    return internal::Segment_division<Edge_path_network>(*this).insert(location);
+    return internal::Segment_division<Edge_path_network>(*this).insert(location, near);
   }
 
   /*!

@@ -415,14 +415,17 @@ public:
   /*!
    * As above. Where an edge is split, `on_split` is called with two halfedges: `first`, which is now half as long, and
    * `second`, which leads on from the new vertex to the old head of `first`.
+   *
+   * `near` is for `refine()`, which knows where the point is: many edges in the input face need not be passed then.
    */
   template <class OnSplit>
-  Index insert(const Surface_location& location, const OnSplit& on_split)
+  Index insert(const Surface_location& location, const OnSplit& on_split, internal::Known_piece* near = nullptr)
   {
     const Surface_location point = internal::canonical_location(input(), location);
     if(kind(point) == Location_kind::VERTEX)
       return input().tail(point.halfedge);
-    internal::Located_point place = internal::Point_locator<Intrinsic_triangulation>(*this, m_statistics)(point);
+    const internal::Point_locator<Intrinsic_triangulation> locate(*this, m_statistics);
+    const internal::Located_point place = near == nullptr ? locate(point) : locate(point, *near);
     if(place.vertex != null_index)
       return place.vertex;
     return insert_at(place, point, on_split);

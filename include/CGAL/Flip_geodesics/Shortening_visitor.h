@@ -14,6 +14,7 @@ namespace Flip_geodesics {
  * A visitor that does nothing; derive from it and hide what you need.
  *
  * \cgalModels{FlipOutVisitor}
+ * \cgalModels{RefinementVisitor}
  */
 struct Default_shortening_visitor
 {
@@ -26,6 +27,12 @@ struct Default_shortening_visitor
   /// After a step: a joint of `curve` has been moved over its wedge.
   template <class Network>
   void after_flip_out(const Network&, Index /* curve */)
+  {
+  }
+
+  /// After `refine()` has inserted vertex `v`, with the flips around it.
+  template <class Triangulation>
+  void on_insertion(const Triangulation&, Index /* v */)
   {
   }
 

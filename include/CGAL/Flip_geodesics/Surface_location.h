@@ -49,6 +49,17 @@ inline Location_kind kind(const Surface_location& location)
 
 namespace internal {
 
+/*
+ * A piece of an input face, by a gap of the word of a halfedge, as seen from that halfedge's face; and what it may
+ * cost, in words and their letters, to find a point near it from elsewhere; the search takes from that.
+ */
+struct Known_piece
+{
+  Index halfedge;
+  std::size_t gap;
+  std::size_t letters;
+};
+
 /* The smallest weight that is not zero. */
 inline constexpr double least_weight = 1e-100;
 

@@ -30,19 +30,30 @@ struct Refinement_options
 };
 
 /// \ingroup PkgFlipGeodesicsDelaunay
+/// How a refinement has ended.
+enum class Refinement_status {
+  BOUNDS_REACHED,       ///< all faces are within the bounds, or exempt
+  BOUNDS_NOT_REACHABLE, ///< all faces that violate a bound are refused or given up, see `Refinement_report`
+  VERTEX_LIMIT,         ///< `Refinement_options::maximum_insertions` vertices were inserted
+  STOPPED_BY_VISITOR    ///< the triangulation may not even be Delaunay
+};
+
+/// \ingroup PkgFlipGeodesicsDelaunay
 /// What `refine()` did, and what it reached.
 struct Refinement_report
 {
-  std::size_t insertions = 0;     ///< of vertices inside faces
-  std::size_t splits = 0;         ///< of edges under curves or on the border
-  std::size_t flips = 0;          ///< flips, those taken back included
+  Refinement_status status = Refinement_status::BOUNDS_REACHED; ///< how it has ended
+  std::size_t insertions = 0;                                   ///< of vertices inside faces
+  std::size_t splits = 0;                                       ///< of edges under curves or on the border
+  std::size_t flips = 0;                                        ///< flips, those taken back included
   std::size_t refused = 0;        ///< faces left as they are, since numbers are too coarse for a point to be inserted
   double smallest_angle = 0;      ///< of all faces, in degrees
   double smallest_free_angle = 0; ///< of the faces that are not exempt, see `refine()`
   std::size_t exempt = 0;         ///< faces whose smallest angle is below the bound, but where there is no other way
   std::size_t missed = 0;         ///< faces that violate a bound and are not exempt
-  bool is_stopped = false;        ///< did the visitor end it? Then the triangulation may not even be Delaunay
-  bool is_complete() const { return missed == 0 && !is_stopped; }
+  std::size_t given_up = 0;       ///< those among them that are too thin to be mended by the vertices allowed
+  /// Are the bounds reached?
+  bool is_complete() const { return status == Refinement_status::BOUNDS_REACHED; }
 };
 
 namespace internal {
@@ -51,7 +62,11 @@ namespace internal {
 template <class Triangulation>
 struct Triangulation_splitter
 {
-  Index insert(const Surface_location& location) { return triangulation.insert(location); }
+  Index insert(const Surface_location& location, Known_piece* near)
+  {
+    return triangulation.insert(
+        location, [](const Edge_halves&) {}, near);
+  }
   Index split_edge(Index h, const Surface_location& location, std::size_t gap)
   {
     return triangulation.split_edge(h, location, gap, [](const Edge_halves&) {});
@@ -61,8 +76,7 @@ struct Triangulation_splitter
 };
 
 template <class Triangulation, class Refiner>
-void measure_faces(const Triangulation& triangulation, const Refiner& refiner, double angle_bound,
-                   Refinement_report& report)
+void measure_faces(const Triangulation& triangulation, Refiner& refiner, double angle_bound, Refinement_report& report)
 {
   constexpr double degree = boost::math::constants::degree<double>();
   report.smallest_angle = report.smallest_free_angle = 180;
@@ -71,12 +85,24 @@ void measure_faces(const Triangulation& triangulation, const Refiner& refiner, d
       continue;
     const double angle = Face_shape<Triangulation>(triangulation, h).smallest_angle();
     report.smallest_angle = (std::min)(report.smallest_angle, angle / degree);
-    report.missed += refiner.badness(h) > 0 ? 1 : 0;
+    const bool is_missed = refiner.badness(h) > 0;
+    report.missed += is_missed ? 1 : 0;
+    report.given_up += is_missed && refiner.is_given_up(h) ? 1 : 0;
     if(angle < angle_bound && refiner.is_exempt(h))
       ++report.exempt;
     else
       report.smallest_free_angle = (std::min)(report.smallest_free_angle, angle / degree);
   }
+}
+
+template <class End>
+Refinement_status refinement_status(End end, std::size_t missed)
+{
+  if(end == End::VISITOR)
+    return Refinement_status::STOPPED_BY_VISITOR;
+  if(missed == 0)
+    return Refinement_status::BOUNDS_REACHED;
+  return end == End::LIMIT ? Refinement_status::VERTEX_LIMIT : Refinement_status::BOUNDS_NOT_REACHABLE;
 }
 
 template <class Triangulation, class Splitter, class Visitor>
@@ -91,14 +117,15 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
   const Delaunay_report flipped =
       flip_to_delaunay(triangulation, default_maximum_of_flips(triangulation.number_of_edges()), visitor);
   report.flips = flipped.flips;
-  Delaunay_refiner<Triangulation, Splitter, Visitor> refiner(
-      triangulation, splitter, {angle, options.longest_edge, options.maximum_insertions}, visitor);
-  report.is_stopped = flipped.is_stopped || !refiner.run();
-  report.insertions = refiner.counts().insertions;
+  using Refiner = Delaunay_refiner<Triangulation, Splitter, Visitor>;
+  Refiner refiner(triangulation, splitter, {angle, options.longest_edge, options.maximum_insertions}, visitor);
+  const typename Refiner::End end = flipped.is_stopped ? Refiner::End::VISITOR : refiner.run();
   report.splits = refiner.counts().splits;
+  report.insertions = refiner.number_of_new_vertices() - report.splits;
   report.refused = refiner.counts().refused;
   report.flips += refiner.counts().flips;
   measure_faces(triangulation, refiner, angle, report);
+  report.status = refinement_status(end, report.missed);
   return report;
 }
 
@@ -112,6 +139,13 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * border are constrained: where they are in the way, they are split at vertices on them, and so stay geodesics, with
  * the same length. The surface does not change.
  *
+ * Faces that cannot be mended are left: *refused* where numbers are too coarse for a point, *given up* where
+ * `Refinement_options::maximum_insertions` vertices are too few by far, as on a tube a million times as long as thick.
+ * The latter is foreseen: a face of area A with shortest side s takes about A/s^2 vertices where all are as thin, and
+ * far fewer elsewhere. Where the sum over all bad faces is 16 times what is allowed, and has not fallen by a tenth
+ * while as many faces were treated, twice in a row, the worst of them are given up, and with them all that have as
+ * short a side. The others are mended until these sums do not fall either.
+ *
  * A face is exempt from the bound on angles if its smallest angle lies between two constrained edges that meet under
  * less than 60 degrees, or about a vertex whose angles sum to less: no insertion could make that angle larger. So it is
  * if its shortest side joins two constrained edges at equal distances from such a vertex, for an insertion there would
@@ -119,14 +153,13 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  *
  * \param network an `Edge_path_network`, whose triangulation is refined
  * \param options the bounds; up to about 25 degrees the process ends by itself in practice
- * \param visitor a model of `FlipOutVisitor`: `go_further()` is asked before each flip to Delaunay and then before each
- *        bad face, and `on_flip()` called after each flip. Ended by it, or by an exception that it throws, the
- *        triangulation and its curves are valid, and the curves as long as before.
- * \return what was reached, measured on the result
- * \throws what is thrown when faces are first touched
+ * \param visitor a model of `RefinementVisitor`: `go_further()` is asked before each flip to Delaunay and then before
+ *        each bad face, `on_flip()` called after each flip and `on_insertion()` after each vertex. Ended by it, or by
+ * an exception that it throws, the triangulation and its curves are valid, and the curves as long as before. \return
+ * what was reached, measured on the result \throws what is thrown when faces are first touched
  *
  * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
- * faces that are refined.
+ * faces that are refined: how many points an input face has got does not slow further ones down.
  */
 template <class Triangulation, class Visitor = Default_shortening_visitor>
 Refinement_report refine(Edge_path_network<Triangulation>& network,

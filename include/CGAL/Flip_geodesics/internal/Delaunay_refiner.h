@@ -7,8 +7,9 @@
 #include <CGAL/Flip_geodesics/internal/Face_chart.h>
 #include <CGAL/Flip_geodesics/internal/Face_shape.h>
 #include <CGAL/Flip_geodesics/internal/Lawson_flips.h>
-
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/Flip_geodesics/internal/Refinement_outlook.h>
+#include <CGAL/Flip_geodesics/internal/Segment_points.h>
+#include <CGAL/Flip_geodesics/internal/Sharp_sectors.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,6 @@
 #include <limits>
 #include <optional>
 #include <queue>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -30,8 +30,11 @@ namespace internal {
  * faces, worst first, get a vertex at their circumcentre. If a constrained edge is in the way, or the vertex would see
  * one under an angle above 120 degrees, then that edge is split instead, and the vertex taken back by the log.
  *
+ * Where the vertices that are allowed cannot suffice by far, the faces that ask for the most of them are given up, and
+ * what is left is mended until it does not get less either.
+ *
  * \tparam Splitter inserts points and splits edges: of a triangulation, or of a network with its curves
- * \tparam Visitor is asked before each face, and told of each flip
+ * \tparam Visitor is asked before each face, and told of each flip and each vertex
  */
 template <class Triangulation, class Splitter, class Visitor>
 class Delaunay_refiner
@@ -48,8 +51,10 @@ public:
 
   struct Counts
   {
-    std::size_t insertions = 0, splits = 0, flips = 0, refused = 0;
+    std::size_t splits = 0, flips = 0, refused = 0;
   };
+
+  enum class End { NO_FACE_LEFT, LIMIT, VISITOR };
 
   Delaunay_refiner(Triangulation& triangulation, Splitter& splitter, const Limits& limits, Visitor& visitor)
     : m_triangulation(triangulation)
@@ -57,64 +62,75 @@ public:
     , m_visitor(visitor)
     , m_limits(limits)
     , m_lawson(triangulation, true)
+    , m_is_in_sharp_sector(triangulation)
+    , m_points(triangulation)
     , m_number_of_old_vertices(triangulation.number_of_vertices())
   {
   }
 
-  /* Refines a triangulation that is constrained Delaunay. Returns false if the visitor has ended it. */
-  bool run()
+  /* Refines a triangulation that is constrained Delaunay. */
+  End run()
   {
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
       if(!m_triangulation.is_border(h) && Shape::first_halfedge(m_triangulation, h) == h)
         look_at(h);
-    while(!m_queue.empty() && m_counts.insertions + m_counts.splits < m_limits.insertions) {
-      const Bad_face bad = m_queue.top();
-      m_queue.pop();
-      if(!is_current(bad))
+    while(!m_queue.empty()) {
+      if(is_full())
+        return End::LIMIT;
+      if(m_outlook.is_hopeless(has_given_up() ? 0 : m_limits.insertions - number_of_new_vertices())) {
+        if(has_given_up())
+          break;
+        give_up();
+      }
+      const Bad_face bad = take_worst();
+      if(is_given_up(bad.lengths) || !is_current(bad))
         continue;
       if(!m_visitor.go_further())
-        return false;
+        return End::VISITOR;
       if(improve(bad.halfedge))
         look_at(bad.halfedge); // still bad if only an edge was split
       else
         ++m_counts.refused;
     }
-    return true;
+    return End::NO_FACE_LEFT;
   }
 
   const Counts& counts() const { return m_counts; }
+
+  /* The vertices inside faces and on constrained edges. */
+  std::size_t number_of_new_vertices() const
+  {
+    return static_cast<std::size_t>(m_triangulation.number_of_vertices() - m_number_of_old_vertices);
+  }
 
   /*
    * How bad a face is; 0 if it is good or exempt. A small angle is no reason where no insertion could mend it: between
    * constrained edges that meet under less than 60 degrees, or about a vertex with less than that in all; also where
    * the shortest side spans such an angle between points at equal distances from the vertex [Shewchuk 2002].
    */
-  double badness(Index h) const
+  double badness(Index h)
   {
     const Shape shape(m_triangulation, h);
-    if(shape.longest() > m_limits.longest_edge)
+    if(is_too_long(shape.lengths()))
       return 2 + shape.longest() / m_limits.longest_edge;
     const double angle = shape.smallest_angle();
     return angle < m_limits.smallest_angle && !is_exempt(shape) ? 2 - angle / m_limits.smallest_angle : 0;
   }
 
-  bool is_exempt(Index h) const { return is_exempt(Shape(m_triangulation, h)); }
+  bool is_exempt(Index h) { return is_exempt(Shape(m_triangulation, h)); }
+
+  /* Was a bad face left as it is since the vertices that are allowed cannot suffice? */
+  bool is_given_up(Index h) const { return is_given_up(Shape(m_triangulation, h).lengths()); }
 
 private:
   using Shape = Face_shape<Triangulation>;
-
-  // On an edge that was constrained at first: its ends, and how far they are.
-  struct Point_of_segment
-  {
-    std::array<Index, 2> ends;
-    std::array<double, 2> distances;
-  };
+  using Lengths = std::array<double, 3>;
 
   struct Bad_face
   {
-    double badness;
+    double badness, need;
     Index halfedge; // the smallest of the face
-    std::array<double, 3> lengths;
+    Lengths lengths;
 
     bool operator<(const Bad_face& other) const
     {
@@ -130,8 +146,56 @@ private:
       return;
     const Index first = Shape::first_halfedge(m_triangulation, h);
     const double how_bad = badness(first);
-    if(how_bad > 0)
-      m_queue.push({how_bad, first, Shape(m_triangulation, first).lengths()});
+    if(how_bad <= 0)
+      return;
+    const Shape shape(m_triangulation, first);
+    if(is_given_up(shape.lengths()))
+      return;
+    m_queue.push({how_bad, need(shape), first, shape.lengths()});
+    m_outlook.add(need(shape));
+  }
+
+  Bad_face take_worst()
+  {
+    const Bad_face worst = m_queue.top();
+    m_queue.pop();
+    m_outlook.remove(worst.need);
+    return worst;
+  }
+
+  bool is_full() const { return number_of_new_vertices() >= m_limits.insertions; }
+
+  // What a thin face asks for, as the outlook sees it.
+  double need(const Shape& shape) const
+  {
+    return is_too_long(shape.lengths()) ? 0
+                                        : Refinement_outlook::need(shape.lengths(), std::sin(shape.smallest_angle()));
+  }
+
+  bool is_too_long(const Lengths& lengths) const
+  {
+    return *std::max_element(lengths.begin(), lengths.end()) > m_limits.longest_edge;
+  }
+
+  bool has_given_up() const { return m_finest_side > 0; }
+
+  bool is_given_up(const Lengths& lengths) const
+  {
+    return *std::min_element(lengths.begin(), lengths.end()) <= m_finest_side && !is_too_long(lengths);
+  }
+
+  // By the sides of the faces that need the most: so small ones are not mended, here or elsewhere, or else those faces
+  // would be taken up bit by bit from their ends.
+  void give_up()
+  {
+    const double many = m_outlook.mean_need() / 2;
+    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
+      if(m_triangulation.is_border(h) || Shape::first_halfedge(m_triangulation, h) != h || !(badness(h) > 0))
+        continue;
+      const Shape shape(m_triangulation, h);
+      if(need(shape) >= many)
+        m_finest_side = (std::max)(m_finest_side, shape.shortest());
+    }
   }
 
   // Is the face still there?
@@ -148,55 +212,9 @@ private:
     return true;
   }
 
-  bool is_exempt(const Shape& shape) const
+  bool is_exempt(const Shape& shape)
   {
-    constexpr double pi = boost::math::constants::pi<double>();
-    return shape.sector_angle() < pi / 3 || spans_small_angle(shape.shortest_side());
-  }
-
-  // Does h lead from one segment to another that shares an end with it, at equal distances from there?
-  bool spans_small_angle(Index h) const
-  {
-    const auto p = m_points.find(m_triangulation.tail(h)), q = m_points.find(m_triangulation.head(h));
-    if(p == m_points.end() || q == m_points.end() || is_constrained(h))
-      return false;
-    for(int i = 0; i < 2; ++i)
-      for(int j = 0; j < 2; ++j) {
-        const double a = p->second.distances[i], b = q->second.distances[j];
-        if(p->second.ends[i] == q->second.ends[j] && std::abs(a - b) < 0.2 * (std::min)(a, b))
-          return true;
-      }
-    return false;
-  }
-
-  // Notes the vertex that is to split the edge of h, as far from its tail as `length`.
-  Point_of_segment point_of_segment(Index h, double length) const
-  {
-    const std::array<Index, 2> at = {m_triangulation.tail(h), m_triangulation.head(h)};
-    const std::array<double, 2> halves = {length, m_triangulation.length(h) - length};
-    Point_of_segment result;
-    for(int i = 0; i < 2; ++i) {
-      result.ends[i] = at[i];
-      result.distances[i] = halves[i];
-      const auto found = m_points.find(at[i]);
-      if(found == m_points.end())
-        continue;
-      const Point_of_segment& old = found->second;
-      const int beyond = end_beyond(old, at[1 - i]);
-      result.ends[i] = old.ends[beyond];
-      result.distances[i] += old.distances[beyond];
-    }
-    return result;
-  }
-
-  // The end of the point's segment that does not lie towards vertex v, another vertex of the segment.
-  int end_beyond(const Point_of_segment& point, Index v) const
-  {
-    const auto found = m_points.find(v);
-    if(found == m_points.end())
-      return point.ends[0] == v ? 1 : 0;
-    const int same = found->second.ends[0] == point.ends[0] ? 0 : 1;
-    return found->second.distances[same] > point.distances[0] ? 0 : 1;
+    return m_is_in_sharp_sector(shape.spoke_of_smallest_corner()) || m_points.spans_small_angle(shape.shortest_side());
   }
 
   // ---------------------------------------------------------------- one face
@@ -230,33 +248,43 @@ private:
       return false;
     if(center->is_blocked)
       return split(center->halfedge);
-    const auto location = Face_chart<Triangulation>(m_triangulation, center->halfedge).location(center->point);
-    if(!location || !has_room(*location, std::abs(center->point)))
+    const auto place = Face_chart<Triangulation>(m_triangulation, center->halfedge).locate(center->point);
+    if(!place || !has_room(place->location, std::abs(center->point)))
       return false;
     const auto before = m_triangulation.log_position();
     const Index vertices = m_triangulation.number_of_vertices();
     bool is_removable = false;
     try {
-      const Index x = m_splitter.insert(*location);
+      const Index x = insert(*place);
       if(m_triangulation.number_of_vertices() == vertices)
         return false; // there is one in this place
       is_removable = !is_on_constrained_edge(x);
       const std::vector<Index> encroached = flip_around(x);
       if(encroached.empty() || !is_removable) {
-        ++m_counts.insertions;
         look_around(x);
+        m_visitor.on_insertion(m_triangulation, x);
         return true;
       }
       m_triangulation.rollback(before);
       bool has_split = false;
       for(Index e : encroached)
-        has_split = split(2 * e) || has_split;
+        has_split = (!is_full() && split(2 * e)) || has_split;
       return has_split;
     } catch(const Insertion_error&) {
       if(is_removable)
         m_triangulation.rollback(before);
       return false;
     }
+  }
+
+  // Points are found from corners of their input faces, as if each were inserted by itself, until that costs too much.
+  Index insert(const Point_at_piece& place)
+  {
+    constexpr std::size_t letters_per_point = 512;
+    Known_piece near = {place.halfedge, place.gap, m_letters + letters_per_point};
+    const Index x = m_splitter.insert(place.location, &near);
+    m_letters = near.letters;
+    return x;
   }
 
   // The point was exactly there: then the edge was split, and with it a curve.
@@ -342,11 +370,7 @@ private:
 
   // ---------------------------------------------------------------- splits and flips
 
-  bool is_constrained(Index h) const
-  {
-    return m_triangulation.label(Triangulation::edge(h)) != 0 || m_triangulation.is_border(h) ||
-           m_triangulation.is_border(Triangulation::twin(h));
-  }
+  bool is_constrained(Index h) const { return is_constrained_edge(m_triangulation, h); }
 
   bool split(Index h)
   {
@@ -356,14 +380,14 @@ private:
     const double t = split_position(h);
     if(!point || !has_room(point->location, (std::min)(t, 1 - t) * m_triangulation.length(h)))
       return false;
-    const Point_of_segment in_segment = point_of_segment(h, t * m_triangulation.length(h));
+    const auto in_segment = m_points.point(h, t * m_triangulation.length(h));
     Index x = null_index;
     try {
       x = m_splitter.split_edge(h, point->location, point->gap);
     } catch(const Insertion_error&) {
       return false;
     }
-    m_points[x] = in_segment;
+    m_points.add(x, in_segment);
     ++m_counts.splits;
     const auto after_split = m_triangulation.log_position();
     try {
@@ -372,6 +396,7 @@ private:
       m_triangulation.rollback(after_split); // without the flips that were wrong
     }
     look_around(x);
+    m_visitor.on_insertion(m_triangulation, x);
     return true;
   }
 
@@ -412,10 +437,17 @@ private:
 
   void look_around(Index x)
   {
-    for_each_edge_in_star(m_triangulation, x, [this](Index h) { look_at(h); });
+    std::vector<Index> around;
+    for_each_edge_in_star(m_triangulation, x, [&around](Index h) { around.push_back(h); });
     for(Index h : m_changed)
-      for(Index side : {h, Triangulation::twin(h)})
-        look_at(side);
+      around.insert(around.end(), {h, Triangulation::twin(h)});
+    for(Index& h : around)
+      h = m_triangulation.is_border(h) ? null_index : Shape::first_halfedge(m_triangulation, h);
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    for(Index h : around)
+      if(h != null_index)
+        look_at(h);
   }
 
   Triangulation& m_triangulation;
@@ -423,10 +455,14 @@ private:
   Visitor& m_visitor;
   Limits m_limits;
   Lawson_flips<Triangulation> m_lawson;
+  Sharp_sectors<Triangulation> m_is_in_sharp_sector;
+  Segment_points<Triangulation> m_points;
+  Refinement_outlook m_outlook;
+  double m_finest_side = 0;         // thin faces with a side no longer than that are given up
+  std::size_t m_letters = 0x200000; // that the search for points may pass
   Index m_number_of_old_vertices;
   std::priority_queue<Bad_face> m_queue;
   std::vector<Index> m_changed;
-  std::unordered_map<Index, Point_of_segment> m_points;
   Counts m_counts;
 };
 

@@ -32,6 +32,14 @@ inline std::complex<double> apex_of(const std::complex<double>& p, const std::co
   return p + (q - p) / length * std::complex<double>(x, y);
 }
 
+/* A location in the input face, or on its border, that a gap of the word of an intrinsic halfedge lies in. */
+struct Point_at_piece
+{
+  Surface_location location;
+  Index halfedge;
+  std::size_t gap;
+};
+
 /*
  * Points of an intrinsic face as locations on the input: which part of which input face they lie in, and where.
  *
@@ -61,19 +69,22 @@ public:
       measure(side);
   }
 
-  /* The location of a point of the plane, which lies in the face; none if it cannot be told. */
-  std::optional<Surface_location> location(const Complex& z) const
+  /* A point of the plane, which lies in the face, up to rounding; none if its location cannot be told. */
+  std::optional<Point_at_piece> locate(const Complex& z) const
   {
-    const std::vector<Vertex> part = part_of(z);
-    const Vertex* from = &part.front();
+    const Part part = part_of(z);
+    const Vertex* from = &part.vertices.front();
     const Vertex* to = from;
-    for(const Vertex& u : part)
-      for(const Vertex& v : part)
+    for(const Vertex& u : part.vertices)
+      for(const Vertex& v : part.vertices)
         if(std::abs(u.position - v.position) > std::abs(from->position - to->position)) {
           from = &u;
           to = &v;
         }
-    return moved(*from, *to, z);
+    const std::optional<Surface_location> location = moved(*from, *to, z);
+    if(!location)
+      return {};
+    return Point_at_piece{*location, part.halfedge, part.gap};
   }
 
 private:
@@ -90,6 +101,14 @@ private:
     Complex position;
     Weights weights;
     Index face;
+  };
+
+  // Told by a side and a gap of its word, in which it has a piece of that side.
+  struct Part
+  {
+    Index halfedge;
+    std::size_t gap;
+    std::vector<Vertex> vertices;
   };
 
   void measure(Side& side) const
@@ -115,7 +134,7 @@ private:
 
   static double cross(const Complex& u, const Complex& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
-  std::vector<Vertex> part_of(const Complex& z) const
+  Part part_of(const Complex& z) const
   {
     const auto number = [this](int i) { return static_cast<Index>(m_sides[i].along.size()); };
     const Triangle_crossings passing(number(0), number(1), number(2));
@@ -125,8 +144,7 @@ private:
         const Complex u = position(after, k + 1), v = position(before, number(before) - k);
         if(cross(v - u, z - u) <= 0)
           continue;
-        std::vector<Vertex> part;
-        add_piece(after, k, part);
+        Part part = part_at(after, k);
         add_piece(before, number(before) - k, part);
         return part;
       }
@@ -134,32 +152,39 @@ private:
     for(int i = 0; i < 3; ++i)
       if(passing.emanating[i] > 0)
         return part_of_fan(i, passing, z);
-    std::vector<Vertex> part;
-    for(int i = 0; i < 3; ++i)
+    Part part = part_at(0, passing.cutting[1]);
+    for(int i = 1; i < 3; ++i)
       add_piece(i, passing.cutting[(i + 1) % 3], part);
     return part;
   }
 
   // Input edges emanate from corner i.
-  std::vector<Vertex> part_of_fan(int i, const Triangle_crossings& passing, const Complex& z) const
+  Part part_of_fan(int i, const Triangle_crossings& passing, const Complex& z) const
   {
     Index gap = passing.cutting[(i + 1) % 3];
     const Index last = gap + passing.emanating[i];
     while(gap < last && cross(position(i, gap + 1) - m_corners[i], z - m_corners[i]) > 0)
       ++gap;
-    std::vector<Vertex> part;
+    Part part = part_at(i, gap);
+    const Index face = part.vertices.front().face, corner = m_triangulation.tail(m_sides[(i + 2) % 3].halfedge);
+    part.vertices.push_back({m_corners[i], vertex_weights(m_triangulation, corner, face), face});
+    return part;
+  }
+
+  // With the piece of side i in a gap of its word.
+  Part part_at(int i, std::size_t gap) const
+  {
+    Part part = {m_sides[i].halfedge, gap, {}};
     add_piece(i, gap, part);
-    const Index face = part.front().face, corner = m_triangulation.tail(m_sides[(i + 2) % 3].halfedge);
-    part.push_back({m_corners[i], vertex_weights(m_triangulation, corner, face), face});
     return part;
   }
 
   // The ends of the piece of side i in a gap of its word.
-  void add_piece(int i, std::size_t gap, std::vector<Vertex>& part) const
+  void add_piece(int i, std::size_t gap, Part& part) const
   {
     const Crossing_word& word = m_sides[i].word;
     const Index own = Point_side<Triangulation>::face_of_gap(word, gap);
-    const Index face = part.empty() ? own : part.front().face;
+    const Index face = part.vertices.empty() ? own : part.vertices.front().face;
     for(const std::size_t k : {gap, gap + 1}) {
       Weights weights;
       if(k == 0)
@@ -172,7 +197,7 @@ private:
       const double sum = weights[0] + weights[1] + weights[2];
       for(double& weight : weights)
         weight /= sum;
-      part.push_back({position(i, k), weights, face});
+      part.vertices.push_back({position(i, k), weights, face});
     }
   }
 

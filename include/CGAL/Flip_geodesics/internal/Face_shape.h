@@ -15,13 +15,20 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* Does a curve lie on the edge of h, or is it on the border? */
+template <class Triangulation>
+bool is_constrained_edge(const Triangulation& triangulation, Index h)
+{
+  return triangulation.label(Triangulation::edge(h)) != 0 || triangulation.is_border(h) ||
+         triangulation.is_border(Triangulation::twin(h));
+}
+
 /* Lengths and angles of an intrinsic face, rounded. Side i leads from corner i to corner i + 1; side 0 is h. */
 template <class Triangulation>
 class Face_shape
 {
 public:
   Face_shape(const Triangulation& triangulation, Index h)
-    : m_triangulation(triangulation)
   {
     for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
       m_sides[i] = h;
@@ -57,39 +64,16 @@ public:
 
   double smallest_angle() const { return angle(smallest_corner()); }
 
+  double shortest() const { return (std::min)({m_lengths[0], m_lengths[1], m_lengths[2]}); }
   double longest() const { return (std::max)({m_lengths[0], m_lengths[1], m_lengths[2]}); }
 
   /* The shortest side. */
   Index shortest_side() const { return m_sides[(smallest_corner() + 1) % 3]; }
 
-  /* The angle about the smallest corner's vertex between the constrained edges on both sides; all round without any. */
-  double sector_angle() const { return sector_angle(m_sides[smallest_corner()]); }
+  /* The spoke with the smallest corner on its left. */
+  Index spoke_of_smallest_corner() const { return m_sides[smallest_corner()]; }
 
 private:
-  // The angle about the tail of h between the constrained edges next to the face of h; all round if there are none.
-  double sector_angle(Index h) const
-  {
-    double sum = angle_at_tail(h);
-    for(Index g = h; !is_constrained(g);) { // clockwise
-      g = m_triangulation.clockwise(g);
-      if(g == h)
-        return sum;
-      sum += angle_at_tail(g);
-    }
-    for(Index g = m_triangulation.counterclockwise(h); !is_constrained(g); g = m_triangulation.counterclockwise(g))
-      sum += angle_at_tail(g);
-    return sum;
-  }
-
-  double angle_at_tail(Index h) const { return Face_shape(m_triangulation, h).angle(0); }
-
-  bool is_constrained(Index h) const
-  {
-    return m_triangulation.label(h >> 1) != 0 || m_triangulation.is_border(h) ||
-           m_triangulation.is_border(Triangulation::twin(h));
-  }
-
-  const Triangulation& m_triangulation;
   std::array<Index, 3> m_sides;
   std::array<double, 3> m_lengths;
 };

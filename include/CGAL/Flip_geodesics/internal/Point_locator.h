@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -66,7 +67,38 @@ public:
   /* \pre the location is canonical, and no input vertex */
   Located_point operator()(const Surface_location& point) const
   {
-    std::vector<Gap> pending = {first_piece(point.halfedge)};
+    std::size_t letters = no_limit;
+    return *search(point, *first_piece(point.halfedge, letters), letters);
+  }
+
+  /*
+   * The same for a point that lies close to a known piece. From a corner of the input face, as above, so that it ends
+   * as above; but from the known piece if the corner is too far away, past what was inserted before.
+   */
+  Located_point operator()(const Surface_location& point, Known_piece& near) const
+  {
+    if(const std::optional<Gap> corner = first_piece(point.halfedge, near.letters))
+      if(const std::optional<Located_point> found = search(point, *corner, near.letters))
+        return *found;
+    std::size_t letters = no_limit;
+    return *search(point, {near.halfedge, near.gap}, letters);
+  }
+
+private:
+  static constexpr double largest_miss = 1e-6; // relative to the length of the edge
+  static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+
+  // Takes the word of h from what a search may cost. Returns false if nothing is left then.
+  bool spend(Index h, std::size_t& letters_left) const
+  {
+    letters_left -= (std::min)(letters_left, letters(h) + 1);
+    return letters_left > 0;
+  }
+
+  // Nothing if the letters do not suffice.
+  std::optional<Located_point> search(const Surface_location& point, const Gap& first, std::size_t& letters_left) const
+  {
+    std::vector<Gap> pending = {first};
     std::set<Gap> visited;
     Located_point nearest;
     double smallest_miss = std::numeric_limits<double>::infinity();
@@ -79,6 +111,8 @@ public:
       visited.insert(sides.begin(), sides.end());
       std::vector<Gap> zeros, beyond;
       for(const Gap& side : sides) {
+        if(!spend(side.halfedge, letters_left))
+          return {};
         const Sign sign = m_side(m_triangulation.crossing_word(side.halfedge), side.gap, point);
         if(sign == ZERO)
           zeros.push_back(side);
@@ -93,9 +127,6 @@ public:
     return checked_miss(nearest, smallest_miss, point);
   }
 
-private:
-  static constexpr double largest_miss = 1e-6; // relative to the length of the edge
-
   std::size_t letters(Index h) const
   {
     return static_cast<std::size_t>((std::max)(m_triangulation.crossings(Triangulation::edge(h)), 0));
@@ -108,28 +139,33 @@ private:
     return {number(h), number(hn), number(hp)};
   }
 
-  // A piece at the corner of the input face at the tail of input halfedge c.
-  Gap first_piece(Index c) const
+  // A piece at the corner of the input face at the tail of input halfedge c; nothing if the letters do not suffice.
+  std::optional<Gap> first_piece(Index c, std::size_t& letters_left) const
   {
     if(m_triangulation.version(Triangulation::edge(c)) == 0)
-      return {c, 0};
+      return Gap{c, 0};
     const auto& input = m_triangulation.input();
     const Index start = m_triangulation.outgoing(input.tail(c));
     Index g = start;
-    for(Index h = m_triangulation.clockwise(g); h != null_index && h != start; h = m_triangulation.clockwise(h))
+    for(Index h = m_triangulation.clockwise(g); h != null_index && h != start; h = m_triangulation.clockwise(h)) {
       g = h;
+      if(!spend(h, letters_left))
+        return {};
+    }
     if(m_triangulation.clockwise(g) == start)
       g = start;
     for(;; g = m_triangulation.counterclockwise(g)) {
       CGAL_assertion(g != null_index);
+      if(!spend(g, letters_left))
+        return {};
       Index direction = tail_anchor(m_triangulation, m_triangulation.crossing_word(g));
       if(direction == c)
-        return {g, 0};
+        return Gap{g, 0};
       const Triangle_crossings corner = crossings(m_triangulation.next(g)); // corner 0 is the tail of g, 1 its head
       for(Index i = 0; i < corner.emanating[0]; ++i) {
         direction = Triangulation::twin(input.next(input.next(direction))); // counterclockwise
         if(direction == c)
-          return {m_triangulation.next(g), static_cast<std::size_t>(corner.cutting[1] + i + 1)};
+          return Gap{m_triangulation.next(g), static_cast<std::size_t>(corner.cutting[1] + i + 1)};
       }
     }
   }

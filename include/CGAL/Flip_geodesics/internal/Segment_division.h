@@ -32,11 +32,12 @@ public:
   {
   }
 
-  Index insert(const Surface_location& location)
+  Index insert(const Surface_location& location, Known_piece* near)
   {
-    return m_triangulation.insert(location, [this](const Edge_halves& halves) {
+    const auto on_split = [this](const Edge_halves& halves) {
       move_stack(halves.first, {{halves.first, halves.second}}, null_index);
-    });
+    };
+    return m_triangulation.insert(location, on_split, near);
   }
 
   Index split_edge(Index h, const Surface_location& location, std::size_t gap)
