@@ -27,7 +27,8 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
     return "";
   case Refinement_status::BOUNDS_NOT_REACHABLE:
     return "; the bounds cannot be reached: " + std::to_string(report.given_up) +
-           " faces are so thin that the vertices allowed would not suffice, others are as fine as numbers can tell";
+           " faces would take far more vertices than allowed, " + std::to_string(report.missed - report.given_up) +
+           " are as fine as numbers can tell or lie beside such";
   case Refinement_status::VERTEX_LIMIT:
     return "; ended since no more vertices are allowed";
   case Refinement_status::STOPPED_BY_VISITOR:
@@ -35,6 +36,28 @@ inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
   }
   return "";
 }
+
+/// Counts vertices inserted, instead of faces looked at.
+class Refinement_progress : public Progress_visitor
+{
+public:
+  explicit Refinement_progress(Progress& progress)
+    : Progress_visitor(progress)
+    , m_progress(progress)
+  {
+  }
+
+  bool go_further() { return true; }
+
+  template <class Triangulation>
+  void on_insertion(const Triangulation&, CGAL::Flip_geodesics::Index)
+  {
+    m_progress.add_steps(1);
+  }
+
+private:
+  Progress& m_progress;
+};
 
 /// Flips and refines the triangulation of a network whose curves are finished. Returns lines for people.
 template <class Network>
@@ -44,8 +67,9 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
   std::ostringstream text;
   if(options.is_delaunay) {
     progress.enter("flipping to Delaunay");
-    const FG::Delaunay_report report = FG::flip_to_delaunay(network.triangulation());
-    progress.add_flips(report.flips);
+    auto& triangulation = network.triangulation();
+    const FG::Delaunay_report report = FG::flip_to_delaunay(
+        triangulation, FG::default_maximum_of_flips(triangulation.number_of_edges()), Progress_visitor(progress));
     text << "delaunay " << report.flips << " flips, " << report.constrained << " edges held by curves\n";
   }
   if(options.refine) {
@@ -54,8 +78,8 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     bounds.longest_edge = options.longest_edge.value_or(bounds.longest_edge);
     if(options.most_vertices)
       bounds.maximum_insertions = static_cast<std::size_t>(*options.most_vertices);
-    progress.enter("refining", "steps");
-    const FG::Refinement_report report = FG::refine(network, bounds, Progress_visitor(progress));
+    progress.enter("refining", "vertices inserted");
+    const FG::Refinement_report report = FG::refine(network, bounds, Refinement_progress(progress));
     text << "refined  " << report.insertions << " vertices inserted, " << report.splits
          << " edges split; smallest angle " << report.smallest_angle << " degrees, " << report.smallest_free_angle
          << " without " << report.exempt << " exempt faces; " << report.missed << " missed" << ending(report) << '\n';
