@@ -669,10 +669,6 @@ BOOST_AUTO_TEST_CASE(what_disturbs_a_network_is_refused)
   BOOST_CHECK_THROW(Triangulation{std::move(t)}, FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(other = std::move(t), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(t = std::move(other), FG::Occupied_triangulation_error);
-  const FG::Surface_location middle = FG::location_on_edge(t, before.front(), 0.5);
-  const bool is_on_curve = FG::kind(middle) == FG::Location_kind::EDGE;
-  if(is_on_curve)
-    BOOST_CHECK_THROW(t.insert(middle), FG::Occupied_triangulation_error);
   BOOST_TEST((network.halfedges(0) == before));
   BOOST_TEST(network.is_valid());
   BOOST_TEST(t.is_valid());
@@ -683,6 +679,8 @@ BOOST_AUTO_TEST_CASE(what_disturbs_a_network_is_refused)
   BOOST_CHECK_NO_THROW(FG::geodesics_through(t, s.locations()));
   BOOST_CHECK_THROW(Network{t}, FG::Occupied_triangulation_error);
   BOOST_CHECK_NO_THROW(tree.grow(3));
+  network.add_curve(tree.path(40), false);
+  BOOST_CHECK_THROW(FG::make_shortest(tree), FG::Occupied_triangulation_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_point_on_an_edge_under_a_curve_is_refused)

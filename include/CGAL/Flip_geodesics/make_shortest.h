@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_MAKE_SHORTEST_H
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/Window_search.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -92,6 +93,7 @@ double longest_wanted(const Tree& tree)
  * \param most_windows where more are needed, the search is given up, and the tree stays as it is; 0 is for the number
  *        that `add_shortest_path()` takes
  * \throws Invalid_coordinate_error
+ * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source was inserted. Other inserted vertices have geodesics, which nothing
  * is said about.
  */
@@ -105,6 +107,8 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size
     throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
                                         std::to_string(tree.source()) + " was inserted",
                                     {static_cast<std::size_t>(tree.source())});
+  if(tree.triangulation().has_curves())
+    throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   Shortest_tree_report report;
   most_windows = internal::window_limit(tree.triangulation(), most_windows);
   internal::Window_search<Triangulation> search(tree.triangulation(), tree.source());
