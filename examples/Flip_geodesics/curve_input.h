@@ -64,6 +64,18 @@ inline void check_pair(Components& components, const Curve_request& pair)
                     " lie in different components; choose both in one");
 }
 
+/// Are all points of the curve of a line in one component? \throws Bad_input
+inline void check_points_are_joined(const Mesh& mesh, Components& components, const Curve_request& curve)
+{
+  const auto root = [&](std::size_t i) {
+    return components.root(static_cast<Index>(mesh.target(Mesh::Halfedge_index(curve.points[i].halfedge))));
+  };
+  for(std::size_t i = 1; i < curve.points.size(); ++i)
+    if(root(i) != root(0))
+      throw Bad_input(curve.name + ": points 0 and " + std::to_string(i) +
+                      " lie in different components; choose all in one");
+}
+
 inline void check_chain(const Mesh& mesh, const Curve_request& curve)
 {
   const std::vector<Index>& v = curve.vertices;

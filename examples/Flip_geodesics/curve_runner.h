@@ -92,7 +92,7 @@ public:
       if(request.tree_source)
         results.assign(1, tree_result(*request.tree_source));
       for(Curve_result& result : results)
-        fail(result, error.what());
+        fail(result, message(error));
       m_triangulation = Triangulation(m_mesh, m_metric); // whatever state the failure left
     }
     m_progress.add_curves(request.curves.size());
@@ -122,6 +122,14 @@ public:
   }
 
 private:
+  // What an error says, but for a vertex that was inserted for a point: the mesh does not have it.
+  std::string message(const std::exception& error) const
+  {
+    const auto* const crossing = dynamic_cast<const CGAL::Flip_geodesics::Crossing_curves_error*>(&error);
+    const bool is_inserted = crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices();
+    return is_inserted ? "strands cross at one of the given points" : error.what();
+  }
+
   void forget_last_run()
   {
     m_record.reset();

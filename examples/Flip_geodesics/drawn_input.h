@@ -19,6 +19,7 @@
 #endif
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,6 +62,18 @@ private:
   Tree m_tree;
 };
 
+// CGAL's projection takes coordinates to the fifth power, and cannot do with infinity.
+constexpr double largest_coordinate_to_project = 1e60;
+
+inline void check_coordinates_to_project(const Mesh& mesh, const Input_text& input)
+{
+  for(const auto v : mesh.vertices())
+    for(int i = 0; i < 3; ++i)
+      if(std::abs(mesh.point(v)[i]) > largest_coordinate_to_project)
+        throw Bad_input(input.name() + ": vertex " + std::to_string(v) +
+                        " of the mesh has a coordinate beyond 1e60, so that points cannot be moved to it; scale both");
+}
+
 /// A line of a file `.polylines.txt`: the number of points, and their coordinates. It is closed if the first point is
 /// repeated at the end.
 inline Curve_request read_polyline_in_space(Text_scanner& words, const Surface_projector& project)
@@ -73,8 +86,11 @@ inline Curve_request read_polyline_in_space(Text_scanner& words, const Surface_p
   while(static_cast<long long>(points.size()) < count) {
     const Element element = {"point", points.size()};
     std::array<double, 3> x;
-    for(double& coordinate : x)
+    for(double& coordinate : x) {
       coordinate = words.number<double>(words.next_word(), element);
+      if(std::abs(coordinate) > largest_coordinate_to_project)
+        words.fail(element, "has a coordinate beyond 1e60, so that it cannot be moved to the mesh; scale both");
+    }
     points.emplace_back(x[0], x[1], x[2]);
   }
   if(words.has_word())
@@ -100,8 +116,11 @@ inline std::vector<Curve_request> read_drawn_curves(const Mesh& mesh, const Inpu
 {
   const std::string ending = ".polylines.txt";
   std::optional<Surface_projector> project;
-  if(boost::algorithm::ends_with(input.file, ending) && input.file != ending)
+  if(boost::algorithm::ends_with(input.file, ending) && input.file != ending) {
+    check_coordinates_to_project(mesh, input);
     project.emplace(mesh);
+  }
+  Components components(mesh);
   std::vector<Curve_request> curves;
   for_each_line(input, [&](Text_scanner& words) {
     const std::string name = words.place();
@@ -110,6 +129,7 @@ inline std::vector<Curve_request> read_drawn_curves(const Mesh& mesh, const Inpu
     curves.back().is_drawn = true;
     if(curves.back().points.size() < (curves.back().is_closed ? 3u : 2u))
       words.fail("a polyline needs two points, a closed one three; add points or remove the line");
+    check_points_are_joined(mesh, components, curves.back());
   });
   check_not_empty(curves, input);
   return curves;

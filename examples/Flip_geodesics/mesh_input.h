@@ -48,22 +48,20 @@ inline Soup read_soup(const Input_text& input)
   throw Bad_input(input.name() + ": the format is not known by the extension; convert the mesh to one of" + known);
 }
 
-/// Reads a mesh as it is in the file. \throws Bad_input
-inline Soup read_soup(const std::string& file) { return read_soup(read_text(file)); }
-
-/// Reads an oriented manifold triangle mesh. \throws Bad_input with one line that names the file and the element
-inline Mesh read_mesh(const std::string& file)
+/// The mesh in a text, an oriented manifold of triangles. \throws Bad_input with one line that names the file and the
+/// element
+inline Mesh read_mesh(const Input_text& input)
 {
-  const Soup soup = read_soup(file);
+  const Soup soup = read_soup(input);
   try {
     check_soup(soup);
   } catch(const Bad_input& error) {
-    throw Bad_input(printable(file) + ": " + error.what());
+    throw Bad_input(input.name() + ": " + error.what());
   }
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
   if(mesh.number_of_faces() != soup.faces.size())
-    throw Bad_input(printable(file) + ": the faces do not form an oriented manifold; repair the mesh");
+    throw Bad_input(input.name() + ": the faces do not form an oriented manifold; repair the mesh");
   return mesh;
 }
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-program::Mesh program::read_input_mesh(const Options& options) { return read_mesh(options.mesh); }
+program::Mesh program::read_input_mesh(const Options& options) { return read_mesh(read_text(options.mesh)); }
 
 std::vector<program::Network_request> program::read_requests(const Options& options, const Mesh& mesh)
 {

@@ -79,8 +79,11 @@ public:
   double length(const Mesh& mesh, Index h) const
   {
     const double length = weight(mesh, h);
-    if(!internal::is_usable_length(length))
-      internal::throw_unusable_length(length, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    if(!internal::is_usable_length(length)) {
+      const Index v = mesh.tail(h), w = mesh.tail(internal::twin_index(h));
+      const Place p = place(mesh, v), q = place(mesh, w); // far or close, their distance is no longer its square's root
+      internal::throw_unusable_length(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]), v, w);
+    }
     return length;
   }
 
