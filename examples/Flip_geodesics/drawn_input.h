@@ -18,8 +18,10 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,7 +31,8 @@
 // `.polylines.txt`, lines of points in space, which are moved to the nearest point of the mesh.
 namespace program {
 
-/// Finds the nearest points of a mesh. Coordinates of less than 1e-12 of a face's point count as zero.
+/// Finds the nearest points of a mesh, among the faces that have an area: they have all edges, but where only faces
+/// without area meet. Coordinates of less than 1e-12 of a face's point count as zero.
 class Surface_projector
 {
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
@@ -41,10 +44,17 @@ class Surface_projector
   using Tree = CGAL::AABB_tree<Traits>;
 
 public:
+  /// \throws Bad_input if no face has an area
   explicit Surface_projector(const Mesh& mesh)
     : m_mesh(mesh)
   {
-    CGAL::Polygon_mesh_processing::build_AABB_tree(mesh, m_tree);
+    std::vector<Mesh::Face_index> faces;
+    std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(faces),
+                 [&](Mesh::Face_index f) { return has_area(f); });
+    if(faces.empty())
+      throw Bad_input("no face of the mesh has an area, so that points cannot be moved to it; correct the mesh");
+    m_tree.insert(faces.begin(), faces.end(), mesh);
+    m_tree.build();
   }
 
   CGAL::Flip_geodesics::Surface_location operator()(const Point_3& p) const
@@ -58,6 +68,16 @@ public:
   }
 
 private:
+  // Does what CGAL divides by for barycentric coordinates have an inverse?
+  bool has_area(Mesh::Face_index f) const
+  {
+    const Mesh::Halfedge_index h = m_mesh.halfedge(f);
+    const Point_3 &p = m_mesh.point(m_mesh.source(h)), &q = m_mesh.point(m_mesh.target(h));
+    const Kernel::Vector_3 u = q - p, v = m_mesh.point(m_mesh.target(m_mesh.next(h))) - p;
+    const double square = (u * u) * (v * v) - (u * v) * (u * v);
+    return square != 0 && std::isfinite(1 / square);
+  }
+
   const Mesh& m_mesh;
   Tree m_tree;
 };
