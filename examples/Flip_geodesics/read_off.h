@@ -22,7 +22,8 @@ namespace program {
  * texture coordinates, which are passed over. With a 4 there is a fourth coordinate, by which the others are divided.
  *
  * In a text every vertex and face has its own line, and what is behind the vertices of a face is its color. If the file
- * is not like that, it is read by words, as many for each element as the keyword says.
+ * is not like that, it is read by words, as many for each element as the keyword says, and none for the color of a
+ * face.
  */
 class Off_reader
 {
@@ -96,23 +97,23 @@ private:
     return static_cast<std::size_t>(number);
   }
 
-  std::size_t read_count(const char* of_what)
+  long long read_number_of(const char* what)
   {
     const std::string_view word = m_words.next_word_of_text();
     long long number = 0;
     if(const char* const error = parse_number(word, number))
-      m_words.fail("the number of " + std::string(of_what) + ", '" + printable(word) + "', " + error +
+      m_words.fail("the number of " + std::string(what) + ", '" + printable(word) + "', " + error +
                    "; correct the header");
-    return count(of_what, number);
+    return number;
   }
 
   // The number of edges is of no use. Some files leave it out.
   void read_counts()
   {
-    m_vertices = read_count("vertices");
-    m_faces = read_count("faces");
+    m_vertices = count("vertices", read_number_of("vertices"));
+    m_faces = count("faces", read_number_of("faces"));
     if(m_words.has_word()) {
-      read_count("edges");
+      read_number_of("edges");
       return;
     }
     const Text_scanner before = m_words;
@@ -192,7 +193,8 @@ private:
     soup.faces.emplace_back();
     for(long long i = 0; i < corners; ++i)
       soup.faces.back().push_back(vertex(read_number<long long>(element), element, m_words));
-    skip_numbers(element);
+    if(m_is_by_lines)
+      skip_numbers(element);
   }
 
   Soup read_text(bool is_by_lines)
@@ -204,7 +206,7 @@ private:
       read_vertex(soup);
     while(soup.faces.size() < m_faces)
       read_face(soup);
-    if(m_words.next_line_with_words())
+    if(!m_words.next_word_of_text().empty())
       m_words.fail("there is more after the last face; remove it, or correct the counts");
     return soup;
   }

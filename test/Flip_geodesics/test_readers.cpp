@@ -166,6 +166,8 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.off", "OFF\n-1 0 0\n"), "a.off line 2: the header promises");
   check_has(message("a.off", "OFF\n99999999999 0 0\n"), "a.off line 2: the header promises");
   check_has(message("a.off", "nOFF\n4 1 0 0\n0 0 0 0\n"), "three coordinates");
+  // What a number too few makes of the file, read by words, is not taken.
+  check_has(message("a.off", "OFF\n3 2 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n3 2 1 0\n"), "line 4: vertex 1 is cut off");
   check_has(message("a.off", "ply\n"), "the first word, 'ply', is not OFF");
 
   check_has(message("a.obj", "v 0 0 0\nf 1 1 2\n"), "a.obj line 2: face 0 has a vertex");
