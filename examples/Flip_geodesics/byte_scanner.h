@@ -28,7 +28,7 @@ public:
   }
 
   bool is_at_end() const { return bytes_left() == 0; }
-  std::size_t bytes_left() const { return m_input.bytes.size() - m_at; }
+  std::size_t bytes_left() const { return m_input.bytes().size() - m_at; }
 
   [[noreturn]] void fail(const std::string& what) const
   {
@@ -57,7 +57,7 @@ public:
     const std::size_t start = m_at;
     skip(sizeof(T), element);
     Bits bits = 0;
-    std::memcpy(&bits, &m_input.bytes[start], sizeof bits);
+    std::memcpy(&bits, &m_input.bytes()[start], sizeof bits);
     boost::endian::conditional_reverse_inplace(bits, m_order, boost::endian::order::native);
     T value = 0;
     std::memcpy(&value, &bits, sizeof value);

@@ -53,7 +53,7 @@ public:
   explicit Texture_corners(const Input_text& input)
     : m_name(input.name())
   {
-    if(extension(input.file) != "obj")
+    if(extension(input.file()) != "obj")
       throw Bad_input(input.name() + ": seams are read off the texture coordinates of an .obj file; give one");
     m_soup = read_obj(input, &m_texture);
     if(m_texture.coordinates.empty())

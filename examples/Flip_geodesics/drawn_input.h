@@ -136,7 +136,7 @@ inline std::vector<Curve_request> read_drawn_curves(const Mesh& mesh, const Inpu
 {
   const std::string ending = ".polylines.txt";
   std::optional<Surface_projector> project;
-  if(boost::algorithm::ends_with(input.file, ending) && input.file != ending) {
+  if(boost::algorithm::ends_with(input.file(), ending) && input.file() != ending) {
     check_coordinates_to_project(mesh, input);
     project.emplace(mesh);
   }

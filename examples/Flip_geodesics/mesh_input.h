@@ -39,7 +39,7 @@ inline const std::map<std::string, Format_reader>& mesh_formats()
 /// The soup in the text of a mesh. \throws Bad_input
 inline Soup read_soup(const Input_text& input)
 {
-  const auto format = mesh_formats().find(extension(input.file));
+  const auto format = mesh_formats().find(extension(input.file()));
   if(format != mesh_formats().end())
     return format->second(input);
   std::string known;

@@ -91,9 +91,9 @@ private:
 
   std::size_t count(const char* of_what, long long number) const
   {
-    if(number < 0 || static_cast<unsigned long long>(number) > m_input.bytes.size())
+    if(number < 0 || static_cast<unsigned long long>(number) > m_input.bytes().size())
       m_words.fail("the header promises a number of " + std::string(of_what) + " that " +
-                   std::to_string(m_input.bytes.size()) + " bytes cannot hold; correct the header");
+                   std::to_string(m_input.bytes().size()) + " bytes cannot hold; correct the header");
     return static_cast<std::size_t>(number);
   }
 

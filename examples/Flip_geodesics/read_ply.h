@@ -383,9 +383,9 @@ inline Soup read_ply(const Input_text& input)
     return Ply_body_reader<Ply_words>(header, words).read();
   }
   std::size_t start = lines.next_position();
-  const std::size_t first_end = input.bytes.find_first_of("\r\n");
-  if(input.bytes.substr(first_end, 1) == "\r" && input.bytes.substr(first_end, 2) != "\r\n")
-    start = input.bytes.rfind('\r', start - 1) + 1; // lines end with CR alone: an LF behind it is a number's
+  const std::size_t first_end = input.bytes().find_first_of("\r\n");
+  if(input.bytes().substr(first_end, 1) == "\r" && input.bytes().substr(first_end, 2) != "\r\n")
+    start = input.bytes().rfind('\r', start - 1) + 1; // lines end with CR alone: an LF behind it is a number's
   Byte_scanner bytes(input, start, header.format == Ply_header::Format::BIG_ENDIAN_BYTES ? order::big : order::little);
   return Ply_body_reader<Byte_scanner>(header, bytes).read();
 }

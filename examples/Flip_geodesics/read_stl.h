@@ -55,7 +55,7 @@ private:
 
   bool has_size_of_binary() const
   {
-    const std::size_t size = m_input.bytes.size(), before = size_of_header + sizeof(std::uint32_t);
+    const std::size_t size = m_input.bytes().size(), before = size_of_header + sizeof(std::uint32_t);
     if(size < before)
       return false;
     Byte_scanner bytes(m_input, size_of_header, boost::endian::order::little);
@@ -64,8 +64,8 @@ private:
 
   void read_binary()
   {
-    if(m_input.bytes.size() < size_of_header + sizeof(std::uint32_t))
-      throw Bad_input(m_input.name() + ": the first word is not solid, and " + std::to_string(m_input.bytes.size()) +
+    if(m_input.bytes().size() < size_of_header + sizeof(std::uint32_t))
+      throw Bad_input(m_input.name() + ": the first word is not solid, and " + std::to_string(m_input.bytes().size()) +
                       " bytes are too few for a binary STL file; correct the file or its extension");
     Byte_scanner bytes(m_input, size_of_header, boost::endian::order::little);
     const std::size_t count = bytes.get<std::uint32_t>({"header", 0});

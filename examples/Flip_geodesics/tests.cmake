@@ -119,7 +119,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${example_dir}/zero_length.off
        "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n9 9 0\n9 9 0\n3 0 1 2\n3 0 2 3\n3 3 2 4\n")
   file(WRITE ${example_dir}/zero_length.txt "0 4\n0 1\n")
-  file(WRITE ${example_dir}/near_zero.polylines.txt "2 9 9.1 0 1 0.5 1\n")
+  # The points of the face 1 0 3, which has no area, are moved to the other face.
+  file(WRITE ${example_dir}/flat.off "OFF\n4 2 0\n0 0 0\n2 0 0\n1 1 0\n3 0 0\n3 0 1 2\n3 1 0 3\n")
+  file(WRITE ${example_dir}/flat.polylines.txt "2 2.7 0 0 1 0.9 0\n")
   file(WRITE ${example_dir}/no_area.off "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")
   file(WRITE ${example_dir}/tiny.off "OFF\n3 1 0\n0 0 0\n1e-170 0 0\n0 1e-170 0\n3 0 1 2\n")
   file(WRITE ${example_dir}/far.polylines.txt "2 1 0 0 1e308 0 0\n")
@@ -231,8 +233,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
                                   zero_length.txt)
   flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170" tiny.off --from 0 --to 1)
-  flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" zero_length.off --draw near_zero.polylines.txt)
-  flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" no_area.off --draw near_zero.polylines.txt)
+  flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" flat.off --draw flat.polylines.txt)
+  flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" no_area.off --draw flat.polylines.txt)
   flip_geodesics_add_program_test(far_point 2 "far.polylines.txt line 1: point 1 has a coordinate beyond" torus.off --draw
                                   far.polylines.txt)
 

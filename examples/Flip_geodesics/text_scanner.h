@@ -63,7 +63,7 @@ public:
   /// \param has_continued_lines does a line with a backslash at its end go on in the next one?
   explicit Text_scanner(const Input_text& text, char comment = '\0', bool has_continued_lines = false)
     : m_input(&text)
-    , m_text(text.bytes)
+    , m_text(text.bytes())
     , m_comment(comment)
     , m_has_continued_lines(has_continued_lines)
   {
