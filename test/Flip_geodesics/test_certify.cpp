@@ -410,6 +410,11 @@ BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
   BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
   BOOST_TEST(certificate.is_locally_shortest());
   BOOST_TEST(certificate.statistics.unproven_zeros == 2u);
+
+  many.add(vertex_path_on_grid(40, {{1, 0}, {2, 0}}), false); // another curve has nothing to do with it
+  const FG::Network_certificate both = FG::certify(many.network);
+  BOOST_TEST((both.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
+  BOOST_TEST((both.curves[1].verdict == FG::Certificate_verdict::PROVEN));
 }
 
 // The line misses the middle point by 1e-90: what is not zero has a sign, after as many digits as it takes.
@@ -532,6 +537,40 @@ BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_gate_has_a_full_angle_or_i
         BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Certificate_verdict::PROVEN
                                                             : FG::Certificate_verdict::BENT_SEGMENT)));
       }
+}
+
+// The line from 2 to 1 runs along the edge from 0 to 3, which it crosses between two faces without area, and touches 3,
+// whose angle on the other side is less or more than pi.
+BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
+{
+  using Lengths = std::map<boost::graph_traits<Surface>::edge_descriptor, double>;
+  using Metric = FG::Edge_length_metric<Surface, boost::const_associative_property_map<Lengths>>;
+  using Triangulation =
+      FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Metric::Kernel>, Metric>;
+  for(double far_side : {3.0, 3.2}) {
+    const Surface mesh =
+        to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, -2, 0}, {2, 2, 0}},
+                                   {{0, 4, 1}, {0, 1, 3}, {0, 3, 2}, {0, 2, 5}, {2, 3, 5}, {3, 1, 5}}});
+    const Lengths lengths = edge_lengths(mesh, [=](int u, int v) {
+      const double x[] = {0, 4, 1, 3};
+      const std::pair<int, int> ends = std::minmax(u, v);
+      if(ends.second < 4)
+        return std::abs(x[u] - x[v]);
+      if(ends.second == 4 || ends.first == 0)
+        return 3.0;
+      return ends.first == 1 ? far_side : 2.5;
+    });
+    Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
+    const int h = FG::internal::halfedge_between(triangulation, 0, 3);
+    triangulation.flip(h);
+    for(int side : {h, h ^ 1}) {
+      FG::Edge_path_network<Triangulation> network(triangulation);
+      network.add_curve(std::vector<int>{side}, false);
+      BOOST_TEST((FG::certify(network).curves[0].verdict ==
+                  (far_side > 3.1 ? FG::Certificate_verdict::PROVEN : FG::Certificate_verdict::BENT_SEGMENT)));
+      network.clear();
+    }
+  }
 }
 
 // ---------------------------------------------------------------- what is certified when the shortening was long
