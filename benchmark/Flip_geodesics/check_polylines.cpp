@@ -75,8 +75,9 @@ auto read_from(const std::string& file, const Read& read)
 
 std::map<long, checker::Verdict> check(Options& options)
 {
-  options.joints.fixed_vertices.insert(options.fixed.begin(), options.fixed.end());
   const auto mesh = read_from(options.mesh, [&] { return checker::read_mesh(options.mesh); });
+  for(checker::Index v : options.fixed)
+    options.joints.fixed_vertices.insert(mesh.merged(v));
   auto curves = read_from(options.polylines, [&] {
     std::ifstream in = open(options.polylines);
     return checker::read_polylines(in);
@@ -93,6 +94,7 @@ std::map<long, checker::Verdict> check(Options& options)
       std::ifstream in = open(options.stats);
       return checker::read_stats(in);
     });
+  checker::merge_vertices(mesh, curves, stats);
   return checker::judge_curves(mesh, curves, stats, options.joints, options.tolerances);
 }
 

@@ -278,6 +278,22 @@ inline Verdict judge(const Polyline& curve, const Curve_report& report, const Cu
   return verdict;
 }
 
+/// Puts vertices that lie in one place where the mesh has them: those of points, and those that the statistics name.
+inline void merge_vertices(const Mesh& mesh, std::vector<Polyline>& curves, Stats& stats)
+{
+  for(Polyline& curve : curves) {
+    for(Polyline_point& p : curve.points)
+      for(Index* v : {&p.a, &p.b, &p.c})
+        *v = mesh.merged(*v);
+    for(Place& place : curve.way_points)
+      for(Index* v : {&place.a, &place.b, &place.c})
+        *v = mesh.merged(*v);
+  }
+  for(auto& [id, said] : stats)
+    for(Index* v : {&said.source, &said.target})
+      *v = mesh.merged(*v);
+}
+
 /// Judges the curves of a file in its order, then those that only the statistics know.
 inline std::map<long, Verdict> judge_curves(const Mesh& mesh, const std::vector<Polyline>& curves, const Stats& stats,
                                             const Joint_options& options = Joint_options(),

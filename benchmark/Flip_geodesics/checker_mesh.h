@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -36,6 +37,9 @@ public:
  *              /   \              c: the corner at vertex(c), and the halfedge vertex(c) -> vertex(next(c))
  *             /  f  \             twin(c): the halfedge next(c) -> c of the neighbour, null_index on the border
  *            c --->  next(c)
+ *
+ * The ends of an edge without length are one vertex, the one with the smaller number. A face with one such edge is a
+ * line, and its neighbours at the two other edges are neighbours of each other; so no face with such an edge is left.
  */
 class Mesh
 {
@@ -52,6 +56,7 @@ public:
       add_face(faces[f], f);
     sort_halfedges();
     find_twins();
+    merge_vertices();
   }
 
   std::size_t number_of_vertices() const { return m_points.size(); }
@@ -77,6 +82,9 @@ public:
     const Index h = halfedge(a, b);
     return h != null_index && vertex(previous(h)) == c ? h : null_index;
   }
+
+  /// The vertex in whose place v is: where edges have no length, their ends are one.
+  Index merged(Index v) const { return v < m_merged.size() ? m_merged[v] : v; }
 
   bool is_edge(Index a, Index b) const { return halfedge(a, b) != null_index || halfedge(b, a) != null_index; }
 
@@ -122,7 +130,60 @@ private:
       m_twins[c] = halfedge(vertex(next(c)), vertex(c));
   }
 
+  bool has_no_length(Index c) const { return m_points[m_vertices[c]] == m_points[m_vertices[next(c)]]; }
+
+  bool is_flat(Index c) const { return has_no_length(c) || has_no_length(next(c)) || has_no_length(previous(c)); }
+
+  void merge_vertices()
+  {
+    std::vector<Index> flat, faces;
+    for(Index c = 0; c < m_vertices.size(); ++c)
+      (is_flat(c) ? flat : faces).push_back(c);
+    if(flat.empty())
+      return;
+    find_places(flat);
+    std::vector<Index> twins(m_twins.size(), null_index);
+    for(Index c : faces)
+      twins[c] = twin_beyond_lines(c);
+    m_twins.swap(twins);
+    for(Index& v : m_vertices)
+      v = m_merged[v];
+    m_halfedges.clear();
+    for(Index c : faces)
+      m_halfedges.emplace_back(key(vertex(c), vertex(next(c))), c);
+    std::sort(m_halfedges.begin(), m_halfedges.end());
+  }
+
+  void find_places(const std::vector<Index>& flat)
+  {
+    m_merged.resize(m_points.size());
+    std::iota(m_merged.begin(), m_merged.end(), Index(0));
+    for(Index c : flat)
+      if(has_no_length(c)) {
+        const Index a = place(vertex(c)), b = place(vertex(next(c)));
+        m_merged[(std::max)(a, b)] = (std::min)(a, b);
+      }
+    for(Index v = 0; v < m_merged.size(); ++v)
+      m_merged[v] = place(v);
+  }
+
+  Index place(Index v)
+  {
+    while(m_merged[v] != v)
+      v = m_merged[v] = m_merged[m_merged[v]];
+    return v;
+  }
+
+  Index twin_beyond_lines(Index c) const
+  {
+    Index t = twin(c);
+    while(t != null_index && is_flat(t))
+      t = twin(has_no_length(next(t)) ? previous(t) : next(t));
+    return t;
+  }
+
   std::vector<Point> m_points;
+  std::vector<Index> m_merged;   // empty if each vertex has a place of its own
   std::vector<Index> m_vertices; // of each corner
   std::vector<Index> m_twins;
   std::vector<std::pair<std::uint64_t, Index>> m_halfedges; // end vertices and halfedge, sorted

@@ -35,7 +35,7 @@ MESH_EXTENSIONS = {".off", ".obj", ".ply", ".stl", ".vtp"}
 
 RUN_COLUMNS = ["mesh", "category", "outcome", "exit_status", "checker_exit_status", "seconds", "message"]
 STATS_COLUMNS = ["curve", "source", "target", "initial_segments", "initial_length", "length", "flips", "flip_outs",
-                 "min_angle", "status", "certificate", "search_s", "shorten_s", "extract_s"]
+                 "min_angle", "status", "certificate", "search_s", "shorten_s", "extract_s", "contracted"]
 # Column of the checker -> column here, where the statistics have one of the same name.
 CHECKER_COLUMNS = {"points": "points", "segments": "segments", "broken": "broken", "strip_bend": "strip_bend",
                    "point_deviation": "point_deviation", "raw_bend": "raw_bend",

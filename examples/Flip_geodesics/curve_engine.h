@@ -46,6 +46,7 @@ struct Curve_result
   std::string status = "ERROR";
   std::string certificate = "none"; ///< the verdict of `certify()`, if it was asked for
   bool is_closed = false, is_of_tree = false;
+  bool are_zero_edges_contracted = false; ///< since it met an edge of length zero
   double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
   std::string error;                                 ///< why the status is ERROR
   std::vector<Curve_point> points;
@@ -61,6 +62,7 @@ struct Run_options
   bool is_shortest = false;          ///< replace paths of a tree that are not globally shortest
   int rounds = 5;                    ///< how often the pieces of splines are halved
   bool is_snapped = false;           ///< move polylines to edges, and do not insert their points
+  bool are_zero_edges_refused = false; ///< and not contracted where they are met
   Mesh_result_options meshes;
 };
 

@@ -8,6 +8,7 @@
 #include "mesh_results.h"
 #include "progress.h"
 #include "shortening_recorder.h"
+#include "surface_request.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
@@ -28,6 +30,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,27 +38,6 @@
 
 // Computes the curves: each by itself on the same triangulation, whose flips are taken back in between, or a network.
 namespace program {
-
-/// Passes flips on to the progress, and steps to a recorder if there is one.
-template <class Network>
-class Recording_visitor : public Progress_visitor
-{
-public:
-  Recording_visitor(Progress& progress, std::optional<Shortening_recorder<Network>>& recorder)
-    : Progress_visitor(progress)
-    , m_recorder(recorder)
-  {
-  }
-
-  void after_flip_out(const Network&, Index curve)
-  {
-    if(m_recorder)
-      m_recorder->add_step(curve);
-  }
-
-private:
-  std::optional<Shortening_recorder<Network>>& m_recorder;
-};
 
 /// \tparam Traits the arithmetic, a model of `IntrinsicTriangulationTraits`
 template <class Traits>
@@ -66,35 +48,24 @@ class Curve_runner : public Curve_engine
   using Recorder = std::optional<Shortening_recorder<Network>>;
 
 public:
-  Curve_runner(const Mesh& mesh, const Program_metric& metric, const Run_options& options, Progress& progress)
+  Curve_runner(
+      const Mesh& mesh, const Program_metric& metric, const Run_options& options, Progress& progress,
+      CGAL::Flip_geodesics::Zero_length_edges zero_length_edges = CGAL::Flip_geodesics::Zero_length_edges::REFUSE)
     : m_mesh(mesh)
     , m_metric(metric)
     , m_options(options)
     , m_progress(progress)
-    , m_triangulation(mesh, metric)
+    , m_zero_length_edges(zero_length_edges)
+    , m_triangulation(mesh, metric, Traits(), zero_length_edges)
     , m_search(m_triangulation, options.search)
   {
   }
 
+  /// Where an edge of length zero is met, such edges are contracted, and all is computed again.
   std::vector<Curve_result> run(const Network_request& request) override
   {
-    std::vector<Curve_result> results;
-    for(const Curve_request& curve : request.curves)
-      results.push_back(make_result(curve));
     forget_last_run();
-    try {
-      if(may_have_free_legs(request) && m_most_recorded_points == 0)
-        run_free_legs(request.curves.front(), results.front());
-      else
-        run_network(request, results);
-    } catch(const std::exception& error) {
-      forget_last_run();
-      if(request.tree_source)
-        results.assign(1, tree_result(*request.tree_source));
-      for(Curve_result& result : results)
-        fail(result, message(error));
-      m_triangulation = Triangulation(m_mesh, m_metric); // whatever state the failure left
-    }
+    const std::vector<Curve_result> results = results_or_failures(request);
     m_progress.add_curves(request.curves.size());
     return results;
   }
@@ -130,43 +101,109 @@ private:
     return is_inserted ? "strands cross at one of the given points" : error.what();
   }
 
+  std::vector<Curve_result> results_or_failures(const Network_request& request)
+  {
+    try {
+      return compute(request);
+    } catch(const CGAL::Flip_geodesics::Degenerate_face_error& error) {
+      start_afresh();
+      return m_options.are_zero_edges_refused ? failures(request, error.what()) : run_on_surface(request, error.what());
+    } catch(const std::exception& error) {
+      start_afresh();
+      return failures(request, message(error));
+    }
+  }
+
+  std::vector<Curve_result> compute(const Network_request& request)
+  {
+    std::vector<Curve_result> results;
+    for(const Curve_request& curve : request.curves)
+      results.push_back(make_result(curve));
+    if(may_have_free_legs(request) && m_most_recorded_points == 0)
+      run_free_legs(request.curves.front(), results.front());
+    else
+      run_network(request, results);
+    return results;
+  }
+
+  // After a failure, whatever it left.
+  void start_afresh()
+  {
+    forget_last_run();
+    m_triangulation = Triangulation(m_mesh, m_metric, Traits(), m_zero_length_edges);
+  }
+
+  std::vector<Curve_result> failures(const Network_request& request, const std::string& why) const
+  {
+    std::vector<Curve_result> results;
+    for(const Curve_request& curve : request.curves)
+      results.push_back(make_result(curve));
+    if(request.tree_source)
+      results.assign(1, tree_result(*request.tree_source));
+    for(Curve_result& result : results)
+      result.error = why.substr(0, why.find('\n'));
+    return results;
+  }
+
+  // With the edges of length zero contracted; `why` is what went wrong with them.
+  std::vector<Curve_result> run_on_surface(const Network_request& request, const std::string& why)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    try {
+      if(!m_on_surface)
+        m_on_surface =
+            std::make_unique<Curve_runner>(m_mesh, m_metric, m_options, m_progress, FG::Zero_length_edges::CONTRACT);
+      m_on_surface->set_most_recorded_points(m_most_recorded_points);
+      const std::vector<Curve_result> results = m_on_surface->compute_on_surface(request);
+      take_results(*m_on_surface);
+      return results;
+    } catch(const FG::Disconnected_endpoints_error&) { // by faces without area, or in a point
+      m_on_surface.reset();
+      return failures(request, why);
+    } catch(const std::exception& error) {
+      m_on_surface.reset();
+      return failures(request, message(error));
+    }
+  }
+
+  std::vector<Curve_result> compute_on_surface(const Network_request& request)
+  {
+    forget_last_run();
+    const Surface_request left = surface_request(m_triangulation, request);
+    std::vector<Curve_result> computed, results;
+    if(left.request.tree_source || !left.request.curves.empty())
+      computed = compute(left.request);
+    if(left.request.tree_source) {
+      put_on_mesh(m_triangulation, computed, *m_map);
+      return computed;
+    }
+    std::size_t next = 0;
+    for(std::size_t c = 0; c < request.curves.size(); ++c) {
+      if(left.places[c]) {
+        results.push_back(make_result(request.curves[c]));
+        make_point(m_triangulation, *left.places[c], m_options.is_certifying, results.back());
+      } else {
+        results.push_back(std::move(computed[next++]));
+      }
+      put_on_mesh(request.curves[c], results.back());
+    }
+    return results;
+  }
+
+  void take_results(Curve_runner& other)
+  {
+    m_record = std::move(other.m_record);
+    m_map = std::move(other.m_map);
+    m_meshes = std::move(other.m_meshes);
+    m_mesh_results = std::move(other.m_mesh_results);
+  }
+
   void forget_last_run()
   {
     m_record.reset();
     m_map.reset();
     m_meshes = Result_meshes();
     m_mesh_results.clear();
-  }
-
-  static Curve_result make_result(const Curve_request& request)
-  {
-    Curve_result result;
-    result.name = request.name;
-    result.is_closed = request.is_closed;
-    if(!request.is_closed && !request.vertices.empty()) {
-      result.source = request.vertices.front();
-      result.target = request.vertices.back();
-    }
-    return result;
-  }
-
-  static Curve_result tree_result(Index source)
-  {
-    Curve_result result;
-    result.name = "the tree";
-    result.source = source;
-    return result;
-  }
-
-  static void fail(Curve_result& result, const std::string& why)
-  {
-    Curve_result failed;
-    failed.name = result.name;
-    failed.is_closed = result.is_closed;
-    failed.source = result.source;
-    failed.target = result.target;
-    failed.error = why.substr(0, why.find('\n'));
-    result = failed;
   }
 
   void build(Network& network, const Network_request& request, std::vector<Curve_result>& results)
@@ -356,7 +393,7 @@ private:
     namespace FG = CGAL::Flip_geodesics;
     if(request.is_pair)
       return FG::shortest_halfedges_through(m_search, request.vertices);
-    return FG::halfedges_through(m_triangulation, request.vertices, request.is_closed);
+    return FG::halfedges_on_surface(m_triangulation, request.vertices, request.is_closed);
   }
 
   void shorten(Network& network, std::vector<Curve_result>& results, Recorder& recorder)
@@ -452,8 +489,10 @@ private:
   const Program_metric& m_metric;
   Run_options m_options;
   Progress& m_progress;
+  CGAL::Flip_geodesics::Zero_length_edges m_zero_length_edges;
   Triangulation m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
+  std::unique_ptr<Curve_runner> m_on_surface; // with edges of length zero contracted, once there is need of it
 };
 
 } // namespace program

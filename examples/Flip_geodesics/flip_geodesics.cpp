@@ -73,6 +73,8 @@ void add_options(CLI::App& app, Options& options)
       ->capture_default_str();
   app.add_option("--mollify", options.mollify,
                  "Lengthen all edges until triangles have this margin of the mean edge length: for degenerate meshes");
+  app.add_flag("--refuse-zero-edges", options.are_zero_edges_refused,
+               "Curves that meet an edge of length zero fail; else such edges are contracted for them");
   app.add_option("--search", options.search,
                  "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
       ->capture_default_str();
@@ -214,7 +216,7 @@ int run(const Options& options, const Mesh& mesh, const Program_metric& metric, 
   const bool is_certified = options.kernel == "certified";
   const Run_options run_options = {
       search_method(options.search), is_certified,       options.stop_length, options.is_shortest,
-      options.rounds.value_or(5),    options.is_snapped, options.meshes};
+      options.rounds.value_or(5),    options.is_snapped, options.are_zero_edges_refused, options.meshes};
   const auto make_engine = [&] {
     return (is_certified ? make_certified_engine : make_double_engine)(mesh, metric, run_options, progress);
   };

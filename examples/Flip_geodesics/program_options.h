@@ -41,6 +41,7 @@ struct Options
   long long seed = 1;
   std::string kernel = "double", search = "lookback";
   std::optional<double> stop_length, mollify;
+  bool are_zero_edges_refused = false;
   int threads = 1;
   Result_names results;
   Mesh_result_options meshes;

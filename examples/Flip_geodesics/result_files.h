@@ -50,7 +50,7 @@ private:
  * Comma-separated values, one line per curve. Lengths are in the units of the mesh, angles in radians, times in
  * seconds. A curve that could not be computed has the status ERROR, and `nan` where nothing is known; a closed curve
  * has -1 as source and target. The curves of a network share one run: flips, flip_outs and shorten_s are those of the
- * run in each line.
+ * run in each line. The last column is 1 where edges of length zero were contracted.
  */
 class Stats_file
 {
@@ -60,7 +60,7 @@ public:
   {
     if(m_file.is_wanted())
       m_file.stream() << "curve,source,target,initial_segments,initial_length,length,flips,flip_outs,min_angle,status,"
-                         "certificate,search_s,shorten_s,extract_s\n";
+                         "certificate,search_s,shorten_s,extract_s,contracted\n";
   }
 
   void write(std::size_t curve, const Curve_result& r)
@@ -70,7 +70,7 @@ public:
     m_file.stream() << curve << ',' << r.source << ',' << r.target << ',' << r.initial_segments << ','
                     << r.initial_length << ',' << r.length << ',' << r.flips << ',' << r.flip_outs << ','
                     << r.smallest_angle << ',' << r.status << ',' << r.certificate << ',' << r.search_s << ','
-                    << r.shorten_s << ',' << r.extract_s << '\n';
+                    << r.shorten_s << ',' << r.extract_s << ',' << (r.are_zero_edges_contracted ? 1 : 0) << '\n';
     m_file.check();
   }
 

@@ -24,6 +24,7 @@ public:
     if(m_lines.size() < most_lines)
       m_lines.push_back(line(curve, result));
     ++m_number_of_curves;
+    m_number_on_contracted += result.are_zero_edges_contracted ? 1 : 0;
     if(result.is_error())
       return;
     m_initial_length += result.initial_length;
@@ -47,6 +48,8 @@ public:
     for(const auto& [status, count] : m_counts)
       out << ' ' << count << ' ' << status;
     out << '\n';
+    if(m_number_on_contracted > 0)
+      out << m_number_on_contracted << " met edges of length zero, which were contracted for them\n";
     if(m_length > 0)
       out << format("length   %.6g of %.6g along edges (%.2f %%)\n", m_length, m_initial_length,
                     100 * m_length / m_initial_length);
@@ -88,7 +91,7 @@ private:
 
   std::map<std::string, std::size_t> m_counts;
   std::vector<std::string> m_lines;
-  std::size_t m_number_of_curves = 0;
+  std::size_t m_number_of_curves = 0, m_number_on_contracted = 0;
   double m_initial_length = 0, m_length = 0;
   std::vector<double> m_flips, m_search, m_shorten, m_extract;
 };

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_SHORTENING_RECORDER_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_SHORTENING_RECORDER_H
 
+#include "progress.h"
 #include "scene.h"
 
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
@@ -174,6 +175,27 @@ private:
   std::unordered_map<Index, std::uint32_t> m_edges;
   std::vector<Strand> m_strands;
   Shortening_record m_record;
+};
+
+/// Passes flips on to the progress, and steps to a recorder if there is one.
+template <class Network>
+class Recording_visitor : public Progress_visitor
+{
+public:
+  Recording_visitor(Progress& progress, std::optional<Shortening_recorder<Network>>& recorder)
+    : Progress_visitor(progress)
+    , m_recorder(recorder)
+  {
+  }
+
+  void after_flip_out(const Network&, Index curve)
+  {
+    if(m_recorder)
+      m_recorder->add_step(curve);
+  }
+
+private:
+  std::optional<Shortening_recorder<Network>>& m_recorder;
 };
 
 } // namespace program

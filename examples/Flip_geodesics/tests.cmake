@@ -231,7 +231,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
   flip_geodesics_add_program_test(help 0 "--network" --help)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
-                                  zero_length.txt)
+                                  zero_length.txt --refuse-zero-edges)
+  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met edges of length zero"
+                                  zero_length.off --pairs zero_length.txt --kernel certified)
+  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" zero_length.off --source 0 --map
+                                  zero_length.csv)
   flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170" tiny.off --from 0 --to 1)
   flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" flat.off --draw flat.polylines.txt)
   flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" no_area.off --draw flat.polylines.txt)

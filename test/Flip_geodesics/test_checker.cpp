@@ -542,6 +542,25 @@ BOOST_AUTO_TEST_CASE(table)
   BOOST_TEST(out.str().find("\n0,LOCALLY_SHORTEST,2,1,0,0,0,0,inf,0,inf,1,0,1,\n") != std::string::npos);
 }
 
+// A square of which the diagonal is doubled, by a face between vertices 2 and 4, which lie in one place.
+BOOST_AUTO_TEST_CASE(vertices_in_one_place)
+{
+  const Mesh mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}});
+  BOOST_TEST(mesh.merged(4) == 2u);
+  BOOST_TEST(mesh.merged(3) == 3u);
+  for(Index end : {2u, 4u}) // on either side of the face without area
+    for(double t : {0.5, 0.4}) {
+      std::vector<Polyline> curves = {{0, {{1, 1, 0, {1, 0, 0}}, {0, end, t, {t, t, 0}}, {3, 3, 0, {0, 1, 0}}}}};
+      Stats stats = {{0, {"LOCALLY_SHORTEST", 1, 3, std::sqrt(2.0)}}};
+      merge_vertices(mesh, curves, stats);
+      BOOST_TEST(judge_curves(mesh, curves, stats).at(0).ok == (t == 0.5));
+    }
+  std::vector<Polyline> along = {{0, {{0, 0, 0, {0, 0, 0}}, {4, 4, 0, {1, 1, 0}}}}};
+  Stats none;
+  merge_vertices(mesh, along, none);
+  BOOST_TEST(std::fabs(check(mesh, along.front()).length - std::sqrt(2.0L)) < 1e-15L);
+}
+
 BOOST_AUTO_TEST_CASE(bad_meshes)
 {
   const std::vector<Mesh::Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -40,6 +40,13 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+/// \ingroup PkgFlipGeodesicsRef
+/// What a triangulation makes of edges of length zero.
+enum class Zero_length_edges {
+  REFUSE,  ///< a face with such an edge throws `Degenerate_face_error` when it is touched
+  CONTRACT ///< vertices that such edges join are one vertex, and faces with such an edge are gone
+};
+
 /*!
  * \ingroup PkgFlipGeodesicsRef
  *
@@ -110,6 +117,23 @@ public:
   /// Over a mesh with a metric. Complexity, exceptions: as above.
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
     : m_halfedges(Input_mesh(mesh), metric, traits)
+  {
+  }
+
+  /*!
+   * The same, and says what becomes of edges of length zero.
+   *
+   * If they are contracted, the input is the surface that is left: vertices in one place have the index of one of them,
+   * the others are isolated; the edges that faces of no area lay between are one edge. `index()` tells where the
+   * mesh's elements are, `null_index` if nothing is left of a halfedge, and `input_halfedge()` gives one of several.
+   * Where sheets of the surface met in a point only, each has a vertex of its own, and no curve leads from one to
+   * another. If there is no such edge, nothing differs. Linear in the mesh if edges are to be contracted.
+   *
+   * \throws Degenerate_face_error if a face has one edge of length zero and two of different lengths
+   */
+  Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
+                          Zero_length_edges zero_length_edges)
+    : m_halfedges(make_input(mesh, metric, zero_length_edges), metric, traits)
   {
   }
 
@@ -528,6 +552,14 @@ private:
   using Slot = internal::Slot;
   using Placed_halfedge = internal::Placed_halfedge<Intrinsic_triangulation>;
   using Insertion_record = internal::Insertion_record<Halfedge_geometry>;
+
+  static Input_mesh make_input(const TriangleMesh& mesh, const Metric& metric, Zero_length_edges zero_length_edges)
+  {
+    Input_mesh input(mesh);
+    if(zero_length_edges == Zero_length_edges::REFUSE)
+      return input;
+    return input.contracted([&](Index h) { return metric.weight(input, h); });
+  }
 
   // Of a face that is known from here on.
   const Halfedge_record& record(Index h) const { return m_halfedges.known(h); }

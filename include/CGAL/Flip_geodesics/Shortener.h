@@ -11,6 +11,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -111,7 +112,7 @@ private:
       return status;
     if(m_end != Shortening_status::LOCALLY_SHORTEST && has_free_wedge(curve))
       return m_end;
-    if(Traits::Has_drift::value && !straightness.is_locally_shortest())
+    if(Traits::Has_drift::value && !(straightness.is_locally_shortest() && std::isfinite(m_network.length(curve))))
       return Shortening_status::PRECISION_LIMIT;
     return status;
   }

@@ -57,6 +57,8 @@ struct Curve_report
   /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< edge flips for this curve, those of steps that were taken back included
+  /// Did it meet an edge of length zero, so that such edges were contracted? Set by the one-call functions.
+  bool are_zero_edges_contracted = false;
 };
 
 /// \ingroup PkgFlipGeodesicsRef

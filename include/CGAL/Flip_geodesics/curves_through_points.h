@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/Path_straightener.h>
@@ -97,17 +98,41 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
   return result;
 }
 
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Where points of the mesh lie on the surface of a triangulation, as `location_on_surface()`. Where edges of length
+ * zero were contracted, points in the place of the one before are left out.
+ */
+template <class Triangulation>
+std::vector<Surface_location> points_on_surface(const Triangulation& triangulation,
+                                                const std::vector<Surface_location>& locations)
+{
+  if(!triangulation.input().is_contracted())
+    return locations;
+  std::vector<Surface_location> result;
+  for(const Surface_location& location : locations) {
+    const Surface_location at =
+        internal::canonical_location(triangulation.input(), location_on_surface(triangulation, location));
+    if(result.empty() || result.back().halfedge != at.halfedge || result.back().weights != at.weights)
+      result.push_back(at);
+  }
+  return result;
+}
+
 namespace internal {
 
+/* The same for points as they are given, which are kept in `given` when they are first asked for, on the mesh itself.
+ */
 template <class Triangulation, class LocationRange>
-std::vector<Surface_location> surface_locations(const Triangulation& triangulation,
+std::vector<Surface_location> points_on_surface(const Triangulation& triangulation,
                                                 const typename Triangulation::Triangle_mesh& mesh,
-                                                const LocationRange& locations)
+                                                const LocationRange& locations, std::vector<Surface_location>& given)
 {
-  std::vector<Surface_location> result;
-  for(const auto& location : locations)
-    result.push_back(surface_location(triangulation, mesh, location));
-  return result;
+  if(!triangulation.input().is_contracted())
+    for(const auto& location : locations)
+      given.push_back(surface_location(triangulation, mesh, location));
+  return Flip_geodesics::points_on_surface(triangulation, given);
 }
 
 /* The points of a polyline in space; those of another one than the first without its start, the end before. */
@@ -118,6 +143,17 @@ OutputIterator write_points(const Triangulation& triangulation, const Surface_po
   for(std::size_t i = is_first ? 0 : 1; i < polyline.size(); ++i)
     *out++ = point_in_space(triangulation, surface_point(triangulation, polyline[i]));
   return out;
+}
+
+/* A curve of which all points lie in one place: that point twice. */
+template <class Triangulation, class OutputIterator>
+Geodesic_result<OutputIterator> curve_in_one_place(const Triangulation& triangulation, const Surface_location& place,
+                                                   OutputIterator out)
+{
+  Shortening_report report;
+  report.curves.push_back(report_of_point());
+  note_contraction(triangulation, report);
+  return {write_points(triangulation, {place, place}, true, out), report};
 }
 
 } // namespace internal
@@ -143,14 +179,21 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
                                                       const NamedParameters& np = parameters::default_values(),
                                                       const StopPredicate& stop = StopPredicate())
 {
-  auto triangulation = internal::make_triangulation(mesh, np);
-  Default_shortening_visitor none;
-  auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
-  const Free_legs path = geodesics_through(triangulation, internal::surface_locations(triangulation, mesh, locations),
-                                           stop, visitor);
-  for(const std::vector<Surface_location>& leg : path.legs)
-    out = internal::write_points(triangulation, leg, &leg == &path.legs.front(), out);
-  return {out, path.report};
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  std::vector<Surface_location> given;
+  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    const std::vector<Surface_location> points = internal::points_on_surface(triangulation, mesh, locations, given);
+    if(given.size() > 1 && points.size() == 1)
+      return internal::curve_in_one_place(triangulation, points.front(), out);
+    Default_shortening_visitor none;
+    auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
+    Free_legs path = geodesics_through(triangulation, points, stop, visitor);
+    internal::note_contraction(triangulation, path.report);
+    OutputIterator end = out;
+    for(const std::vector<Surface_location>& leg : path.legs)
+      end = internal::write_points(triangulation, leg, &leg == &path.legs.front(), end);
+    return Geodesic_result<OutputIterator>{end, path.report};
+  });
 }
 
 /*!
@@ -182,10 +225,9 @@ Geodesic_result<OutputIterator> geodesic_path(
  *        place
  * \param kind which spline
  * \param out receives the points of the curve
- * \param np named parameters: `vertex_point_map`, `geom_traits`, and `number_of_iterations`, the number of times that the
- *        pieces are halved, 5 by default
- * \return the end of the output, and the report, which has one curve
- * \throws Invalid_location_error, and as `Free_geodesic_spline`
+ * \param np named parameters: `vertex_point_map`, `geom_traits`, and `number_of_iterations`, the number of times that
+ * the pieces are halved, 5 by default \return the end of the output, and the report, which has one curve \throws
+ * Invalid_location_error, and as `Free_geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -196,17 +238,25 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   const unsigned rounds = static_cast<unsigned>(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 5));
-  auto triangulation = internal::make_triangulation(mesh, np);
-  Free_geodesic_spline<typename Types::Triangulation> spline(
-      triangulation, internal::surface_locations(triangulation, mesh, control_points), kind);
-  for(unsigned i = 0; i < rounds; ++i)
-    spline.refine();
-  bool is_first = true;
-  for(const std::vector<Surface_location>& piece : spline.finish()) {
-    out = internal::write_points(triangulation, piece, is_first, out);
-    is_first = false;
-  }
-  return {out, spline.report()};
+  std::vector<Surface_location> given;
+  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    const std::vector<Surface_location> points =
+        internal::points_on_surface(triangulation, mesh, control_points, given);
+    if(given.size() > 1 && points.size() == 1)
+      return internal::curve_in_one_place(triangulation, points.front(), out);
+    Free_geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
+    for(unsigned i = 0; i < rounds; ++i)
+      spline.refine();
+    OutputIterator end = out;
+    bool is_first = true;
+    for(const std::vector<Surface_location>& piece : spline.finish()) {
+      end = internal::write_points(triangulation, piece, is_first, end);
+      is_first = false;
+    }
+    Shortening_report report = spline.report();
+    internal::note_contraction(triangulation, report);
+    return Geodesic_result<OutputIterator>{end, report};
+  });
 }
 
 } // namespace Flip_geodesics

@@ -47,7 +47,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A face has an edge of length zero, or lengths that violate the triangle inequality; `elements()` are its vertices.
+/// A face has an edge of length zero, or lengths that violate the triangle inequality; or faces without area hang on
+/// an edge of length zero, and no surface is left when it is contracted. `elements()` are its vertices.
 class Degenerate_face_error : public Error
 {
 public:

@@ -29,6 +29,9 @@ namespace Flip_geodesics {
  *
  * What it is a point of is exact: `t` inside an edge, and `t` and `u` inside a face, are at least 1e-100, also where
  * rounding says 0.
+ *
+ * Where edges of length zero were contracted, `a`, `b` and `c` are still the ends of an edge of the mesh, or the
+ * corners of a face; at a vertex they are one of those in this place.
  */
 struct Surface_point
 {
@@ -50,7 +53,8 @@ inline Surface_point surface_point(const std::array<Index, 3>& corners, const st
                                    Index halfedge)
 {
   const auto largest = (std::max_element)(weights.begin(), weights.end()) - weights.begin();
-  const auto second = weights[(largest + 1) % 3] == 0 ? (largest + 2) % 3 : (largest + 1) % 3, third = 3 - largest - second;
+  const auto second = weights[(largest + 1) % 3] == 0 ? (largest + 2) % 3 : (largest + 1) % 3,
+             third = 3 - largest - second;
   const double sum = weights[0] + weights[1] + weights[2];
   Surface_point result = {corners[largest], corners[second], (std::max)(least_weight, weights[second] / sum), halfedge};
   if(weights[third] != 0) {
@@ -72,7 +76,9 @@ Surface_point surface_point(const Triangulation& triangulation, const Surface_lo
   const Index h = at.halfedge, hn = input.next(h), v = input.tail(h);
   if(kind(at) == Location_kind::VERTEX)
     return {v, v, 0, null_index, null_index, 0, v};
-  return internal::surface_point({{v, input.tail(hn), input.tail(input.next(hn))}}, at.weights, h);
+  return internal::surface_point(
+      {{input.uncontracted_tail(h), input.uncontracted_tail(hn), input.uncontracted_tail(input.next(hn))}}, at.weights,
+      h);
 }
 
 namespace internal {
@@ -93,8 +99,8 @@ Surface_point surface_point_at_vertex(const Triangulation& triangulation, Index 
 template <class Triangulation>
 Surface_point surface_point_on_edge(const Triangulation& triangulation, Index crossed, double from_right)
 {
-  const Index right = triangulation.input().tail(crossed);
-  const Index left = triangulation.input().tail(Triangulation::twin(crossed));
+  const Index right = triangulation.input().uncontracted_tail(crossed);
+  const Index left = triangulation.input().uncontracted_head(crossed);
   if(from_right <= 0.5)
     return {right, left, (std::max)(least_weight, from_right), crossed};
   return {left, right, (std::max)(least_weight, 1 - from_right), crossed};
@@ -243,7 +249,7 @@ private:
     Index corner = input.index(internal::graph_halfedge(f, mesh));
     std::array<double, 3> weights = {0, 0, 0};
     for(double& weight : weights) {
-      const Index v = input.tail(corner);
+      const Index v = p.is_vertex() ? input.tail(corner) : input.uncontracted_tail(corner);
       weight = v == p.a ? 1 - p.t - p.u : (v == p.b ? p.t : (v == p.c ? p.u : 0));
       corner = input.next(corner);
     }

@@ -5,6 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -48,14 +50,37 @@ struct Curve_types
 };
 
 template <class TriangleMesh, class NamedParameters>
-auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np)
+auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
+                        Zero_length_edges zero_length_edges = Zero_length_edges::REFUSE)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(CGAL::vertex_point, mesh));
   const auto traits =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
-  return typename Types::Triangulation(mesh, typename Types::Metric(points), traits);
+  return typename Types::Triangulation(mesh, typename Types::Metric(points), traits, zero_length_edges);
+}
+
+/*
+ * Calls `compute(triangulation)` over a mesh; and if that meets an edge of length zero, again over the surface that is
+ * left when such edges are contracted. Where that does not help either, what was wrong first is thrown.
+ */
+template <class TriangleMesh, class NamedParameters, class Compute>
+auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, const Compute& compute)
+{
+  try {
+    auto triangulation = make_triangulation(mesh, np);
+    return compute(triangulation);
+  } catch(const Degenerate_face_error&) {
+    auto triangulation = make_triangulation(mesh, np, Zero_length_edges::CONTRACT);
+    if(!triangulation.input().is_contracted())
+      throw;
+    try {
+      return compute(triangulation);
+    } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
+    }
+    throw;
+  }
 }
 
 /* Shortens with the visitor of the named parameters, if there is one. */
@@ -82,20 +107,71 @@ Shortening_report shorten_between_ends(Network& network, const std::vector<Index
   Shortening_report report = shorten_with_visitor(network, np, stop);
   report.flips += flips;
   report.curves.front().flips += flips;
+  note_contraction(network.triangulation(), report);
   return report;
 }
 
-/* Adds a curve through vertices of the mesh; a curve whose last vertex is its first is closed. */
-template <class Network, class VertexRange>
-void add_vertex_curve(Network& network, const VertexRange& vertices)
+/* A path between two vertices that edges of length zero join: its two ends. */
+template <class Triangulation, class OutputIterator>
+Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangulation, Index v, OutputIterator out)
 {
-  std::vector<Index> indices;
+  Shortening_report report;
+  report.curves.push_back(report_of_point());
+  note_contraction(triangulation, report);
+  for(int i = 0; i < 2; ++i)
+    *out++ = triangulation.metric().point(triangulation.input(), v);
+  return {out, report};
+}
+
+/* Computes a geodesic between two vertices of a mesh, in an empty network. Writes the points in space. */
+template <class Network, class Search, class Vertex, class OutputIterator, class NamedParameters, class StopPredicate>
+Geodesic_result<OutputIterator> geodesic_between(Network& network, Search& search, Vertex source, Vertex target,
+                                                 OutputIterator out, const NamedParameters& np,
+                                                 const StopPredicate& stop)
+{
+  const auto& triangulation = network.triangulation();
+  const std::vector<Index> ends = {triangulation.index(source), triangulation.index(target)};
+  if(triangulation.input().is_contracted() && ends[0] == ends[1])
+    return path_in_one_place(triangulation, ends[0], out);
+  const Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
+  out = Curve_extractor<Network>(network).points(0, out);
+  return {out, report};
+}
+
+/* The indices of vertices of the mesh, before edges are contracted. */
+template <class Triangulation, class VertexRange>
+std::vector<Index> mesh_indices(const Triangulation& triangulation, const VertexRange& vertices)
+{
+  std::vector<Index> result;
   for(const auto& v : vertices)
-    indices.push_back(network.triangulation().index(v));
-  const bool is_closed = indices.size() > 2 && indices.front() == indices.back();
-  if(is_closed)
-    indices.pop_back();
-  network.add_curve(halfedges_through(network.triangulation(), indices, is_closed), is_closed);
+    result.push_back(triangulation.input().uncontracted().index(v));
+  return result;
+}
+
+/* Adds a curve through vertices of the mesh. Returns whether there is one, or all vertices lie in one place. */
+template <class Network>
+bool add_vertex_curve(Network& network, const std::vector<Index>& vertices, bool is_closed)
+{
+  const std::vector<Index> halfedges = halfedges_on_surface(network.triangulation(), vertices, is_closed);
+  if(halfedges.empty())
+    return false;
+  network.add_curve(halfedges, is_closed);
+  return true;
+}
+
+/* The same for many curves, of which those whose last vertex is their first are closed. */
+template <class Network, class CurveRange>
+std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
+{
+  std::vector<bool> result;
+  for(const auto& curve : curves) {
+    std::vector<Index> vertices = mesh_indices(network.triangulation(), curve);
+    const bool is_closed = vertices.size() > 2 && vertices.front() == vertices.back();
+    if(is_closed)
+      vertices.pop_back();
+    result.push_back(add_vertex_curve(network, vertices, is_closed));
+  }
+  return result;
 }
 
 } // namespace internal
@@ -106,6 +182,10 @@ void add_vertex_curve(Network& network, const VertexRange& vertices)
  * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: an edge path that is nearly
  * shortest (`Search_method::LOOK_BACK`), straightened (`add_straightened_path()`) and pulled tight. A
  * path that takes another way round a hole or a bump may be shorter still.
+ *
+ * If it meets an edge of length zero, such edges are contracted, and the path is computed again: it is a geodesic of
+ * the surface that is left, and `Curve_report::are_zero_edges_contracted` says so. Ends in one place have a path of
+ * length zero, `Shortening_status::CONTRACTED`. So it is with all functions that take a mesh and give curves.
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
@@ -131,14 +211,11 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
                                               const StopPredicate& stop = StopPredicate())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
-  auto triangulation = internal::make_triangulation(mesh, np);
-  Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
-  typename Types::Network network(triangulation);
-  const std::vector<Index> ends = {triangulation.index(source), triangulation.index(target)};
-  const Shortening_report report =
-      internal::shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
-  out = Curve_extractor<typename Types::Network>(network).points(0, out);
-  return {out, report};
+  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
+    typename Types::Network network(triangulation);
+    return internal::geodesic_between(network, search, source, target, out, np, stop);
+  });
 }
 
 /*!
@@ -163,16 +240,20 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
                                               const StopPredicate& stop = StopPredicate())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
-  auto triangulation = internal::make_triangulation(mesh, np);
-  typename Types::Network network(triangulation);
-  std::vector<Index> loop;
-  for(const auto& v : vertices)
-    loop.push_back(triangulation.index(v));
-  network.add_curve(halfedges_through(triangulation, loop, true), true);
-  order_overlapping_curves(network);
-  const Shortening_report report = internal::shorten_with_visitor(network, np, stop);
-  out = Curve_extractor<typename Types::Network>(network).points(0, out);
-  return {out, report};
+  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    typename Types::Network network(triangulation);
+    const bool is_loop = internal::add_vertex_curve(network, internal::mesh_indices(triangulation, vertices), true);
+    Shortening_report report;
+    if(is_loop) {
+      order_overlapping_curves(network);
+      report = internal::shorten_with_visitor(network, np, stop);
+    } else {
+      report.curves.push_back(report_of_point());
+    }
+    internal::note_contraction(triangulation, report);
+    return Geodesic_result<OutputIterator>{
+        is_loop ? Curve_extractor<typename Types::Network>(network).points(0, out) : out, report};
+  });
 }
 
 /*!
@@ -197,19 +278,24 @@ Geodesic_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curve
                                            const StopPredicate& stop = StopPredicate())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
-  auto triangulation = internal::make_triangulation(mesh, np);
-  typename Types::Network network(triangulation);
-  for(const auto& curve : curves)
-    internal::add_vertex_curve(network, curve);
-  order_overlapping_curves(network);
-  const Shortening_report report = internal::shorten_with_visitor(network, np, stop);
-  Curve_extractor<typename Types::Network> extractor(network);
-  for(Index c = 0; c < network.number_of_curves(); ++c) {
-    std::vector<typename Types::Metric::Point_3> points;
-    extractor.points(c, std::back_inserter(points));
-    *out++ = points;
-  }
-  return {out, report};
+  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    typename Types::Network network(triangulation);
+    const std::vector<bool> has_length = internal::add_vertex_curves(network, curves);
+    order_overlapping_curves(network);
+    Shortening_report report = internal::shorten_with_visitor(network, np, stop);
+    Curve_extractor<typename Types::Network> extractor(network);
+    OutputIterator end = out;
+    for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
+      std::vector<typename Types::Metric::Point_3> points;
+      if(has_length[i])
+        extractor.points(static_cast<Index>(c++), std::back_inserter(points));
+      else
+        report.curves.insert(report.curves.begin() + static_cast<std::ptrdiff_t>(i), report_of_point());
+      *end++ = points;
+    }
+    internal::note_contraction(triangulation, report);
+    return Geodesic_result<OutputIterator>{end, report};
+  });
 }
 
 } // namespace Flip_geodesics

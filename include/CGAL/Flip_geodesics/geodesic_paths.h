@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
@@ -66,20 +67,23 @@ public:
   {
   }
 
+  /* Where edges of length zero are met, over the surface that is left when they are contracted. */
   Result operator()(Vertex source, Vertex target)
   {
-    Result result;
     try {
-      if(!m_state)
-        m_state = std::make_unique<State>(m_mesh, m_landmarks, m_np);
-      compute(*m_state, source, target, result);
-      m_state->triangulation.rollback();
+      return compute(m_state, Zero_length_edges::REFUSE, source, target);
+    } catch(const Degenerate_face_error&) {
+      const Result refused = failed();
+      try {
+        return compute(m_contracted_state, Zero_length_edges::CONTRACT, source, target);
+      } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
+        return refused;
+      } catch(...) {
+        return failed();
+      }
     } catch(...) {
-      result = Result();
-      result.error = std::current_exception();
-      m_state.reset(); // whatever state the failure left
+      return failed();
     }
-    return result;
   }
 
 private:
@@ -90,29 +94,52 @@ private:
     Triangulation triangulation;
     Search search;
 
-    State(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np)
-      : triangulation(make_triangulation(mesh, np))
+    State(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np,
+          Zero_length_edges zero_length_edges)
+      : triangulation(make_triangulation(mesh, np, zero_length_edges))
       , search(landmarks == nullptr ? Search(triangulation, Search_method::LOOK_BACK)
                                     : Search(triangulation, *landmarks))
     {
     }
   };
 
-  void compute(State& state, Vertex source, Vertex target, Result& result) const
+  // What is being thrown.
+  static Result failed()
   {
-    const auto& stop = restarted(m_stop);
-    const std::vector<Index> ends = {state.triangulation.index(source), state.triangulation.index(target)};
+    Result result;
+    result.error = std::current_exception();
+    return result;
+  }
+
+  Result compute(std::unique_ptr<State>& state, Zero_length_edges zero_length_edges, Vertex source, Vertex target) const
+  {
+    try {
+      if(!state)
+        state = std::make_unique<State>(m_mesh, m_landmarks, m_np, zero_length_edges);
+      Result result = compute(*state, source, target);
+      state->triangulation.rollback();
+      return result;
+    } catch(...) {
+      state.reset(); // whatever state the failure left
+      throw;
+    }
+  }
+
+  Result compute(State& state, Vertex source, Vertex target) const
+  {
+    Result result;
     Network network(state.triangulation);
-    const std::vector<Index> path = shortest_halfedges_through(state.search, ends);
-    result.report = shorten_between_ends(network, path, m_np, stop).curves.front();
-    Curve_extractor<Network>(network).points(0, std::back_inserter(result.points));
+    result.report = geodesic_between(network, state.search, source, target, std::back_inserter(result.points), m_np,
+                                     restarted(m_stop))
+                        .report.curves.front();
+    return result;
   }
 
   const TriangleMesh& m_mesh;
   const Landmark_distances* m_landmarks; // null if there are none
   const NamedParameters& m_np;
   const StopPredicate& m_stop;
-  std::unique_ptr<State> m_state;
+  std::unique_ptr<State> m_state, m_contracted_state;
 };
 
 template <class Workspace, class Pairs, class MakeWorkspace>

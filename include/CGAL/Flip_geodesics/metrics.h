@@ -42,7 +42,9 @@ inline bool is_longer_than_sum(double a, double b, double c)
   const std::string edge = "the edge between vertices " + std::to_string(v) + " and " + std::to_string(w);
   const std::vector<std::size_t> elements = {static_cast<std::size_t>(v), static_cast<std::size_t>(w)};
   if(length == 0)
-    throw Degenerate_face_error(edge + " has length zero", elements);
+    throw Degenerate_face_error(
+        edge + " has length zero; contract such edges (Zero_length_edges) or lengthen them (Mollified_metric)",
+        elements);
   std::ostringstream number;
   number << length;
   throw Invalid_coordinate_error(

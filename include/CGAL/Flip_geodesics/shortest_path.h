@@ -116,6 +116,15 @@ std::vector<Index> insert_path_in_tree(Triangulation& triangulation, const Windo
   return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Index>();
 }
 
+/* There is nothing shorter than a path of no length. */
+inline Shortest_path_report report_of_no_length(const Shortening_report& shortening)
+{
+  Shortest_path_report report;
+  report.shortening = shortening;
+  report.is_confirmed = true;
+  return report;
+}
+
 } // namespace internal
 
 /*!
@@ -190,7 +199,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Index s
   const auto& metric = triangulation.metric();
   report.lower_bound = metric.distance_lower_bound(metric.place(triangulation.input(), source),
                                                    metric.place(triangulation.input(), target));
-  if(is_sound)
+  if(is_sound && !triangulation.input().has_split_point())
     report.lower_bound = (std::max)(report.lower_bound,
                                     (std::min)({windows.lower_bound(), windows.distance(target), report.first_length}));
   report.is_confirmed = report.shortening.is_complete() && report.length <= report.lower_bound * (1 + 2 * tolerance);
@@ -219,17 +228,23 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
                                                    const NamedParameters& np = parameters::default_values())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
-  auto triangulation = internal::make_triangulation(mesh, np);
-  Shortest_edge_path<typename Types::Triangulation> search(triangulation);
-  typename Types::Network network(triangulation);
-  Default_shortening_visitor none;
-  auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
-  const auto most_windows = static_cast<std::size_t>(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
-  const Shortest_path_report report = add_shortest_path(network, search, triangulation.index(source),
-                                                        triangulation.index(target), most_windows, visitor);
-  out = Curve_extractor<typename Types::Network>(network).points(0, out);
-  return {out, report};
+  using Result = Shortest_path_result<OutputIterator>;
+  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    const Index s = triangulation.index(source), t = triangulation.index(target);
+    if(triangulation.input().is_contracted() && s == t) {
+      const auto point = internal::path_in_one_place(triangulation, s, out);
+      return Result{point.out, internal::report_of_no_length(point.report)};
+    }
+    Shortest_edge_path<typename Types::Triangulation> search(triangulation);
+    typename Types::Network network(triangulation);
+    Default_shortening_visitor none;
+    auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
+    const auto most_windows = static_cast<std::size_t>(
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
+    Shortest_path_report report = add_shortest_path(network, search, s, t, most_windows, visitor);
+    internal::note_contraction(triangulation, report.shortening);
+    return Result{Curve_extractor<typename Types::Network>(network).points(0, out), report};
+  });
 }
 
 } // namespace Flip_geodesics

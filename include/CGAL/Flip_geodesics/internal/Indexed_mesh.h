@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_INDEXED_MESH_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Contraction.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -21,14 +23,6 @@ template <typename P>
 class Surface_mesh;
 
 namespace Flip_geodesics {
-
-/// \ingroup PkgFlipGeodesicsRef
-/// The index of a vertex, an edge or a halfedge; halfedges `2e` and `2e+1` are the two sides of edge `e`.
-using Index = std::int32_t;
-
-/// \ingroup PkgFlipGeodesicsRef
-/// The index of no element.
-constexpr Index null_index = -1;
 
 namespace internal {
 
@@ -76,6 +70,46 @@ bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh
 }
 
 /*
+ * What an indexed mesh was before its edges of length zero were contracted, and how the two belong together; a mesh on
+ * which nothing was contracted has none.
+ */
+template <class Indexed_mesh>
+struct Uncontracted
+{
+  Indexed_mesh mesh;
+  Contraction contraction;
+};
+
+template <class Indexed_mesh>
+class Possibly_contracted
+{
+public:
+  /* Were edges of length zero contracted? */
+  bool is_contracted() const { return m_origin != nullptr; }
+
+  /* Do sheets of the surface that met in a point have different vertices? */
+  bool has_split_point() const { return is_contracted() && m_origin->contraction.has_split_point; }
+
+  /* What vertex or halfedge `i` of the mesh as it was before has become. */
+  Index contracted_vertex(Index i) const { return is_contracted() && i >= 0 ? m_origin->contraction.vertex[i] : i; }
+  Index contracted_halfedge(Index i) const { return is_contracted() && i >= 0 ? m_origin->contraction.halfedge[i] : i; }
+
+  /* The mesh before. */
+  const Indexed_mesh& uncontracted() const
+  {
+    return is_contracted() ? m_origin->mesh : static_cast<const Indexed_mesh&>(*this);
+  }
+
+  /* One of the halfedges there that have become h, and the vertices at which it starts and ends. */
+  Index uncontracted_halfedge(Index h) const { return is_contracted() ? m_origin->contraction.input_halfedge[h] : h; }
+  Index uncontracted_tail(Index h) const { return uncontracted().tail(uncontracted_halfedge(h)); }
+  Index uncontracted_head(Index h) const { return uncontracted().tail(twin_index(uncontracted_halfedge(h))); }
+
+protected:
+  std::shared_ptr<const Uncontracted<Indexed_mesh>> m_origin;
+};
+
+/*
  * A FaceListGraph seen through consecutive integers, with twin(h) == h ^ 1.
  *
  * The general model numbers edges and vertices in the order of `edges(mesh)` and `vertices(mesh)` and copies the
@@ -84,7 +118,7 @@ bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh
  * `is_triangle()` takes a face of one side for a triangle, which `Halfedge_store` does not.
  */
 template <class TriangleMesh>
-class Indexed_mesh
+class Indexed_mesh : public Possibly_contracted<Indexed_mesh<TriangleMesh>>
 {
   using Graph = boost::graph_traits<TriangleMesh>;
 
@@ -99,13 +133,24 @@ public:
     copy_connectivity(mesh);
   }
 
+  /* The same mesh with its edges of length zero contracted, where `length(h)` is that of an edge. */
+  template <class Length>
+  Indexed_mesh contracted(const Length& length) const
+  {
+    Zero_edge_contractor<Indexed_mesh> contractor(*this, length);
+    Indexed_mesh result(*this);
+    if(contractor.has_zero_edges())
+      result.replace_connectivity(contractor());
+    return result;
+  }
+
   Index number_of_vertices() const { return static_cast<Index>(m_vertices.size()); }
-  Index number_of_halfedges() const { return static_cast<Index>(m_halfedges.size()); }
+  Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
 
   vertex_descriptor vertex(Index v) const { return m_vertices[v]; }
-  halfedge_descriptor halfedge(Index h) const { return m_halfedges[h]; }
-  Index index(vertex_descriptor v) const { return find(m_vertex_order, v); }
-  Index index(halfedge_descriptor h) const { return find(m_halfedge_order, h); }
+  halfedge_descriptor halfedge(Index h) const { return m_halfedges[this->uncontracted_halfedge(h)]; }
+  Index index(vertex_descriptor v) const { return this->contracted_vertex(find(m_vertex_order, v)); }
+  Index index(halfedge_descriptor h) const { return this->contracted_halfedge(find(m_halfedge_order, h)); }
 
   Index next(Index h) const { return m_next[h]; }
   Index previous(Index h) const { return m_previous[h]; }
@@ -165,12 +210,29 @@ private:
       m_is_border.push_back(graph_face(h, mesh) == Graph::null_face() ? 1 : 0);
       m_outgoing[m_tail.back()] = static_cast<Index>(m_tail.size()) - 1;
     }
+    link_previous();
+  }
+
+  void link_previous()
+  {
     m_previous.resize(m_next.size());
     for(Index h = 0; h < number_of_halfedges(); ++h) {
       if(m_next[h] == null_index)
         throw Invalid_mesh_error("a halfedge of the mesh is followed by none");
       m_previous[m_next[h]] = h;
     }
+  }
+
+  void replace_connectivity(Contraction&& contraction)
+  {
+    auto origin = std::make_shared<Uncontracted<Indexed_mesh>>(Uncontracted<Indexed_mesh>{*this, {}});
+    m_next = contraction.next;
+    m_tail = contraction.tail;
+    m_outgoing = contraction.outgoing;
+    m_is_border = contraction.is_border;
+    link_previous();
+    origin->contraction = std::move(contraction);
+    this->m_origin = std::move(origin);
   }
 
   std::vector<vertex_descriptor> m_vertices;
@@ -181,9 +243,12 @@ private:
   std::vector<char> m_is_border;
 };
 
-/* A `Surface_mesh` is numbered the same way already, so that nothing is copied and nothing read before it is asked. */
+/*
+ * A `Surface_mesh` is numbered the same way already, so that nothing is copied and nothing read before it is asked. If
+ * edges are contracted, there is another `Surface_mesh` of what is left, without points.
+ */
 template <class P>
-class Indexed_mesh<CGAL::Surface_mesh<P>>
+class Indexed_mesh<CGAL::Surface_mesh<P>> : public Possibly_contracted<Indexed_mesh<CGAL::Surface_mesh<P>>>
 {
   using Mesh = CGAL::Surface_mesh<P>;
   using Graph = boost::graph_traits<Mesh>;
@@ -205,22 +270,38 @@ public:
   Index number_of_halfedges() const { return m_number_of_halfedges; }
 
   vertex_descriptor vertex(Index v) const { return vertex_descriptor(static_cast<std::uint32_t>(v)); }
-  halfedge_descriptor halfedge(Index h) const { return halfedge_descriptor(static_cast<std::uint32_t>(h)); }
-  Index index(vertex_descriptor v) const { return to_index(v, m_number_of_vertices); }
-  Index index(halfedge_descriptor h) const { return to_index(h, m_number_of_halfedges); }
+  halfedge_descriptor halfedge(Index h) const { return own_halfedge(this->uncontracted_halfedge(h)); }
+  Index index(vertex_descriptor v) const { return this->contracted_vertex(to_index(v, m_number_of_vertices)); }
+  Index index(halfedge_descriptor h) const
+  {
+    return this->contracted_halfedge(to_index(h, this->uncontracted().number_of_halfedges()));
+  }
 
-  Index next(Index h) const { return static_cast<Index>(m_mesh->next(halfedge(h))); }
-  Index previous(Index h) const { return static_cast<Index>(m_mesh->prev(halfedge(h))); }
+  Index next(Index h) const { return static_cast<Index>(m_mesh->next(own_halfedge(h))); }
+  Index previous(Index h) const { return static_cast<Index>(m_mesh->prev(own_halfedge(h))); }
   bool is_triangle(Index h) const { return next(next(h)) == previous(h); }
-  Index tail(Index h) const { return static_cast<Index>(m_mesh->target(halfedge(twin_index(h)))); }
-  bool is_border(Index h) const { return m_mesh->is_border(halfedge(h)); }
+  Index tail(Index h) const { return static_cast<Index>(m_mesh->target(own_halfedge(twin_index(h)))); }
+  bool is_border(Index h) const { return m_mesh->is_border(own_halfedge(h)); }
   Index outgoing(Index v) const
   {
     const halfedge_descriptor h = m_mesh->halfedge(vertex(v));
     return h == Graph::null_halfedge() ? null_index : twin_index(static_cast<Index>(h));
   }
 
+  /* As above. */
+  template <class Length>
+  Indexed_mesh contracted(const Length& length) const
+  {
+    Zero_edge_contractor<Indexed_mesh> contractor(*this, length);
+    Indexed_mesh result(*this);
+    if(contractor.has_zero_edges())
+      result.replace_connectivity(contractor());
+    return result;
+  }
+
 private:
+  static halfedge_descriptor own_halfedge(Index h) { return halfedge_descriptor(static_cast<std::uint32_t>(h)); }
+
   template <class Descriptor>
   static Index to_index(Descriptor d, Index bound)
   {
@@ -228,8 +309,44 @@ private:
     return i < static_cast<std::size_t>(bound) ? static_cast<Index>(i) : null_index;
   }
 
+  void replace_connectivity(Contraction&& contraction)
+  {
+    auto left = std::make_shared<Mesh>();
+    for(Index v = 0; v < m_number_of_vertices; ++v)
+      left->add_vertex();
+    for(std::size_t h = 0; h < contraction.next.size(); h += 2)
+      left->add_edge(vertex(contraction.tail[h]), vertex(contraction.tail[h + 1]));
+    connect(*left, contraction);
+    m_number_of_halfedges = static_cast<Index>(contraction.next.size());
+    this->m_origin = std::make_shared<Uncontracted<Indexed_mesh>>(
+        Uncontracted<Indexed_mesh>{Indexed_mesh(*m_mesh), std::move(contraction)});
+    m_contracted_mesh = left;
+    m_mesh = left.get();
+  }
+
+  static void connect(Mesh& mesh, const Contraction& contraction)
+  {
+    for(Index h = 0; h < static_cast<Index>(contraction.next.size()); ++h) {
+      mesh.set_next(own_halfedge(h), own_halfedge(contraction.next[h]));
+      if(contraction.is_border[h] != 0 || mesh.face(own_halfedge(h)) != Graph::null_face())
+        continue;
+      const auto f = mesh.add_face();
+      mesh.set_halfedge(f, own_halfedge(h));
+      Index side = h;
+      do {
+        mesh.set_face(own_halfedge(side), f);
+        side = contraction.next[side];
+      } while(side != h);
+    }
+    for(std::size_t v = 0; v < contraction.outgoing.size(); ++v)
+      if(contraction.outgoing[v] != null_index)
+        mesh.set_halfedge(vertex_descriptor(static_cast<std::uint32_t>(v)),
+                          own_halfedge(twin_index(contraction.outgoing[v])));
+  }
+
   const Mesh* m_mesh;
   Index m_number_of_vertices, m_number_of_halfedges;
+  std::shared_ptr<const Mesh> m_contracted_mesh; // what `m_mesh` is then
 };
 
 } // namespace internal

@@ -137,7 +137,7 @@ Surface_location surface_location(const Triangulation& triangulation, const Surf
 {
   if(p.vertex != null_index)
     return triangulation.location(p.vertex);
-  const bool is_forward = triangulation.input().tail(p.halfedge) == p.a;
+  const bool is_forward = triangulation.input().uncontracted_tail(p.halfedge) == p.a;
   return {p.halfedge, {{is_forward ? 1 - p.t : p.t, is_forward ? p.t : 1 - p.t, 0}}};
 }
 

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
+#define CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
+
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/Contraction.h>
+#include <CGAL/Flip_geodesics/internal/check_vertex.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+[[noreturn]] inline void throw_no_surface_left(Index v)
+{
+  throw Degenerate_face_error("at vertex " + std::to_string(v) +
+                                  " faces without area hang on an edge of length zero, and no surface is left",
+                              {static_cast<std::size_t>(v)});
+}
+
+/* A halfedge of the mesh from one vertex to another, the first clockwise; null_index if there is none. */
+template <class Input_mesh>
+Index uncontracted_halfedge_between(const Input_mesh& contracted, Index v, Index w)
+{
+  const Input_mesh& input = contracted.uncontracted();
+  const Index start = input.outgoing(v);
+  Index h = start;
+  do {
+    if(h == null_index || input.tail(h ^ 1) == w)
+      return h;
+    h = input.next(h ^ 1); // along the border, too
+  } while(h != start);
+  return null_index;
+}
+
+/* What is left of a curve of edges. */
+template <class Input_mesh>
+std::vector<Index> contracted_halfedges_through(const Input_mesh& contracted, std::vector<Index> vertices,
+                                                bool is_closed)
+{
+  if(is_closed)
+    vertices.push_back(vertices.front());
+  std::vector<Index> result;
+  for(std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+    const Index h = uncontracted_halfedge_between(contracted, vertices[i], vertices[i + 1]);
+    if(h == null_index)
+      throw Invalid_curve_error("a curve is not connected: no edge joins vertex " + std::to_string(vertices[i]) +
+                                    " and vertex " + std::to_string(vertices[i + 1]),
+                                {static_cast<std::size_t>(vertices[i]), static_cast<std::size_t>(vertices[i + 1])});
+    const Index left = contracted.contracted_halfedge(h);
+    if(left == Contraction::is_point)
+      continue;
+    if(left == Contraction::is_hair || (!result.empty() && contracted.tail(left) != contracted.tail(result.back() ^ 1)))
+      throw_no_surface_left(vertices[i]);
+    result.push_back(left);
+  }
+  if(is_closed && !result.empty() && contracted.tail(result.front()) != contracted.tail(result.back() ^ 1))
+    throw_no_surface_left(vertices.front());
+  return result;
+}
+
+/* Where a point of the mesh is. */
+template <class Input_mesh>
+Surface_location contracted_vertex_location(const Input_mesh& contracted, Index v)
+{
+  const Index h = contracted.outgoing(contracted.contracted_vertex(v));
+  if(h == null_index)
+    throw_no_surface_left(v);
+  return {h, {{1, 0, 0}}};
+}
+
+/* The same on an edge, at weights of the two ends of a halfedge of the mesh. */
+template <class Input_mesh>
+Surface_location contracted_edge_location(const Input_mesh& contracted, Index h, double at_tail, double at_head)
+{
+  const Index left = contracted.contracted_halfedge(h), v = contracted.uncontracted().tail(h);
+  if(left == Contraction::is_point)
+    return contracted_vertex_location(contracted, v);
+  if(left == Contraction::is_hair)
+    throw_no_surface_left(v);
+  return {left, {{at_tail, at_head, 0}}};
+}
+
+/* Says of all curves whether edges of length zero were contracted for them. */
+template <class Triangulation>
+void note_contraction(const Triangulation& triangulation, Shortening_report& report)
+{
+  for(Curve_report& curve : report.curves)
+    curve.are_zero_edges_contracted = triangulation.input().is_contracted();
+}
+
+} // namespace internal
+
+/// \ingroup PkgFlipGeodesicsBuilders
+/// The report of a curve of which a point is left.
+inline Curve_report report_of_point()
+{
+  Curve_report report;
+  report.status = Shortening_status::CONTRACTED;
+  return report;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The vertex of a triangulation in the place of vertex `v` of its mesh: `v` itself unless edges of length zero were
+ * contracted, see `Zero_length_edges`. Constant time.
+ *
+ * \param v an index in `vertices(mesh)`
+ * \throws Vertex_out_of_range_error
+ */
+template <class Triangulation>
+Index vertex_on_surface(const Triangulation& triangulation, Index v)
+{
+  internal::check_vertex(v, triangulation.input().number_of_vertices());
+  return triangulation.input().contracted_vertex(v);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The chain of halfedges of a triangulation along edges of its mesh. Where edges of length zero were contracted, it may
+ * run to and fro along an edge, and nothing is left of a curve whose vertices all lie in one place; else it is that of
+ * `halfedges_through()`.
+ *
+ * \param vertices a range of indices in `vertices(mesh)`; a closed curve does not repeat the first
+ * \throws Degenerate_face_error if the curve leaves the surface that is left, along faces without area
+ * \throws as `halfedges_through()`
+ *
+ * Complexity: linear in the degrees of the vertices.
+ */
+template <class Triangulation, class VertexRange>
+std::vector<Index> halfedges_on_surface(const Triangulation& triangulation, const VertexRange& vertices, bool is_closed)
+{
+  if(!triangulation.input().is_contracted())
+    return halfedges_through(triangulation, vertices, is_closed);
+  return internal::contracted_halfedges_through(triangulation.input(), {vertices.begin(), vertices.end()}, is_closed);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Where a point of the mesh lies on the surface of a triangulation: the same location unless edges of length zero were
+ * contracted. Constant time, but for the degree of a vertex.
+ *
+ * \param location with a halfedge of the mesh
+ * \throws Invalid_location_error
+ * \throws Degenerate_face_error if the point lies on faces without area, and no surface is left there
+ */
+template <class Triangulation>
+Surface_location location_on_surface(const Triangulation& triangulation, const Surface_location& location)
+{
+  const auto& contracted = triangulation.input();
+  if(!contracted.is_contracted())
+    return location;
+  const auto& input = contracted.uncontracted();
+  Surface_location at = internal::canonical_location(input, location);
+  if(kind(at) == Location_kind::VERTEX)
+    return internal::contracted_vertex_location(contracted, input.tail(at.halfedge));
+  if(kind(at) == Location_kind::EDGE)
+    return internal::contracted_edge_location(contracted, at.halfedge, at.weights[0], at.weights[1]);
+  for(int i = 0; i < 3; ++i, at = internal::rotated(input, at))
+    if(contracted.contracted_halfedge(at.halfedge) == internal::Contraction::is_point) // the tail and the head are one
+      return internal::contracted_edge_location(contracted, input.next(at.halfedge), at.weights[0] + at.weights[1],
+                                                at.weights[2]);
+  at.halfedge = contracted.contracted_halfedge(at.halfedge);
+  return at;
+}
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE Contracted_surface
+
+#include "Mesh_archetype.h"
+#include "closed_forms.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_paths.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+// Edges of length zero are made where nothing else changes: so what the lengths should be is known.
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+using Traits = FG::Certified_intrinsic_triangulation_traits<Kernel>;
+using Metric = FG::Embedded_metric<Mesh, Mesh::Property_map<Vertex, Point>>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits, Metric>;
+using Network = FG::Edge_path_network<Triangulation>;
+
+const auto exactly = CGAL::parameters::geom_traits(Traits());
+
+std::map<int, int> ring(const Mesh_soup& soup, int v)
+{
+  std::map<int, int> next;
+  for(const Corners& t : soup.triangles)
+    for(int i = 0; i < 3; ++i)
+      if(t[i] == v)
+        next[t[(i + 1) % 3]] = t[(i + 2) % 3];
+  return next;
+}
+
+/*
+ * Gives the faces at v from the edge to c counterclockwise to that to d to a new vertex in the same place, with a face
+ * without area at either edge.
+ */
+int split_vertex(Mesh_soup& soup, int v, int c, int d)
+{
+  const int w = static_cast<int>(soup.points.size());
+  const std::map<int, int> next = ring(soup, v);
+  std::set<int> fan;
+  for(int a = c; a != d; a = next.at(a))
+    fan.insert(a);
+  for(Corners& t : soup.triangles)
+    for(int i = 0; i < 3; ++i)
+      if(t[i] == v && fan.count(t[(i + 1) % 3]) > 0)
+        t[i] = w;
+  soup.points.push_back(Coordinates(soup.points[v]));
+  soup.triangles.push_back({v, c, w});
+  soup.triangles.push_back({w, d, v});
+  return w;
+}
+
+/* Splits vertices of a closed mesh at random, also those that were split before and along edges of length zero. */
+Mesh_soup split_at_random(Mesh_soup soup, int count, unsigned seed)
+{
+  Random_numbers random(seed);
+  while(count > 0) {
+    const int v = random.below(static_cast<int>(soup.points.size()));
+    std::vector<int> spokes;
+    for(const auto& spoke : ring(soup, v))
+      spokes.push_back(spoke.first);
+    const int c = spokes[random.below(static_cast<int>(spokes.size()))];
+    const int d = spokes[random.below(static_cast<int>(spokes.size()))];
+    if(c == d)
+      continue;
+    split_vertex(soup, v, c, d);
+    --count;
+  }
+  return soup;
+}
+
+/* A cone without its tip, but with a hole of length zero: row 0 is n vertices in one place. */
+Mesh_soup cone_with_hole(int n, int m, double radius, double height, int from = 0)
+{
+  Mesh_soup soup;
+  for(int r = 0; r <= m; ++r)
+    for(int i = 0; i < n; ++i)
+      soup.points.push_back(
+          {r * radius / m * std::cos(2 * pi * i / n), r * radius / m * std::sin(2 * pi * i / n), -r * height / m});
+  for(int r = from; r < m; ++r)
+    for(int i = 0; i < n; ++i) {
+      const int a = n * r + i, b = n * r + (i + 1) % n;
+      soup.triangles.push_back({a, a + n, b});
+      soup.triangles.push_back({b, a + n, b + n});
+    }
+  return soup;
+}
+
+Vertex vertex(int v) { return Vertex(static_cast<Mesh::size_type>(v)); }
+
+double length(const std::vector<Point>& points)
+{
+  double sum = 0;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    sum += std::sqrt((points[i] - points[i - 1]).squared_length());
+  return sum;
+}
+
+Triangulation contracted(const Mesh& mesh)
+{
+  return Triangulation(mesh, Metric(mesh.points()), Traits(), FG::Zero_length_edges::CONTRACT);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(what_is_left_is_the_mesh_as_it_was)
+{
+  const Mesh_soup cube_soup = cube(3);
+  for(unsigned seed = 1; seed < 20; ++seed) {
+    const Mesh mesh = to_mesh<Mesh>(split_at_random(cube_soup, 20 * static_cast<int>(seed), seed));
+    const Triangulation triangulation = contracted(mesh);
+    const auto& input = triangulation.input();
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      BOOST_CHECK(input.is_contracted());
+      BOOST_CHECK(!input.has_split_point());
+      BOOST_CHECK_EQUAL(input.number_of_halfedges(), 3 * static_cast<FG::Index>(cube_soup.triangles.size()));
+      std::multiset<std::multiset<Coordinates>> before, after;
+      for(const Corners& t : cube_soup.triangles)
+        before.insert({cube_soup.points[t[0]], cube_soup.points[t[1]], cube_soup.points[t[2]]});
+      for(FG::Index h = 0; h < input.number_of_halfedges(); ++h) {
+        const FG::Index hn = input.next(h), hp = input.next(hn);
+        BOOST_REQUIRE_EQUAL(input.next(hp), h);
+        BOOST_CHECK_EQUAL(input.tail(hn), input.tail(h ^ 1));
+        BOOST_CHECK_EQUAL(input.tail(h), input.index(mesh.source(input.halfedge(h))));
+        if(h < hn && h < hp)
+          after.insert({triangulation.metric().place(input, input.tail(h)),
+                        triangulation.metric().place(input, input.tail(hn)),
+                        triangulation.metric().place(input, input.tail(hp))});
+      }
+      BOOST_CHECK(before == after);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shortest_paths_on_a_cube_have_the_length_of_the_cube)
+{
+  const int n = 4;
+  for(unsigned seed = 0; seed < 12; ++seed) {
+    const Mesh_soup soup = split_at_random(cube(n), 80, seed);
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Random_numbers random(seed);
+    for(int i = 0; i < 6; ++i) {
+      const int last = static_cast<int>(soup.points.size()) - 1;
+      const int s = random.below(last + 1), t = random.below(last + 1);
+      if(soup.points[s] == soup.points[t])
+        continue;
+      std::vector<Point> points;
+      const FG::Shortest_path_report report =
+          FG::shortest_path(mesh, vertex(s), vertex(t), std::back_inserter(points), exactly).report;
+      BOOST_TEST_CONTEXT("seed " << seed << " from " << s << " to " << t)
+      {
+        const double expected = box_distance(n, n, n, soup.points[s], soup.points[t]);
+        BOOST_CHECK_CLOSE_FRACTION(report.length, expected, 1e-12);
+        BOOST_CHECK_CLOSE_FRACTION(length(points), expected, 1e-12);
+        BOOST_CHECK(points.front() == mesh.point(vertex(s)));
+        BOOST_CHECK(points.back() == mesh.point(vertex(t)));
+        if(report.shortening.curves.front().are_zero_edges_contracted)
+          BOOST_CHECK(report.is_confirmed);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(curves_are_proven_on_the_surface_that_is_left)
+{
+  const Mesh mesh = to_mesh<Mesh>(split_at_random(bumpy_sphere(4, 0.1, 3), 60, 5));
+  Triangulation triangulation = contracted(mesh);
+  FG::Shortest_edge_path<Triangulation> search(triangulation);
+  for(int t = 1; t < static_cast<int>(mesh.number_of_vertices()); t += 7) {
+    const std::vector<FG::Index> ends = {triangulation.index(vertex(0)), triangulation.index(vertex(t))};
+    if(ends[0] == ends[1])
+      continue;
+    Network network(triangulation);
+    network.add_curve(FG::shortest_halfedges_through(search, ends), false);
+    BOOST_CHECK(FG::shorten(network).is_complete());
+    BOOST_CHECK(FG::certify(network).curves.front().verdict == FG::Certificate_verdict::PROVEN);
+    for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(0))
+      if(!p.is_vertex()) // told by an edge of the mesh itself
+        BOOST_CHECK(mesh.halfedge(vertex(p.a), vertex(p.b)) != Mesh::null_halfedge());
+    network.clear();
+    triangulation.rollback();
+  }
+}
+
+BOOST_AUTO_TEST_CASE(polylines_are_as_long_as_their_curves)
+{
+  for(unsigned seed = 0; seed < 6; ++seed) {
+    const Mesh_soup soup = split_at_random(bumpy_sphere(3, 0.1, seed), 60, seed);
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Random_numbers random(seed);
+    std::vector<Vertex> through;
+    for(int i = 0; i < 4; ++i)
+      through.push_back(vertex(random.below(static_cast<int>(soup.points.size()))));
+    std::vector<Point> path, spline;
+    const auto report = FG::geodesic_path_through(mesh, through, std::back_inserter(path), exactly).report.curves[0];
+    BOOST_CHECK_CLOSE_FRACTION(length(path), report.length, 1e-12);
+    const auto of_spline =
+        FG::geodesic_spline(mesh, through, FG::Spline_kind::BEZIER, std::back_inserter(spline), exactly)
+            .report.curves[0];
+    BOOST_CHECK_CLOSE_FRACTION(length(spline), of_spline.length, 1e-9);
+    BOOST_CHECK_LT(of_spline.length, report.length);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_path_that_meets_no_such_edge_is_as_it_was)
+{
+  Mesh_soup soup = flat_grid(12, 4, Diagonal_rule::RISING);
+  const int s = grid_vertex(12, 0, 0), t = grid_vertex(12, 4, 3);
+  const auto path = [&](const Mesh_soup& given, int from, int to, std::vector<Point>& points) {
+    return FG::geodesic_path(to_mesh<Mesh>(given), vertex(from), vertex(to), std::back_inserter(points))
+        .report.curves.front();
+  };
+  std::vector<Point> before, after, over;
+  path(soup, s, t, before);
+  const int v = grid_vertex(12, 10, 2);
+  split_vertex(soup, v, grid_vertex(12, 11, 2), grid_vertex(12, 9, 2));
+  BOOST_CHECK(!path(soup, s, t, after).are_zero_edges_contracted);
+  BOOST_CHECK(before == after);
+  const FG::Curve_report report = path(soup, grid_vertex(12, 8, 2), grid_vertex(12, 12, 2), over);
+  BOOST_CHECK(report.are_zero_edges_contracted);
+  BOOST_CHECK_EQUAL(report.length, 4);
+}
+
+BOOST_AUTO_TEST_CASE(curves_in_one_place_have_no_length)
+{
+  Mesh_soup soup = cube(4);
+  const int v = 40;
+  const auto next = ring(soup, v);
+  const int c = next.begin()->first;
+  const int w = split_vertex(soup, v, c, next.at(next.at(c)));
+  const int x = split_vertex(soup, w, c, v);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  std::vector<Point> points;
+  const auto is_point = [](const FG::Curve_report& report) {
+    return report.status == FG::Shortening_status::CONTRACTED && report.length == 0 && report.are_zero_edges_contracted;
+  };
+  BOOST_CHECK(is_point(
+      FG::geodesic_path(mesh, vertex(v), vertex(x), std::back_inserter(points), exactly).report.curves.front()));
+  BOOST_CHECK((points == std::vector<Point>{mesh.point(vertex(v)), mesh.point(vertex(v))}));
+
+  points.clear();
+  const auto shortest = FG::shortest_path(mesh, vertex(v), vertex(x), std::back_inserter(points), exactly).report;
+  BOOST_CHECK(is_point(shortest.shortening.curves.front()));
+  BOOST_CHECK(shortest.is_confirmed);
+  BOOST_CHECK_EQUAL(shortest.length, 0);
+
+  points.clear();
+  const std::vector<Vertex> loop = {vertex(v), vertex(w), vertex(x)};
+  BOOST_CHECK(is_point(FG::geodesic_loop(mesh, loop, std::back_inserter(points), exactly).report.curves.front()));
+  BOOST_CHECK(points.empty());
+  std::vector<Vertex> around; // pulled over the vertices in one place, which are flat together
+  for(int a = c; around.empty() || a != c; a = ring(cube(4), v).at(a))
+    around.push_back(vertex(a));
+  BOOST_CHECK(is_point(FG::geodesic_loop(mesh, around, std::back_inserter(points), exactly).report.curves.front()));
+  BOOST_CHECK(points.empty());
+
+  const auto through = FG::geodesic_path_through(mesh, loop, std::back_inserter(points), exactly).report;
+  BOOST_CHECK(is_point(through.curves.front()));
+  BOOST_CHECK_EQUAL(points.size(), 2);
+}
+
+BOOST_AUTO_TEST_CASE(networks_keep_their_curves_in_order)
+{
+  Mesh_soup soup = flat_grid(8, 8, Diagonal_rule::RISING);
+  const int v = grid_vertex(8, 4, 4);
+  const int w = split_vertex(soup, v, grid_vertex(8, 5, 4), grid_vertex(8, 3, 4));
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const std::vector<std::vector<Vertex>> curves = {
+      {vertex(v), vertex(w)},
+      {vertex(grid_vertex(8, 4, 3)), vertex(v), vertex(w), vertex(grid_vertex(8, 4, 5))},
+      {vertex(grid_vertex(8, 0, 0)), vertex(grid_vertex(8, 1, 0))}};
+  std::vector<std::vector<Point>> points;
+  const FG::Shortening_report report = FG::straighten(mesh, curves, std::back_inserter(points), exactly).report;
+  BOOST_REQUIRE_EQUAL(report.curves.size(), 3);
+  BOOST_REQUIRE_EQUAL(points.size(), 3);
+  BOOST_CHECK(report.curves[0].status == FG::Shortening_status::CONTRACTED);
+  BOOST_CHECK(points[0].empty());
+  BOOST_CHECK_EQUAL(report.curves[1].length, 2);
+  BOOST_CHECK_EQUAL(length(points[1]), 2);
+  BOOST_CHECK_EQUAL(report.curves[2].length, 1);
+}
+
+BOOST_AUTO_TEST_CASE(many_paths_are_those_by_themselves)
+{
+  const Mesh_soup soup = split_at_random(cube(4), 25, 2);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  for(int i = 1; i < 60; ++i)
+    pairs.emplace_back(vertex(0), vertex(2 * i));
+  std::vector<FG::Geodesic_path<Point>> paths;
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths));
+  std::size_t met = 0;
+  for(std::size_t i = 0; i < pairs.size(); ++i) {
+    std::vector<Point> points;
+    const auto report =
+        FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points)).report.curves.front();
+    BOOST_CHECK(!paths[i].error);
+    BOOST_CHECK(paths[i].points == points);
+    BOOST_CHECK_EQUAL(paths[i].report.are_zero_edges_contracted, report.are_zero_edges_contracted);
+    met += report.are_zero_edges_contracted ? 1 : 0;
+  }
+  BOOST_CHECK_GT(met, 0);
+  BOOST_CHECK_LT(met, pairs.size());
+}
+
+BOOST_AUTO_TEST_CASE(points_lie_on_faces_without_area_and_edges_without_length)
+{
+  Mesh_soup soup = flat_grid(8, 8, Diagonal_rule::RISING);
+  const int v = grid_vertex(8, 4, 4), c = grid_vertex(8, 5, 4), d = grid_vertex(8, 3, 4);
+  const int w = split_vertex(soup, v, c, d);
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const auto halfedge = [&](int a, int b) { return static_cast<FG::Index>(mesh.halfedge(vertex(a), vertex(b))); };
+  const auto path_length = [&](const FG::Surface_location& p, const FG::Surface_location& q) {
+    std::vector<Point> points;
+    const auto report =
+        FG::geodesic_path_through(mesh, std::vector<FG::Surface_location>{p, q}, std::back_inserter(points), exactly)
+            .report.curves.front();
+    BOOST_CHECK(report.are_zero_edges_contracted);
+    BOOST_CHECK_SMALL(report.length - length(points), 1e-12);
+    return report.length;
+  };
+  const FG::Surface_location below = {halfedge(grid_vertex(8, 4, 2), grid_vertex(8, 5, 2)), {{1, 0, 0}}};
+  const FG::Surface_location in_needle = {halfedge(v, c), {{0.25, 0.5, 0.25}}}; // at (4.5, 4)
+  const FG::Surface_location on_zero_edge = {halfedge(v, w), {{0.5, 0.5, 0}}};
+  const FG::Surface_location on_needle_edge = {halfedge(w, d), {{0.5, 0.5, 0}}};
+  BOOST_CHECK_CLOSE_FRACTION(path_length(below, in_needle), std::hypot(0.5, 2.0), 1e-12);
+  BOOST_CHECK_CLOSE_FRACTION(path_length(below, on_zero_edge), 2, 1e-12);
+  BOOST_CHECK_CLOSE_FRACTION(path_length(on_needle_edge, in_needle), 1, 1e-12);
+
+  std::vector<Point> points;
+  const FG::Geodesic_result<std::back_insert_iterator<std::vector<Point>>> spline =
+      FG::geodesic_spline(mesh, std::vector<FG::Surface_location>{below, in_needle, on_needle_edge},
+                          FG::Spline_kind::BEZIER, std::back_inserter(points), exactly);
+  BOOST_CHECK(spline.report.curves.front().are_zero_edges_contracted);
+  BOOST_CHECK(points.front() == Point(4, 2, 0));
+  BOOST_CHECK_SMALL((points.back() - Point(3.5, 4, 0)).squared_length(), 1e-24);
+}
+
+BOOST_AUTO_TEST_CASE(a_hole_of_length_zero_is_a_vertex)
+{
+  const int n = 12, m = 3;
+  const double radius = 3, height = 2, side = std::hypot(radius, height);
+  const Mesh mesh = to_mesh<Mesh>(cone_with_hole(n, m, radius, height));
+  int met = 0;
+  for(int i = 1; i <= n / 2; ++i) {
+    std::vector<Point> points;
+    const FG::Shortest_path_report report =
+        FG::shortest_path(mesh, vertex(n * m), vertex(n * 2 + i), std::back_inserter(points), exactly).report;
+    const double angle = cone_angle(n, radius, height) * i / n;
+    BOOST_CHECK_CLOSE_FRACTION(report.length, cone_distance(side, side * 2 / m, angle), 1e-12);
+    if(report.shortening.curves.front().are_zero_edges_contracted)
+      BOOST_CHECK(report.is_confirmed);
+    met += report.shortening.curves.front().are_zero_edges_contracted ? 1 : 0;
+  }
+  BOOST_CHECK_GT(met, 0);
+}
+
+BOOST_AUTO_TEST_CASE(sheets_that_meet_in_a_point_are_apart)
+{
+  const int n = 6, m = 2;
+  Mesh_soup soup = cone_with_hole(n, m, 1, 1);
+  const int count = static_cast<int>(soup.points.size());
+  const Mesh_soup lower = soup;
+  for(int v = n; v < count; ++v) // a second cone, upside down, on the same ring of vertices
+    soup.points.push_back({lower.points[v][0], lower.points[v][1], -lower.points[v][2]});
+  const auto mirrored = [&](int v) { return v < n ? v : v + count - n; };
+  for(const Corners& t : lower.triangles)
+    soup.triangles.push_back({mirrored(t[1]), mirrored(t[0]), mirrored(t[2])});
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  BOOST_CHECK(contracted(mesh).input().has_split_point());
+
+  std::vector<Point> points;
+  for(int first : {n, count}) { // within each cone
+    const auto report =
+        FG::geodesic_path(mesh, vertex(first), vertex(first + 3), std::back_inserter(points), exactly).report;
+    BOOST_CHECK(report.is_complete());
+    BOOST_CHECK(!FG::shortest_path(mesh, vertex(first), vertex(first + 3), std::back_inserter(points), exactly)
+                     .report.is_confirmed);
+  }
+  BOOST_CHECK_THROW(FG::geodesic_path(mesh, vertex(n), vertex(count), std::back_inserter(points), exactly),
+                    FG::Degenerate_face_error);
+}
+
+BOOST_AUTO_TEST_CASE(without_being_asked_a_triangulation_refuses)
+{
+  Mesh_soup soup = flat_grid(4, 4, Diagonal_rule::RISING);
+  const int v = grid_vertex(4, 2, 2);
+  const int w = split_vertex(soup, v, grid_vertex(4, 3, 2), grid_vertex(4, 1, 2));
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const Triangulation strict(mesh, Metric(mesh.points()));
+  const std::vector<FG::Index> chain = {v, w};
+  BOOST_CHECK_THROW(FG::halfedges_on_surface(strict, chain, false), FG::Degenerate_face_error);
+  const Triangulation left = contracted(mesh);
+  BOOST_CHECK(FG::halfedges_on_surface(left, chain, false).empty());
+  BOOST_CHECK_EQUAL(FG::vertex_on_surface(left, w), v);
+  BOOST_CHECK_THROW(FG::vertex_on_surface(left, w + 1), FG::Vertex_out_of_range_error);
+  const std::vector<FG::Index> apart = {v, grid_vertex(4, 0, 0)};
+  BOOST_CHECK_THROW(FG::halfedges_on_surface(left, apart, false), FG::Invalid_curve_error);
+
+  const Mesh regular = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  BOOST_CHECK(!contracted(regular).input().is_contracted());
+}
+
+BOOST_AUTO_TEST_CASE(other_meshes_are_contracted_alike)
+{
+  const Mesh_soup soup = split_at_random(cube(3), 60, 7);
+  const Mesh_archetype mesh(soup);
+  const FG::internal::Indexed_mesh<Mesh_archetype> plain(mesh);
+  const auto lengths = [&](auto tail, auto head) { return distance(soup.points[tail], soup.points[head]); };
+  const auto left = plain.contracted([&](FG::Index h) { return lengths(plain.tail(h), plain.tail(h ^ 1)); });
+  BOOST_CHECK_EQUAL(left.number_of_halfedges(), 3 * static_cast<FG::Index>(cube(3).triangles.size()));
+  for(FG::Index h = 0; h < left.number_of_halfedges(); ++h) {
+    BOOST_REQUIRE_EQUAL(left.next(left.next(left.next(h))), h);
+    BOOST_CHECK_EQUAL(left.index(left.halfedge(h)), h);
+    BOOST_CHECK(soup.points[left.tail(h)] == soup.points[left.uncontracted_tail(h)]);
+  }
+  // Lengths that no points have: two sides that should be one differ.
+  BOOST_CHECK_THROW(plain.contracted([&](FG::Index h) {
+    const double length = lengths(plain.tail(h), plain.tail(h ^ 1));
+    return length == 0 ? 0 : length + h / 2;
+  }),
+                    FG::Degenerate_face_error);
+}
