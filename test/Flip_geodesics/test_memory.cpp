@@ -217,3 +217,37 @@ BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_a_loop_valid)
   }
   BOOST_TEST(failures > 10u);
 }
+
+// The flips of a shortening once more, each with every allocation failing first, those for faces laid out afresh too.
+BOOST_AUTO_TEST_CASE(a_flip_without_memory_changes_nothing)
+{
+  const Mesh_soup soup = needle_strip(60, 1, 1e-6);
+  Setting done(soup), replayed(soup);
+  done.add_path(grid_vertex(60, 0, 0), grid_vertex(60, 60, 1));
+  done.pull();
+  Triangulation& t = replayed.triangulation;
+  std::size_t failures = 0;
+  for(std::size_t i = 0; i < done.triangulation.log_position(); ++i) {
+    const auto& record = done.triangulation.flip_record(i);
+    if(record.hp == FG::null_index)
+      continue;
+    const std::size_t before = t.log_position();
+    const Index version = t.version(record.h / 2), next = t.next(record.h);
+    bool is_flipped = false;
+    for(std::size_t allocations = 0; !is_flipped; ++allocations) {
+      allocations_left = allocations;
+      try {
+        t.flip(record.h);
+        is_flipped = true;
+      } catch(const std::bad_alloc&) {
+        ++failures;
+      }
+      allocations_left = std::numeric_limits<std::size_t>::max();
+      if(!is_flipped)
+        BOOST_TEST_REQUIRE(
+            (t.log_position() == before && t.version(record.h / 2) == version && t.next(record.h) == next));
+    }
+  }
+  BOOST_TEST(failures > 50u);
+  BOOST_TEST((replayed.flips() == done.flips()));
+}

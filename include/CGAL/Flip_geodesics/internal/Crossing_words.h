@@ -156,7 +156,7 @@ private:
   using Flip_record = typename Triangulation::Flip_record;
 
   // Words are kept in so much memory.
-  static constexpr std::size_t few_bytes = 1 << 20, bytes_per_record = 8;
+  static constexpr std::size_t few_bytes = 1 << 20, bytes_per_record = 4;
   static constexpr std::size_t most_spare_letters = 1 << 10;
   // How many crossings are unfolded faster than vectors are derived.
   static constexpr Index few_crossings = 4;
