@@ -64,12 +64,12 @@ public:
     return value;
   }
 
-  /// The next coordinate. \throws Bad_input if it is not finite
+  /// The next coordinate. \throws Bad_input if it is not finite, and has to be
   template <class T>
   double coordinate(const Element& element)
   {
     const T value = get<T>(element);
-    if(!std::isfinite(value))
+    if(!std::isfinite(value) && !m_input.may_have_points_not_finite())
       fail(element, "has a coordinate that is not a finite number; correct it");
     return static_cast<double>(value);
   }

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_INPUT_H
 
 #include "curve_requests.h"
+#include "input_mesh.h"
 #include "input_text.h"
 #include "program_mesh.h"
 #include "text_scanner.h"
@@ -46,13 +47,6 @@ private:
 
   std::vector<Index> m_parents;
 };
-
-inline void check_vertex(const Mesh& mesh, long long v, const std::string& name)
-{
-  if(v < 0 || v >= static_cast<long long>(mesh.number_of_vertices()))
-    throw Bad_input(name + ": vertex " + std::to_string(v) + " does not exist; use 0 to " +
-                    std::to_string(mesh.number_of_vertices() - 1));
-}
 
 inline void check_pair(Components& components, const Curve_request& pair)
 {
@@ -116,7 +110,7 @@ void for_each_line(const Input_text& input, Function use)
     use(words);
 }
 
-inline std::vector<Index> read_vertices(const Mesh& mesh, Text_scanner& words)
+inline std::vector<Index> read_vertices(const Input_mesh& mesh, Text_scanner& words)
 {
   const std::string name = words.place();
   std::vector<Index> vertices;
@@ -124,41 +118,38 @@ inline std::vector<Index> read_vertices(const Mesh& mesh, Text_scanner& words)
     long long v = 0;
     if(const char* const error = parse_number(word, v))
       words.fail("'" + printable(word) + "' " + error + "; write 0-based numbers of vertices between blanks");
-    check_vertex(mesh, v, name);
-    vertices.push_back(static_cast<Index>(v));
+    vertices.push_back(mesh.vertex(v, name));
   }
   return vertices;
 }
 
-inline Curve_request make_pair_request(const Mesh& mesh, long long s, long long t, const std::string& name)
+inline Curve_request make_pair_request(Index s, Index t, const std::string& name)
 {
-  check_vertex(mesh, s, name);
-  check_vertex(mesh, t, name);
   Curve_request pair;
   pair.name = name;
-  pair.vertices = {static_cast<Index>(s), static_cast<Index>(t)};
+  pair.vertices = {s, t};
   pair.is_pair = true;
   return pair;
 }
 
 /// The tree from a vertex.
-inline Network_request tree_request(const Mesh& mesh, long long source)
+inline Network_request tree_request(const Input_mesh& mesh, long long source)
 {
-  check_vertex(mesh, source, "--source");
-  return {{}, {}, static_cast<Index>(source)};
+  return {{}, {}, mesh.vertex(source, "--source")};
 }
 
 /// The pair of the command line.
-inline std::vector<Curve_request> single_pair(const Mesh& mesh, long long s, long long t)
+inline std::vector<Curve_request> single_pair(const Input_mesh& mesh, long long s, long long t)
 {
   Components components(mesh);
-  std::vector<Curve_request> pairs = {make_pair_request(mesh, s, t, "--from, --to")};
+  const std::string name = "--from, --to";
+  std::vector<Curve_request> pairs = {make_pair_request(mesh.vertex(s, name), mesh.vertex(t, name), name)};
   check_pair(components, pairs.front());
   return pairs;
 }
 
 /// Lines `s t`.
-inline std::vector<Curve_request> read_pairs(const Mesh& mesh, const Input_text& input)
+inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input_text& input)
 {
   Components components(mesh);
   std::vector<Curve_request> pairs;
@@ -166,7 +157,7 @@ inline std::vector<Curve_request> read_pairs(const Mesh& mesh, const Input_text&
     const std::vector<Index> v = read_vertices(mesh, words);
     if(v.size() != 2)
       words.fail("a pair is two vertices, not " + std::to_string(v.size()) + "; write `source target`");
-    pairs.push_back(make_pair_request(mesh, v[0], v[1], words.place()));
+    pairs.push_back(make_pair_request(v[0], v[1], words.place()));
     check_pair(components, pairs.back());
   });
   check_not_empty(pairs, input);
@@ -192,13 +183,13 @@ inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t cou
     const std::vector<Index>& component = members[components.root(s)];
     const Index t = component[random() % component.size()];
     if(s != t)
-      pairs.push_back(make_pair_request(mesh, s, t, "random pair " + std::to_string(pairs.size())));
+      pairs.push_back(make_pair_request(s, t, "random pair " + std::to_string(pairs.size())));
   }
   return pairs;
 }
 
 /// Lines of vertices, each joined to the next by an edge. A closed curve may repeat its first vertex at the end.
-inline std::vector<Curve_request> read_curves(const Mesh& mesh, const Input_text& input, bool are_closed)
+inline std::vector<Curve_request> read_curves(const Input_mesh& mesh, const Input_text& input, bool are_closed)
 {
   std::vector<Curve_request> curves;
   for_each_line(input, [&](Text_scanner& words) {
@@ -216,7 +207,7 @@ inline std::vector<Curve_request> read_curves(const Mesh& mesh, const Input_text
 }
 
 /// Lines of vertices as in `read_curves()`; after `o` the curve is closed, after `!` the vertices are fixed.
-inline Network_request read_network(const Mesh& mesh, const Input_text& input)
+inline Network_request read_network(const Input_mesh& mesh, const Input_text& input)
 {
   Network_request network;
   for_each_line(input, [&](Text_scanner& words) {

@@ -26,8 +26,8 @@
 // Networks that are not given as curves but follow from other data: segmentations and textures.
 namespace program {
 
-/// The label of each face: one a line, in the order of the faces. \throws Bad_input
-inline std::vector<long long> read_labels(const Mesh& mesh, const Input_text& input)
+/// The label of each face of the file: one a line, in the order of the faces. \throws Bad_input
+inline std::vector<long long> read_labels(const Input_mesh& mesh, const Input_text& input)
 {
   std::vector<long long> labels;
   Text_scanner words(input);
@@ -37,9 +37,9 @@ inline std::vector<long long> read_labels(const Mesh& mesh, const Input_text& in
       words.fail("label " + std::to_string(labels.size() - 1) + ", '" + printable(word) + "', " + error +
                  "; write one label per line");
   }
-  if(labels.size() != mesh.number_of_faces())
+  if(labels.size() != mesh.number_of_faces_in_file())
     throw Bad_input(input.name() + ": there are " + std::to_string(labels.size()) + " labels for " +
-                    std::to_string(mesh.number_of_faces()) + " faces; write one for each face");
+                    std::to_string(mesh.number_of_faces_in_file()) + " faces; write one for each face");
   return labels;
 }
 
@@ -62,11 +62,13 @@ public:
 
   std::size_t number_of_faces() const { return m_soup.faces.size(); }
 
-  /// The coordinates of face `f` at vertex `v`.
-  const Coordinates& at(std::size_t f, std::size_t v) const
+  /// The coordinates of a face of the mesh at one of its vertices.
+  const Coordinates& at(const Input_mesh& mesh, Mesh::Face_index mesh_face, Mesh::Vertex_index v) const
   {
+    const std::size_t f = mesh.face_in_file(mesh_face);
     const std::vector<std::size_t>& face = m_soup.faces[f];
-    const auto corner = static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin());
+    const auto is_at_v = [&](std::size_t point) { return mesh.comes_from(v, point); };
+    const auto corner = static_cast<std::size_t>(std::find_if(face.begin(), face.end(), is_at_v) - face.begin());
     if(corner == face.size())
       throw Bad_input(m_name + ": face " + std::to_string(f) + " of the mesh is another one in the file; simplify it");
     return m_texture.coordinates[m_texture.corners[f][corner]];
@@ -111,11 +113,12 @@ inline Network_request requests(const Network& network, const std::string& name)
 } // namespace data
 
 /// The boundaries between faces with different labels. \throws Bad_input
-inline Network_request read_segmentation(const Mesh& mesh, const Input_text& input, bool has_free_junctions)
+inline Network_request read_segmentation(const Input_mesh& input_mesh, const Input_text& input, bool has_free_junctions)
 {
   namespace FG = CGAL::Flip_geodesics;
-  const std::vector<long long> labels = read_labels(mesh, input);
-  const auto label = [&](Mesh::Face_index f) { return labels[static_cast<std::size_t>(f)]; };
+  const Mesh& mesh = input_mesh;
+  const std::vector<long long> labels = read_labels(input_mesh, input);
+  const auto label = [&](Mesh::Face_index f) { return labels[input_mesh.face_in_file(f)]; };
   data::Triangulation triangulation(mesh, data::Unit_metric(mesh, data::Lengths(1)));
   data::Network network(triangulation);
   try {
@@ -130,15 +133,14 @@ inline Network_request read_segmentation(const Mesh& mesh, const Input_text& inp
 }
 
 /// The edges of an OBJ file at which texture coordinates jump. \throws Bad_input
-inline Network_request read_seams(const Mesh& mesh, const Input_text& input)
+inline Network_request read_seams(const Input_mesh& input_mesh, const Input_text& input)
 {
   namespace FG = CGAL::Flip_geodesics;
+  const Mesh& mesh = input_mesh;
   const Texture_corners corners(input);
-  if(corners.number_of_faces() != mesh.number_of_faces())
+  if(corners.number_of_faces() != input_mesh.number_of_faces_in_file())
     throw Bad_input(input.name() + ": the mesh reader found other faces than the texture reader; simplify the file");
-  const auto texture = [&](Mesh::Halfedge_index h) {
-    return corners.at(static_cast<std::size_t>(mesh.face(h)), static_cast<std::size_t>(mesh.target(h)));
-  };
+  const auto texture = [&](Mesh::Halfedge_index h) { return corners.at(input_mesh, mesh.face(h), mesh.target(h)); };
   data::Triangulation triangulation(mesh, data::Unit_metric(mesh, data::Lengths(1)));
   data::Network network(triangulation);
   try {

@@ -123,7 +123,7 @@ inline Curve_request read_polyline_in_space(Text_scanner& words, const Surface_p
   return curve;
 }
 
-inline Curve_request read_polyline_on_mesh(const Mesh& mesh, Text_scanner& words, const std::string& name)
+inline Curve_request read_polyline_on_mesh(const Input_mesh& mesh, Text_scanner& words, const std::string& name)
 {
   Curve_request curve;
   curve.is_closed = words.take('o');
@@ -132,7 +132,7 @@ inline Curve_request read_polyline_on_mesh(const Mesh& mesh, Text_scanner& words
   return curve;
 }
 
-inline std::vector<Curve_request> read_drawn_curves(const Mesh& mesh, const Input_text& input)
+inline std::vector<Curve_request> read_drawn_curves(const Input_mesh& mesh, const Input_text& input)
 {
   const std::string ending = ".polylines.txt";
   std::optional<Surface_projector> project;

@@ -39,6 +39,11 @@ constexpr int success = 0, incomplete = 1, bad_input = 2;
 void add_options(CLI::App& app, Options& options)
 {
   app.add_option("MESH", options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL")->required();
+  app.add_flag(
+      "--repair", options.is_repaired,
+      "Make a triangle mesh of any polygons: triangulate, orient, cut apart, stitch, drop; and say what was done");
+  app.add_option("--repaired", options.results.repaired,
+                 "With --repair: write the repaired mesh, which the results are about: .off, .obj, .ply, .stl or .vtp");
   app.add_option("--from", options.from, "Source of one geodesic; vertices are counted from 0");
   app.add_option("--to", options.to, "Target of one geodesic");
   app.add_option("--pairs", options.pairs, "File: a geodesic per line `source target`; # starts a comment");
@@ -119,9 +124,9 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 void check_names_of_results(const Options& options)
 {
   std::vector<std::string> results;
-  for(const std::string& name :
-      {options.results.polylines, options.results.stats, options.results.viewer, options.results.page,
-       options.results.map, options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
+  for(const std::string& name : {options.results.polylines, options.results.stats, options.results.viewer,
+                                 options.results.page, options.results.map, options.results.repaired,
+                                 options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
   {
     if(name.empty())
       continue;
@@ -136,7 +141,7 @@ void check_names_of_results(const Options& options)
   }
 }
 
-void check_mesh_results(const Mesh_result_options& options)
+void check_mesh_results(const Mesh_result_options& options, const std::string& repaired)
 {
   if(options.refine && !(*options.refine >= 0 && *options.refine <= 30))
     throw Bad_input("--refine takes the smallest angle, in degrees, between 0 and 30");
@@ -147,7 +152,7 @@ void check_mesh_results(const Mesh_result_options& options)
   if(options.most_vertices && *options.most_vertices < 0)
     throw Bad_input("--most-vertices must not be negative");
   const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};
-  for(const std::string& name : {options.subdivision, options.insertion, options.cut})
+  for(const std::string& name : {options.subdivision, options.insertion, options.cut, repaired})
     if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
       throw Bad_input(printable(name) +
                       ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
@@ -163,6 +168,8 @@ void check_options(const Options& options)
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --draw, --segmentation, --seams, --source");
+  if(!options.is_repaired && !options.results.repaired.empty())
+    throw Bad_input("--repaired belongs to --repair; give both");
   if(!options.source && (options.is_shortest || !options.results.map.empty()))
     throw Bad_input("--shortest and --map belong to --source; give a source");
   if(options.source && options.stop_length)
@@ -195,18 +202,19 @@ void check_options(const Options& options)
     throw Bad_input("--threads must lie between 1 and 1024");
   if(options.threads > 1 && !has_threads)
     throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
-  check_mesh_results(options.meshes);
+  check_mesh_results(options.meshes, options.results.repaired);
   check_names_of_results(options);
   if(options.threads > 1 && !options.results.page.empty())
     throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
 }
 
 // What becomes of the curves, and a line for people above them.
-int run(const Options& options, const Mesh& mesh, const Program_metric& metric, const std::string& title,
+int run(const Options& options, const Input_mesh& input, const Program_metric& metric, const std::string& title,
         Progress& progress)
 {
+  const Mesh& mesh = input;
   progress.enter("reading curves");
-  const std::vector<Network_request> requests = read_requests(options, mesh);
+  const std::vector<Network_request> requests = read_requests(options, input);
   if(requests.size() != 1 && options.meshes.is_any_wanted())
     throw Bad_input("--delaunay, --refine, --subdivision, --insert and --cut take one curve, or a network of several");
   std::size_t number_of_curves = 0;
@@ -226,6 +234,9 @@ int run(const Options& options, const Mesh& mesh, const Program_metric& metric, 
       engine->check(request);
 
   const std::unique_ptr<Outputs> outputs = make_outputs(options);
+  if(!options.is_quiet)
+    for(const std::string& remark : input.remarks())
+      std::cerr << "flip_geodesics: " << remark << '\n';
   const auto write = [&](const Network_request&, const std::vector<Curve_result>& results) {
     progress.enter("writing");
     outputs->write(results, engine->record());
@@ -257,14 +268,15 @@ int run(const Options& options)
   const Watcher watcher(progress, options.is_quiet);
   progress.enter("reading the mesh");
   const Stopwatch stopwatch;
-  const Mesh mesh = read_input_mesh(options);
+  const Input_mesh input = read_input_mesh(options);
+  const Mesh& mesh = input;
   std::ostringstream title;
   title << printable(options.mesh) << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
         << " triangles, read in " << stopwatch.seconds() << " s\n";
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";
-  return run(options, mesh, metric, title.str(), progress);
+  return run(options, input, metric, title.str(), progress);
 }
 
 // What is left of standard output goes out.

@@ -34,8 +34,13 @@ public:
 
   const std::string& bytes() const { return m_bytes; }
 
+  /// May a mesh have points that are not finite, with which somebody else deals?
+  bool may_have_points_not_finite() const { return m_may_have_points_not_finite; }
+  void allow_points_not_finite() { m_may_have_points_not_finite = true; }
+
 private:
   std::string m_file, m_name, m_bytes;
+  bool m_may_have_points_not_finite = false;
 };
 
 /// Reads a file, or what comes out of a pipe. \throws Bad_input also if it is empty

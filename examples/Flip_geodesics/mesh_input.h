@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_MESH_INPUT_H
 
 #include "file_name.h"
+#include "input_mesh.h"
 #include "input_text.h"
 #include "program_mesh.h"
 #include "read_obj.h"
@@ -13,10 +14,14 @@
 #include "read_ts.h"
 #include "soup_checks.h"
 
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/polygon_soup_to_triangle_mesh.h>
+
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
 #include <map>
 #include <string>
+#include <utility>
 
 // Reads the mesh of the program, as a soup first, so that an error can name its element and vertices keep the numbers
 // that they have in the file.
@@ -56,13 +61,28 @@ inline Mesh read_mesh(const Input_text& input)
   try {
     check_soup(soup);
   } catch(const Bad_input& error) {
-    throw Bad_input(input.name() + ": " + error.what());
+    throw Bad_input(input.name() + ": " + error.what() + (soup.faces.empty() ? "" : ", or give --repair"));
   }
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
   if(mesh.number_of_faces() != soup.faces.size())
-    throw Bad_input(input.name() + ": the faces do not form an oriented manifold; repair the mesh");
+    throw Bad_input(input.name() + ": the faces do not form an oriented manifold; give --repair");
   return mesh;
+}
+
+/// Reads whatever a file holds and repairs it. \throws Bad_input if nothing is left
+inline Input_mesh repair_mesh(Input_text input)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  input.allow_points_not_finite();
+  const Soup soup = read_soup(input);
+  Mesh mesh;
+  try {
+    FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh);
+    return Input_mesh(std::move(mesh), std::move(report));
+  } catch(const FG::Error& error) {
+    throw Bad_input(input.name() + ": " + error.what() + "; give another mesh");
+  }
 }
 
 } // namespace program

@@ -35,12 +35,11 @@ inline std::vector<double> read_numbers(std::string_view word, const std::string
   return numbers;
 }
 
-inline Index read_vertex(const Mesh& mesh, double number, const std::string& name)
+inline Index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
 {
   if(!(number >= -1e15 && number <= 1e15) || number != static_cast<double>(static_cast<long long>(number)))
     throw Bad_input(name + ": a point has a vertex that is no whole number; vertices are counted from 0");
-  check_vertex(mesh, static_cast<long long>(number), name);
-  return static_cast<Index>(number);
+  return mesh.vertex(static_cast<long long>(number), name);
 }
 
 /// The halfedge from a to b; one of the face with c if that is given.
@@ -52,20 +51,21 @@ inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Index a, Index b,
   return is_of_face ? h : Mesh::null_halfedge();
 }
 
-inline CGAL::Flip_geodesics::Surface_location read_point(const Mesh& mesh, std::string_view word,
+inline CGAL::Flip_geodesics::Surface_location read_point(const Input_mesh& input_mesh, std::string_view word,
                                                          const std::string& name)
 {
+  const Mesh& mesh = input_mesh;
   const std::vector<double> n = read_numbers(word, name);
   if(n.size() != 1 && n.size() != 3 && n.size() != 5)
     throw_no_point(word, name);
-  const Index a = read_vertex(mesh, n[0], name);
+  const Index a = read_vertex(input_mesh, n[0], name);
   if(n.size() == 1) {
     const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(a));
     if(h == Mesh::null_halfedge())
       throw Bad_input(name + ": vertex " + std::to_string(a) + " is in no face; choose another one");
     return {static_cast<Index>(mesh.opposite(h)), {{1, 0, 0}}};
   }
-  const Index b = read_vertex(mesh, n[1], name), c = n.size() == 5 ? read_vertex(mesh, n[2], name) : -1;
+  const Index b = read_vertex(input_mesh, n[1], name), c = n.size() == 5 ? read_vertex(input_mesh, n[2], name) : -1;
   const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
   if(!(t >= 0 && u >= 0 && t + u <= 1))
     throw Bad_input(name + ": '" + printable(word) +
@@ -80,7 +80,7 @@ inline CGAL::Flip_geodesics::Surface_location read_point(const Mesh& mesh, std::
 
 /// Lines of points. Those of splines are control points; `s` before them makes them those of a cubic B-spline, `o` of a
 /// closed one, and nothing those of a Bezier curve.
-inline std::vector<Curve_request> read_point_curves(const Mesh& mesh, const Input_text& input, bool are_splines)
+inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, const Input_text& input, bool are_splines)
 {
   using CGAL::Flip_geodesics::Spline_kind;
   Components components(mesh);

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_EXAMPLES_PROGRAM_INPUT_H
 
 #include "curve_requests.h"
-#include "program_mesh.h"
+#include "input_mesh.h"
 #include "program_options.h"
 
 #include <string>
@@ -14,11 +14,11 @@
 // themselves.
 namespace program {
 
-/// The mesh, which is an oriented manifold of triangles. \throws Bad_input
-Mesh read_input_mesh(const Options& options);
+/// The mesh, which is an oriented manifold of triangles: as it is in the file, or repaired. \throws Bad_input
+Input_mesh read_input_mesh(const Options& options);
 
 /// The independent runs: one curve each, or all curves of a network. \throws Bad_input
-std::vector<Network_request> read_requests(const Options& options, const Mesh& mesh);
+std::vector<Network_request> read_requests(const Options& options, const Input_mesh& mesh);
 
 } // namespace program
 

@@ -25,12 +25,13 @@ struct Mesh_result_options
 /// The names of the other files that are written; empty for those that are not wanted.
 struct Result_names
 {
-  std::string polylines, stats, viewer, page, map;
+  std::string polylines, stats, viewer, page, map, repaired;
 };
 
 struct Options
 {
   std::string mesh;
+  bool is_repaired = false;
   std::optional<long long> from, to;
   std::string pairs, edges, loop, network, segmentation, points, bezier, draw;
   bool is_snapped = false;

@@ -2,8 +2,8 @@
 #
 # cmake -D PROGRAM=... -D ARGUMENTS=a|b|... -D STATUS=n -D PATTERN=regex -P run_program.cmake
 #
-# Fails unless the program exits with STATUS and prints something like PATTERN: on standard output if STATUS is 0, else
-# on standard error, where bad input (2) must be told in one line without control characters and print nothing else.
+# Fails unless the program exits with STATUS and prints something like PATTERN: on standard output, and then on standard
+# error, if STATUS is 0, else on standard error, where bad input (2) must be told in one line without control characters and print nothing else.
 
 string(REPLACE "|" ";" arguments "${ARGUMENTS}")
 execute_process(
@@ -15,7 +15,7 @@ if(NOT status STREQUAL STATUS)
   message(FATAL_ERROR "exit status ${status} instead of ${STATUS}\n${output}${errors}")
 endif()
 if(STATUS EQUAL 0)
-  set(text "${output}")
+  set(text "${output}${errors}")
 else()
   set(text "${errors}")
 endif()

@@ -5,6 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -12,8 +13,8 @@
 
 namespace program {
 
-/// Points and polygons as they are in a file, in its order. All coordinates are finite, all indices are those of
-/// points.
+/// Points and polygons as they are in a file, in its order. All coordinates are finite, unless an `Input_text` may have
+/// others; all indices are those of points.
 struct Soup
 {
   using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -29,6 +30,11 @@ public:
   /// The index of a point.
   std::size_t add_point(const Soup::Point_3& p)
   {
+    const bool is_finite = std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+    if(!is_finite) { // equal to none, and in no order
+      m_soup.points.push_back(p);
+      return m_soup.points.size() - 1;
+    }
     const auto [place, is_new] = m_indices.try_emplace(p, m_soup.points.size());
     if(is_new)
       m_soup.points.push_back(p);

@@ -126,6 +126,17 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${example_dir}/tiny.off "OFF\n3 1 0\n0 0 0\n1e-170 0 0\n0 1e-170 0\n3 0 1 2\n")
   file(WRITE ${example_dir}/far.polylines.txt "2 1 0 0 1e308 0 0\n")
 
+  # A square pyramid: a quadrilateral, a face turned over, one that is there twice, two points in the place of vertex 4,
+  # a point that is none, a triangle at vertex 0 alone.
+  file(WRITE ${example_dir}/pyramid.off
+       "OFF\n10 8 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 2\n1 1 2\n1 1 2\n0 nan 0\n-1 0 0\n-1 -1 0\n"
+       "4 3 2 1 0\n3 0 1 4\n3 1 5 2\n3 2 3 4\n3 3 0 6\n3 0 1 4\n3 0 1 7\n3 0 8 9\n")
+  file(WRITE ${example_dir}/pyramid_edges.txt "0 5 2\n")
+  file(WRITE ${example_dir}/pyramid.seg "0\n1\n1\n1\n1\n1\n1\n1\n")
+  file(WRITE ${example_dir}/collapsed.off "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n")
+  file(WRITE ${example_dir}/quad_seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
+                                          "vt 0 1\nvt 5 5\nf 1/1 2/2 3/3 4/4\nf 2/5 5/2 6/3 3/4\n")
+
   flip_geodesics_add_program_test(pair 0 LOCALLY_SHORTEST torus.off --from 0 --to 150)
   flip_geodesics_add_program_test(pairs 0 "2 LOCALLY_SHORTEST" torus.off --pairs pairs.txt --mesh pairs.vtp)
   flip_geodesics_add_program_test(random 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --mesh random.ply)
@@ -152,6 +163,25 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(points_in_no_face 2 "not those of an edge or face" torus.off --bezier no_face.txt)
   flip_geodesics_add_program_test(reads_its_obj 0 LOCALLY_SHORTEST path.obj --from 0 --to 150)
   set_tests_properties(program_reads_its_obj PROPERTIES DEPENDS program_path)
+  flip_geodesics_add_program_test(not_repaired 2 "turned.off: the edge.*or give --repair" turned.off --from 0 --to 1)
+  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon of more than three corners"
+                                  pyramid.off --repair --repaired repaired.off --from 0 --to 2)
+  flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" repaired.off --from 0 --to 2)
+  set_tests_properties(program_repair_again PROPERTIES DEPENDS program_repair)
+  flip_geodesics_add_program_test(repair_merged 0 "0  *4 " pyramid.off --repair --from 0 --to 5)
+  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair, into 0 10; 0 is taken"
+                                  pyramid.off --repair --from 0 --to 2)
+  flip_geodesics_add_program_test(repair_dropped 2 "vertex 7 has no faces after the repair" pyramid.off --repair --from 0
+                                  --to 7)
+  flip_geodesics_add_program_test(repair_edges 0 "1 LOCALLY_SHORTEST" pyramid.off --repair --edges pyramid_edges.txt)
+  flip_geodesics_add_program_test(repair_segmentation 0 "1 CONTRACTED" pyramid.off --repair --segmentation
+                                  pyramid.seg)
+  flip_geodesics_add_program_test(repair_seams 0 "1 LOCALLY_SHORTEST" quad_seam.obj --repair --seams)
+  flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 triangle"
+                                  collapsed.off --repair --from 0 --to 1)
+  flip_geodesics_add_program_test(repaired_alone 2 "--repaired belongs to --repair" torus.off --from 0 --to 1 --repaired
+                                  x.off)
+  flip_geodesics_add_program_test(bad_repaired 2 "x.xyz" torus.off --repair --from 0 --to 1 --repaired x.xyz)
   flip_geodesics_add_program_test(loop 0 LOCALLY_SHORTEST torus.off --loop loop.txt)
   flip_geodesics_add_program_test(trivial_loop 0 CONTRACTED torus.off --loop trivial_loop.txt --mesh none.vtp)
   flip_geodesics_add_program_test(network 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt)

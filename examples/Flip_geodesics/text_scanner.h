@@ -157,12 +157,21 @@ public:
     T value = 0;
     if(word.empty())
       fail(element, "is cut off; complete it");
-    if(const char* const error = parse_number(word, value))
+    const char* const error = parse_number(word, value);
+    if(error != nullptr && !(m_input->may_have_points_not_finite() && is_not_finite(value)))
       fail(element, "has '" + printable(word) + "', which " + error + "; correct it");
     return value;
   }
 
 private:
+  template <class T>
+  static bool is_not_finite(T value)
+  {
+    if constexpr(std::is_floating_point<T>::value)
+      return !std::isfinite(value);
+    return false;
+  }
+
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
   bool find_line()

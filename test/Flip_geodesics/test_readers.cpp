@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
 
 BOOST_AUTO_TEST_CASE(curve_files)
 {
-  const Mesh& mesh = reader_targets::octahedron();
+  const Input_mesh& mesh = reader_targets::octahedron();
   const auto pairs = [&](const std::string& bytes) {
     try {
       return "read: " + std::to_string(read_pairs(mesh, {"a.txt", bytes}).size());

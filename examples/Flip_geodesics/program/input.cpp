@@ -10,10 +10,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
-program::Mesh program::read_input_mesh(const Options& options) { return read_mesh(read_text(options.mesh)); }
+program::Input_mesh program::read_input_mesh(const Options& options)
+{
+  Input_text input = read_text(options.mesh);
+  return options.is_repaired ? repair_mesh(std::move(input)) : Input_mesh(read_mesh(input));
+}
 
-std::vector<program::Network_request> program::read_requests(const Options& options, const Mesh& mesh)
+std::vector<program::Network_request> program::read_requests(const Options& options, const Input_mesh& mesh)
 {
   if(!options.network.empty())
     return {read_network(mesh, read_text(options.network))};

@@ -27,6 +27,7 @@ public:
     , m_subdivision(options.meshes.subdivision)
     , m_insertion(options.meshes.insertion)
     , m_cut(options.meshes.cut)
+    , m_repaired(options.results.repaired)
   {
     m_scene.title = printable(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
   }
@@ -66,6 +67,10 @@ public:
     m_map.close();
     m_polylines.close();
     m_stats.close();
+    if(m_repaired.is_wanted()) {
+      m_repaired.write(mesh);
+      m_repaired.close();
+    }
     m_viewer.write(mesh, m_scene);
     m_page.write(mesh, m_scene);
   }
@@ -98,7 +103,7 @@ private:
   Viewer_file m_viewer;
   Page_file m_page;
   Map_file m_map;
-  Mesh_file m_subdivision, m_insertion, m_cut;
+  Mesh_file m_subdivision, m_insertion, m_cut, m_repaired;
   Scene m_scene;
   std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
   Run_summary m_summary;

@@ -61,8 +61,8 @@ inline void read_mesh(const std::string& extension, const std::string& bytes)
   const program::Input_text input = {"fuzz." + extension, bytes};
   call_reader([&] {
     check_soup_is_whole(program::read_soup(input));
-    const program::Mesh mesh = program::read_mesh(input);
-    require(mesh.is_valid(), "a mesh is not valid");
+    const program::Input_mesh mesh(program::read_mesh(input));
+    require(mesh.mesh().is_valid(), "a mesh is not valid");
     if(extension == "obj")
       program::read_seams(mesh, input);
   });
@@ -75,17 +75,17 @@ inline void read_stl(const std::string& bytes) { read_mesh("stl", bytes); }
 inline void read_ts(const std::string& bytes) { read_mesh("ts", bytes); }
 
 /// An octahedron: vertices 0 and 5 are opposite, and 1 to 4 lie around.
-inline const program::Mesh& octahedron()
+inline const program::Input_mesh& octahedron()
 {
-  static const program::Mesh mesh = program::read_mesh(
+  static const program::Input_mesh mesh(program::read_mesh(
       {"octahedron.off", "OFF 6 8 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1\n"
-                         "3 5 2 1\n3 5 3 2\n3 5 4 3\n3 5 1 4\n"});
+                         "3 5 2 1\n3 5 3 2\n3 5 4 3\n3 5 1 4\n"}));
   return mesh;
 }
 
 inline void check_curve(const program::Curve_request& curve)
 {
-  const auto& mesh = octahedron();
+  const program::Mesh& mesh = octahedron();
   check_message(curve.name);
   for(program::Index v : curve.vertices)
     require(v >= 0 && v < static_cast<program::Index>(mesh.number_of_vertices()), "a vertex does not exist");
@@ -104,7 +104,7 @@ inline void check_curve(const program::Curve_request& curve)
 /// Bytes of which the first says what file of curves on the octahedron the others are.
 inline void read_curves(const std::string& bytes)
 {
-  const program::Mesh& mesh = octahedron();
+  const program::Input_mesh& mesh = octahedron();
   const char kind = bytes.empty() ? ' ' : bytes[0];
   const program::Input_text input = {kind == 'w' ? "fuzz.polylines.txt" : "fuzz.txt",
                                      bytes.substr(bytes.empty() ? 0 : 1)};
