@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -46,9 +47,9 @@ struct Curve_result
   std::string status = "ERROR";
   std::string certificate = "none"; ///< the verdict of `certify()`, if it was asked for
   bool is_closed = false, is_of_tree = false;
-  bool are_zero_edges_contracted = false; ///< since it met an edge of length zero
+  bool are_zero_edges_contracted = false;            ///< since it met an edge of length zero
   double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
-  std::string error;                                 ///< why the status is ERROR
+  std::string error;                                 ///< why the status is ERROR or MEMORY_LIMIT
   std::vector<Curve_point> points;
 
   bool is_error() const { return status == "ERROR"; }
@@ -58,12 +59,13 @@ struct Run_options
 {
   CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
   bool is_certifying = false;
-  std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
-  bool is_shortest = false;          ///< replace paths of a tree that are not globally shortest
-  int rounds = 5;                    ///< how often the pieces of splines are halved
-  bool is_snapped = false;           ///< move polylines to edges, and do not insert their points
+  std::optional<double> stop_length;   ///< stop at this share of the initial length; of the total one of a network
+  bool is_shortest = false;            ///< replace paths of a tree that are not globally shortest
+  int rounds = 5;                      ///< how often the pieces of splines are halved
+  bool is_snapped = false;             ///< move polylines to edges, and do not insert their points
   bool are_zero_edges_refused = false; ///< and not contracted where they are met
   Mesh_result_options meshes;
+  std::size_t most_memory = (std::numeric_limits<std::size_t>::max)(); ///< for the records of flips, in bytes
 };
 
 /// The meshes that were asked for: they have the edges of a triangulation, or its curves.

@@ -31,6 +31,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -108,6 +109,9 @@ private:
     } catch(const CGAL::Flip_geodesics::Degenerate_face_error& error) {
       start_afresh();
       return m_options.are_zero_edges_refused ? failures(request, error.what()) : run_on_surface(request, error.what());
+    } catch(const std::bad_alloc&) {
+      start_afresh();
+      return failures(request, "there is not enough memory");
     } catch(const std::exception& error) {
       start_afresh();
       return failures(request, message(error));
@@ -227,7 +231,7 @@ private:
       results[c].initial_segments = halfedges.size();
       if(is_straightened(request)) {
         m_progress.enter("straightening");
-        results[c].flips = add_straightened_path(network, halfedges);
+        results[c].flips = add_straightened_path(network, halfedges, m_options.most_memory);
         m_progress.add_flips(results[c].flips);
         results[c].shorten_s = stopwatch.seconds() - results[c].search_s;
       } else {
@@ -304,7 +308,7 @@ private:
     } else {
       m_progress.enter("shortening", "steps");
       Progress_visitor visitor(m_progress);
-      path = FG::geodesics_through(m_triangulation, request.points, FG::Never_stop_predicate(), visitor);
+      path = FG::geodesics_through(m_triangulation, request.points, memory_limit(), visitor);
     }
     note(path.report, path.report.curves.front(), result);
     result.initial_segments = path.legs.size();
@@ -328,6 +332,8 @@ private:
     result.flip_outs = run.flip_outs;
     result.smallest_angle = curve.smallest_angle;
     result.status = to_string(curve.status);
+    if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
+      result.error = "it is not pulled tight to its end, as its flips take too much memory; give more with --most-memory";
   }
 
   // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
@@ -342,7 +348,7 @@ private:
     } else {
       FG::draw_polyline(network, polyline, request.is_closed);
       FG::order_overlapping_curves(network);
-      FG::shorten(network);
+      FG::shorten(network, memory_limit());
       network.reset_initial_length(0);
       network.free_nodes(0);
     }
@@ -396,6 +402,18 @@ private:
     return FG::halfedges_on_surface(m_triangulation, request.vertices, request.is_closed);
   }
 
+  CGAL::Flip_geodesics::Memory_stop_predicate memory_limit() const
+  {
+    return CGAL::Flip_geodesics::Memory_stop_predicate(m_options.most_memory);
+  }
+
+  auto length_limit() const
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    return FG::Any_stop_predicate<FG::Length_ratio_stop_predicate, FG::Memory_stop_predicate>(
+        FG::Length_ratio_stop_predicate(*m_options.stop_length), memory_limit());
+  }
+
   void shorten(Network& network, std::vector<Curve_result>& results, Recorder& recorder)
   {
     namespace FG = CGAL::Flip_geodesics;
@@ -404,9 +422,8 @@ private:
     const Stopwatch stopwatch;
     m_progress.enter("shortening", "steps");
     Recording_visitor<Network> visitor(m_progress, recorder);
-    const FG::Shortening_report report =
-        m_options.stop_length ? FG::shorten(network, FG::Length_ratio_stop_predicate(*m_options.stop_length), visitor)
-                              : FG::shorten(network, FG::Never_stop_predicate(), visitor);
+    const FG::Shortening_report report = m_options.stop_length ? FG::shorten(network, length_limit(), visitor)
+                                                               : FG::shorten(network, memory_limit(), visitor);
     const double seconds = stopwatch.seconds();
     for(std::size_t c = 0; c < results.size(); ++c) {
       const std::size_t flips_before = results[c].flips;

@@ -8,6 +8,7 @@
 #include "bad_input.h"
 #include "curve_engine.h"
 #include "file_name.h"
+#include "machine_memory.h"
 #include "parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
 #include "printable.h"
 #include "program_input.h"
@@ -85,6 +86,9 @@ void add_options(CLI::App& app, Options& options)
       ->capture_default_str();
   app.add_option("--stop-length", options.stop_length,
                  "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
+  app.add_option("--most-memory", options.most_memory,
+                 "Stop where the flips of a curve, or a network, take more megabytes; not given, three quarters of the "
+                 "machine's memory");
   app.add_option("--map", options.results.map,
                  "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
   app.add_option("--threads", options.threads, "Compute so many curves at the same time")->capture_default_str();
@@ -198,6 +202,8 @@ void check_options(const Options& options)
   search_method(options.search);
   if(options.stop_length && !(*options.stop_length >= 0 && *options.stop_length <= 1))
     throw Bad_input("--stop-length must lie between 0 and 1");
+  if(options.most_memory && !(*options.most_memory > 0 && *options.most_memory <= 1e9))
+    throw Bad_input("--most-memory must be above 0 and at most 1e9, in megabytes");
   if(options.threads < 1 || options.threads > 1024)
     throw Bad_input("--threads must lie between 1 and 1024");
   if(options.threads > 1 && !has_threads)
@@ -206,6 +212,14 @@ void check_options(const Options& options)
   check_names_of_results(options);
   if(options.threads > 1 && !options.results.page.empty())
     throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
+}
+
+// What the records of flips may take in each thread, in bytes.
+std::size_t most_memory(const Options& options)
+{
+  constexpr double megabyte = 1e6;
+  const double most = options.most_memory ? *options.most_memory * megabyte : 0.75 * memory_of_machine();
+  return static_cast<std::size_t>(most / options.threads);
 }
 
 // What becomes of the curves, and a line for people above them.
@@ -224,7 +238,8 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   const bool is_certified = options.kernel == "certified";
   const Run_options run_options = {
       search_method(options.search), is_certified,       options.stop_length, options.is_shortest,
-      options.rounds.value_or(5),    options.is_snapped, options.are_zero_edges_refused, options.meshes};
+      options.rounds.value_or(5),    options.is_snapped, options.are_zero_edges_refused, options.meshes,
+      most_memory(options)};
   const auto make_engine = [&] {
     return (is_certified ? make_certified_engine : make_double_engine)(mesh, metric, run_options, progress);
   };

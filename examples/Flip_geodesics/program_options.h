@@ -41,7 +41,7 @@ struct Options
   std::optional<long long> random;
   long long seed = 1;
   std::string kernel = "double", search = "lookback";
-  std::optional<double> stop_length, mollify;
+  std::optional<double> stop_length, mollify, most_memory;
   bool are_zero_edges_refused = false;
   int threads = 1;
   Result_names results;

@@ -42,9 +42,9 @@ public:
       m_summary.add(m_curve, run[i], i > 0);
       if(m_viewer.is_wanted() || m_page.is_wanted())
         m_scene.curves.push_back(scene_curve(run[i]));
-      if(run[i].is_error())
+      if(!run[i].error.empty())
         std::cerr << "flip_geodesics: curve " << m_curve << " (" << run[i].name << "): " << run[i].error << '\n';
-      m_has_failed = m_has_failed || run[i].is_error();
+      m_has_failed = m_has_failed || !run[i].error.empty();
     }
     ++m_run;
     if(!m_page.is_wanted())
