@@ -384,21 +384,23 @@ struct Liars_start : FG::Default_shortening_visitor
 // Flips of edges that must not be flipped, while points are inserted: the words tell, and the insertion is undone.
 BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
 {
-  for(bool has_curve : {false, true}) {
+  for(bool is_open : {false, true}) {
     std::size_t refused = 0;
-    for(int period : {2, 3, 5, 8, 13, 30})
-      for(int first = 0; first < 4; ++first) {
+    for(bool has_curve : {false, true})
+      for(int k = 0; k < 24; ++k) {
         Lies lies;
-        Liar liar(period, first);
+        const int periods[] = {2, 3, 5, 8, 13, 30};
+        Liar liar(periods[k / 4], k % 4);
         int lies_left = 0;
         const Triangulation* lied_to = nullptr;
         lies.is_locally_delaunay = [&](bool truth) {
           const bool is_time = lied_to != nullptr && lied_to->is_inserted(lied_to->number_of_vertices() - 1);
           return truth && !(is_time && lies_left > 0 && liar(false) && lies_left-- > 0);
         };
-        Setting setting(bumpy_sphere(4, 0.3, 2), Hostile_traits(lies));
+        Setting setting(is_open ? jittered_grid(5, 5, Diagonal_rule::RANDOM, 0.2, 1) : bumpy_sphere(4, 0.3, 2),
+                        Hostile_traits(lies));
         if(has_curve)
-          setting.add_path(0, 37);
+          setting.add_path(0, is_open ? 17 : 37);
         setting.pull();
         FG::flip_to_delaunay(setting.triangulation);
         lied_to = &setting.triangulation;
@@ -422,6 +424,59 @@ BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
       }
     BOOST_TEST(refused > 10u);
   }
+}
+
+namespace {
+
+// Truth until so many questions were asked.
+struct Late_start : FG::Default_shortening_visitor
+{
+  bool go_further()
+  {
+    *is_lying = --questions_left < 0;
+    return true;
+  }
+
+  bool* is_lying = nullptr;
+  Index questions_left = 0;
+};
+
+} // namespace
+
+// Lies one after another: flips that do not lead to the vertex end, and are taken back.
+BOOST_AUTO_TEST_CASE(refinement_among_wrong_flips_ends)
+{
+  std::size_t refused = 0;
+  for(const Mesh_soup& soup : {jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 1),
+                               flat_grid(5, 5, Diagonal_rule::RISING), bumpy_sphere(4, 0.3, 2)})
+    for(int period : {1, 2, 3, 5, 13})
+      for(bool has_curve : {false, true}) {
+        Lies lies;
+        Liar liar(period);
+        bool is_lying = false;
+        lies.is_locally_delaunay = [&](bool truth) { return is_lying ? liar(truth) : truth; };
+        Setting setting(soup, Hostile_traits(lies));
+        if(has_curve)
+          setting.add_path(0, 30);
+        setting.pull();
+        FG::flip_to_delaunay(setting.triangulation);
+        const Index vertices = setting.triangulation.number_of_vertices();
+        Late_start start;
+        start.is_lying = &is_lying;
+        start.questions_left = setting.triangulation.number_of_edges(); // those of the edges, before the faces
+        FG::Refinement_options options;
+        options.longest_edge = 0.5;
+        options.maximum_insertions = 200;
+        const FG::Refinement_report report = FG::refine(setting.network, options, start);
+        is_lying = false;
+        refused += report.refused;
+        BOOST_TEST(report.insertions + report.splits ==
+                   std::size_t(setting.triangulation.number_of_vertices() - vertices));
+        BOOST_TEST(setting.network.is_valid());
+        for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
+          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(2 * e));
+      }
+  BOOST_TEST(refused > 10u);
 }
 
 // A visitor that throws: the points that were inserted are gone.

@@ -219,15 +219,20 @@ private:
 
   // ---------------------------------------------------------------- one face
 
-  // Notes the flips after an insertion, and passes them on. These few are not interrupted.
+  // Notes the flips around a new vertex, and passes them on. These few are not interrupted, unless they are wrong: each
+  // flip makes an edge at the vertex, and none of those is flipped again, but for a few ties and what wrong ones left.
   struct Flip_recorder
   {
     Visitor& visitor;
     std::vector<Index>& changed;
+    Index x;
+    int strays = 0;
 
-    bool go_further() const { return true; }
+    bool go_further() const { return !has_lost_its_way(); }
+    bool has_lost_its_way() const { return strays > 64; }
     void on_flip(const Triangulation& triangulation, Index h)
     {
+      strays += triangulation.tail(h) == x || triangulation.head(h) == x ? 0 : 1;
       changed.push_back(h);
       visitor.on_flip(triangulation, h);
     }
@@ -248,43 +253,40 @@ private:
       return false;
     if(center->is_blocked)
       return split(center->halfedge);
-    const auto place = Face_chart<Triangulation>(m_triangulation, center->halfedge).locate(center->point);
-    if(!place || !has_room(place->location, std::abs(center->point)))
-      return false;
     const auto before = m_triangulation.log_position();
-    const Index vertices = m_triangulation.number_of_vertices();
-    bool is_removable = false;
-    try {
-      const Index x = insert(*place);
-      if(m_triangulation.number_of_vertices() == vertices)
-        return false; // there is one in this place
-      is_removable = !is_on_constrained_edge(x);
-      const std::vector<Index> encroached = flip_around(x);
-      if(encroached.empty() || !is_removable) {
-        look_around(x);
-        m_visitor.on_insertion(m_triangulation, x);
-        return true;
-      }
-      m_triangulation.rollback(before);
-      bool has_split = false;
-      for(Index e : encroached)
-        has_split = (!is_full() && split(2 * e)) || has_split;
-      return has_split;
-    } catch(const Insertion_error&) {
-      if(is_removable)
-        m_triangulation.rollback(before);
+    const Index x = insert(*center);
+    if(x == null_index)
       return false;
+    const bool is_removable = !is_on_constrained_edge(x), are_flips_right = flip_around(x);
+    std::vector<Index> encroached;
+    if(is_removable && are_flips_right)
+      encroached = encroached_by(x);
+    if(!encroached.empty() || (is_removable && !are_flips_right)) {
+      m_triangulation.rollback(before);
+      return split_all(encroached);
     }
+    look_around(x);
+    m_visitor.on_insertion(m_triangulation, x);
+    return true;
   }
 
-  // Points are found from corners of their input faces, as if each were inserted by itself, until that costs too much.
-  Index insert(const Point_at_piece& place)
+  // A new vertex; null where numbers are too coarse, or one is there already. Points are found from corners of their
+  // input faces, as if each were inserted by itself, until that costs too much.
+  Index insert(const Place& center)
   {
     constexpr std::size_t letters_per_point = 512;
-    Known_piece near = {place.halfedge, place.gap, m_letters + letters_per_point};
-    const Index x = m_splitter.insert(place.location, &near);
-    m_letters = near.letters;
-    return x;
+    const Index vertices = m_triangulation.number_of_vertices();
+    try {
+      const auto place = Face_chart<Triangulation>(m_triangulation, center.halfedge).locate(center.point);
+      if(!place || !has_room(place->location, std::abs(center.point)))
+        return null_index;
+      Known_piece near = {place->halfedge, place->gap, m_letters + letters_per_point};
+      const Index x = m_splitter.insert(place->location, &near);
+      m_letters = near.letters;
+      return x == vertices ? x : null_index;
+    } catch(const Insertion_error&) {
+      return null_index;
+    }
   }
 
   // The point was exactly there: then the edge was split, and with it a curve.
@@ -376,25 +378,20 @@ private:
   {
     if(m_triangulation.is_border(h))
       h = Triangulation::twin(h);
-    const std::optional<Point_on_edge> point = point_on_edge(m_triangulation, h, split_position(h));
     const double t = split_position(h);
-    if(!point || !has_room(point->location, (std::min)(t, 1 - t) * m_triangulation.length(h)))
-      return false;
     const auto in_segment = m_points.point(h, t * m_triangulation.length(h));
     Index x = null_index;
     try {
+      const std::optional<Point_on_edge> point = point_on_edge(m_triangulation, h, t);
+      if(!point || !has_room(point->location, (std::min)(t, 1 - t) * m_triangulation.length(h)))
+        return false;
       x = m_splitter.split_edge(h, point->location, point->gap);
     } catch(const Insertion_error&) {
       return false;
     }
     m_points.add(x, in_segment);
     ++m_counts.splits;
-    const auto after_split = m_triangulation.log_position();
-    try {
-      flip_around(x);
-    } catch(const Insertion_error&) {
-      m_triangulation.rollback(after_split); // without the flips that were wrong
-    }
+    flip_around(x);
     look_around(x);
     m_visitor.on_insertion(m_triangulation, x);
     return true;
@@ -415,16 +412,48 @@ private:
     return is_tail_old ? t : 1 - t;
   }
 
-  // Makes the faces around vertex x Delaunay; the constrained edges that x sees under more than 120 degrees.
-  std::vector<Index> flip_around(Index x)
+  // Of edges; is one split?
+  bool split_all(const std::vector<Index>& edges)
   {
+    bool result = false;
+    for(Index e : edges)
+      result = (!is_full() && split(2 * e)) || result;
+    return result;
+  }
+
+  // Makes the faces around vertex x Delaunay. Returns false, and leaves them as they were, if flips were wrong.
+  bool flip_around(Index x)
+  {
+    const auto before = m_triangulation.log_position();
     m_lawson.clear();
     for_each_edge_in_star(m_triangulation, x, [this](Index h) { m_lawson.look_at(Triangulation::edge(h)); });
     m_changed.clear();
-    Flip_recorder recorder = {m_visitor, m_changed};
-    m_counts.flips += m_lawson.flip(std::numeric_limits<std::size_t>::max(), recorder);
-    for(Index h : m_changed)
-      static_cast<void>(m_triangulation.crossing_word(h)); // throws if flips were wrong
+    Flip_recorder recorder = {m_visitor, m_changed, x};
+    try {
+      m_counts.flips += m_lawson.flip(std::numeric_limits<std::size_t>::max(), recorder);
+      if(!recorder.has_lost_its_way() &&
+         std::all_of(m_changed.begin(), m_changed.end(), [this](Index h) { return has_right_word(h); }))
+        return true;
+    } catch(const Insertion_error&) { // a word does not lead from end to end
+    }
+    m_triangulation.rollback(before);
+    return false;
+  }
+
+  // Throws or returns false if flips were wrong: the words of flipped edges lead from end to end, inside the surface.
+  bool has_right_word(Index h) const
+  {
+    const Crossing_word word = m_triangulation.crossing_word(h);
+    const auto is_inside = [&input = m_triangulation.input()](Index g) {
+      return !input.is_border(g) && !input.is_border(Triangulation::twin(g));
+    };
+    return (word.along == null_index || is_inside(word.along)) &&
+           std::all_of(word.crossed.begin(), word.crossed.end(), is_inside);
+  }
+
+  // The constrained edges that vertex x sees under more than 120 degrees.
+  std::vector<Index> encroached_by(Index x) const
+  {
     std::vector<Index> encroached;
     for_each_edge_in_star(m_triangulation, x, [&](Index h) {
       const bool is_opposite = !m_triangulation.is_border(h) && m_triangulation.tail(h) != x &&
