@@ -449,7 +449,7 @@ BOOST_AUTO_TEST_CASE(refinement_among_wrong_flips_ends)
   std::size_t refused = 0;
   for(const Mesh_soup& soup : {jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 1),
                                flat_grid(5, 5, Diagonal_rule::RISING), bumpy_sphere(4, 0.3, 2)})
-    for(int period : {1, 2, 3, 5, 13})
+    for(int period : {1, 2, 3, 5, 7, 13, 30})
       for(bool has_curve : {false, true}) {
         Lies lies;
         Liar liar(period);
@@ -457,7 +457,7 @@ BOOST_AUTO_TEST_CASE(refinement_among_wrong_flips_ends)
         lies.is_locally_delaunay = [&](bool truth) { return is_lying ? liar(truth) : truth; };
         Setting setting(soup, Hostile_traits(lies));
         if(has_curve)
-          setting.add_path(0, 30);
+          setting.add_path(0, 35); // along the diagonals of the second, with circumcentres on it
         setting.pull();
         FG::flip_to_delaunay(setting.triangulation);
         const Index vertices = setting.triangulation.number_of_vertices();
