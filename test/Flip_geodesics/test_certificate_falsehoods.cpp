@@ -25,7 +25,7 @@
 /*
  * True certificates, and then something changed that makes them false, by as little as there is: a letter of a word, a
  * unit in the last place of a vertex. What is true is known by rational arithmetic: the surfaces are screens, flat or
- * folded, that unfold to the plane by rational numbers.
+ * folded, that unfold to the plane by rational numbers, but for the width of all columns.
  */
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
@@ -60,15 +60,18 @@ using Verdict = FG::Certificate_verdict;
 
 constexpr int columns = 5, rows = 4;
 
-// The vertices of column i at x = 5 i, unfolded; folded like a fan, all coordinates stay rational.
+// Folded like a fan, in columns of one width: 5, or a root. What is straight does not depend on it.
+enum class Folds { NONE, RATIONAL, ROOTS };
+
+// The vertices of column i at x = 5 i, unfolded, in widths of a column.
 struct Screen
 {
-  bool is_folded;
+  Folds folds;
   std::array<double, (columns + 1) * (rows + 1)> y;
   Mesh_soup connectivity;
 
-  Screen(bool folded, unsigned seed)
-    : is_folded(folded)
+  Screen(Folds folds_, unsigned seed)
+    : folds(folds_)
     , connectivity(flat_grid(columns, rows, Diagonal_rule::RANDOM))
   {
     Random_numbers random(seed);
@@ -82,7 +85,9 @@ struct Screen
   Coordinates point(Index v) const
   {
     const double i = column(v);
-    return is_folded ? Coordinates{3 * i, y[v], column(v) % 2 == 0 ? 0.0 : 4.0} : Coordinates{5 * i, y[v], 0};
+    if(folds == Folds::NONE)
+      return {5 * i, y[v], 0};
+    return {3 * i, y[v], column(v) % 2 == 0 ? 0.0 : (folds == Folds::RATIONAL ? 4.0 : 5.0)};
   }
 
   Mesh_soup soup() const
@@ -223,7 +228,8 @@ void move_across(const Screen& screen, int inserted, Index from, Index to, Index
     const bool is_true = is_straight(setting, moved, word);
     const Verdict verdict = FG::certify(setting.network).curves[0].verdict;
     BOOST_TEST((verdict == (is_true ? Verdict::PROVEN : Verdict::BENT_SEGMENT)),
-               "folded " << screen.is_folded << ", from " << from << " to " << to << ", vertex " << v << ", " << units);
+               "folds " << static_cast<int>(screen.folds) << ", from " << from << " to " << to << ", vertex " << v
+                        << ", " << units);
     const int side =
         orientation(place(setting, moved, word.tail), place(setting, moved, word.head), place(setting, moved, v));
     (side == 0 ? tally.touching : (is_true ? tally.straight : tally.bent)) += 1;
@@ -235,11 +241,11 @@ void move_across(const Screen& screen, int inserted, Index from, Index to, Index
 // On either side, by a quarter and by a unit in the last place; with ends at vertices and inside faces.
 BOOST_AUTO_TEST_CASE(a_segment_that_leaves_its_strip_is_bent)
 {
-  for(bool is_folded : {false, true})
+  for(Folds folds : {Folds::NONE, Folds::RATIONAL, Folds::ROOTS})
     for(int inserted : {0, 1, 2}) {
       Tally tally;
       for(unsigned seed = 1; seed <= 3; ++seed) {
-        const Screen screen(is_folded, seed);
+        const Screen screen(folds, seed);
         for(int j = 0; j <= rows; ++j)
           for(int k = 0; k <= rows; ++k) {
             const Index from = grid_vertex(columns, 0, j), to = grid_vertex(columns, inserted > 0 ? 5 : 4, k);
@@ -341,8 +347,8 @@ BOOST_AUTO_TEST_CASE(a_word_changed_by_a_letter_is_found)
 {
   Random_numbers random(3);
   for(const Mesh_soup& soup :
-      {Screen(false, 1).soup(), Screen(true, 2).soup(), jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1),
-       needle_strip(7, 7, 0x1p20), saddle_disk(6, 3, 8)})
+      {Screen(Folds::NONE, 1).soup(), Screen(Folds::RATIONAL, 2).soup(),
+       jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1), needle_strip(7, 7, 0x1p20), saddle_disk(6, 3, 8)})
   {
     int falsehoods = 0;
     for(int i = 0; i < 10; ++i) {
@@ -364,7 +370,7 @@ BOOST_AUTO_TEST_CASE(a_word_between_points_changed_by_a_letter_is_found)
   Random_numbers random(4);
   int falsehoods = 0;
   for(int i = 0; i < 20; ++i) {
-    Setting setting(Screen(i % 2 != 0, 1 + i).soup());
+    Setting setting(Screen(i % 2 != 0 ? Folds::RATIONAL : Folds::NONE, 1 + i).soup());
     Index ends[2];
     for(int k = 0; k < 2; ++k) {
       const Index h = setting.triangulation.index(
@@ -451,9 +457,9 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_a_face_bent_by_a_unit_is_found)
 // A line through a vertex of a folded screen.
 BOOST_AUTO_TEST_CASE(a_joint_at_a_vertex_bent_by_a_unit_is_found)
 {
-  for(bool is_folded : {false, true})
+  for(Folds folds : {Folds::NONE, Folds::RATIONAL, Folds::ROOTS})
     for(int units : {-1000, -1, 0, 1, 1000}) {
-      Screen screen(is_folded, 1);
+      Screen screen(folds, 1);
       for(std::size_t v = 0; v < screen.y.size(); ++v)
         screen.y[v] = 5 * Screen::row(static_cast<Index>(v)) + Screen::column(static_cast<Index>(v));
       const Index v = grid_vertex(columns, 2, 2);
