@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/test/unit_test.hpp>
 
@@ -471,4 +472,60 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_vertex_bent_by_a_unit_is_found)
       if(units != 0)
         BOOST_TEST((certificate.side == (units > 0 ? FG::Side::RIGHT : FG::Side::LEFT)));
     }
+}
+
+// ---------------------------------------------------------------- bounds of errors
+
+// What is known up to an error is not decided within it.
+BOOST_AUTO_TEST_CASE(angles_are_told_from_pi_beyond_their_error)
+{
+  constexpr double pi = boost::math::constants::pi<double>(), error = 1e-6;
+  for(double part : {-0.9, -0.6, -0.4, 0.0, 0.4, 0.6, 0.9})
+    BOOST_TEST((FG::internal::Wedge_angle{pi + part * error, error}.compare_with_straight() == CGAL::EQUAL));
+  BOOST_TEST((FG::internal::Wedge_angle{pi + 1.1 * error, error}.compare_with_straight() == CGAL::LARGER));
+  BOOST_TEST((FG::internal::Wedge_angle{pi - 1.1 * error, error}.compare_with_straight() == CGAL::SMALLER));
+  for(double y : {0.0, -0.0, -1e-300, -1e-16}) // of an edge opposite its reference, up to rounding
+    BOOST_TEST(std::abs(FG::internal::angle_from_reference({-1, y}) - pi) < 1e-15);
+}
+
+// The errors of a strip have a part of each of its faces, and decisions by it have a part of each of its errors.
+BOOST_AUTO_TEST_CASE(errors_of_strips_are_counted_in_what_is_told_from_them)
+{
+  using FG::internal::double_double_vector_error;
+  const Screen screen(Folds::ROOTS, 1);
+  int strips = 0;
+  for(int j = 0; j <= rows; ++j)
+    for(int k = 0; k <= rows; ++k) {
+      Setting setting(screen.soup());
+      if(!add_segment(setting, 0, grid_vertex(columns, 0, j), grid_vertex(columns, columns, k)))
+        continue;
+      const auto& triangulation = setting.triangulation;
+      const Index h = setting.network.halfedges(0).front();
+      const FG::Crossing_word word = triangulation.crossing_word(h);
+      if(word.crossed.empty())
+        continue;
+      ++strips;
+      const FG::internal::Precise_strip<Planted_triangulation> precise(triangulation, word, true);
+      const FG::internal::Precise_edge& edge = precise.edge();
+      BOOST_TEST(edge.direction_error >= double_double_vector_error * static_cast<double>(word.crossed.size()));
+      for(int side : {-1, 1}) { // off the line by half the error of its end
+        const double size = edge.length / 2, off = side * edge.end_error / 2;
+        const double x = edge.end.x.high / 2, y = edge.end.y.high / 2;
+        FG::internal::Double_double_vector p = {{x, edge.end.x.low / 2}, {y, edge.end.y.low / 2}};
+        p = p + FG::internal::Double_double_vector{{-off * y, 0}, {off * x, 0}};
+        BOOST_TEST(!precise.side({p, 0}).is_certain());
+        p = p + FG::internal::Double_double_vector{{-side * 0x1p-80 * y, 0}, {side * 0x1p-80 * x, 0}};
+        BOOST_TEST(precise.side({p, 0}).is_certain());
+        BOOST_TEST(!precise.side({p, 0x1p-70 * size}).is_certain());
+      }
+      const Index g = triangulation.clockwise(h);
+      if(g == FG::null_index)
+        continue;
+      const FG::internal::Strip<Planted_triangulation> from(triangulation, word);
+      const FG::internal::Strip<Planted_triangulation> to(triangulation, triangulation.crossing_word(g));
+      const double corners = static_cast<double>(triangulation.input_edges_in_wedge(h, g) + 4);
+      BOOST_TEST(FG::internal::wedge_angle(triangulation, h, g).error >=
+                 from.relative_error() + to.relative_error() + corners * FG::internal::input_corner_error);
+    }
+  BOOST_TEST(strips > 5);
 }
