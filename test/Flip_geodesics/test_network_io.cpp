@@ -13,11 +13,14 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -237,6 +240,50 @@ BOOST_AUTO_TEST_CASE(forged_text)
   for(const char* halfedge : {" -1", " 999999", " 0", " 1"}) // or not connected
     check_throws<FG::File_format_error>(
         soup, with_checksum(text.substr(0, blank) + halfedge + text.substr(text.find(' ', blank + 1))));
+}
+
+// A state changed in one place is none, leaves the network empty, and ready for another one.
+BOOST_AUTO_TEST_CASE(forged_states)
+{
+  using Access = FG::internal::Network_access<Curve_setting::Network>;
+  using State = FG::internal::Network_state;
+  const int n = 4;
+  Curve_setting setting(flat_grid(n, n, Diagonal_rule::RISING));
+  const auto vertex = [n](int i, int j) { return grid_vertex(n, i, j); };
+  setting.add({vertex(0, 2), vertex(1, 2), vertex(2, 2), vertex(3, 2)}, false);
+  setting.add({vertex(1, 1), vertex(1, 2), vertex(2, 2), vertex(2, 1)}, false); // on the right of the first one
+  setting.add({vertex(3, 3), vertex(4, 3), vertex(4, 4)}, true);
+  BOOST_REQUIRE(setting.network.is_valid());
+  const State state = Access::state(setting.network);
+  BOOST_REQUIRE_EQUAL(state.stacks.size(), 1u);
+  const Index halfedges = setting.triangulation.number_of_halfedges();
+  const std::vector<std::function<void(State&)>> forgeries = {
+      [](State& s) { s.curves[0].segments[1].id = s.curves[0].segments[0].id; },
+      [](State& s) { s.curves[2].segments[2].id = s.curves[0].segments[0].id; },
+      [](State& s) { s.curves[2].segments[2].id = 0; },
+      [](State& s) { s.curves[2].segments[2].id = -1; },
+      [](State& s) { s.curves[2].segments[2].id = s.end_of_segment_ids; },
+      [halfedges](State& s) { s.curves[0].segments[0].halfedge = halfedges; },
+      [](State& s) { s.curves[0].segments[0].halfedge = -1; },
+      [](State& s) { s.curves[0].segments[1].halfedge = s.curves[2].segments[1].halfedge; },
+      [](State& s) { s.curves[0].is_closed = true; },
+      [halfedges](State& s) { s.stacks[0].edge = halfedges / 2; },
+      [](State& s) { s.stacks[0].edge = -1; },
+      [](State& s) { s.stacks[0].segments[0] = s.curves[2].segments[0].id; },
+      [](State& s) { s.stacks[0].segments.pop_back(); },
+      [](State& s) { std::swap(s.stacks[0].segments[0], s.stacks[0].segments[1]); }}; // so that they cross
+  setting.network.clear();
+  for(std::size_t i = 0; i < forgeries.size(); ++i) {
+    State forged = state;
+    forgeries[i](forged);
+    BOOST_TEST(!Access::restore(setting.network, forged), "forgery " << i);
+    BOOST_TEST(setting.network.number_of_curves() == 0);
+    BOOST_TEST(!setting.triangulation.has_curves());
+    for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
+      BOOST_REQUIRE(setting.network.stack(e).empty());
+  }
+  BOOST_REQUIRE(Access::restore(setting.network, state));
+  BOOST_TEST(setting.network.stack(state.stacks[0].edge) == state.stacks[0].segments, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(another_mesh)
