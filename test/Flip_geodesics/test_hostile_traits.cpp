@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
+#include <CGAL/Flip_geodesics/verify.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -271,6 +272,30 @@ BOOST_AUTO_TEST_CASE(a_straight_loop_of_one_segment_stays)
         BOOST_TEST(setting.triangulation.log_position() == log);
       }
     }
+}
+
+// Joints that are called straight are bent as the input says: looked at again, and never reported as straight.
+BOOST_AUTO_TEST_CASE(joints_called_straight_are_looked_at_again_or_told)
+{
+  int told = 0, mended = 0;
+  for(int lies_told : {1, 2, 5, 20, 1000000})
+    for(int i = 0; i < 10; ++i) {
+      Lies lies;
+      int lies_left = lies_told;
+      lies.is_wedge_straight = [&](int, bool is_straight) { return is_straight || lies_left-- > 0; };
+      Setting setting(jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1), Hostile_traits(lies));
+      setting.add_path(i, 63 - i);
+      const FG::Shortening_report report = FG::shorten(setting.network);
+      const FG::Curve_report& curve = report.curves[0];
+      const bool is_straight = FG::Straightness_meter<Setting::Network>(setting.network)(0).is_locally_shortest();
+      BOOST_TEST((curve.status ==
+                  (is_straight ? FG::Shortening_status::LOCALLY_SHORTEST : FG::Shortening_status::PRECISION_LIMIT)));
+      (is_straight ? mended : told) += 1;
+      if(lies_told < 5)
+        BOOST_TEST(is_straight);
+    }
+  BOOST_TEST(told > 5);
+  BOOST_TEST(mended > 5);
 }
 
 // A visitor that throws in the middle of a unit: the loop is whole, and not longer.
