@@ -510,3 +510,41 @@ BOOST_AUTO_TEST_CASE(specks_survive_a_limit_per_curve)
     setting.triangulation.rollback();
   }
 }
+
+namespace {
+
+// Stops at the first step, and keeps what it is told.
+struct Asked_predicate
+{
+  FG::Stop_decision operator()(const FG::Shortening_step& step) const
+  {
+    *last = step;
+    return FG::Stop_decision::ITERATION_LIMIT;
+  }
+
+  FG::Shortening_step* last;
+};
+
+} // namespace
+
+// Lengths start at what a network is, ratios at what it was; a curve without a step to take is done whenever it ends.
+BOOST_AUTO_TEST_CASE(a_shortener_starts_where_another_one_has_ended)
+{
+  const int n = 8;
+  Curve_setting setting(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 1));
+  setting.add({grid_vertex(n, 0, 0), grid_vertex(n, 1, 0)}, false); // of one segment
+  setting.add_path(grid_vertex(n, 0, 1), grid_vertex(n, n, n));
+  setting.pull(FG::Iteration_stop_predicate(2));
+  const auto& network = setting.network;
+  BOOST_REQUIRE_LT(network.length(1), network.initial_length(1) * (1 - 1e-6));
+  FG::Shortener<Curve_setting::Network> shortener(setting.network);
+  BOOST_TEST(std::abs(shortener.length(1) - network.length(1)) < rounding * network.length(1));
+  FG::Shortening_step asked = {};
+  BOOST_TEST(!shortener.run(Asked_predicate{&asked}));
+  const double initial = network.initial_length(0) + network.initial_length(1);
+  BOOST_TEST(std::abs(asked.initial_length - initial) < rounding * initial);
+  BOOST_TEST(asked.curve_initial_length == network.initial_length(1));
+  const FG::Shortening_report report = shortener.report();
+  BOOST_TEST((report.curves[0].status == Shortening_status::LOCALLY_SHORTEST));
+  BOOST_TEST((report.curves[1].status == Shortening_status::ITERATION_LIMIT));
+}

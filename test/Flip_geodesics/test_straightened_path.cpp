@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -272,4 +273,41 @@ BOOST_AUTO_TEST_CASE(a_stop_predicate_sees_the_edge_path)
   BOOST_TEST(finished.report.curves[0].flips == finished.report.flips);
   BOOST_TEST(finished.report.curves[0].initial_length == stopped.report.curves[0].initial_length);
   BOOST_TEST(finished.report.curves[0].length < finished.report.curves[0].initial_length);
+}
+
+// Distances along edges by relaxing all of them again and again [Bellman, Ford].
+BOOST_AUTO_TEST_CASE(shortest_edge_paths_are_as_long_as_edges_relaxed_again_and_again_say)
+{
+  for(const Mesh_soup& soup :
+      {jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 1), bumpy_sphere(3, 0.3, 2), needle_strip(5, 5, 20)})
+  {
+    const Curve_setting setting(soup);
+    const auto& t = setting.triangulation;
+    for(FG::Index source : {0, 7, 20}) {
+      std::vector<double> distances(t.number_of_vertices(), std::numeric_limits<double>::infinity());
+      distances[source] = 0;
+      for(bool is_done = false; !is_done;) {
+        is_done = true;
+        for(FG::Index h = 0; h < t.number_of_halfedges(); ++h)
+          if(distances[t.tail(h)] + t.length(h) < distances[t.head(h)]) {
+            distances[t.head(h)] = distances[t.tail(h)] + t.length(h);
+            is_done = false;
+          }
+      }
+      for(FG::Search_method method : {FG::Search_method::A_STAR, FG::Search_method::DIJKSTRA}) {
+        FG::Shortest_edge_path<Curve_setting::Triangulation> search(t, method);
+        for(FG::Index target = 0; target < t.number_of_vertices(); ++target) {
+          double length = 0;
+          FG::Index at = source;
+          for(FG::Index h : search(source, target)) {
+            BOOST_REQUIRE_EQUAL(t.tail(h), at);
+            at = t.head(h);
+            length += t.length(h);
+          }
+          BOOST_REQUIRE_EQUAL(at, target);
+          BOOST_CHECK_LE(std::abs(length - distances[target]), 1e-12 * distances[target]);
+        }
+      }
+    }
+  }
 }
