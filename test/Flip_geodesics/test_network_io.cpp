@@ -247,9 +247,8 @@ BOOST_AUTO_TEST_CASE(forged_states)
 {
   using Access = FG::internal::Network_access<Curve_setting::Network>;
   using State = FG::internal::Network_state;
-  const int n = 4;
-  Curve_setting setting(flat_grid(n, n, Diagonal_rule::RISING));
-  const auto vertex = [n](int i, int j) { return grid_vertex(n, i, j); };
+  Curve_setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
+  const auto vertex = [](int i, int j) { return grid_vertex(4, i, j); };
   setting.add({vertex(0, 2), vertex(1, 2), vertex(2, 2), vertex(3, 2)}, false);
   setting.add({vertex(1, 1), vertex(1, 2), vertex(2, 2), vertex(2, 1)}, false); // on the right of the first one
   setting.add({vertex(3, 3), vertex(4, 3), vertex(4, 4)}, true);
