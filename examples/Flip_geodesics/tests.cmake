@@ -298,6 +298,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(near_vertex_legs 0 "2 LOCALLY_SHORTEST" below.off --points ends.txt --kernel certified
                                   --polylines near_vertex_legs.txt)
   file(WRITE ${example_dir}/ends.txt "0 1\n1 0\n")
+  set_target_properties(check_polylines PROPERTIES EXCLUDE_FROM_ALL OFF) # otherwise built on demand
   foreach(name near_vertex near_vertex_legs)
     add_test(NAME program_${name}_checked COMMAND check_polylines below.off ${name}.txt WORKING_DIRECTORY ${example_dir})
     set_tests_properties(program_${name}_checked PROPERTIES DEPENDS program_${name})
