@@ -6,6 +6,7 @@
   python3 test/Flip_geodesics/mutations/run.py --build DIR --shard 0/4     a quarter of the mutations
   python3 test/Flip_geodesics/mutations/run.py --build DIR --tests test_certify,test_extract --header Strip
   python3 test/Flip_geodesics/mutations/run.py --build DIR --table         what is known so far
+  python3 test/Flip_geodesics/mutations/run.py --build DIR --record        the same, into results.csv beside the list
   python3 test/Flip_geodesics/mutations/run.py --check                     is the list up to date?
 
 To compile each test program once and not once per mutation, all mutations are put into one copy of the headers: an
@@ -16,8 +17,9 @@ it, the fastest program first, until a check fails, the program crashes, or it t
 What cannot be decided while running (constants, types) has the word `alone` in the list, with the programs to try: it
 is put into a copy of its own and compiled.
 
-Results are appended to DIR/results.csv, and a second run goes on where the first one ended. What was killed stays
-killed as long as its texts stay the same; what survived is run again with --again, and with programs not yet tried.
+Results are appended to DIR/results.csv, and a second run goes on where the first one ended, or where results.csv beside
+the list does. What was killed stays killed as long as its texts stay the same; what survived is run again with --again,
+and with programs not yet tried.
 
 The list has a section per header. An entry is
 
@@ -422,12 +424,22 @@ def verdict_of(program, mutation, cases, seconds, memory):
 
 
 class Results:
-    def __init__(self, name):
+    def __init__(self, recorded, name):
+        """Begins with the file `recorded`, goes on with the file `name`, and appends to that."""
         self.name, self.rows = name, {}
-        if os.path.exists(name):
-            for row in csv.reader(open(name, newline="", encoding="utf-8")):
-                if len(row) == 5 and row[0] != "number":
-                    self.add(row)
+        for known in filter(os.path.exists, (recorded, name)):
+            with open(known, newline="", encoding="utf-8") as file:
+                for row in csv.reader(file):
+                    if len(row) == 5 and row[0] != "number":
+                        self.add(row)
+
+    def record(self, entries, name):
+        """Writes what is known of entries, a line each."""
+        with open(name, "w", newline="", encoding="utf-8") as out:
+            writer = csv.writer(out, lineterminator="\n")
+            writer.writerow(["number", "texts", "verdict", "tests", "how"])
+            for row in filter(None, map(self.of, sorted(entries, key=lambda e: e.number))):
+                writer.writerow([*row[:4], row[4].split("<")[0]])
 
     def add(self, row):
         key = (int(row[0]), row[1])
@@ -532,6 +544,7 @@ def arguments():
     parser.add_argument("--again", action="store_true", help="what survived is run again")
     parser.add_argument("--check", action="store_true", help="only checks the list against the headers")
     parser.add_argument("--table", action="store_true", help="only prints the table")
+    parser.add_argument("--record", action="store_true", help="only writes what is known beside the list")
     parser.add_argument("--skip-alone", action="store_true", help="without those that are compiled by themselves")
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--flags", default="-std=c++17 -O1 -w -frounding-math -DBOOST_TEST_DYN_LINK")
@@ -557,8 +570,11 @@ def main():
         fail("--build is missing")
     build = os.path.abspath(options.build)
     os.makedirs(build, exist_ok=True)
-    results = Results(os.path.join(build, "results.csv"))
-    if options.table:
+    recorded = os.path.join(HERE, "results.csv")
+    results = Results(recorded, os.path.join(build, "results.csv"))
+    if options.record:
+        results.record(entries, recorded)
+    if options.table or options.record:
         print_table(entries, results)
         sys.exit(1 if stale else 0)
 
