@@ -165,56 +165,56 @@ BOOST_AUTO_TEST_CASE(a_path_is_not_straightened_beyond_a_limit_of_memory)
   BOOST_TEST((report.curves[0].status == Status::MEMORY_LIMIT));
 }
 
-// Every allocation fails in turn: what there is stays valid, and goes on from there to the same geodesic.
+// Pulls curves while every allocation fails in turn, and checks that what there is stays valid; `add(setting)` makes the
+// curves, `check(setting)` goes on with them. Returns how many allocations there were.
+template <class Add, class Check>
+std::size_t fail_each_allocation(const Mesh_soup& soup, const Add& add, const Check& check)
+{
+  std::size_t failures = 0;
+  for(std::size_t allocations = 0; failures == allocations; ++allocations) {
+    Setting failing(soup);
+    add(failing);
+    allocations_left = allocations;
+    try {
+      failing.pull();
+    } catch(const std::bad_alloc&) {
+      ++failures;
+    }
+    allocations_left = std::numeric_limits<std::size_t>::max();
+    BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
+    BOOST_TEST_REQUIRE(failing.network.is_valid());
+    check(failing);
+  }
+  return failures;
+}
+
+// What is left goes on to the same geodesic.
 BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_all_valid)
 {
   const Mesh_soup soup = needle_strip(40, 2, 1e-6);
   const int source = grid_vertex(40, 0, 0), target = grid_vertex(40, 40, 2);
   Setting setting(soup);
   const double length = setting.pulled_path(source, target).length;
-  std::size_t failures = 0;
-  for(std::size_t allocations = 0; failures == allocations; ++allocations) {
-    Setting failing(soup);
-    failing.add_path(source, target);
-    allocations_left = allocations;
-    try {
-      failing.pull();
-    } catch(const std::bad_alloc&) {
-      ++failures;
-    }
-    allocations_left = std::numeric_limits<std::size_t>::max();
-    BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
-    BOOST_TEST_REQUIRE(failing.network.is_valid());
-    const FG::Curve_report report = failing.pull().curves[0];
-    BOOST_TEST_REQUIRE((report.status == Status::LOCALLY_SHORTEST));
-    BOOST_TEST_REQUIRE(std::abs(report.length - length) <= 1e-12 * length);
-    failing.network.clear();
-    failing.triangulation.rollback();
-    BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
-  }
+  const std::size_t failures = fail_each_allocation(
+      soup, [&](Setting& failing) { failing.add_path(source, target); },
+      [&](Setting& failing) {
+        const FG::Curve_report report = failing.pull().curves[0];
+        BOOST_TEST_REQUIRE((report.status == Status::LOCALLY_SHORTEST));
+        BOOST_TEST_REQUIRE(std::abs(report.length - length) <= 1e-12 * length);
+        failing.network.clear();
+        failing.triangulation.rollback();
+        BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
+      });
   BOOST_TEST(failures > 20u);
 }
 
 // As above, with the step for a loop of one segment, which is taken back as a whole.
 BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_a_loop_valid)
 {
-  const Mesh_soup soup = thirteen_vertex_cone_disk();
   const Vertex_sequence loop = disk_ring(6, 1);
-  std::size_t failures = 0;
-  for(std::size_t allocations = 0; failures == allocations; ++allocations) {
-    Setting failing(soup);
-    failing.add(loop, true);
-    allocations_left = allocations;
-    try {
-      failing.pull();
-    } catch(const std::bad_alloc&) {
-      ++failures;
-    }
-    allocations_left = std::numeric_limits<std::size_t>::max();
-    BOOST_TEST_REQUIRE(failing.triangulation.is_valid());
-    BOOST_TEST_REQUIRE(failing.network.is_valid());
-    BOOST_TEST_REQUIRE(failing.pull().is_complete());
-  }
+  const std::size_t failures =
+      fail_each_allocation(thirteen_vertex_cone_disk(), [&](Setting& failing) { failing.add(loop, true); },
+                           [](Setting& failing) { BOOST_TEST_REQUIRE(failing.pull().is_complete()); });
   BOOST_TEST(failures > 10u);
 }
 
