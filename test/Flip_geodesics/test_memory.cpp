@@ -57,6 +57,13 @@ void operator delete(void* memory) noexcept
 
 void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
 
+// Those for arrays call the ones above in the standard library, and do not under a sanitizer.
+void* operator new[](std::size_t size) { return operator new(size); }
+
+void operator delete[](void* memory) noexcept { operator delete(memory); }
+
+void operator delete[](void* memory, std::size_t) noexcept { operator delete(memory); }
+
 namespace {
 
 namespace FG = CGAL::Flip_geodesics;
