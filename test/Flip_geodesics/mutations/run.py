@@ -337,6 +337,9 @@ class Compiler:
         observer, text = self.precompile(), open(os.path.join(TESTS, test + ".cpp"), encoding="utf-8").read()
         arguments = ["-c", "-I", include, "-I", TESTS, "-I", os.path.join(ROOT, "benchmark", "Flip_geodesics")]
         libraries = ["-lboost_unit_test_framework", "-lmpfr", "-lgmp"]
+        if "FLIP_GEODESICS_RECORDED_RESULTS" in text:
+            recorded = os.path.join(TESTS, "recorded_results.txt")
+            arguments.append(f'-DFLIP_GEODESICS_RECORDED_RESULTS="{recorded}"')
         if "EIGEN3_ENABLED" in text or "<Eigen/" in text:
             arguments += ["-I", "/usr/include/eigen3", "-DCGAL_EIGEN3_ENABLED", "-DEIGEN_MAX_ALIGN_BYTES=16"]
         elif "LINKED_WITH_TBB" in text or "Parallel_tag" in text:
