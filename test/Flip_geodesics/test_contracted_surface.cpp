@@ -442,9 +442,63 @@ BOOST_AUTO_TEST_CASE(other_meshes_are_contracted_alike)
     BOOST_CHECK(soup.points[left.tail(h)] == soup.points[left.uncontracted_tail(h)]);
   }
   // Lengths that no points have: two sides that should be one differ.
-  BOOST_CHECK_THROW(plain.contracted([&](FG::Index h) {
-    const double length = lengths(plain.tail(h), plain.tail(h ^ 1));
-    return length == 0 ? 0 : length + h / 2;
-  }),
-                    FG::Degenerate_face_error);
+  for(int sign : {1, -1})
+    BOOST_CHECK_THROW(plain.contracted([&](FG::Index h) {
+      const double length = lengths(plain.tail(h), plain.tail(h ^ 1));
+      return length == 0 ? 0 : 1000 + sign * (h / 2);
+    }),
+                      FG::Degenerate_face_error);
+}
+
+// Vertices moved into others, also on the border: what becomes of a halfedge leads from where it did to where it did.
+BOOST_AUTO_TEST_CASE(halfedges_that_are_left_lead_where_they_did)
+{
+  Random_numbers random(8);
+  int contracted_meshes = 0;
+  for(int i = 0; i < 40; ++i) {
+    Mesh_soup soup = flat_grid(4, 4, Diagonal_rule::RANDOM);
+    for(int k = 0; k < 3; ++k) {
+      const Corners& t = soup.triangles[random.below(static_cast<int>(soup.triangles.size()))];
+      soup.points[t[0]] = Coordinates(soup.points[t[1]]);
+    }
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    const FG::internal::Indexed_mesh<Mesh> input(mesh);
+    const auto at = [&](FG::Index v) { return soup.points[v]; };
+    const auto left = input.contracted([&](FG::Index h) { return distance(at(input.tail(h)), at(input.tail(h ^ 1))); });
+    contracted_meshes += left.is_contracted() ? 1 : 0;
+    for(FG::Index h = 0; h < input.number_of_halfedges(); ++h) {
+      const FG::Index g = left.contracted_halfedge(h);
+      if(g < 0) {
+        BOOST_CHECK(g != FG::internal::Contraction::is_point || at(input.tail(h)) == at(input.tail(h ^ 1)));
+        continue;
+      }
+      BOOST_CHECK(at(left.uncontracted_tail(g)) == at(input.tail(h)));
+      BOOST_CHECK(at(left.uncontracted_head(g)) == at(input.tail(h ^ 1)));
+      BOOST_CHECK_EQUAL(left.contracted_halfedge(h ^ 1), g ^ 1);
+    }
+    for(FG::Index g = 0; g < left.number_of_halfedges(); ++g) {
+      BOOST_CHECK(!left.is_border(g) || !left.is_border(g ^ 1));
+      // As in any mesh, the halfedge of a vertex on the border leads along it.
+      BOOST_CHECK(!left.is_border(g ^ 1) || left.is_border(left.outgoing(left.tail(g)) ^ 1));
+      BOOST_CHECK_EQUAL(left.tail(left.outgoing(left.tail(g))), left.tail(g));
+    }
+  }
+  BOOST_CHECK_EQUAL(contracted_meshes, 40);
+}
+
+// A needle that hangs on nothing: no surface is left of it.
+BOOST_AUTO_TEST_CASE(a_needle_by_itself_leaves_no_surface)
+{
+  const int n = 2;
+  Mesh_soup soup = flat_grid(n, n, Diagonal_rule::RISING);
+  const int first = static_cast<int>(soup.points.size());
+  for(const Coordinates& p : {Coordinates{5, 0, 0}, Coordinates{6, 0, 0}, Coordinates{6, 0, 0}})
+    soup.points.push_back(p);
+  soup.triangles.push_back({first, first + 1, first + 2});
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const Triangulation left = contracted(mesh);
+  BOOST_CHECK_EQUAL(left.number_of_halfedges(), static_cast<FG::Index>(mesh.number_of_halfedges()) - 6);
+  for(int i : {1, 2})
+    BOOST_CHECK_THROW(FG::halfedges_on_surface(left, std::vector<FG::Index>{first, first + i}, false),
+                      FG::Degenerate_face_error);
 }

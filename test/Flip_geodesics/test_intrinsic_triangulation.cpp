@@ -12,7 +12,11 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/Crossing_words.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/Word_tracer.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -24,10 +28,12 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstring>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -486,6 +492,161 @@ BOOST_AUTO_TEST_CASE(cocircular_points_are_delaunay)
     Triangulation t(mesh);
     BOOST_TEST(is_delaunay(t) == (x < 1));
     BOOST_TEST(flip_to_delaunay(t, 10) == (x < 1 ? 0 : 1));
+  }
+}
+
+namespace {
+
+// Adds points inside faces, on edges and on the border at random.
+void insert_at_random(Triangulation& t, int number, Random_numbers& random)
+{
+  for(int i = 0; i < number; ++i) {
+    const int h = random.below(t.input().number_of_halfedges());
+    const bool is_on_edge = t.input().is_border(h) || random.below(2) == 0;
+    t.insert({h, {{random.uniform(0.1, 1), random.uniform(0.1, 1), is_on_edge ? 0 : random.uniform(0.1, 1)}}});
+  }
+}
+
+// Where a vertex of a triangulation of a flat mesh is.
+std::complex<double> place(const Mesh& mesh, const Triangulation& t, int v)
+{
+  const FG::Surface_location at = t.location(v);
+  std::complex<double> sum = 0;
+  double weight = 0;
+  for(int i = 0, h = at.halfedge; i < 3; ++i, h = t.input().next(h)) {
+    const Point p = mesh.point(t.vertex(t.input().tail(h)));
+    sum += at.weights[i] * std::complex<double>(p.x(), p.y());
+    weight += at.weights[i];
+  }
+  return sum / weight;
+}
+
+// From the first direction counterclockwise to the second, in [0, 2 pi).
+double planar_angle(const std::complex<double>& from, const std::complex<double>& to)
+{
+  const double angle = std::arg(to / from);
+  return angle < -1e-9 ? angle + 2 * pi : angle;
+}
+
+// Does the turn counterclockwise from one spoke to another not meet the border?
+bool is_inner_turn(const Triangulation& t, int from, int to)
+{
+  int h = from;
+  while(h != to && h != -1)
+    h = t.counterclockwise(h);
+  return h == to;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
+{
+  const double tolerance = 1e-9;
+  Random_numbers random(12);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(3, 3, Diagonal_rule::RANDOM, 0.2, 1));
+  for(int i = 0; i < 5 * scale; ++i) {
+    Triangulation t(mesh);
+    insert_at_random(t, 8, random);
+    flip_at_random(t, 30, random);
+    const auto vector = [&](int h) { return place(mesh, t, t.head(h)) - place(mesh, t, t.tail(h)); };
+    for(int v = 0; v < t.number_of_vertices(); ++v) {
+      const FG::internal::Vertex_directions<Triangulation> directions(t, v);
+      const std::vector<int> spokes = spokes_at_tail(t, t.outgoing(v));
+      const bool is_border = std::any_of(spokes.begin(), spokes.end(), [&](int h) { return t.is_border(h); });
+      BOOST_TEST(directions.has_border() == is_border);
+      if(!is_border)
+        BOOST_TEST(std::abs(directions.total() - 2 * pi) < tolerance);
+      if(t.is_inserted(v) && is_border)
+        BOOST_TEST(std::abs(directions.total() - pi) < tolerance);
+      for(int g : spokes) {
+        BOOST_TEST((directions(g) > -tolerance && directions(g) < directions.total() + tolerance));
+        for(int h : spokes) {
+          if(g == h)
+            continue;
+          const double angle = planar_angle(vector(g), vector(h)), back = 2 * pi - angle;
+          const double found = directions.counterclockwise(directions(g), directions(h));
+          const double smaller = directions.smaller_wedge(directions(g), directions(h));
+          const bool is_inner = is_inner_turn(t, g, h);
+          BOOST_TEST((is_inner ? std::abs(found - angle) < tolerance : std::isinf(found)));
+          const double expected = !is_border ? (std::min)(angle, back) : (is_inner ? angle : back);
+          BOOST_TEST(std::abs(smaller - expected) < tolerance);
+        }
+      }
+    }
+  }
+}
+
+// Points on one line inside a face, in a direction whose angle is pi or -pi as rounding will have it.
+BOOST_AUTO_TEST_CASE(angles_about_points_inside_a_face_sum_up_to_a_full_turn)
+{
+  Random_numbers random(13);
+  const Mesh mesh = to_mesh<Mesh>(single_triangle());
+  const int h = static_cast<int>(mesh.halfedge(*mesh.faces_begin()));
+  for(int i = 0; i < 100 * scale; ++i) {
+    Triangulation t(mesh);
+    const double row = random.uniform(0.1, 0.6);
+    for(int k = 0; k < 5; ++k) {
+      const double along = random.uniform(0.01, 0.99) * (1 - row);
+      const int v = t.insert({h, {{along, 1 - row - along, row}}});
+      flip_at_random(t, 10, random);
+      const auto angle = FG::internal::wedge_angle(t, t.outgoing(v), t.outgoing(v));
+      BOOST_TEST(std::abs(angle.value - 2 * pi) < 1e-9);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(faces_laid_out_afresh_are_as_they_were)
+{
+  Random_numbers random(14);
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    for(int i = 0; i < 10 * scale; ++i) {
+      flip_at_random(t, 20, random);
+      const int h = random.below(t.number_of_halfedges());
+      if(t.is_border(h))
+        continue;
+      const std::array<int, 3> sides = {h, int(t.next(h)), int(t.previous(h))};
+      std::array<double, 3> lengths;
+      for(int k = 0; k < 3; ++k)
+        lengths[k] = t.length(sides[k]);
+      BOOST_TEST(FG::internal::refresh_face(t, h));
+      for(int k = 0; k < 3; ++k)
+        BOOST_TEST(std::abs(t.length(sides[k]) - lengths[k]) < 1e-9 * lengths[k]);
+      BOOST_TEST(t.is_valid());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(edge_paths_are_the_shortest_of_all)
+{
+  Random_numbers random(15);
+  for(const Mesh_soup& soup :
+      {jittered_grid(4, 3, Diagonal_rule::RANDOM, 0.2, 2), bumpy_sphere(2, 0.4, 3), grid_with_hole(4, 4, 1, 3, 1, 3)})
+  {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    insert_at_random(t, 4, random);
+    flip_at_random(t, 20, random);
+    const int n = t.number_of_vertices();
+    for(int source = 0; source < n; ++source) {
+      std::vector<double> distance(static_cast<std::size_t>(n), std::numeric_limits<double>::infinity());
+      distance[source] = 0;
+      for(int round = 0; round < n; ++round) // [Bellman, Ford]
+        for(int h = 0; h < t.number_of_halfedges(); ++h)
+          distance[t.head(h)] = (std::min)(distance[t.head(h)], distance[t.tail(h)] + t.length(h));
+      for(int target = 0; target < n; ++target) {
+        double length = 0;
+        int v = source;
+        for(int h : FG::shortest_intrinsic_edge_path(t, source, target)) {
+          BOOST_TEST(t.tail(h) == v);
+          v = t.head(h);
+          length += t.length(h);
+        }
+        BOOST_TEST(v == target);
+        BOOST_TEST(std::abs(length - distance[target]) < 1e-12 * (1 + length));
+      }
+    }
   }
 }
 

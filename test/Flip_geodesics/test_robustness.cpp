@@ -266,8 +266,30 @@ BOOST_AUTO_TEST_CASE(sequences_that_are_no_curves)
   BOOST_CHECK_THROW(setting.network.add_curve(std::vector<int>{0, 0}, false), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(setting.network.add_curve(std::vector<int>{0}, true), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(setting.network.add_curve(std::vector<int>{1000}, false), FG::Invalid_curve_error);
+  const auto chain = FG::halfedges_through(setting.triangulation, std::vector<int>{0, 2, 1}, false);
+  BOOST_CHECK_THROW(setting.network.add_curve(chain, true), FG::Invalid_curve_error); // its ends are apart
   BOOST_TEST(setting.network.number_of_curves() == 0);
   BOOST_TEST(setting.network.is_valid());
+}
+
+// A fixed node is neither bent nor straight, whatever its angles; the ends of a curve are nodes that stay fixed.
+BOOST_AUTO_TEST_CASE(nodes_that_are_fixed_and_freed)
+{
+  Curve_setting setting(octahedron(1));
+  const int curve = setting.add({0, 2, 1}, false);
+  std::vector<FG::Index> segments;
+  setting.network.for_each_segment(curve, [&](FG::Index s) { segments.push_back(s); });
+  BOOST_REQUIRE(segments.size() == 2u);
+  const auto state = [&](FG::Side side) { return setting.network.wedge({segments.front(), side}).state; };
+  for(FG::Side side : {FG::Side::LEFT, FG::Side::RIGHT})
+    BOOST_TEST((state(side) != FG::Wedge_state::FIXED));
+  setting.network.fix_nodes_at(2);
+  setting.network.fix_nodes_at(1);
+  for(FG::Side side : {FG::Side::LEFT, FG::Side::RIGHT})
+    BOOST_TEST((state(side) == FG::Wedge_state::FIXED));
+  setting.network.free_nodes(curve);
+  BOOST_TEST(!setting.network.is_head_fixed(segments.front()));
+  BOOST_TEST(setting.network.is_head_fixed(segments.back()));
 }
 
 // An error in the middle leaves the network and the triangulation as valid as they were.

@@ -548,3 +548,25 @@ BOOST_AUTO_TEST_CASE(a_shortener_starts_where_another_one_has_ended)
   BOOST_TEST((report.curves[0].status == Shortening_status::LOCALLY_SHORTEST));
   BOOST_TEST((report.curves[1].status == Shortening_status::ITERATION_LIMIT));
 }
+
+// At a limit, lengths and memory may stay, angles, steps and time have reached it.
+BOOST_AUTO_TEST_CASE(limits_that_are_met_exactly)
+{
+  FG::Shortening_step step = {};
+  step.initial_length = step.curve_initial_length = 8;
+  step.length_after = step.curve_length_after = 4;
+  step.angle_key = 1 - std::cos(1.25) / (std::abs(std::cos(1.25)) + std::sin(1.25));
+  step.steps = 3;
+  step.memory = 1000;
+  using FG::Stop_decision;
+  BOOST_TEST((FG::Length_ratio_stop_predicate(0.5)(step) == Stop_decision::CONTINUE));
+  BOOST_TEST((FG::Length_ratio_stop_predicate(0.5 + 1e-15)(step) == Stop_decision::LENGTH_LIMIT));
+  BOOST_TEST((FG::Curve_length_ratio_stop_predicate(0.5)(step) == Stop_decision::CONTINUE));
+  BOOST_TEST((FG::Curve_length_ratio_stop_predicate(0.5 + 1e-15)(step) == Stop_decision::CURVE_LENGTH_LIMIT));
+  BOOST_TEST((FG::Angle_stop_predicate(1.25)(step) == Stop_decision::ANGLE_LIMIT));
+  BOOST_TEST((FG::Angle_stop_predicate(1.25 + 1e-12)(step) == Stop_decision::CONTINUE));
+  BOOST_TEST((FG::Iteration_stop_predicate(3)(step) == Stop_decision::ITERATION_LIMIT));
+  BOOST_TEST((FG::Iteration_stop_predicate(4)(step) == Stop_decision::CONTINUE));
+  BOOST_TEST((FG::Memory_stop_predicate(1000)(step) == Stop_decision::CONTINUE));
+  BOOST_TEST((FG::Memory_stop_predicate(999)(step) == Stop_decision::MEMORY_LIMIT));
+}

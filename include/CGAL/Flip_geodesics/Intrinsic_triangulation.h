@@ -466,10 +466,8 @@ public:
   template <class OnSplit>
   Index split_edge(Index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split)
   {
-    if(is_border(h)) {
-      h = twin(h);
-      gap = static_cast<std::size_t>((std::max)(crossings(edge(h)), 0)) - gap;
-    }
+    if(is_border(h))
+      h = twin(h); // an input edge: it crosses nothing
     return insert_at({h, gap, true, null_index}, internal::canonical_location(input(), location), on_split);
   }
 

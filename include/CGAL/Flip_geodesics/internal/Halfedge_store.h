@@ -157,8 +157,8 @@ public:
   /* A halfedge that starts at v, null_index at an isolated vertex. */
   Index outgoing(Index v)
   {
-    if(outgoing_slot(v) == Slot::NONE) {
-      const Index h = v < m_input.number_of_vertices() ? m_input.outgoing(v) : null_index;
+    if(outgoing_slot(v) == Slot::NONE) { // of the input: an added vertex has one
+      const Index h = m_input.outgoing(v);
       if(h == null_index)
         return null_index;
       known(h);

@@ -70,11 +70,8 @@ public:
   bool is_zero(const Number& x) const { return x.a == 0 && x.b == 0; }
 
 private:
-  Integer reduced(const Integer& n) const
-  {
-    const Integer r = n % m_prime;
-    return r < 0 ? Integer(r + m_prime) : r;
-  }
+  // With the sign of n.
+  Integer reduced(const Integer& n) const { return n % m_prime; }
 
   // Either g or -g is a square.
   Number root_of_generator(const Integer& g) const

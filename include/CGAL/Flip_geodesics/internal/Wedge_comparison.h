@@ -59,12 +59,10 @@ public:
     return quick != EQUAL ? quick : comparison(exact_sine({words}));
   }
 
-  /* The sum of two angles, each at most pi. */
+  /* The sum of two angles, each at most pi, after a filter has failed. */
   Comparison_result compare_sum(const Wedge& a, const Wedge& b) const
   {
-    Comparison_result quick = m_is_filtered ? EQUAL : by_strips({a, b});
-    if(quick == EQUAL)
-      quick = by_vectors({a, b});
+    const Comparison_result quick = by_vectors({a, b});
     return quick != EQUAL ? quick : comparison(exact_sine({words_of(a), words_of(b)}));
   }
 

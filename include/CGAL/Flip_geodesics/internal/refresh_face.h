@@ -77,12 +77,10 @@ std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const 
   const Index hn = triangulation.next(h), hp = triangulation.next(hn);
   const Precise_wedge<Triangulation> at_tail(triangulation, Triangulation::twin(hp), h);
   const Precise_wedge<Triangulation> at_head(triangulation, Triangulation::twin(h), hn);
-  if(!at_tail.has_bound() || !at_head.has_bound())
-    return {};
   const auto edge = [](const Precise_edge& e) { return Face_measures::Length{e.length, e.end_error}; };
   const Face_measures face = {
       {{edge(at_tail.to()), edge(at_head.to()), edge(at_tail.from())}}, at_tail.angle(), at_head.angle()};
-  if(!(face.at_tail.error + face.at_head.error < 1))
+  if(!(face.at_tail.error + face.at_head.error < 1)) // infinite if an edge has no bound
     return {};
   return laid_out_face(triangulation.traits(), face, 0);
 }
