@@ -573,6 +573,165 @@ BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
   }
 }
 
+// ---------------------------------------------------------------- faces on one line
+
+namespace {
+
+struct Edge_with_length
+{
+  int u, v;
+  double length;
+};
+
+// Faces of which only the lengths of the edges are known.
+class Surface_of_lengths
+{
+  using Lengths = std::map<boost::graph_traits<Surface>::edge_descriptor, double>;
+  using Metric = FG::Edge_length_metric<Surface, boost::const_associative_property_map<Lengths>>;
+  using Triangulation =
+      FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Metric::Kernel>, Metric>;
+
+public:
+  Surface_of_lengths(const std::vector<Corners>& triangles, const std::vector<Edge_with_length>& edges)
+  {
+    int last = 0;
+    for(const Corners& t : triangles)
+      last = (std::max)({last, t[0], t[1], t[2]});
+    m_mesh = to_mesh<Surface>({std::vector<Coordinates>(static_cast<std::size_t>(last) + 1), triangles});
+    m_lengths = edge_lengths(m_mesh, [&](int u, int v) {
+      for(const Edge_with_length& e : edges)
+        if((e.u == u && e.v == v) || (e.u == v && e.v == u))
+          return e.length;
+      return 1.0;
+    });
+  }
+
+  FG::Certificate_verdict verdict_on_edge(int u, int v) const
+  {
+    Triangulation triangulation = triangulated();
+    return verdict(triangulation, FG::internal::halfedge_between(triangulation, u, v));
+  }
+
+  // Of what becomes of an edge when it is flipped, whether it could be or not; in both directions.
+  FG::Certificate_verdict verdict_on_flipped_edge(int u, int v) const
+  {
+    Triangulation triangulation = triangulated();
+    const int h = FG::internal::halfedge_between(triangulation, u, v);
+    triangulation.flip(h);
+    const auto result = verdict(triangulation, h);
+    BOOST_TEST((verdict(triangulation, h ^ 1) == result));
+    return result;
+  }
+
+  // Of the part of an edge from a point of it to its end.
+  FG::Certificate_verdict verdict_on_part(int u, int v, double at_tail) const
+  {
+    Triangulation triangulation = triangulated();
+    const int h = FG::internal::halfedge_between(triangulation, u, v);
+    const int x = triangulation.insert({h, {{at_tail, 1 - at_tail, 0}}});
+    return verdict(triangulation, FG::internal::halfedge_between(triangulation, x, v));
+  }
+
+private:
+  Triangulation triangulated() const
+  {
+    return Triangulation(m_mesh, Metric(m_mesh, boost::make_assoc_property_map(m_lengths)));
+  }
+
+  static FG::Certificate_verdict verdict(Triangulation& triangulation, int h)
+  {
+    FG::Edge_path_network<Triangulation> network(triangulation);
+    network.add_curve(std::vector<int>{h}, false);
+    const auto result = FG::certify(network).curves[0].verdict;
+    network.clear();
+    return result;
+  }
+
+  Surface m_mesh;
+  Lengths m_lengths;
+};
+
+} // namespace
+
+// The faces beside the edge from 0 to 1 lie on its line. A point of them where the angles sum up to less than a full
+// one, the tip of a cone, counts where it lies on the edge, and not beyond its ends.
+BOOST_AUTO_TEST_CASE(cones_on_the_line_count_between_the_ends)
+{
+  const auto bent = FG::Certificate_verdict::BENT_SEGMENT, proven = FG::Certificate_verdict::PROVEN;
+  const std::vector<Corners> one_face = {{0, 1, 2}, {2, 1, 3}, {0, 2, 3}};
+  const auto with_cone_at = [&](double x) {
+    const double to_1 = std::abs(4 - x);
+    return Surface_of_lengths(one_face, {{0, 1, 4}, {0, 2, x}, {1, 2, to_1}, {2, 3, 1}, {0, 3, x}, {1, 3, to_1}});
+  };
+  BOOST_TEST((with_cone_at(2).verdict_on_edge(0, 1) == bent));
+  BOOST_TEST((with_cone_at(5).verdict_on_edge(0, 1) == proven));
+  const double close = 0x1p-32;
+  const Surface_of_lengths near_the_head(
+      one_face, {{0, 1, 4}, {0, 2, 4 - close}, {1, 2, close}, {2, 3, close}, {0, 3, 4 - close}, {1, 3, close}});
+  BOOST_TEST((near_the_head.verdict_on_edge(0, 1) == bent));
+  BOOST_TEST((near_the_head.verdict_on_edge(1, 0) == bent));
+  // Seen from a point of the edge, on either side of the tip.
+  BOOST_TEST((with_cone_at(2).verdict_on_part(0, 1, 0.75) == bent));
+  BOOST_TEST((with_cone_at(2).verdict_on_part(0, 1, 0.25) == proven));
+}
+
+// Beyond the head, at 5 and 6, faces turn back to a tip at 3, which is not on the edge: it is reached over 5 only.
+BOOST_AUTO_TEST_CASE(faces_on_the_line_are_followed_between_the_ends)
+{
+  const std::vector<Corners> triangles = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {2, 4, 5}};
+  const std::vector<Edge_with_length> edges = {{0, 1, 4}, {1, 2, 1}, {0, 2, 5}, {1, 3, 2}, {2, 3, 1},
+                                               {2, 4, 2}, {3, 4, 3}, {4, 5, 1}, {2, 5, 2}, {3, 5, 3}};
+  BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0, 1) == FG::Certificate_verdict::PROVEN));
+}
+
+// A fan of many faces about 0, with far ends beyond the head, and then one with a tip on the edge.
+BOOST_AUTO_TEST_CASE(many_faces_on_the_line_are_followed_to_the_last)
+{
+  for(int n : {3, 80}) {
+    std::vector<Corners> triangles = {{0, 1, 2}};
+    std::vector<Edge_with_length> edges = {{0, 1, 4}, {0, 2, 5}, {1, 2, 1}};
+    for(int i = 2; i < n; ++i) {
+      triangles.push_back({0, i, i + 1});
+      edges.push_back({0, i + 1, i + 4.0});
+      edges.push_back({i, i + 1, 1});
+    }
+    const int tip = n + 1, beside = n + 2;
+    triangles.insert(triangles.end(), {{0, n, tip}, {tip, n, beside}, {0, tip, beside}});
+    edges.insert(edges.end(), {{0, tip, 2}, {n, tip, n + 1.0}, {tip, beside, 1}, {0, beside, 2}, {n, beside, n + 1.0}});
+    BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0, 1) == FG::Certificate_verdict::BENT_SEGMENT));
+  }
+}
+
+// Where the face has an area, by a unit in the last place, its tip is not on the edge.
+BOOST_AUTO_TEST_CASE(faces_with_little_area_are_told_from_those_without)
+{
+  const double close = 0x1p-44, rest = 1 - close;
+  for(double other : {rest, rest + 0x1p-53}) {
+    const Surface_of_lengths surface({{0, 1, 2}, {2, 1, 3}, {0, 2, 3}},
+                                     {{0, 1, 1}, {0, 2, close}, {1, 2, other}, {0, 3, 1}});
+    BOOST_TEST((surface.verdict_on_edge(0, 1) ==
+                (other > rest ? FG::Certificate_verdict::PROVEN : FG::Certificate_verdict::BENT_SEGMENT)));
+  }
+}
+
+// From 0 to 1 through the edge from 2 to 3, on one line: straight if that edge lies between, not beyond an end.
+BOOST_AUTO_TEST_CASE(edges_crossed_on_the_line_lie_between_the_ends)
+{
+  const std::vector<Corners> triangles = {{0, 2, 3}, {3, 2, 1}};
+  const auto verdict = [&](double from, double to) {
+    return Surface_of_lengths(triangles, {{0, 2, std::abs(from)},
+                                          {0, 3, std::abs(to)},
+                                          {2, 3, to - from},
+                                          {1, 2, std::abs(4 - from)},
+                                          {1, 3, std::abs(4 - to)}})
+        .verdict_on_flipped_edge(2, 3);
+  };
+  BOOST_TEST((verdict(1, 3) == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST((verdict(-1, 5) == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST((verdict(5, 6) == FG::Certificate_verdict::BENT_SEGMENT));
+  BOOST_TEST((verdict(-2, -1) == FG::Certificate_verdict::BENT_SEGMENT));
+}
+
 // ---------------------------------------------------------------- what is certified when the shortening was long
 
 // What a limit or a visitor has held back is taken up by the next run, on the same curve as well.
