@@ -49,14 +49,14 @@ private:
   std::uint64_t m_value = 14695981039346656037u;
 };
 
-/// Many positive numbers in one, with other weights for each, so that their order counts.
+/// Many positive numbers in one, with other weights for each, so that their order counts. What is not finite counts 1.
 class Weighted_sum
 {
 public:
   void add(double value)
   {
     m_weight = std::fmod(m_weight + 0.6180339887498949, 1.0);
-    m_sum += (1 + m_weight) * value;
+    m_sum += (1 + m_weight) * (std::isfinite(value) ? value : 1);
   }
 
   double value() const { return m_sum; }

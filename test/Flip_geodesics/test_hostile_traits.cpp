@@ -3,16 +3,16 @@
 #define BOOST_TEST_MODULE hostile_traits
 
 #include "Curve_setting.h"
+#include "Hostile_traits.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
 #include <CGAL/Flip_geodesics/verify.h>
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,9 +25,8 @@
 #include <vector>
 
 /*
- * Traits whose decisions are wrong, as rounding can make those of doubles, but often and by much: every guard against
- * rounding has something to do. What holds all the same: no step makes a curve longer, what is not taken leaves no
- * trace, words are right, and everything ends.
+ * What holds whatever the traits say: no step makes a curve longer, what is not taken leaves no trace, words are right,
+ * and everything ends.
  */
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
@@ -35,115 +34,8 @@ using FG::Index;
 
 namespace {
 
-// What is said instead of the truth; empty functions are honest.
-struct Lies
-{
-  std::function<bool(bool)> is_quad_reflex;         // may an edge not be flipped? Told what is true
-  std::function<bool(int, bool)> is_wedge_straight; // of so many corners, told what is true
-  std::function<bool(bool)> is_locally_delaunay;    // told what is true
-  std::function<double(double)> length;             // told what is true
-};
-
-class Hostile_traits : public FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>
-{
-  using Base = FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
-
-public:
-  explicit Hostile_traits(const Lies& lies = honest())
-    : m_lies(&lies)
-  {
-  }
-
-  // The turns about the far end of an edge that is to be flipped are asked about after two corners; wedges, after each.
-  struct Turn : Base::Turn
-  {
-    int corners = 0;
-    mutable bool is_wedge = false;
-  };
-
-  struct Extend_turn
-  {
-    void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
-                    const Halfedge_geometry& opposite) const
-    {
-      Base::Extend_turn()(turn, in, out, opposite);
-      ++turn.corners;
-    }
-  };
-
-  struct Compare_turn_with_straight
-  {
-    CGAL::Uncertain<CGAL::Comparison_result> operator()(const Turn& turn) const
-    {
-      turn.is_wedge = turn.is_wedge || turn.corners != 2;
-      bool result = turn.is_straight;
-      if(turn.is_wedge && lies->is_wedge_straight)
-        result = lies->is_wedge_straight(turn.corners, result);
-      if(!turn.is_wedge && lies->is_quad_reflex)
-        result = lies->is_quad_reflex(result);
-      return result ? CGAL::LARGER : CGAL::SMALLER;
-    }
-
-    const Lies* lies;
-  };
-
-  struct Is_locally_delaunay
-  {
-    CGAL::Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn,
-                                     const Halfedge_geometry& hp, const Halfedge_geometry& t,
-                                     const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
-    {
-      const bool result = Base::Is_locally_delaunay()(h, hn, hp, t, tn, tp).make_certain();
-      return lies->is_locally_delaunay ? lies->is_locally_delaunay(result) : result;
-    }
-
-    const Lies* lies;
-  };
-
-  struct Compute_length
-  {
-    double operator()(const Halfedge_geometry& h) const
-    {
-      const double result = Base::Compute_length()(h);
-      return lies->length ? lies->length(result) : result;
-    }
-
-    const Lies* lies;
-  };
-
-  Extend_turn extend_turn_object() const { return {}; }
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return {m_lies}; }
-  Is_locally_delaunay is_locally_delaunay_object() const { return {m_lies}; }
-  Compute_length compute_length_object() const { return {m_lies}; }
-
-private:
-  static const Lies& honest()
-  {
-    static const Lies none;
-    return none;
-  }
-
-  const Lies* m_lies;
-};
-
 using Triangulation = FG::Intrinsic_triangulation<Surface, Hostile_traits>;
 using Setting = Basic_curve_setting<Triangulation>;
-
-// The opposite of what is true, once in `period` questions.
-class Liar
-{
-public:
-  explicit Liar(int period, int first = 0)
-    : m_period(period)
-    , m_count(first)
-  {
-  }
-
-  bool operator()(bool truth) { return ++m_count % m_period == 0 ? !truth : truth; }
-
-private:
-  int m_period, m_count;
-};
 
 // Flips in the log, not faces laid out afresh.
 template <class T>
@@ -523,4 +415,34 @@ BOOST_AUTO_TEST_CASE(an_exception_between_points_leaves_the_triangulation_as_it_
   FG::geodesics_through(triangulation, ends);
   BOOST_TEST(triangulation.log_position() == 0u);
   BOOST_TEST(triangulation.number_of_vertices() == Index(setting.mesh.number_of_vertices()));
+}
+
+// Wedges that are called narrow are flipped out for longer arcs, and back: the tree comes to an end, and tells of bent
+// paths.
+BOOST_AUTO_TEST_CASE(trees_among_lies_end)
+{
+  int told = 0;
+  for(int period : {3, 5, 8})
+    for(bool is_straight : {false, true}) {
+      Lies lies;
+      Liar liar(period);
+      lies.is_wedge_straight = [&](int corners, bool truth) {
+        return is_straight ? truth || liar(false) : truth && !(corners > 1 && liar(false));
+      };
+      Setting setting(torus(13, 7, 3, 1), Hostile_traits(lies));
+      FG::Geodesic_tree<Triangulation> tree(setting.triangulation);
+      const FG::Geodesic_tree_report report = tree.grow(0);
+      BOOST_TEST(setting.triangulation.is_valid(1e-6));
+      for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v) {
+        double length = 0;
+        for(Index h : tree.path(v))
+          length += setting.triangulation.length(h);
+        BOOST_TEST(tree.is_reached(v));
+        BOOST_TEST(std::abs(tree.distance(v) - length) <= 1e-9);
+      }
+      const bool is_bent = report.smallest_angle < FG::Straightness::straight_angle();
+      told += report.status == FG::Shortening_status::PRECISION_LIMIT ? 1 : 0;
+      BOOST_TEST((is_bent ? report.status == FG::Shortening_status::PRECISION_LIMIT : true));
+    }
+  BOOST_TEST(told > 0);
 }

@@ -7,6 +7,7 @@
 #define BOOST_TEST_MODULE recorded_results
 
 #include "Curve_setting.h"
+#include "Hostile_traits.h"
 #include "Recorded_results.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -22,7 +23,7 @@
 #include <exception>
 #include <functional>
 #include <iterator>
-#include <sstream>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,7 @@ namespace {
 using Plain = Curve_setting::Triangulation;
 using Certified =
     FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>;
+using Hostile = FG::Intrinsic_triangulation<Surface, Hostile_traits>;
 
 // ---------------------------------------------------------------- meshes
 
@@ -60,6 +62,13 @@ Mesh_soup stretched(const Mesh_soup& soup, double x, double y, double z)
   return mapped(soup, [=](const Coordinates& p) { return Coordinates{p[0] * x, p[1] * y, p[2] * z}; });
 }
 
+// So rough that shortest paths cross faces of other triangulations several times.
+Mesh_soup terrain(int n, double height)
+{
+  Random_numbers random(6);
+  return grid(n, n, Diagonal_rule::RANDOM, [&](int, int) { return random.uniform(0, height); });
+}
+
 Mesh_soup two_pieces()
 {
   return with_isolated_vertices(disjoint_union(octahedron(5), translated(shaken(octahedron(5), 0.2, 3), 20, 0, 0)), 1,
@@ -75,6 +84,7 @@ const std::vector<Input>& inputs()
         {"jittered_grid", jittered_grid(14, 14, Diagonal_rule::RANDOM, 0.24, 5)},
         {"grid_with_hole", grid_with_hole(12, 14, 3, 8, 4, 11)},
         {"hills", grid(16, 16, Diagonal_rule::RANDOM, [](int i, int j) { return ((i * 7 + j * 13) % 5) * 0.4; })},
+        {"terrain", terrain(12, 60)},
         {"needle_strip", needle_strip(20, 6, 1e-3)},
         {"box", box(3, 2, 1, 6)},
         {"tetrahedron", tetrahedron(8)},
@@ -106,9 +116,9 @@ struct Setting
 {
   using Network = FG::Edge_path_network<Triangulation>;
 
-  explicit Setting(const Input& input)
+  explicit Setting(const Input& input, const typename Triangulation::Traits& traits = typename Triangulation::Traits())
     : mesh(to_mesh<Surface>(input.soup))
-    , triangulation(mesh)
+    , triangulation(mesh, traits)
     , random(static_cast<unsigned>(input.soup.triangles.size()))
     , has_two_pieces(input.name == "two_pieces")
   {
@@ -202,7 +212,7 @@ struct Summary
       statuses.add(static_cast<long long>(curve.flips));
       lengths.add(curve.initial_length);
       lengths.add(curve.length);
-      lengths.add(std::isfinite(curve.smallest_angle) ? curve.smallest_angle : 1);
+      lengths.add(curve.smallest_angle);
     }
   }
 
@@ -257,19 +267,50 @@ struct Summary
   }
 };
 
-// Calls `function(setting, summary)` for each mesh.
+// Calls `function(setting, summary, extra)`, and compares what it adds.
+template <class Triangulation, class Function>
+void compare_one(Recorded_results& recorded, const std::string& name, Setting<Triangulation>& setting,
+                 const Function& function)
+{
+  Summary summary;
+  Result extra;
+  summary.attempt([&] { function(setting, summary, extra); });
+  Result result = summary.result();
+  result.append(extra);
+  recorded.compare(name, result);
+}
+
+// For each mesh.
 template <class Triangulation, class Function>
 void compare(const std::string& name, Depends_on depends_on, const Function& function)
 {
   Recorded_results recorded(FLIP_GEODESICS_RECORDED_RESULTS, name, depends_on);
   for(const Input& input : inputs()) {
     Setting<Triangulation> setting(input);
-    Summary summary;
-    Result extra;
-    summary.attempt([&] { function(setting, summary, extra); });
-    Result result = summary.result();
-    result.append(extra);
-    recorded.compare(input.name, result);
+    compare_one(recorded, input.name, setting, function);
+  }
+  recorded.finish();
+}
+
+// For some meshes, with traits that are wrong as no rounding is.
+template <class Function>
+void compare_among_lies(const std::string& name, const Function& function)
+{
+  Recorded_results recorded(FLIP_GEODESICS_RECORDED_RESULTS, name, Depends_on::ARITHMETIC);
+  for(const Input& input : inputs()) {
+    if(input.soup.triangles.size() > 300)
+      continue;
+    for(int period : {3, 8}) {
+      Liar liar(period);
+      std::map<std::string, Lies> all;
+      all["stiff"].is_quad_reflex = [&](bool truth) { return truth || liar(false); };
+      all["straight"].is_wedge_straight = [&](int, bool truth) { return truth || liar(false); };
+      all["bent"].is_wedge_straight = [&](int corners, bool truth) { return truth && !(corners > 1 && liar(false)); };
+      for(const auto& [lie, lies] : all) {
+        Setting<Hostile> setting(input, Hostile_traits(lies));
+        compare_one(recorded, input.name + "_" + lie + "_" + std::to_string(period), setting, function);
+      }
+    }
   }
   recorded.finish();
 }
@@ -281,10 +322,11 @@ void shorten_and_add(Network& network, Summary& summary)
   summary.add_curves(network);
 }
 
-template <class Triangulation>
-void compare_paths(const std::string& name, int n)
+struct Add_paths
 {
-  compare<Triangulation>(name, Depends_on::INPUT, [n](Setting<Triangulation>& s, Summary& summary, Result& extra) {
+  template <class Triangulation>
+  void operator()(Setting<Triangulation>& s, Summary& summary, Result& extra) const
+  {
     FG::Shortest_edge_path<Triangulation> search(s.triangulation, FG::Search_method::LOOK_BACK);
     std::size_t settled = 0, beforehand = 0;
     for(int i = 0; i < n; ++i) {
@@ -303,8 +345,10 @@ void compare_paths(const std::string& name, int n)
     }
     extra.count("settled", settled);
     extra.count("beforehand", beforehand);
-  });
-}
+  }
+
+  int n; // how many
+};
 
 // Shortest edge paths to all from one vertex share edges, and do not cross.
 template <class Triangulation>
@@ -320,11 +364,12 @@ void add_star(Setting<Triangulation>& s, typename Setting<Triangulation>::Networ
   FG::order_overlapping_curves(network);
 }
 
-template <class Triangulation>
-void compare_networks(const std::string& name)
+struct Add_networks
 {
-  compare<Triangulation>(name, Depends_on::INPUT, [](Setting<Triangulation>& s, Summary& summary, Result&) {
-    for(int i = 0; i < 8; ++i) {
+  template <class Triangulation>
+  void operator()(Setting<Triangulation>& s, Summary& summary, Result&) const
+  {
+    for(int i = 0; i < n; ++i) {
       typename Setting<Triangulation>::Network network(s.triangulation);
       summary.attempt([&] {
         add_star(s, network, 10);
@@ -333,7 +378,7 @@ void compare_networks(const std::string& name)
         shorten_and_add(network, summary);
         FG::Straightness_meter<typename Setting<Triangulation>::Network> meter(network);
         for(Index c = 0; c < network.number_of_curves(); ++c)
-          summary.lengths.add(std::isfinite(meter(c).smallest_angle) ? meter(c).smallest_angle : 1);
+          summary.lengths.add(meter(c).smallest_angle);
         if(i % 2 == 1) {
           for(Index c = 0; c < network.number_of_curves(); ++c)
             network.free_nodes(c);
@@ -343,8 +388,10 @@ void compare_networks(const std::string& name)
       network.clear();
       s.triangulation.rollback();
     }
-  });
-}
+  }
+
+  int n; // how many
+};
 
 template <class Triangulation>
 void add_tree(const FG::Geodesic_tree<Triangulation>& tree, Summary& summary)
@@ -358,23 +405,24 @@ void add_tree(const FG::Geodesic_tree<Triangulation>& tree, Summary& summary)
       summary.add(triangulation.crossing_word(tree.incoming(v)));
   }
   for(const FG::Polar_coordinates& p : FG::logarithmic_map(tree).vertices)
-    summary.lengths.add(std::isfinite(p.angle) ? p.angle + 1 : 0);
+    summary.lengths.add(p.angle + 1);
   summary.add_log(triangulation);
 }
 
-template <class Triangulation>
-void compare_trees(const std::string& name)
+struct Add_trees
 {
-  compare<Triangulation>(name, Depends_on::ARITHMETIC, [](Setting<Triangulation>& s, Summary& summary, Result& extra) {
+  template <class Triangulation>
+  void operator()(Setting<Triangulation>& s, Summary& summary, Result& extra) const
+  {
     std::size_t reopened = 0, windows = 0, longer = 0, vertices = 0, mended = 0, confirmed = 0;
     Weighted_sum excess;
     FG::Geodesic_tree<Triangulation> tree(s.triangulation);
-    for(int i = 0; i < 3; ++i) {
+    for(int i = 0; i < n; ++i) {
       const FG::Geodesic_tree_report report = i == 1 ? tree.grow(s.random_vertex(), 2.5) : tree.grow(s.random_vertex());
       summary.statuses.add(static_cast<long long>(report.status));
       summary.flips += report.flips;
       summary.steps += report.flip_outs;
-      summary.lengths.add(std::isfinite(report.smallest_angle) ? report.smallest_angle : 1);
+      summary.lengths.add(report.smallest_angle);
       reopened += report.reopened;
       add_tree(tree, summary);
       const FG::Shortest_tree_report shortest = FG::make_shortest(tree);
@@ -396,8 +444,10 @@ void compare_trees(const std::string& name)
     extra.count("mended", mended);
     extra.count("confirmed", confirmed);
     extra.add("excess", excess);
-  });
-}
+  }
+
+  int n; // how many
+};
 
 void add(const FG::Refinement_report& report, Summary& summary, Result& extra)
 {
@@ -462,9 +512,9 @@ void add_subdivision(const Subdivision& subdivision, Summary& summary, Result& e
 
 // ---------------------------------------------------------------- paths
 
-BOOST_AUTO_TEST_CASE(paths) { compare_paths<Certified>("paths", 40); }
+BOOST_AUTO_TEST_CASE(paths) { compare<Certified>("paths", Depends_on::INPUT, Add_paths{40}); }
 
-BOOST_AUTO_TEST_CASE(plain_paths) { compare_paths<Plain>("plain_paths", 20); }
+BOOST_AUTO_TEST_CASE(plain_paths) { compare<Plain>("plain_paths", Depends_on::INPUT, Add_paths{20}); }
 
 // Pulled tight from the path of edges on, with landmarks, for a while.
 BOOST_AUTO_TEST_CASE(stopped_paths)
@@ -504,6 +554,24 @@ BOOST_AUTO_TEST_CASE(stopped_paths)
   });
 }
 
+// Paths that cross themselves, turn back, and run along the border.
+BOOST_AUTO_TEST_CASE(straightened_walks)
+{
+  compare<Certified>("straightened_walks", Depends_on::INPUT, [](Setting<Certified>& s, Summary& summary, Result&) {
+    for(int i = 0; i < 60; ++i) {
+      Setting<Certified>::Network network(s.triangulation);
+      summary.attempt([&] {
+        summary.flips += FG::add_straightened_path(network, random_walk(s.triangulation, 2 + i / 3, false, s.random));
+        summary.add_curves(network);
+        FG::order_overlapping_curves(network);
+        shorten_and_add(network, summary);
+      });
+      network.clear();
+      s.triangulation.rollback();
+    }
+  });
+}
+
 BOOST_AUTO_TEST_CASE(loops)
 {
   compare<Certified>("loops", Depends_on::INPUT, [](Setting<Certified>& s, Summary& summary, Result&) {
@@ -528,9 +596,9 @@ BOOST_AUTO_TEST_CASE(loops)
   });
 }
 
-BOOST_AUTO_TEST_CASE(networks) { compare_networks<Certified>("networks"); }
+BOOST_AUTO_TEST_CASE(networks) { compare<Certified>("networks", Depends_on::INPUT, Add_networks{8}); }
 
-BOOST_AUTO_TEST_CASE(plain_networks) { compare_networks<Plain>("plain_networks"); }
+BOOST_AUTO_TEST_CASE(plain_networks) { compare<Plain>("plain_networks", Depends_on::INPUT, Add_networks{8}); }
 
 BOOST_AUTO_TEST_CASE(shortest_paths)
 {
@@ -668,9 +736,29 @@ BOOST_AUTO_TEST_CASE(free_splines)
 
 // ---------------------------------------------------------------- trees
 
-BOOST_AUTO_TEST_CASE(trees) { compare_trees<Certified>("trees"); }
+BOOST_AUTO_TEST_CASE(trees) { compare<Certified>("trees", Depends_on::ARITHMETIC, Add_trees{3}); }
 
-BOOST_AUTO_TEST_CASE(plain_trees) { compare_trees<Plain>("plain_trees"); }
+BOOST_AUTO_TEST_CASE(plain_trees) { compare<Plain>("plain_trees", Depends_on::ARITHMETIC, Add_trees{3}); }
+
+// After vertices were inserted, of which the search for shortest paths knows nothing.
+BOOST_AUTO_TEST_CASE(trees_of_refined_meshes)
+{
+  compare<Certified>("trees_of_refined_meshes", Depends_on::ARITHMETIC,
+                     [](Setting<Certified>& s, Summary& summary, Result& extra) {
+                       FG::Refinement_options options;
+                       options.maximum_insertions = 60;
+                       FG::refine(s.triangulation, options);
+                       Add_trees{3}(s, summary, extra);
+                     });
+}
+
+// ---------------------------------------------------------------- among lies
+
+BOOST_AUTO_TEST_CASE(hostile_paths) { compare_among_lies("hostile_paths", Add_paths{8}); }
+
+BOOST_AUTO_TEST_CASE(hostile_networks) { compare_among_lies("hostile_networks", Add_networks{2}); }
+
+BOOST_AUTO_TEST_CASE(hostile_trees) { compare_among_lies("hostile_trees", Add_trees{2}); }
 
 // ---------------------------------------------------------------- other triangulations
 

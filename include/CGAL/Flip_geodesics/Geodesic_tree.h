@@ -194,7 +194,7 @@ private:
     m_source = source;
     m_max_distance = max_distance;
     m_report = Geodesic_tree_report();
-    m_idle = 0;
+    m_idle = m_lengthened = 0;
     m_heap.clear();
     m_settled.clear();
     offer(source, 0, null_index);
@@ -237,12 +237,13 @@ private:
   /*
    * Where angles are pi but for rounding, a vertex could be handed from path to path of one length for ever. Each wedge
    * flipped out without a flip makes some path shorter or moves it to one side, so that a few rounds over all vertices
-   * are enough; after many more, paths are accepted as they are.
+   * are enough; after many more, paths are accepted as they are. So they are after as many wedges that were called
+   * narrow, and whose arcs were no shorter, since others may be flipped out for them to and fro.
    */
   bool has_patience()
   {
     constexpr std::size_t few = 10000, rounds = 16;
-    if(m_idle < few + rounds * m_settled.size())
+    if((std::max)(m_idle, m_lengthened) < few + rounds * m_settled.size())
       return true;
     if(!Triangulation::Traits::Has_drift::value) // otherwise, what is accepted is measured
       m_report.status = Shortening_status::PRECISION_LIMIT;
@@ -274,10 +275,11 @@ private:
   void flip_out(Index v, Index a, Index c, Visitor& visitor)
   {
     const double old_distance = m_labels[v].distance;
+    const double old_length = m_triangulation->length(a) + m_triangulation->length(c);
     m_orphans = {v};
     m_flipped.clear();
     ++m_idle;
-    internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Index spoke) {
+    const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Index spoke) {
       const Index w = m_triangulation->head(spoke);
       if(state(w) == REACHED && m_labels[w].incoming == spoke)
         m_orphans.push_back(w);
@@ -288,6 +290,7 @@ private:
       visitor.on_flip(*m_triangulation, spoke);
     });
     ++m_report.flip_outs;
+    m_lengthened += Triangulation::Traits::Has_drift::value && new_length >= old_length ? 1 : 0;
     adopt_orphans(Triangulation::edge(m_labels[v].incoming));
     prefer_arc(v, old_distance);
     for(Index h : m_flipped) {
@@ -449,7 +452,8 @@ private:
   std::vector<Index> m_settled;
   Index m_epoch = 0;
   Index m_source = null_index;
-  std::size_t m_idle = 0; // wedges flipped out since the last flip
+  std::size_t m_idle = 0;       // wedges flipped out since the last flip
+  std::size_t m_lengthened = 0; // wedges flipped out for arcs that are no shorter
   double m_max_distance = std::numeric_limits<double>::infinity();
   Geodesic_tree_report m_report;
   std::vector<Index> m_arc, m_flipped, m_orphans;
