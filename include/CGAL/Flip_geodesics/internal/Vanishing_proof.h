@@ -340,15 +340,16 @@ private:
     result[moved + 1] = (result[moved + 1] + root * re) % m_p;
   }
 
-  // Splits each vector in its coefficients of 1 and of the variable, and keeps a basis of what they span.
+  // Splits each vector in its coefficients of 1 and of the variable, and keeps a basis of what they span: no vector, if
+  // the state is zero.
   void close(std::size_t variable_bit)
   {
-    const std::size_t b = 2 * variable_bit, size = m_vectors.front().size() / 2;
+    const std::size_t b = 2 * variable_bit;
     std::vector<Vector> halves;
     for(const Vector& v : m_vectors)
       for(std::size_t offset : {std::size_t(0), b}) {
-        Vector half(size);
-        for(std::size_t i = 0; i < size; ++i)
+        Vector half(v.size() / 2);
+        for(std::size_t i = 0; i < half.size(); ++i)
           half[i] = v[(i & (b - 1)) | ((i & ~(b - 1)) << 1) | offset];
         halves.push_back(std::move(half));
       }
