@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -415,6 +416,19 @@ BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
   const FG::Network_certificate both = FG::certify(many.network);
   BOOST_TEST((both.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
   BOOST_TEST((both.curves[1].verdict == FG::Certificate_verdict::PROVEN));
+}
+
+// Of several legs, the weakest verdict counts.
+BOOST_AUTO_TEST_CASE(legs_are_as_certain_as_the_least_of_them)
+{
+  Certified_setting setting(folding_screen(20, false, 0));
+  auto& t = setting.triangulation;
+  const auto at = [&](int i, int j) { return t.location(grid_vertex(40, i, j)); };
+  setting.network.clear();
+  BOOST_TEST((FG::geodesics_through(t, {at(0, 0), at(40, 2), at(39, 2)}).certificate.verdict ==
+              FG::Certificate_verdict::PROBABLE));
+  BOOST_TEST((FG::geodesics_through(t, {at(40, 2), at(39, 2)}).certificate.verdict ==
+              FG::Certificate_verdict::PROVEN));
 }
 
 // The line misses the middle point by 1e-90: what is not zero has a sign, after as many digits as it takes.

@@ -185,3 +185,30 @@ BOOST_AUTO_TEST_CASE(bad_control_points_are_refused)
                     FG::Invalid_location_error);
   BOOST_TEST(t.log_position() == 0u);
 }
+
+// A leg within a face keeps its ends as they were told, and one that comes back to where it starts is its two ends.
+BOOST_AUTO_TEST_CASE(legs_within_a_face_and_legs_that_contract)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  Triangulation t(mesh);
+  FG::internal::Path_straightener<Triangulation> straightener(t);
+  const auto h = t.index(mesh.halfedge(Mesh::Face_index(9)));
+  const FG::internal::Surface_polyline bent = {{h, {{1, 2, 3}}}, {h, {{5, 1, 1}}}, {h, {{3, 2, 2}}}};
+  const auto straight = straightener.straightened(bent);
+  BOOST_REQUIRE_EQUAL(straight.size(), 2u);
+  for(int i : {0, 1}) {
+    BOOST_TEST(straight[i].halfedge == bent[2 * i].halfedge);
+    BOOST_TEST((straight[i].weights == bent[2 * i].weights));
+  }
+
+  FG::internal::Surface_polyline round; // about a vertex, from an edge to the same place
+  const auto start = t.outgoing(grid_vertex(4, 2, 2));
+  auto spoke = start;
+  do {
+    round.push_back({spoke, {{1, 1, 0}}});
+    spoke = t.clockwise(spoke);
+  } while(spoke != start);
+  round.push_back(round.front());
+  BOOST_TEST(straightener.straightened(round).size() == 2u);
+  BOOST_TEST(t.log_position() == 0u);
+}

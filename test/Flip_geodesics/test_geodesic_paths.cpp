@@ -301,3 +301,16 @@ BOOST_AUTO_TEST_CASE(the_queue_hands_out_by_priority_and_then_by_vertex)
     BOOST_TEST_REQUIRE(queue.pop() == reference.begin()->second);
   BOOST_TEST(queue.empty());
 }
+
+BOOST_AUTO_TEST_CASE(the_queue_takes_minus_zero_for_zero)
+{
+  FG::internal::Vertex_queue queue;
+  queue.push(3.0, 0);
+  queue.push(0.0, 2);
+  queue.push(-0.0, 1);
+  for(int expected : {1, 2, 0})
+    BOOST_TEST(queue.pop() == expected);
+#ifndef CGAL_NO_PRECONDITIONS
+  BOOST_CHECK_THROW(queue.push(-1.0, 0), CGAL::Failure_exception);
+#endif
+}

@@ -306,6 +306,14 @@ BOOST_AUTO_TEST_CASE(within_a_distance)
   BOOST_TEST(report.flips < 1000u); // of about 4800 edges; nothing far away is touched
 }
 
+BOOST_AUTO_TEST_CASE(at_the_distance_exactly)
+{
+  Double_tree_setting setting(flat_grid(6, 6, Diagonal_rule::RISING));
+  setting.tree.grow(grid_vertex(6, 3, 3), 2);
+  for(int v : {grid_vertex(6, 1, 3), grid_vertex(6, 5, 3), grid_vertex(6, 3, 1), grid_vertex(6, 3, 5)})
+    BOOST_TEST(setting.tree.is_reached(v));
+}
+
 BOOST_AUTO_TEST_CASE(other_components_are_not_reached)
 {
   Double_tree_setting setting(with_isolated_vertices(disjoint_union(sphere(3), sphere(3)), 1, 1));

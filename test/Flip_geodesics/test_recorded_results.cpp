@@ -393,6 +393,98 @@ struct Add_networks
   int n; // how many
 };
 
+using Stop = std::function<FG::Stop_decision(const FG::Shortening_step&)>;
+
+// Some never stop, some hold up a curve that others then come close to.
+const std::vector<Stop>& stops()
+{
+  static const std::vector<Stop> result = {FG::Never_stop_predicate(),
+                                           FG::Length_ratio_stop_predicate(0.97),
+                                           FG::Curve_length_ratio_stop_predicate(0.95),
+                                           FG::Angle_stop_predicate(2.5),
+                                           FG::Iteration_stop_predicate(4),
+                                           FG::Memory_stop_predicate(6000),
+                                           [](const FG::Shortening_step& step) {
+                                             return step.curve % 2 == 1 ? FG::Stop_decision::CURVE_LENGTH_LIMIT
+                                                                        : FG::Stop_decision::CONTINUE;
+                                           },
+                                           [](const FG::Shortening_step& step) {
+                                             return (3 * static_cast<std::size_t>(step.curve) + step.steps) % 4 == 0
+                                                        ? FG::Stop_decision::CURVE_LENGTH_LIMIT
+                                                        : FG::Stop_decision::CONTINUE;
+                                           }};
+  return result;
+}
+
+// Several runs, each with another predicate.
+struct Add_stopped_curves
+{
+  template <class Triangulation>
+  void operator()(Setting<Triangulation>& s, Summary& summary, Result& extra) const
+  {
+    using Network = typename Setting<Triangulation>::Network;
+    FG::Shortest_edge_path<Triangulation> measure(s.triangulation, FG::Search_method::LOOK_BACK);
+    const FG::Landmark_distances landmarks(measure);
+    FG::Shortest_edge_path<Triangulation> search(s.triangulation, landmarks);
+    std::size_t settled = 0;
+    for(std::size_t i = 0; i < 2 * stops().size(); ++i) {
+      Network network(s.triangulation);
+      const int v = s.random_vertex();
+      summary.attempt([&] {
+        for(std::size_t j = 0; j < 2 + i % 3; ++j) {
+          const int w = s.random_vertex();
+          summary.lengths.add(landmarks.distance_lower_bound(v, w));
+          if(const auto path = search(v, w); !path.empty())
+            network.add_curve(path, false);
+          settled += search.settled_vertices();
+        }
+        FG::order_overlapping_curves(network);
+        if(i % 4 == 3)
+          network.fix_nodes_at(s.random_vertex());
+        FG::Shortener<Network> shortener(network);
+        for(std::size_t round = 0; round < 4; ++round) {
+          shortener.run(stops()[(i + (i / 4 + 1) * round) % stops().size()]);
+          summary.add(shortener.report());
+        }
+        summary.add_curves(network);
+      });
+      network.clear();
+      s.triangulation.rollback();
+    }
+    extra.count("settled", settled);
+  }
+};
+
+struct Add_shortest_paths
+{
+  template <class Triangulation>
+  void operator()(Setting<Triangulation>& s, Summary& summary, Result& extra) const
+  {
+    FG::Shortest_edge_path<Triangulation> search(s.triangulation);
+    std::size_t windows = 0, confirmed = 0;
+    for(int i = 0; i < n; ++i) {
+      typename Setting<Triangulation>::Network network(s.triangulation);
+      const int v = s.random_vertex(), w = s.random_vertex();
+      summary.attempt([&] {
+        const auto report = FG::add_shortest_path(network, search, v, w, i % 10 == 5 ? 100 : 0);
+        BOOST_TEST(report.gap() >= 0);
+        windows += report.windows;
+        confirmed += report.is_confirmed ? 1 : 0;
+        summary.add(report.shortening);
+        for(double length : {report.first_length, report.length, report.lower_bound})
+          summary.lengths.add(length);
+        summary.add_curves(network);
+      });
+      network.clear();
+      s.triangulation.rollback();
+    }
+    extra.count("windows", windows);
+    extra.count("confirmed", confirmed);
+  }
+
+  int n; // how many
+};
+
 template <class Triangulation>
 void add_tree(const FG::Geodesic_tree<Triangulation>& tree, Summary& summary)
 {
@@ -517,41 +609,11 @@ BOOST_AUTO_TEST_CASE(paths) { compare<Certified>("paths", Depends_on::INPUT, Add
 BOOST_AUTO_TEST_CASE(plain_paths) { compare<Plain>("plain_paths", Depends_on::INPUT, Add_paths{20}); }
 
 // Pulled tight from the path of edges on, with landmarks, for a while.
-BOOST_AUTO_TEST_CASE(stopped_paths)
+BOOST_AUTO_TEST_CASE(stopped_paths) { compare<Certified>("stopped_paths", Depends_on::INPUT, Add_stopped_curves()); }
+
+BOOST_AUTO_TEST_CASE(plain_stopped_paths)
 {
-  using Step = FG::Shortening_step;
-  using Stop = std::function<FG::Stop_decision(const Step&)>;
-  const std::vector<Stop> stops = {
-      FG::Never_stop_predicate(),    FG::Length_ratio_stop_predicate(0.97), FG::Curve_length_ratio_stop_predicate(0.95),
-      FG::Angle_stop_predicate(2.5), FG::Iteration_stop_predicate(4),       FG::Memory_stop_predicate(6000)};
-  compare<Certified>("stopped_paths", Depends_on::INPUT, [&](Setting<Certified>& s, Summary& summary, Result& extra) {
-    FG::Shortest_edge_path<Certified> measure(s.triangulation, FG::Search_method::LOOK_BACK);
-    const FG::Landmark_distances landmarks(measure);
-    FG::Shortest_edge_path<Certified> search(s.triangulation, landmarks);
-    std::size_t settled = 0;
-    for(const Stop& stop : stops) {
-      Setting<Certified>::Network network(s.triangulation);
-      const int v = s.random_vertex(), w = s.random_vertex(), x = s.random_vertex();
-      summary.lengths.add(landmarks.distance_lower_bound(v, w));
-      summary.attempt([&] {
-        for(int target : {w, x})
-          if(const auto path = search(v, target); !path.empty()) {
-            settled += search.settled_vertices();
-            network.add_curve(path, false);
-          }
-        FG::order_overlapping_curves(network);
-        FG::Shortener<Setting<Certified>::Network> shortener(network);
-        for(int round = 0; round < 3; ++round) {
-          shortener.run(stop);
-          summary.add(shortener.report());
-        }
-        summary.add_curves(network);
-      });
-      network.clear();
-      s.triangulation.rollback();
-    }
-    extra.count("settled", settled);
-  });
+  compare<Plain>("plain_stopped_paths", Depends_on::INPUT, Add_stopped_curves());
 }
 
 // Paths that cross themselves, turn back, and run along the border.
@@ -602,28 +664,7 @@ BOOST_AUTO_TEST_CASE(plain_networks) { compare<Plain>("plain_networks", Depends_
 
 BOOST_AUTO_TEST_CASE(shortest_paths)
 {
-  compare<Certified>("shortest_paths", Depends_on::ARITHMETIC,
-                     [](Setting<Certified>& s, Summary& summary, Result& extra) {
-                       FG::Shortest_edge_path<Certified> search(s.triangulation);
-                       std::size_t windows = 0, confirmed = 0;
-                       for(int i = 0; i < 20; ++i) {
-                         Setting<Certified>::Network network(s.triangulation);
-                         const int v = s.random_vertex(), w = s.random_vertex();
-                         summary.attempt([&] {
-                           const auto report = FG::add_shortest_path(network, search, v, w, i % 10 == 5 ? 100 : 0);
-                           windows += report.windows;
-                           confirmed += report.is_confirmed ? 1 : 0;
-                           summary.add(report.shortening);
-                           for(double length : {report.first_length, report.length, report.lower_bound})
-                             summary.lengths.add(length);
-                           summary.add_curves(network);
-                         });
-                         network.clear();
-                         s.triangulation.rollback();
-                       }
-                       extra.count("windows", windows);
-                       extra.count("confirmed", confirmed);
-                     });
+  compare<Certified>("shortest_paths", Depends_on::ARITHMETIC, Add_shortest_paths{20});
 }
 
 // ---------------------------------------------------------------- curves through points
@@ -755,6 +796,16 @@ BOOST_AUTO_TEST_CASE(trees_of_refined_meshes)
 // ---------------------------------------------------------------- among lies
 
 BOOST_AUTO_TEST_CASE(hostile_paths) { compare_among_lies("hostile_paths", Add_paths{8}); }
+
+BOOST_AUTO_TEST_CASE(hostile_stopped_paths)
+{
+  compare_among_lies("hostile_stopped_paths", Add_stopped_curves());
+}
+
+BOOST_AUTO_TEST_CASE(hostile_shortest_paths)
+{
+  compare_among_lies("hostile_shortest_paths", Add_shortest_paths{6});
+}
 
 BOOST_AUTO_TEST_CASE(hostile_networks) { compare_among_lies("hostile_networks", Add_networks{2}); }
 

@@ -315,3 +315,42 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
   tree.grow(setting.triangulation.number_of_vertices() - 1);
   BOOST_CHECK_THROW(FG::make_shortest(tree), FG::Vertex_out_of_range_error);
 }
+
+// A face so flat that the search cannot tell where rays leave it: there may be a shorter path through it.
+BOOST_AUTO_TEST_CASE(nothing_is_confirmed_beside_a_flat_face)
+{
+  for(double height : {1e-11, 1e-3}) {
+    Setting setting(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}, {1, height, 0}},
+                              {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
+    BOOST_TEST(shortest(setting, 0, 2).is_confirmed == (height > 1e-10));
+  }
+}
+
+// Whatever part of its length a path may be longer than a shortest one: where it is too long, so are all paths that go
+// on from it, even if they are not by their own length.
+BOOST_AUTO_TEST_CASE(paths_that_go_on_from_one_too_long_are_replaced_with_it)
+{
+  Setting setting(bumpy_sphere(7, 0.3, 5));
+  const auto& t = setting.triangulation;
+  Tree tree(setting.triangulation);
+  tree.grow(0);
+  FG::internal::Window_search<Setting::Triangulation> search(t, 0);
+  search.run(std::numeric_limits<double>::infinity());
+  int followers = 0;
+  for(Index v = 1; v < t.number_of_vertices(); ++v) {
+    const double excess = tree.distance(v) / search.distance(v) - 1;
+    if(excess < 1e-6)
+      continue;
+    FG::internal::Shortest_tree_repair<Tree> repair(tree, search, 0.999 * excess);
+    std::vector<char> is_longer(static_cast<std::size_t>(t.number_of_vertices()), 0);
+    for(Index w : repair.longer())
+      is_longer[w] = 1;
+    BOOST_TEST(is_longer[v] != 0);
+    for(Index w = 1; w < t.number_of_vertices(); ++w) {
+      const bool has_longer_parent = is_longer[t.tail(tree.incoming(w))] != 0;
+      BOOST_TEST((!has_longer_parent || is_longer[w] != 0));
+      followers += has_longer_parent && tree.distance(w) / search.distance(w) - 1 < 0.999 * excess ? 1 : 0;
+    }
+  }
+  BOOST_TEST(followers > 0);
+}

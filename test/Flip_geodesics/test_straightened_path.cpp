@@ -311,3 +311,46 @@ BOOST_AUTO_TEST_CASE(shortest_edge_paths_are_as_long_as_edges_relaxed_again_and_
     }
   }
 }
+
+// With 7 on both sides, in radians, of a vertex of angle 14, there is nothing to straighten.
+BOOST_AUTO_TEST_CASE(paths_over_a_vertex_of_large_angle_stay)
+{
+  constexpr int k = 16;
+  Curve_setting setting(saddle_disk(k, 5, 14));
+  for(int i = 0; i < k; ++i) {
+    std::vector<int> way;
+    for(int r = 5; r >= 0; --r)
+      way.push_back(disk_vertex(k, r, i));
+    for(int r = 1; r <= 5; ++r)
+      way.push_back(disk_vertex(k, r, i + k / 2));
+    const auto path = FG::halfedges_through(setting.triangulation, way, false);
+    BOOST_TEST(FG::add_straightened_path(setting.network, path) == 0u);
+    BOOST_TEST(setting.network.length(0) == 10, boost::test_tools::tolerance(1e-12));
+    setting.network.clear();
+    setting.triangulation.rollback();
+  }
+}
+
+#ifndef CGAL_NO_PRECONDITIONS
+BOOST_AUTO_TEST_CASE(a_triangulation_that_was_flipped_is_refused)
+{
+  Curve_setting setting(jittered_grid(5, 5, Diagonal_rule::RANDOM, 0.2, 1));
+  Curve_setting::Search search(setting.triangulation);
+  const auto path = search(0, 30);
+  int h = 0;
+  while(!setting.triangulation.is_flippable(h))
+    ++h;
+  setting.triangulation.flip(h);
+  BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Failure_exception);
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(an_edge_of_infinite_length_is_refused)
+{
+  const Surface mesh = to_mesh<Surface>(flat_grid(4, 4, Diagonal_rule::RISING));
+  auto lengths = edge_lengths(mesh, [](int, int) { return 1.0; });
+  lengths.begin()->second = std::numeric_limits<double>::infinity();
+  const Length_triangulation triangulation(mesh, Length_metric(mesh, Length_map(lengths)));
+  FG::Shortest_edge_path<Length_triangulation> search(triangulation);
+  BOOST_CHECK_THROW(search.visit_all(0, [](int, double) {}), FG::Invalid_coordinate_error);
+}

@@ -164,11 +164,9 @@ private:
     if(chain.empty())
       return false;
     m_flips += straighten_on_the_right(m_triangulation, chain);
-    const Index h = Triangulation::twin(chain.front()), before = m_triangulation.tail(h);
-    if(!m_tree.is_reached(before) || m_triangulation.head(h) != v)
-      return false;
-    const double length = m_tree.distance(before) + m_triangulation.length(h);
-    if(!(length <= m_search.distance(v) * (1 + m_tolerance)))
+    const Index h = Triangulation::twin(chain.front());
+    const double length = m_tree.distance(m_triangulation.tail(h)) + m_triangulation.length(h);
+    if(!(length <= m_search.distance(v) * (1 + m_tolerance))) // infinite if there is no path to the tail
       return false;
     m_tree.hang(v, h);
     return true;
