@@ -11,6 +11,7 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/internal/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -387,9 +388,17 @@ BOOST_AUTO_TEST_CASE(error_bounds_of_precise_edges_hold)
           ++unbounded;
           continue;
         }
+        const FG::Crossing_word word = triangulation.crossing_word(h);
+        if(!word.crossed.empty()) { // derived from other edges only where that is accurate, else unfolded from an end
+          const auto error = [&](const FG::Crossing_word& way) {
+            return FG::internal::Precise_strip<Triangulation>(triangulation, way, false).edge().end_error;
+          };
+          const double unfolded = (std::max)(error(word), error(word.reversed()));
+          BOOST_TEST(wedge.from().end_error <= (std::max)(2 * unfolded, 0x1p-63) + 2 * wedge.from().direction_error);
+        }
         const auto& end = wedge.from().end;
         const Real length = boost::multiprecision::sqrt(squared_norm({real(end.x), real(end.y)}));
-        const Real exact_length = referee.length(triangulation.crossing_word(h));
+        const Real exact_length = referee.length(word);
         FG::internal::Double_double_vector turn = {{1, 0}, {}};
         double bound = 0;
         wedge.extend(turn, bound);
@@ -408,6 +417,29 @@ BOOST_AUTO_TEST_CASE(error_bounds_of_precise_edges_hold)
   BOOST_TEST(largest_share < 1);
   BOOST_TEST(largest_bound < 1e-12);
   BOOST_TEST(20 * unbounded < edges);
+}
+
+// Between input vertices, and at inserted ones, whose edges have no vectors of about 100 bits.
+BOOST_AUTO_TEST_CASE(faces_laid_out_afresh_have_small_errors)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface, Certified_traits>;
+  for(const Named_soup& named : generic_soups()) {
+    const Surface mesh = to_mesh<Surface>(named.soup);
+    Triangulation triangulation(mesh);
+    Random_numbers random(3);
+    for(int i = 0; i < 20; ++i) {
+      const int h = random.below(triangulation.input().number_of_halfedges());
+      if(!triangulation.input().is_border(h))
+        triangulation.insert({h, {{1, random.uniform(0.5, 1), i % 3 == 0 ? 0 : random.uniform(0.5, 1)}}});
+    }
+    flip_at_random(triangulation, 300, random);
+    for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+      if(triangulation.is_border(h))
+        continue;
+      BOOST_TEST(FG::internal::refresh_face(triangulation, h));
+      BOOST_TEST(triangulation.geometry(h).error < 1e-9);
+    }
+  }
 }
 
 // An edge all but opposite to its reference halfedge had the angle -pi instead of pi by rounding.

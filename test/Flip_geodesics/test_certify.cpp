@@ -687,6 +687,7 @@ BOOST_AUTO_TEST_CASE(cones_on_the_line_count_between_the_ends)
   // Seen from a point of the edge, on either side of the tip.
   BOOST_TEST((with_cone_at(2).verdict_on_part(0, 1, 0.75) == bent));
   BOOST_TEST((with_cone_at(2).verdict_on_part(0, 1, 0.25) == proven));
+  BOOST_TEST((with_cone_at(1).verdict_on_part(0, 1, 0.5) == proven));
 }
 
 // Beyond the head, at 5 and 6, faces turn back to a tip at 3, which is not on the edge: it is reached over 5 only.
