@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 #include <vector>
 
 #endif
@@ -222,6 +223,66 @@ BOOST_AUTO_TEST_CASE(what_is_no_disk_is_refused)
   Network uncut(disk_triangulation);
   const Flattening flattening(uncut);
   BOOST_TEST(largest_length_error(flattening, disk_triangulation) < 1e-11);
+}
+
+// Whole Newton steps would violate triangle inequalities on the way.
+BOOST_AUTO_TEST_CASE(steep_cones_are_flattened_by_shorter_steps)
+{
+  for(const Mesh_soup& soup : {cone(8, 4, 1, 4), cone(8, 4, 1, 8), cone(5, 3, 1, 4), cone(5, 3, 1, 8)}) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation triangulation(mesh);
+    Network uncut(triangulation);
+    const Flattening flattening(uncut);
+    BOOST_TEST(flattening.angle_error() <= 1e-10);
+    BOOST_TEST(flattening.layout_error() < 1e-7);
+    BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_largest_face_lies_at_the_origin)
+{
+  const Mesh mesh = to_mesh<Mesh>(cone(8, 4, 1, 4));
+  Triangulation triangulation(mesh);
+  Network uncut(triangulation);
+  const Flattening flattening(uncut);
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(triangulation, std::back_inserter(faces));
+  const auto corner = [&](const FG::Intrinsic_face& face, int i) {
+    return flattening.point(flattening.copy_at(face.halfedges[i]));
+  };
+  const auto area = [&](const FG::Intrinsic_face& face) {
+    const auto p = corner(face, 0), q = corner(face, 1), r = corner(face, 2);
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  double largest = 0, at_origin = 0;
+  for(const FG::Intrinsic_face& face : faces) {
+    largest = std::max(largest, area(face));
+    if(corner(face, 0)[0] == 0 && corner(face, 0)[1] == 0 && corner(face, 1)[1] == 0)
+      at_origin = std::max(at_origin, area(face));
+  }
+  BOOST_TEST(at_origin >= largest * (1 - 1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_flattened_is_told)
+{
+  const auto names = [](const std::string& words) {
+    return [words](const FG::Flattening_error& e) { return std::string(e.what()).find(words) != std::string::npos; };
+  };
+  // A disk and a torus have the Euler characteristic of a disk.
+  const Mesh two = to_mesh<Mesh>(disjoint_union(flat_grid(2, 2, Diagonal_rule::RISING), torus(6, 5, 3, 1)));
+  Triangulation two_triangulation(two);
+  Network two_uncut(two_triangulation);
+  BOOST_CHECK_EXCEPTION(Flattening{two_uncut}, FG::Flattening_error, names("not connected"));
+
+  const Mesh spike = to_mesh<Mesh>(cone(3, 2, 1, 4));
+  Triangulation spike_triangulation(spike);
+  Network spike_uncut(spike_triangulation);
+  BOOST_CHECK_EXCEPTION(Flattening{spike_uncut}, FG::Flattening_error, names("triangle inequality"));
+
+  const Mesh hill = to_mesh<Mesh>(cone(8, 4, 1, 2));
+  Triangulation hill_triangulation(hill);
+  Network hill_uncut(hill_triangulation);
+  BOOST_CHECK_EXCEPTION((Flattening{hill_uncut, 1e-30}), FG::Flattening_error, names("miss 2 pi"));
 }
 
 #else

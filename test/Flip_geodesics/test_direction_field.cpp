@@ -14,6 +14,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -126,6 +128,37 @@ BOOST_AUTO_TEST_CASE(the_field_runs_along_the_curves_it_is_aligned_to)
   });
   BOOST_TEST(total_index(field) == 8);
   BOOST_TEST(field.energy() > 0);
+}
+
+// With one direction at each vertex and not four: that in which the curve is run through, also where it ends.
+BOOST_AUTO_TEST_CASE(curves_have_a_direction)
+{
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(6, 6, Diagonal_rule::RISING, 0.2, 3));
+  Triangulation triangulation(mesh);
+  Network network(triangulation);
+  network.add_curve(FG::halfedges_through(triangulation, std::vector<FG::Index>{16, 17, 18}, false), false);
+  Field field(triangulation, 1);
+  field.align(network);
+  field.compute();
+  const FG::Index first = network.halfedge(network.first_segment(0)), last = network.halfedge(network.last_segment(0));
+  constexpr double pi = boost::math::constants::pi<double>();
+  BOOST_TEST(difference(field, 16, field.tangent_spaces().angle(first), 1) < 1e-9);
+  BOOST_TEST(difference(field, 18, field.tangent_spaces().angle(last ^ 1) + pi, 1) < 1e-9);
+}
+
+// What cancels out is not asked for.
+BOOST_AUTO_TEST_CASE(opposite_directions_cancel_out)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(6, 0.2, 5));
+  const Triangulation triangulation(mesh);
+  Field expected(triangulation, 1), field(triangulation, 1);
+  for(Field* f : {&expected, &field})
+    f->align(3, 0.7);
+  for(int k = 0; k < 3; ++k)
+    field.align(60, 0.4 + k * boost::math::constants::two_pi<double>() / 3);
+  expected.compute();
+  field.compute();
+  BOOST_TEST((field.values() - expected.values()).norm() < 1e-9 * expected.values().norm());
 }
 
 BOOST_AUTO_TEST_CASE(components_without_a_curve_and_bad_vertices_are_refused)

@@ -202,6 +202,31 @@ BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
   BOOST_TEST(thrown == 1);
 }
 
+// Whatever a path that was interrupted has flipped, the next one starts from the mesh's own edges.
+BOOST_AUTO_TEST_CASE(an_exception_leaves_no_flips_behind)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(8, 0.2, 3));
+  const Pairs pairs = random_pairs(mesh, 12, 5);
+  std::vector<Path> undisturbed;
+  Disturbing_visitor none;
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(undisturbed), CGAL::parameters::visitor(std::ref(none)));
+  for(int throw_at = 3; throw_at < none.steps; throw_at += 7) {
+    Disturbing_visitor visitor;
+    visitor.throw_at = throw_at;
+    std::vector<Path> paths;
+    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::visitor(std::ref(visitor)));
+    int thrown = 0;
+    for(std::size_t i = 0; i < pairs.size(); ++i) {
+      thrown += paths[i].error ? 1 : 0;
+      if(paths[i].error)
+        continue;
+      BOOST_TEST((paths[i].points == undisturbed[i].points));
+      BOOST_TEST(paths[i].report.initial_length == undisturbed[i].report.initial_length);
+    }
+    BOOST_TEST(thrown == 1);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one_and_landmarks_direct_it)
 {
   Mesh mesh = to_mesh<Mesh>(jittered_grid(20, 20, Diagonal_rule::RISING, 0.2, 5));

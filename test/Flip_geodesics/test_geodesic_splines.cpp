@@ -22,6 +22,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -163,6 +164,7 @@ BOOST_AUTO_TEST_CASE(paths_between_points_and_through_way_points)
     std::vector<Point> points;
     const auto through = FG::geodesic_path_through(surface.bent, way_points, std::back_inserter(points));
     BOOST_TEST(through.report.is_complete());
+    BOOST_TEST((std::adjacent_find(points.begin(), points.end()) == points.end())); // legs share their ends
     BOOST_TEST(std::abs(through.report.curves.front().length - length) < 1e-12 * length);
     points.clear();
     const auto direct = FG::geodesic_path(surface.bent, way_points.front(), way_points.back(), std::back_inserter(points));
@@ -194,6 +196,15 @@ BOOST_AUTO_TEST_CASE(bad_points_are_refused)
   const auto snapped = FG::surface_location(t, mesh, Face_location{f, {{1 + 5.6e-17, -5.6e-17, 1e-16}}});
   BOOST_TEST((kind(snapped) == FG::Location_kind::VERTEX));
   BOOST_TEST((kind(FG::surface_location(t, mesh, Face_location{f, {{0.5, 0.5, 1e-16}}}, 0)) == FG::Location_kind::FACE));
+  // The message names what is wrong.
+  const auto names = [](const std::string& words) {
+    return [words](const FG::Invalid_location_error& e) { return std::string(e.what()).find(words) != std::string::npos; };
+  };
+  BOOST_CHECK_EXCEPTION(FG::surface_location(t, mesh, Face_location{f, {{2, 0, 0}}}), FG::Invalid_location_error,
+                        names("not between 0 and 1"));
+  BOOST_CHECK_EXCEPTION(FG::surface_location(t, mesh, Face_location{f, {{0.5, 0.25, 0}}}), FG::Invalid_location_error,
+                        names("sum to"));
+  BOOST_CHECK_THROW(FG::geodesics_through(t, {snapped}), FG::Invalid_curve_error);
 }
 
 // Straight lines from corner to corner, with a point on each edge that they cross.
@@ -312,4 +323,209 @@ BOOST_AUTO_TEST_CASE(closed_polylines)
   FG::order_overlapping_curves(network);
   BOOST_TEST(FG::shorten(network).is_complete());
   BOOST_TEST(std::abs(network.length(0) - ring) < 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(polylines_with_too_few_points_are_refused)
+{
+  const Bent_surface surface = surfaces().front();
+  Triangulation t(surface.bent);
+  Network network(t);
+  const auto points = locations(t, surface, {{2.5, 2.25}, {2.75, 2.375}, {2.75, 2.5}});
+  const std::vector<FG::Surface_location> two(points.begin(), points.begin() + 2);
+  BOOST_CHECK_THROW(FG::draw_polyline(network, two, true), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::snap_polyline(t, two, true), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::complete_polyline(t, two, true), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::draw_polyline(network, {points.front()}), FG::Invalid_curve_error);
+  BOOST_TEST(t.number_of_vertices() == static_cast<int>(surface.bent.number_of_vertices()));
+}
+
+// Points that repeat the one before are one vertex of the curve.
+BOOST_AUTO_TEST_CASE(repeated_points_of_a_polyline_are_skipped)
+{
+  const Bent_surface surface = surfaces().front();
+  Triangulation t(surface.bent);
+  Network network(t);
+  const auto points = FG::complete_polyline(t, locations(t, surface, {{1.3, 1.4}, {4.2, 1.7}, {6.1, 3.2}}));
+  std::vector<FG::Surface_location> repeated;
+  for(const FG::Surface_location& p : points)
+    repeated.insert(repeated.end(), 2, p);
+  const FG::Index once = FG::draw_polyline(network, points), twice = FG::draw_polyline(network, repeated);
+  BOOST_TEST(network.halfedges(once) == network.halfedges(twice), boost::test_tools::per_element());
+}
+
+// Points near one vertex, then near another, and back: the path turns there.
+BOOST_AUTO_TEST_CASE(snapped_polylines_do_not_go_to_and_fro)
+{
+  const Bent_surface surface = surfaces().front(); // with a diagonal from (0, 0) to (1, 1)
+  Triangulation t(surface.bent);
+  const auto vertex = [](int i, int j) { return static_cast<FG::Index>(grid_vertex(size, i, j)); };
+  using Path = std::vector<FG::Index>;
+  const auto snapped = [&](const std::vector<Flat_point>& points, bool is_closed) {
+    return FG::snap_polyline(t, locations(t, surface, points), is_closed);
+  };
+  BOOST_TEST(snapped({{2, 2}, {2.75, 2}, {2.25, 2}, {2.25, 2.25}, {2, 2.75}}, false) == (Path{vertex(2, 2), vertex(2, 3)}),
+             boost::test_tools::per_element());
+  // The last point of a closed one lies near the first.
+  BOOST_TEST(snapped({{2, 2}, {3, 2}, {3, 3}, {2.25, 2.25}}, true) == (Path{vertex(2, 2), vertex(3, 2), vertex(3, 3)}),
+             boost::test_tools::per_element());
+  BOOST_TEST(snapped({{2.125, 2}, {2.25, 2}, {2.125, 2.125}}, true) == Path{vertex(2, 2)}, boost::test_tools::per_element());
+}
+
+// A geodesic that crosses edges next to a vertex, closer than numbers tell there, passes the vertex.
+BOOST_AUTO_TEST_CASE(completed_polylines_keep_away_from_vertices)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
+  Triangulation t(mesh);
+  const auto vertex = [](int i, int j) { return Mesh::Vertex_index(static_cast<unsigned>(grid_vertex(2, i, j))); };
+  const auto up = mesh.halfedge(vertex(1, 1), vertex(1, 2)), along = mesh.halfedge(vertex(0, 1), vertex(1, 1));
+  const auto right = mesh.halfedge(vertex(1, 1), vertex(2, 1));
+  int crossings = 0;
+  for(double from : {1e-18, 1e-17, 1e-16, 3e-16})
+    for(const auto to : {along, up, right}) {
+      const FG::Surface_location start = {static_cast<FG::Index>(up), {{1, from, 0}}};
+      const FG::Surface_location end = {static_cast<FG::Index>(mesh.next(mesh.opposite(to))), {{1, 1, 0}}};
+      const auto polyline = FG::complete_polyline(t, {start, end});
+      for(std::size_t i = 1; i + 1 < polyline.size(); ++i, ++crossings)
+        for(double weight : polyline[i].weights)
+          BOOST_TEST((weight == 0 || weight >= 1e-15));
+    }
+  BOOST_TEST(crossings > 0);
+}
+
+// A vertex beside an edge, as close as rounding puts it, is the point that divides it, from either end.
+BOOST_AUTO_TEST_CASE(a_place_that_is_divided_already_is_found)
+{
+  std::array<int, 2> found = {0, 0}; // as the edge was drawn, and reversed
+  for(const Bent_surface& surface : surfaces())
+    for(int i = 1; i < 40; ++i) {
+      Triangulation t(surface.bent);
+      Network network(t);
+      const FG::Index curve = FG::add_curve_through(network, locations(t, surface, {{0.3, 0.4}, {7.6, 6.1}}));
+      FG::shorten(network);
+      const FG::Index h = network.halfedges(curve).front();
+      const FG::Index end = t.head(h);
+      network.clear();
+      const double place = i / 40.0;
+      const FG::Index x = t.insert(FG::location_on_edge(t, h, place));
+      if(t.head(h) != end)
+        continue; // it lies on the edge
+      const bool is_reversed = i % 2 == 0;
+      network.add_curve(std::vector<FG::Index>{is_reversed ? h ^ 1 : h}, false);
+      const FG::Index half = network.divide_segment(network.first_segment(0), is_reversed ? 1 - place : place);
+      BOOST_TEST(t.head(network.halfedge(half)) == x);
+      BOOST_TEST(network.halfedges(0).size() == 2u);
+      BOOST_TEST(network.is_valid());
+      ++found[is_reversed ? 1 : 0];
+    }
+  BOOST_TEST(found[0] > 10);
+  BOOST_TEST(found[1] > 10);
+}
+
+// Segments on one edge are divided together, and the half of the one that was asked for is told.
+BOOST_AUTO_TEST_CASE(segments_that_share_an_edge_are_divided)
+{
+  for(FG::Index divided : {0, 1, 2}) {
+    const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
+    Triangulation t(mesh);
+    Network network(t);
+    const std::vector<FG::Index> there = FG::halfedges_through(t, std::vector<FG::Index>{5, 6}, false);
+    for(bool is_reversed : {false, true, false})
+      network.add_curve(std::vector<FG::Index>{is_reversed ? there[0] ^ 1 : there[0]}, false);
+    const FG::Index half = network.divide_segment(network.first_segment(divided), 0.25);
+    BOOST_TEST(network.curve(half) == divided);
+    BOOST_TEST(half == network.first_segment(divided));
+    for(FG::Index c : {0, 1, 2})
+      BOOST_TEST(network.halfedges(c).size() == 2u);
+    BOOST_TEST(std::abs(t.length(network.halfedge(half)) - 0.25) < 1e-15);
+    BOOST_TEST(network.is_valid());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_loop_of_one_segment_is_divided)
+{
+  const Mesh mesh = to_mesh<Mesh>(Mesh_soup{{{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
+  Triangulation t(mesh);
+  FG::Index h = 0;
+  while(!t.is_flippable(h))
+    h += 2;
+  t.flip(h);
+  BOOST_REQUIRE(t.tail(h) == t.head(h));
+  Network network(t);
+  const FG::Index curve = network.add_curve(std::vector<FG::Index>{h}, true);
+  const double length = network.length(curve);
+  const FG::Index half = network.divide_segment(network.first_segment(curve), 0.3);
+  BOOST_TEST(network.halfedges(curve).size() == 2u);
+  BOOST_TEST(network.next(network.next(half)) == half);
+  BOOST_TEST(network.previous(half) == network.next(half));
+  BOOST_TEST(std::abs(network.length(curve) - length) < 1e-12);
+  BOOST_TEST(network.is_valid());
+}
+
+// The middle of an edge that crosses another one in its middle is a point beside that, inside a face.
+BOOST_AUTO_TEST_CASE(a_division_on_a_crossed_edge_lies_inside_a_face)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(1, 1, Diagonal_rule::RISING));
+  Triangulation t(mesh);
+  FG::Index h = 0;
+  while(!t.is_flippable(h))
+    h += 2;
+  t.flip(h);
+  BOOST_TEST((kind(FG::location_on_edge(t, h, 0.5)) == FG::Location_kind::FACE));
+  Network network(t);
+  network.add_curve(std::vector<FG::Index>{h}, false);
+  const FG::Index half = network.divide_segment(network.first_segment(0), 0.5);
+  const FG::Surface_location middle = t.location(t.head(network.halfedge(half)));
+  BOOST_TEST((kind(middle) == FG::Location_kind::FACE));
+  BOOST_TEST(network.is_valid());
+}
+
+// A leg along edges has a vertex where it is halved: the point of the curve is that vertex.
+BOOST_AUTO_TEST_CASE(legs_along_edges_are_divided_at_vertices)
+{
+  const Bent_surface surface = surfaces().front();
+  for(const std::vector<Flat_point>& polygon : std::vector<std::vector<Flat_point>>{
+          {{1, 1}, {5, 1}}, {{1, 1}, {5, 5}}, {{1, 1}, {5, 1}, {5, 5}}, {{2, 1}, {2, 5}, {6, 5}, {6, 1}}}) {
+    Triangulation t(surface.bent);
+    Network network(t);
+    const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygon));
+    FG::order_overlapping_curves(network);
+    FG::Geodesic_spline<Network> spline(network, curve);
+    for(int round = 1; round <= 3; ++round) {
+      spline.refine();
+      BOOST_TEST(network.is_valid());
+      const auto vertices = spline.vertices_on_curve();
+      BOOST_REQUIRE_EQUAL(vertices.size(), (1u << round) + 1);
+      for(std::size_t i = 0; i < vertices.size(); ++i)
+        BOOST_TEST(distance(rolled_out(surface.flat, t, vertices[i]),
+                            de_casteljau(polygon, static_cast<double>(i) / (1 << round))) < 1e-11);
+    }
+  }
+}
+
+// Another curve passes from one side of the control polygon to the other at a point of it that is to be freed.
+BOOST_AUTO_TEST_CASE(strands_across_a_control_point_are_told)
+{
+  const Bent_surface surface = surfaces().front();
+  Triangulation t(surface.bent);
+  Network network(t);
+  const FG::Index curve = FG::add_curve_through(network, locations(t, surface, {{1, 4}, {4, 4}, {4, 1}}));
+  FG::add_curve_through(network, locations(t, surface, {{2, 2}, {4, 4}, {6, 6}}));
+  FG::order_overlapping_curves(network);
+  FG::Geodesic_spline<Network> spline(network, curve);
+  BOOST_CHECK_THROW(spline.refine(), FG::Crossing_curves_error);
+}
+
+// A leg to and fro between two fixed nodes at one vertex.
+BOOST_AUTO_TEST_CASE(legs_that_shrink_to_a_point_are_refused)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
+  Triangulation t(mesh);
+  Network network(t);
+  const auto there = FG::halfedges_through(t, std::vector<FG::Index>{4, 5, 6, 5, 9}, false);
+  const FG::Index curve = network.add_curve(there, false);
+  const FG::Index first = network.first_segment(curve);
+  network.set_head_fixed(first, true);
+  network.set_head_fixed(network.next(network.next(first)), true);
+  FG::order_overlapping_curves(network);
+  BOOST_CHECK_THROW((FG::Geodesic_spline<Network>(network, curve)), FG::Invalid_curve_error);
 }

@@ -479,3 +479,86 @@ BOOST_AUTO_TEST_CASE(vectors_derived_over_wrong_flips_are_those_of_the_words)
   }
   BOOST_TEST(compared > 1000);
 }
+
+namespace {
+
+// The edge i->j of a quadrilateral that is bent inwards at k, by so much: it passes outside of the mesh.
+struct Bent_inwards
+{
+  explicit Bent_inwards(double height)
+    : mesh(to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {1, height, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}}))
+    , triangulation(mesh, Hostile_traits(lies()))
+  {
+    const Index h = FG::internal::halfedge_between(triangulation, 1, 3);
+    BOOST_REQUIRE(triangulation.is_flippable(h));
+    triangulation.flip(h);
+  }
+
+  static const Lies& lies()
+  {
+    static const Lies convex = {[](bool) { return false; }, {}, {}, {}};
+    return convex;
+  }
+
+  Surface mesh;
+  Triangulation triangulation;
+};
+
+} // namespace
+
+// Flips that were wrong by as little as rounding explains do not stand in the way of points on edges; others do.
+BOOST_AUTO_TEST_CASE(points_on_edges_that_were_flipped_wrongly)
+{
+  for(double height : {1e-9, 1e-7, 1e-3, 0.1}) {
+    Bent_inwards bent(height);
+    const Index along = FG::internal::halfedge_between(bent.triangulation, 0, 1);
+    const Index flipped = FG::internal::halfedge_between(bent.triangulation, 0, 2);
+    const FG::Surface_location point = {along, {{1, 1, 1e-9}}}; // on the wrong side of the corner
+    const auto split = [&] { return bent.triangulation.split_edge(flipped, point, 0, [](const auto&) {}); };
+    const auto before = bent.triangulation.log_position();
+    if(height < 1e-6) {
+      BOOST_TEST(split() == 4);
+      continue;
+    }
+    BOOST_CHECK_THROW(split(), FG::Insertion_error);
+    BOOST_TEST(bent.triangulation.log_position() == before);
+    BOOST_TEST(bent.triangulation.number_of_vertices() == 4);
+  }
+}
+
+// Points among many wrong flips are inserted, or refused with nothing changed.
+BOOST_AUTO_TEST_CASE(points_among_wrong_flips)
+{
+  int inserted = 0, refused = 0;
+  for(int period : {1, 2, 4, 8})
+    for(unsigned seed = 1; seed <= 20; ++seed) {
+      Lies lies;
+      Liar liar(period);
+      lies.is_quad_reflex = [&](bool is_reflex) { return is_reflex && !liar(false); };
+      Random_numbers random(seed);
+      const Surface mesh = to_mesh<Surface>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.24, seed));
+      Triangulation triangulation(mesh, Hostile_traits(lies));
+      for(int i = 0; i < 60; ++i) {
+        const Index h = random.below(triangulation.number_of_halfedges());
+        if(triangulation.is_flippable(h))
+          triangulation.flip(h);
+      }
+      for(int i = 0; i < 30; ++i) {
+        const Index h = random.below(triangulation.input().number_of_halfedges());
+        if(triangulation.input().is_border(h))
+          continue;
+        const auto before = triangulation.log_position();
+        const Index vertices = triangulation.number_of_vertices();
+        try {
+          triangulation.insert({h, {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}});
+          ++inserted;
+        } catch(const FG::Insertion_error&) {
+          ++refused;
+          BOOST_TEST(triangulation.log_position() == before);
+          BOOST_TEST(triangulation.number_of_vertices() == vertices);
+        }
+      }
+    }
+  BOOST_TEST(inserted > 100);
+  BOOST_TEST(refused > 30);
+}

@@ -9,6 +9,7 @@
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
+#include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <sstream>
 #include <vector>
 
 namespace {
@@ -257,4 +259,35 @@ BOOST_AUTO_TEST_CASE(a_flip_without_memory_changes_nothing)
   }
   BOOST_TEST(failures > 50u);
   BOOST_TEST((replayed.flips() == done.flips()));
+}
+
+// Streams tell of a failed allocation by their state, so that a text can seem to be cut off.
+BOOST_AUTO_TEST_CASE(a_network_is_loaded_as_a_whole_or_not_at_all)
+{
+  const Mesh_soup soup = needle_strip(12, 1, 1e-6);
+  Setting original(soup);
+  original.add_path(grid_vertex(12, 0, 0), grid_vertex(12, 12, 1));
+  original.pull();
+  std::ostringstream out;
+  FG::write_network(out, original.network);
+  std::size_t failures = 0;
+  bool is_loaded = false;
+  for(std::size_t allocations = 0; !is_loaded; ++allocations) {
+    Setting setting(soup);
+    std::istringstream in(out.str());
+    allocations_left = allocations;
+    try {
+      FG::read_network(in, setting.network);
+      is_loaded = true;
+    } catch(const std::bad_alloc&) {
+      ++failures;
+    } catch(const FG::File_format_error&) {
+      ++failures;
+    }
+    allocations_left = std::numeric_limits<std::size_t>::max();
+    BOOST_TEST_REQUIRE(setting.network.number_of_curves() == (is_loaded ? 1 : 0));
+    BOOST_TEST_REQUIRE(setting.triangulation.log_position() == (is_loaded ? original.triangulation.log_position() : 0));
+    BOOST_TEST_REQUIRE(setting.network.is_valid());
+  }
+  BOOST_TEST(failures > 10u);
 }

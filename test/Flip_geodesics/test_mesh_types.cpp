@@ -20,15 +20,19 @@
 #endif
 
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/mpl/push_front.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -102,6 +106,7 @@ public:
   }
 
   const Mesh& mesh() const { return m_mesh; }
+  Triangulation& triangulation() { return m_triangulation; }
 
   Curve path(int u, int v)
   {
@@ -219,6 +224,60 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors_have_types, Type, Mesh_types)
   BOOST_CHECK_THROW(two.path(3, 3), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(two.loop({0, 2, 1, 6}), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(two.path(0, 12), FG::Disconnected_endpoints_error);
+}
+
+// Whichever halfedge a mesh type keeps for a vertex, one on the border for instance: none of them loses it to a point.
+BOOST_AUTO_TEST_CASE_TEMPLATE(border_edges_are_split, Type, Mesh_types)
+{
+  Curves_on<Type> curves(flat_grid(2, 2, Diagonal_rule::RISING));
+  auto& triangulation = curves.triangulation();
+  for(FG::Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    BOOST_TEST(triangulation.tail(triangulation.outgoing(v)) == v);
+  const FG::Index halfedges = triangulation.number_of_halfedges();
+  for(FG::Index h = 0; h < halfedges; ++h)
+    if(triangulation.is_border(h))
+      triangulation.insert({h, {{1, 1, 0}}});
+  BOOST_TEST(triangulation.number_of_vertices() == 9 + 8);
+  for(FG::Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    BOOST_TEST(triangulation.tail(triangulation.outgoing(v)) == v);
+  BOOST_TEST(triangulation.is_valid());
+}
+
+// Points on the border are told from a face, whichever halfedge stands for them.
+BOOST_AUTO_TEST_CASE_TEMPLATE(points_on_the_border_lie_in_faces, Type, Mesh_types)
+{
+  Curves_on<Type> curves(flat_grid(2, 2, Diagonal_rule::RISING));
+  auto& triangulation = curves.triangulation();
+  using Network = FG::Edge_path_network<std::decay_t<decltype(triangulation)>>;
+  Network network(triangulation);
+  const Vertex_sequence around = {0, 1, 2, 5, 8, 7, 6, 3};
+  network.add_curve(FG::halfedges_through(triangulation, around, true), true);
+  FG::Curve_extractor<Network> extractor(network);
+  std::vector<std::pair<typename boost::graph_traits<std::decay_t<decltype(curves.mesh())>>::face_descriptor,
+                        std::array<double, 3>>>
+      locations;
+  extractor.face_locations(0, curves.mesh(), std::back_inserter(locations));
+  BOOST_REQUIRE_EQUAL(locations.size(), around.size() + 1);
+  for(std::size_t i = 0; i < locations.size(); ++i) {
+    const FG::Surface_location at = FG::surface_location(triangulation, curves.mesh(), locations[i]);
+    BOOST_TEST((kind(at) == FG::Location_kind::VERTEX));
+    BOOST_TEST(triangulation.insert(at) == around[i % around.size()]);
+  }
+}
+
+// A curve whose last vertex is its first is a loop: about the apex of a cone it shrinks to a point.
+BOOST_AUTO_TEST_CASE(curves_that_return_are_closed)
+{
+  using Mesh = CGAL::Surface_mesh<Epick::Point_3>;
+  const Mesh mesh = to_mesh<Mesh>(cone(8, 3, 1, 0.2));
+  std::vector<Mesh::Vertex_index> ring;
+  for(int v : disk_ring(8, 1))
+    ring.push_back(Mesh::Vertex_index(static_cast<unsigned>(v)));
+  ring.push_back(ring.front());
+  std::vector<std::vector<Epick::Point_3>> points;
+  const auto result =
+      FG::straighten(mesh, std::vector<std::vector<Mesh::Vertex_index>>{ring}, std::back_inserter(points));
+  BOOST_TEST(FG::to_string(result.report.curves.front().status) == "CONTRACTED");
 }
 
 using Polygon_mesh_types = boost::mpl::list<CGAL::Surface_mesh<Epick::Point_3>, CGAL::Polyhedron_3<Epick>>;

@@ -7,6 +7,7 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -131,10 +132,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(position, from.size(), to);
 }
 
-template <class Exception>
+template <class Exception, class Setting = Curve_setting>
 void check_throws(const Mesh_soup& soup, const std::string& text)
 {
-  Curve_setting setting(soup);
+  Setting setting(soup);
   std::istringstream in(text);
   BOOST_CHECK_THROW(FG::read_network(in, setting.network), Exception);
   BOOST_TEST(setting.network.number_of_curves() == 0);
@@ -240,6 +241,119 @@ BOOST_AUTO_TEST_CASE(forged_text)
   for(const char* halfedge : {" -1", " 999999", " 0", " 1"}) // or not connected
     check_throws<FG::File_format_error>(
         soup, with_checksum(text.substr(0, blank) + halfedge + text.substr(text.find(' ', blank + 1))));
+}
+
+namespace {
+
+// The lines of a text's flip log, and the text with other ones.
+std::vector<std::string> log_lines(const std::string& text)
+{
+  std::istringstream in(text.substr(text.find("log ") + 4));
+  std::size_t size = 0;
+  in >> size;
+  std::vector<std::string> lines(size);
+  std::string line;
+  std::getline(in, line);
+  for(std::string& entry : lines)
+    std::getline(in, entry);
+  return lines;
+}
+
+std::string with_log(const std::string& text, const std::vector<std::string>& lines)
+{
+  std::string log = "log " + std::to_string(lines.size()) + "\n";
+  for(const std::string& line : lines)
+    log += line + "\n";
+  return with_checksum(text.substr(0, text.find("log ")) + log + text.substr(text.find("curves ")));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(another_version_is_refused)
+{
+  const Mesh_soup soup = cube(2);
+  const std::string text = saved(Curve_setting(soup));
+  check_throws<FG::File_format_error>(soup, with_checksum(replaced(text, "network 1\n", "network 2\n")));
+}
+
+// As many ids of segments as that would take gigabytes.
+BOOST_AUTO_TEST_CASE(too_many_ids_are_refused)
+{
+  const Mesh_soup soup = cube(2);
+  const std::string text = saved(Curve_setting(soup));
+  check_throws<FG::File_format_error>(soup, with_checksum(replaced(text, "curves 0 1\n", "curves 0 2000000000\n")));
+}
+
+// Faces that are laid out afresh are entries of the log: by request, and by flips whose errors have grown.
+BOOST_AUTO_TEST_CASE(faces_laid_out_afresh)
+{
+  const Mesh_soup sphere = bumpy_sphere(6, 0.2, 4);
+  Curve_setting setting(sphere);
+  setting.add_path(0, 90);
+  setting.pull(FG::Length_ratio_stop_predicate(0.9));
+  for(Index h : {0, 40, 80})
+    BOOST_TEST(FG::internal::refresh_face(setting.triangulation, h));
+  check_round_trip(setting, sphere);
+
+  const Mesh_soup needles = needle_strip(60, 1, 1e-6);
+  Certified_setting drifting(needles);
+  drifting.add_path(grid_vertex(60, 0, 0), grid_vertex(60, 60, 1));
+  drifting.pull();
+  check_round_trip(drifting, needles);
+
+  drifting.add_path(grid_vertex(60, 0, 0), grid_vertex(60, 60, 1));
+  drifting.pull();
+  drifting.network.clear(); // the flips stay
+  const std::string text = saved(drifting);
+  std::vector<std::string> lines = log_lines(text);
+  BOOST_TEST((with_log(text, lines) == text));
+  std::size_t first = 0;
+  while(first < lines.size() && lines[first][0] != 'r')
+    ++first;
+  BOOST_REQUIRE(first > 0 && first < lines.size());
+  std::size_t last = first;
+  while(last + 1 < lines.size() && lines[last + 1][0] == 'r')
+    ++last;
+  lines.resize(last + 1);
+  const std::string of_another_face = "r " + std::to_string(drifting.triangulation.number_of_halfedges() - 1);
+  const auto refused = [&](const std::vector<std::string>& forged) {
+    check_throws<FG::File_format_error, Certified_setting>(needles, with_log(text, forged));
+  };
+  lines[last] = of_another_face; // not what the flip has laid out
+  refused(lines);
+  lines.pop_back(); // the flip lays out a face that the log does not tell of
+  refused(lines);
+}
+
+// Edges that cannot be flipped, since there is no face on a side, or the same one on both.
+BOOST_AUTO_TEST_CASE(impossible_flips_are_refused)
+{
+  const Mesh_soup grid = flat_grid(2, 2, Diagonal_rule::RISING);
+  const Curve_setting flat(grid);
+  const std::string text = saved(flat);
+  int border_halfedges = 0;
+  for(Index h = 0; h < flat.triangulation.number_of_halfedges(); ++h)
+    if(flat.triangulation.is_border(h)) {
+      ++border_halfedges;
+      for(Index side : {h, h ^ 1})
+        check_throws<FG::File_format_error>(grid, with_log(text, {"f " + std::to_string(side)}));
+      check_throws<FG::File_format_error>(grid, with_log(text, {"r " + std::to_string(h)}));
+    }
+  BOOST_TEST(border_halfedges == 8);
+
+  const Mesh_soup spike = {{{0, 0, 3}, {1, 0, 0}, {-0.5, 0.87, 0}, {-0.5, -0.87, 0}},
+                           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  Curve_setting setting(spike);
+  auto& triangulation = setting.triangulation;
+  while(triangulation.clockwise(triangulation.outgoing(0)) != triangulation.outgoing(0))
+    triangulation.flip(triangulation.outgoing(0));
+  std::vector<std::string> lines = log_lines(saved(setting));
+  BOOST_TEST(lines.size() == 2u);
+  for(Index side : {triangulation.outgoing(0), triangulation.outgoing(0) ^ 1}) {
+    lines.push_back("f " + std::to_string(side));
+    check_throws<FG::File_format_error>(spike, with_log(saved(setting), lines));
+    lines.pop_back();
+  }
 }
 
 // A state changed in one place is none, leaves the network empty, and ready for another one.

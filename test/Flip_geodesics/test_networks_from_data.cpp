@@ -210,3 +210,54 @@ BOOST_AUTO_TEST_CASE(no_seams_without_jumps)
     texture[h] = static_cast<int>(setting.mesh.target(h));
   BOOST_TEST(FG::add_seams(setting.network, setting.mesh, texture) == 0);
 }
+
+BOOST_AUTO_TEST_CASE(spokes_start_at_the_first_halfedge_or_the_border)
+{
+  const Setting setting(flat_grid(3, 3, Diagonal_rule::RISING));
+  const auto& triangulation = setting.triangulation;
+  for(Index v = 0; v < triangulation.number_of_vertices(); ++v) {
+    const std::vector<Index> spokes = FG::internal::spokes(triangulation, v);
+    BOOST_REQUIRE(!spokes.empty());
+    const bool is_at_border = triangulation.counterclockwise(spokes.front()) == FG::null_index;
+    BOOST_TEST((is_at_border || spokes.front() == triangulation.outgoing(v)));
+    for(std::size_t i = 0; i + 1 < spokes.size(); ++i)
+      BOOST_TEST(triangulation.clockwise(spokes[i]) == spokes[i + 1]);
+    BOOST_TEST(triangulation.clockwise(spokes.back()) == (is_at_border ? FG::null_index : spokes.front()));
+  }
+}
+
+// Two rectangles back to back, with the same diagonal twice once one of them is flipped.
+BOOST_AUTO_TEST_CASE(of_equally_long_edges_the_first_is_taken)
+{
+  for(bool is_first_flipped : {false, true}) {
+    Mesh_soup pillow = {{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+    if(is_first_flipped)
+      std::rotate(pillow.triangles.begin(), pillow.triangles.begin() + 2, pillow.triangles.end());
+    Setting setting(pillow);
+    auto& triangulation = setting.triangulation;
+    triangulation.flip(FG::internal::halfedge_between(triangulation, 1, 3));
+    std::vector<Index> diagonals;
+    for(Index h : FG::internal::spokes(triangulation, 0))
+      if(triangulation.head(h) == 2)
+        diagonals.push_back(h);
+    BOOST_REQUIRE(diagonals.size() == 2u);
+    BOOST_REQUIRE(triangulation.length(diagonals[0]) == triangulation.length(diagonals[1]));
+    BOOST_TEST(FG::internal::halfedge_between(triangulation, 0, 2) == (std::min)(diagonals[0], diagonals[1]));
+  }
+}
+
+// A vertex where one marked edge ends is an end; one that two pass is none.
+BOOST_AUTO_TEST_CASE(marked_edges_that_end_inside)
+{
+  Setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
+  auto is_marked = setting.mesh.add_property_map<Surface::Edge_index, bool>("e:marked", false).first;
+  for(int i : {1, 2}) {
+    const auto h = setting.mesh.halfedge(Surface::Vertex_index(static_cast<unsigned>(grid_vertex(4, i, 2))),
+                                         Surface::Vertex_index(static_cast<unsigned>(grid_vertex(4, i + 1, 2))));
+    BOOST_REQUIRE((h != Surface::null_halfedge()));
+    is_marked[setting.mesh.edge(h)] = true;
+  }
+  BOOST_TEST(FG::add_marked_edges(setting.network, setting.mesh, is_marked) == 1);
+  BOOST_TEST(setting.network.halfedges(0).size() == 2u);
+  BOOST_TEST(!setting.network.is_closed(0));
+}

@@ -5,6 +5,7 @@
 #include "Curve_setting.h"
 #include "closed_forms.h"
 #include "generated_meshes.h"
+#include "random_curves.h"
 #include "invalid_meshes.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -248,6 +249,35 @@ BOOST_AUTO_TEST_CASE(a_metric_of_lengths_does)
     network.clear();
     triangulation.rollback();
   });
+}
+
+// Paths that wind about a tube: their geodesics pass faces twice, and legs of them the faces of others.
+BOOST_AUTO_TEST_CASE(paths_that_wind_about_a_tube)
+{
+  std::size_t inserted = 0, given_up = 0;
+  std::mt19937 random(1);
+  for(int n : {3, 4, 6})
+    for(int m : {2, 4, 7})
+      for(double amplitude : {0.0, 0.05, 0.15, 0.3})
+        for(int round = 0; round < 4; ++round) {
+          const Mesh_soup tube = cylinder(n, m, 1, 0.5 * m);
+          Curve_setting setting(amplitude > 0 ? shaken(tube, amplitude, static_cast<unsigned>(random())) : tube);
+          Vertex_sequence way = {0};
+          for(int row = 0, column = 0; row <= m; ++row) { // no vertex twice
+            const int steps = 1 + static_cast<int>(random() % static_cast<unsigned>(n - 1));
+            for(int i = 0; i < steps; ++i) {
+              column = (column + 1) % n;
+              way.push_back(column + n * row);
+            }
+            if(row < m)
+              way.push_back(column + n * (row + 1));
+          }
+          const std::vector<FG::Index> path = FG::halfedges_through(setting.triangulation, way, false);
+          const Outcome outcome = pulled_from_straightened(setting, path);
+          (outcome.first_length < outcome.report.curves[0].initial_length * (1 - 1e-9) ? inserted : given_up) += 1;
+        }
+  BOOST_TEST(inserted > 10u);
+  BOOST_TEST(given_up > 10u);
 }
 
 BOOST_AUTO_TEST_CASE(beside_a_face_without_area_the_path_itself_is_added)

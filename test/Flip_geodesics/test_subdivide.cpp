@@ -193,7 +193,7 @@ void insert_points(Curve_setting& s, int count, Random_numbers& random)
     const int h = random.below(static_cast<int>(s.mesh.number_of_halfedges()));
     const double t = random.uniform(0.1, 0.9), u = i % 3 == 0 ? 0 : random.uniform(0.1, 0.9);
     if(!s.triangulation.input().is_border(h))
-      s.network.insert(FG::Surface_location{h, {{t, 1 - t, u}}});
+      s.network.insert(FG::Surface_location{h, {{3 * t, 3 * (1 - t), 3 * u}}});
   }
 }
 
@@ -450,6 +450,7 @@ Subdivision cut_open(Curve_setting& s)
     for(std::size_t i = 0; i < along.size(); ++i) {
       length += distance(subdivision.mesh(), along[i]);
       BOOST_CHECK_EQUAL(subdivision.intrinsic_halfedge(along[i]), h);
+      BOOST_CHECK(!subdivision.mesh().is_border(along[i]));
       BOOST_CHECK(i == 0 || subdivision.mesh().target(along[i - 1]) == subdivision.mesh().source(along[i]));
     }
     BOOST_CHECK_CLOSE_FRACTION(length, s.triangulation.length(h), 1e-9);
@@ -560,6 +561,27 @@ BOOST_AUTO_TEST_CASE(cuts_that_meet_and_cuts_that_do_not)
   corner.add({grid_vertex(1, 0, 0), grid_vertex(1, 1, 1)}, false);
   check_inserted(corner);
   BOOST_CHECK_EQUAL(number_of_parts(cut_open(corner).mesh()), 2);
+}
+
+// Slits of two edges and those that start on the border open by themselves: they get no vertices in their middles.
+BOOST_AUTO_TEST_CASE(slits_that_open_by_themselves)
+{
+  const int n = 6;
+  const auto v = [](int i, int j) { return grid_vertex(n, i, j); };
+  for(const Vertex_sequence& slit : std::vector<Vertex_sequence>{{v(2, 2), v(3, 2), v(4, 2)},
+                                                                 {v(2, 2), v(2, 3), v(2, 4)},
+                                                                 {v(2, 2), v(3, 3), v(4, 4)},
+                                                                 {v(2, 2), v(3, 2), v(3, 3)},
+                                                                 {v(3, 2), v(2, 2), v(2, 3)},
+                                                                 {v(2, 2), v(3, 3), v(3, 2)},
+                                                                 {v(0, 2), v(1, 2)},
+                                                                 {v(6, 2), v(5, 2)},
+                                                                 {v(2, 0), v(2, 1)},
+                                                                 {v(2, 6), v(2, 5)}}) {
+    Curve_setting s(flat_grid(n, n, Diagonal_rule::RISING));
+    s.add(slit, false);
+    BOOST_CHECK_EQUAL(cut_open(s).mesh().number_of_vertices(), s.mesh.number_of_vertices() + 1);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(short_loops_are_cut)

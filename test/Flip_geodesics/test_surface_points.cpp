@@ -14,7 +14,10 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/Face_chart.h>
+#include <CGAL/Flip_geodesics/internal/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -523,4 +526,117 @@ BOOST_AUTO_TEST_CASE(points_in_rational_numbers)
     BOOST_TEST(t.is_valid());
   }
   BOOST_TEST(refused > 0);
+}
+
+// Where the corners are, and points between them, in faces along the input's edges and across them.
+BOOST_AUTO_TEST_CASE(points_of_faces_and_edges_are_told)
+{
+  for(bool is_flipped : {false, true}) {
+    const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 5));
+    Random_numbers random(3);
+    Plain t(mesh);
+    if(is_flipped)
+      flip_at_random(t, 100, random);
+    const auto place = [&](const FG::Surface_location& at) {
+      std::complex<double> sum = 0;
+      double weights = 0;
+      for(int i = 0, h = at.halfedge; i < 3; ++i, h = t.input().next(h)) {
+        const Point& p = mesh.point(Mesh::Vertex_index(static_cast<unsigned>(t.input().tail(h))));
+        sum += at.weights[i] * std::complex<double>(p.x(), p.y());
+        weights += at.weights[i];
+      }
+      return sum / weights;
+    };
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      if(t.is_border(h))
+        continue;
+      const int corners[3] = {t.tail(h), t.head(h), t.head(t.next(h))};
+      for(const std::array<double, 3>& weights : std::vector<std::array<double, 3>>{
+              {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{0.5, 0.5, 0}}, {{0.25, 0.5, 0.25}}, {{0.125, 0.125, 0.75}}}) {
+        const FG::Surface_location at = FG::location_in_face(t, h, weights);
+        std::complex<double> expected = 0;
+        for(int i = 0; i < 3; ++i)
+          expected += weights[i] * place(t.location(corners[i]));
+        BOOST_TEST(std::abs(place(at) - expected) < 1e-12);
+        for(double weight : at.weights)
+          BOOST_TEST((weight == 0 || weight >= 1e-15));
+      }
+    }
+  }
+}
+
+// As short an edge as that has no usable length.
+BOOST_AUTO_TEST_CASE(points_next_to_a_vertex_are_refused)
+{
+  const Mesh mesh = to_mesh<Mesh>(scaled(single_triangle(), 1e-60));
+  Plain t(mesh);
+  int h = 0;
+  while(t.is_border(h))
+    ++h;
+  const Snapshot before(t);
+  for(const std::array<double, 3>& weights :
+      std::vector<std::array<double, 3>>{{{1, 1e-20, 1e-20}}, {{1, 1e-20, 0}}, {{1e-20, 1, 1e-20}}})
+    BOOST_CHECK_THROW(t.insert({h, weights}), FG::Insertion_error);
+  BOOST_TEST((Snapshot(t) == before));
+  BOOST_TEST(t.insert({h, {{1, 1e-5, 1e-5}}}) == 3);
+}
+
+// An edge that passes a vertex that closely has no room for points inside of the faces beside it.
+BOOST_AUTO_TEST_CASE(there_is_room_on_an_edge_or_not)
+{
+  for(double depth : {0.5, 1e-3, 1e-9, 4e-15}) {
+    const Mesh mesh = to_mesh<Mesh>(
+        Mesh_soup{{{0, 0, 0}, {1, -depth, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}});
+    Certified t(mesh);
+    const FG::Index h = FG::internal::halfedge_between(t, 1, 3);
+    BOOST_REQUIRE(t.is_flippable(h));
+    t.flip(h);
+    for(double place : {0.1, 0.5, 0.9}) {
+      const auto point = FG::internal::point_on_edge(t, h, place);
+      BOOST_TEST(point.has_value() == (depth > 1e-11));
+      if(point)
+        BOOST_TEST((kind(point->location) == FG::Location_kind::FACE));
+    }
+  }
+}
+
+// By all pairs' shortest paths along the edges inside of the face and on its sides.
+BOOST_AUTO_TEST_CASE(paths_in_a_face_are_shortest)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(1, 1, Diagonal_rule::RISING));
+  for(unsigned seed = 1; seed <= 20; ++seed) {
+    Random_numbers random(seed);
+    Plain t(mesh);
+    int face = 0;
+    while(t.is_border(face))
+      ++face;
+    for(int i = 0; i < 8; ++i)
+      t.insert({face, {{random.uniform(0.01, 1), random.uniform(0.01, 1), random.uniform(0.01, 1)}}});
+    flip_at_random(t, static_cast<int>(seed % 4) * 5, random);
+    const int n = t.number_of_vertices();
+    std::vector<std::vector<double>> length(n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      const FG::Crossing_word word = t.crossing_word(h);
+      bool is_inside = false;
+      for(int i = 0, side = face; i < 3; ++i, side = t.input().next(side))
+        is_inside = is_inside || word.face == side || word.along == side || word.along == (side ^ 1);
+      if(is_inside)
+        length[t.tail(h)][t.head(h)] = (std::min)(length[t.tail(h)][t.head(h)], t.length(h));
+    }
+    for(int via = 0; via < n; ++via)
+      for(int from = 0; from < n; ++from)
+        for(int to = 0; to < n; ++to)
+          length[from][to] = (std::min)(length[from][to], length[from][via] + length[via][to]);
+    const FG::internal::Path_in_face<Plain> path(t, face);
+    for(int from = 0; from < n; ++from)
+      for(int to = 0; to < n; ++to) {
+        if(from == to)
+          continue;
+        const std::vector<FG::Index> way = path(from, to);
+        double sum = way.empty() ? std::numeric_limits<double>::infinity() : 0;
+        for(FG::Index h : way)
+          sum += t.length(h);
+        BOOST_TEST((sum == length[from][to] || std::abs(sum - length[from][to]) < 1e-12));
+      }
+  }
 }

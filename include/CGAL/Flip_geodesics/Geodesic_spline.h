@@ -286,7 +286,7 @@ private:
       has_joined = has_joined || joins_next;
       if(!joins_previous)
         next_legs.push_back({false, !joins_next}); // a leg alone is the last of its piece: its middle is on the curve
-      next_legs.push_back({joins_next, leg.ends_piece && !joins_next});
+      next_legs.push_back({joins_next, leg.ends_piece});
     }
     apply(cuts);
     m_legs = next_legs;
@@ -322,9 +322,9 @@ private:
   {
     for(;; s = m_network.next(s)) {
       const double length = m_network.triangulation().length(m_network.halfedge(s));
-      if(distance < length || m_network.is_head_fixed(s)) {
-        constexpr double closest = 1e-6; // to a vertex that the leg passes, as a part of the segment
-        const double t = distance / length;
+      constexpr double closest = 1e-6; // to a vertex that the leg passes, as a part of the segment
+      const double t = distance / length;
+      if(t < 1 + closest || m_network.is_head_fixed(s)) {
         if(t > 1 - closest && !m_network.is_head_fixed(s)) {
           m_network.set_head_fixed(s, true);
           return s;

@@ -253,13 +253,11 @@ public:
     return result;
   }
 
-  /* Doubles the edge of h, so that both of its sides lie on the border. The vertices stay; see split_vertices(). */
+  /* Doubles the edge of h, so that both of its sides lie on the border. The vertices stay; see split_vertices(). \pre
+   * neither of them lies there yet */
   void cut(Index h)
   {
-    const Index t = twin(h);
-    if(is_border(h) || is_border(t))
-      return;
-    const Index doubled = number_of_halfedges();
+    const Index t = twin(h), doubled = number_of_halfedges();
     add_edge(m_origin[t], m_origin[h], oriented(m_intrinsic[h >> 1], t), oriented(m_input[h >> 1], t));
     link(previous(t), doubled);
     link(doubled, next(t));

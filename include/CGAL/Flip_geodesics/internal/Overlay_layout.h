@@ -212,7 +212,7 @@ private:
       const Index c = m_overlay->input_halfedge(h);
       if(c == null_index || (c & 1) != 0 || m_overlay->is_crossing(m_overlay->origin(h)))
         continue;
-      double reached = position_on_side(m_overlay->origin(h), c);
+      double reached = position_on_side(m_overlay->origin(h));
       for(Index arc = h; m_overlay->is_crossing(m_overlay->target(arc)); arc = m_overlay->next_arc(arc)) {
         const Index v = m_overlay->target(arc);
         const bool is_along = m_overlay->crossed_halfedge(v) == c;
@@ -224,14 +224,14 @@ private:
     }
   }
 
-  // Where a vertex of the triangulation on input halfedge c is, from 0 at its tail.
-  double position_on_side(Index v, Index c) const
+  // Where a vertex of the triangulation is on the input edge that it starts or divides, from 0 at the tail of the edge's
+  // first halfedge. Locations are told from that, unless it is on the border, where there are no crossings.
+  double position_on_side(Index v) const
   {
     if(!triangulation().is_inserted(v))
       return 0;
     const Surface_location at = triangulation().location(v);
-    const double t = at.weights[1] / (at.weights[0] + at.weights[1]);
-    return at.halfedge == c ? t : 1 - t;
+    return at.weights[1] / (at.weights[0] + at.weights[1]);
   }
 
   // The origin of h lies on a side of the input face, which follows from what h runs along, or is an inserted vertex.

@@ -180,13 +180,11 @@ private:
     const Triangle_crossings c = crossings(h); // corners O, A, B
     const std::size_t at_a = c.cutting[1], at_b = c.cutting[2], n = letters(h);
     std::vector<Gap> result = {start};
-    const Gap on_hn = {hn, n - (std::max)(start.gap, n - at_b)};
-    const Gap on_hp = {hp, letters(hp) - (std::min)(start.gap, at_a)};
     const bool is_at_a = start.gap < at_a, is_at_b = start.gap > n - at_b;
     if(is_at_a || (start.gap == at_a && c.emanating[1] == 0 && !is_at_b))
-      result.push_back(on_hp);
+      result.push_back({hp, letters(hp) - start.gap});
     if(is_at_b || (start.gap == n - at_b && c.emanating[2] == 0 && !is_at_a))
-      result.push_back(on_hn);
+      result.push_back({hn, n - start.gap});
     return result;
   }
 
@@ -226,7 +224,7 @@ private:
     for(const std::vector<Gap>* list : {&sides, &beyond})
       for(const Gap& side : *list) {
         const Index t = Triangulation::twin(side.halfedge);
-        if(m_triangulation.crossings(Triangulation::edge(t)) >= 0 && !m_triangulation.is_border(t))
+        if(m_triangulation.crossings(Triangulation::edge(t)) >= 0) // no edge of the input, such as those on the border
           pending.push_back({t, letters(t) - side.gap});
       }
   }
