@@ -637,6 +637,26 @@ BOOST_AUTO_TEST_CASE(angles_about_points_inside_a_face_sum_up_to_a_full_turn)
   BOOST_TEST(opposite > 50);
 }
 
+// From the side without a face as from the other one.
+BOOST_AUTO_TEST_CASE(edges_on_the_border_are_split)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
+  int split = 0;
+  for(int h = 0; h < static_cast<int>(mesh.number_of_halfedges()); ++h) {
+    Triangulation t(mesh);
+    if(!t.is_border(h) && !t.is_border(h ^ 1))
+      continue;
+    const std::complex<double> a = place(mesh, t, t.tail(h)), b = place(mesh, t, t.head(h));
+    const int v = t.split_edge(h, {h, {{0.75, 0.25, 0}}}, 0, [](const auto&) {});
+    BOOST_TEST(t.is_inserted(v));
+    BOOST_TEST(std::abs(place(mesh, t, v) - (0.75 * a + 0.25 * b)) < 1e-15);
+    BOOST_TEST(t.is_valid());
+    BOOST_TEST(spokes_at_tail(t, t.outgoing(v)).size() == 3u);
+    ++split;
+  }
+  BOOST_TEST(split == 16);
+}
+
 BOOST_AUTO_TEST_CASE(faces_laid_out_afresh_are_as_they_were)
 {
   Random_numbers random(14);
