@@ -4,7 +4,8 @@
 # Builds and runs the tests, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
 #   bash test/run.sh           every test with g++; headers and smoke tests with clang++ and under sanitizers
-#   bash test/run.sh --full    every test in all three and with checked iterators, OpenMesh installed as well
+#   bash test/run.sh --full    every test with g++, with clang++, and under sanitizers with checked iterators; OpenMesh
+#                              installed as well
 #
 # Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
 # parallel jobs (default: one per processor), SKIP_INSTALL=1 neither looks for packages nor installs any.
@@ -17,8 +18,8 @@ smoke_tests=(test_checker test_edge_path_graph test_entry_points)
 
 packages=(g++ clang cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev libeigen3-dev
           libtbb-dev libcli11-dev python3)
-# Some 250 packages come along with this one, therefore not for everybody.
-full_packages=(libopenmesh-dev)
+# Some 250 packages come along with the first, therefore not for everybody; the second has the sanitizers of clang++.
+full_packages=(libopenmesh-dev libclang-rt-dev)
 
 full=0
 case "${1-}" in
@@ -103,13 +104,14 @@ smoke=($((${#smoke_tests[@]} + 2)) # on top of them: headers, complete
 
 run_stage test "${everything[@]}"
 if [ $full -eq 1 ]; then
-  smoke=("${everything[@]}")
+  run_stage clang "${everything[@]}"
+else
+  run_stage clang "${smoke[@]}"
 fi
-run_stage clang "${smoke[@]}"
 # What compiles is known by now: the headers need no sanitizer.
 run_stage asan-ubsan $((smoke[0] - 1)) "${smoke[@]:1}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
 if [ $full -eq 1 ]; then
-  run_stage checked-iterators $((smoke[0] - 1)) "${smoke[@]:1}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
+  run_stage checked $((everything[0] - 1)) "${everything[@]:1}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
 fi
 
 say "done"
