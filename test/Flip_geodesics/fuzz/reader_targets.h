@@ -11,6 +11,8 @@
 
 #include <CGAL/Flip_geodesics/network_io.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -55,6 +57,22 @@ inline void check_soup_is_whole(const program::Soup& soup)
       require(v < soup.points.size(), "a face has a vertex that does not exist");
 }
 
+/// A repair leaves triangles that come from polygons of the file, and says what it did.
+inline void check_repaired(const program::Input_mesh& repaired)
+{
+  const program::Mesh& mesh = repaired.mesh();
+  require(mesh.is_valid() && CGAL::is_triangle_mesh(mesh) && mesh.number_of_faces() > 0, "a repair leaves no mesh");
+  for(const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()), "a coordinate is not finite");
+    require(!mesh.is_isolated(v) || !repaired.comes_from(v, v), "a vertex without faces comes from itself");
+  }
+  for(const auto f : mesh.faces())
+    require(repaired.face_in_file(f) < repaired.number_of_faces_in_file(), "a face comes from no polygon");
+  for(const std::string& remark : repaired.remarks())
+    check_message(remark);
+}
+
 /// The bytes of a mesh in the format of an extension.
 inline void read_mesh(const std::string& extension, const std::string& bytes)
 {
@@ -66,6 +84,7 @@ inline void read_mesh(const std::string& extension, const std::string& bytes)
     if(extension == "obj")
       program::read_seams(mesh, input);
   });
+  call_reader([&] { check_repaired(program::repair_mesh(input)); });
 }
 
 inline void read_off(const std::string& bytes) { read_mesh("off", bytes); }
