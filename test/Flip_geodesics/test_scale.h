@@ -12,6 +12,13 @@ constexpr int scale = 50;
 constexpr int scale = 1;
 #endif
 
+/// One in so many cases is looked at where the standard library checks, for instance, all of a heap for each change.
+#ifdef _GLIBCXX_DEBUG
+constexpr int stride = 5;
+#else
+constexpr int stride = 1;
+#endif
+
 } // namespace Flip_geodesics_test
 
 #endif // FLIP_GEODESICS_TEST_TEST_SCALE_H
