@@ -47,8 +47,11 @@ inline std::string printable(std::string_view text, std::size_t most = 120)
 {
   if(text.size() <= most)
     return without_controls(text);
+  const auto is_inside_character = [&](std::size_t i) {
+    return i > 0 && i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80;
+  };
   const auto to_boundary = [&](std::size_t i) {
-    for(int step = 0; step < 3 && i > 0 && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80; ++step)
+    for(int step = 0; step < 3 && is_inside_character(i); ++step)
       --i;
     return i;
   };
