@@ -762,3 +762,59 @@ BOOST_AUTO_TEST_CASE(crossings_closer_than_rounding_do_no_harm)
     check_mesh(FG::common_subdivision(s.triangulation, s.mesh));
   }
 }
+
+namespace {
+
+// A bundle of edges from bottom to top that are hardly any distance apart, and points on its left and on its right, on
+// lines across it that are no further apart. First come the ends of the bundle's edges, then those of the lines.
+Mesh_soup bundle_of_edges(int columns, int lines)
+{
+  constexpr double gap = 1e-15;
+  Mesh_soup soup;
+  for(int i = 0; i < columns; ++i)
+    soup.points.insert(soup.points.end(), {{i * gap, 0, 0}, {(i * 7 % columns == 0 ? i + 0.3 : i + 0.1) * gap, 1, 0}});
+  for(int j = 0; j < lines; ++j)
+    soup.points.insert(soup.points.end(), {{-1, 0.3 + j * gap, 0}, {1, 0.7 + j * gap, 0}});
+  const int last = 2 * columns - 2, top = 2 * (columns + lines - 1);
+  for(int i = 0; i < last; i += 2)
+    soup.triangles.insert(soup.triangles.end(), {{i, i + 2, i + 1}, {i + 2, i + 3, i + 1}});
+  for(int left = 2 * columns; left < top; left += 2)
+    soup.triangles.insert(soup.triangles.end(), {{left, 0, left + 2}, {left + 1, left + 3, last}});
+  soup.triangles.insert(soup.triangles.end(), {{top, 0, 1}, {last, top + 1, last + 1}});
+  return soup;
+}
+
+} // namespace
+
+// Rounding exchanges crossings that are so close together; their order is that of the words all the same.
+BOOST_AUTO_TEST_CASE(positions_of_crossings_are_in_order)
+{
+  std::size_t compared = 0;
+  for(int columns : {3, 10}) {
+    constexpr int lines = 8;
+    Curve_setting s(bundle_of_edges(columns, lines));
+    for(int left = 2 * columns; left < 2 * (columns + lines); left += 2)
+      s.add_path(left, left + 1);
+    FG::order_overlapping_curves(s.network);
+    s.pull();
+    const FG::internal::Overlay<Triangulation> overlay(s.triangulation);
+    const FG::internal::Overlay_layout<Triangulation> layout(overlay);
+    for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
+      for(FG::Index i = 0; i + 1 < overlay.crossings(e); ++i, ++compared)
+        BOOST_CHECK_LE(layout.on_intrinsic(overlay.crossing_vertex(e, i)),
+                       layout.on_intrinsic(overlay.crossing_vertex(e, i + 1)));
+    for(FG::Index h = 0; h < overlay.number_of_halfedges(); ++h) {
+      const FG::Index c = overlay.input_halfedge(h);
+      if(c == FG::null_index || (c & 1) != 0 || overlay.is_crossing(overlay.origin(h)))
+        continue;
+      double reached = 0;
+      for(FG::Index arc = h; overlay.is_crossing(overlay.target(arc)); arc = overlay.next_arc(arc), ++compared) {
+        const FG::Index v = overlay.target(arc);
+        const double t = overlay.crossed_halfedge(v) == c ? layout.on_input(v) : 1 - layout.on_input(v);
+        BOOST_CHECK_GE(t, reached - 0x1p-53); // told from either end
+        reached = t;
+      }
+    }
+  }
+  BOOST_CHECK_GT(compared, 500u);
+}
