@@ -637,6 +637,53 @@ BOOST_AUTO_TEST_CASE(angles_about_points_inside_a_face_sum_up_to_a_full_turn)
   BOOST_TEST(opposite > 50);
 }
 
+// A word that comes back to where it starts is all error; no direction follows from it.
+BOOST_AUTO_TEST_CASE(strips_without_length_have_no_relative_error)
+{
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 5));
+  const Triangulation t(mesh);
+  const auto& input = t.input();
+  int closed = 0;
+  for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    const std::vector<int> spokes = spokes_at_tail(t, h);
+    if(std::any_of(spokes.begin(), spokes.end(), [&](int g) { return t.is_border(g) || t.is_border(g ^ 1); }))
+      continue;
+    FG::Crossing_word word; // from the head of h about its tail, counterclockwise, to the head of h
+    word.tail = word.head = t.head(h);
+    for(int g = t.counterclockwise(h); g != h; g = t.counterclockwise(g)) {
+      word.crossed.push_back(g ^ 1);
+      BOOST_REQUIRE(input.tail(g) == t.tail(h));
+    }
+    const FG::internal::Strip<Triangulation> strip(t, word);
+    BOOST_TEST(strip.length() <= strip.end_error());
+    BOOST_TEST(strip.end_error() < 1e-12);
+    BOOST_TEST(std::isinf(strip.relative_error()));
+    ++closed;
+  }
+  BOOST_TEST(closed > 20);
+}
+
+// Also where flips were wrong, and the straight line is not in the strip.
+BOOST_AUTO_TEST_CASE(crossings_lie_on_the_edges_that_cross)
+{
+  Random_numbers random(16);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 6));
+  int bent = 0;
+  for(int i = 0; i < 20 * scale; ++i) {
+    Triangulation t(mesh);
+    for(int k = 0; k < 40; ++k)
+      flip_if_nearly_convex(t, random.below(t.number_of_halfedges()), 2);
+    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(h));
+      bent += strip.bend() > 0.1 ? 1 : 0;
+      for(std::size_t gate = 0; gate < strip.gates().size(); ++gate)
+        for(double position : {strip.crossing(gate), strip.crossing_along(gate)})
+          BOOST_TEST((position >= 0 && position <= 1));
+    }
+  }
+  BOOST_TEST(bent > 100);
+}
+
 // From the side without a face as from the other one.
 BOOST_AUTO_TEST_CASE(edges_on_the_border_are_split)
 {

@@ -373,6 +373,16 @@ BOOST_AUTO_TEST_CASE(bad_input_is_reported_by_type)
   BOOST_CHECK_THROW(touch_with_length(inf), FG::Invalid_coordinate_error);
 }
 
+// A search tells of an edge of no usable length where it meets it, on the way or beside it.
+BOOST_AUTO_TEST_CASE(edges_of_infinite_length_are_no_detour)
+{
+  Surface mesh = to_mesh<Surface>(octahedron(1));
+  mesh.point(Surface::Vertex_index(0)) = Surface::Point(0, 0, 1e200);
+  const Curve_setting::Triangulation triangulation(mesh);
+  FG::Shortest_edge_path<Curve_setting::Triangulation> search(triangulation);
+  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, Vertex_sequence{2, 4}), FG::Invalid_coordinate_error);
+}
+
 BOOST_AUTO_TEST_CASE(errors_name_the_place)
 {
   try {
