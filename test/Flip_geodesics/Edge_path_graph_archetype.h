@@ -282,7 +282,12 @@ public:
 
   std::pair<Strand_end, Strand_end> ends(const Joint& joint) const { return m_network.ends(joint); }
   Strand_end next_clockwise(const Strand_end& end) const { return m_network.next_clockwise(end); }
-  Wedge wedge(const Joint& joint) const { return m_network.wedge(joint); }
+  Wedge wedge(const Joint& joint) const
+  {
+    if(m_network.next(joint.incoming) == CGAL::Flip_geodesics::null_index)
+      throw std::logic_error("there is no joint at the end of a curve");
+    return m_network.wedge(joint);
+  }
   bool is_turning_back(const Joint& joint) const { return m_network.is_turning_back(joint); }
 
   Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)

@@ -212,3 +212,20 @@ BOOST_AUTO_TEST_CASE(legs_within_a_face_and_legs_that_contract)
   BOOST_TEST(straightener.straightened(round).size() == 2u);
   BOOST_TEST(t.log_position() == 0u);
 }
+
+BOOST_AUTO_TEST_CASE(no_point_is_written_twice)
+{
+  const Bent_surface surface = surfaces().back();
+  Triangulation t(surface.bent);
+  for(const auto& polygon : polygons) {
+    std::vector<std::vector<Point>> curves(2);
+    FG::geodesic_path_through(surface.bent, locations(t, surface, polygon), std::back_inserter(curves[0]));
+    FG::geodesic_spline(surface.bent, locations(t, surface, polygon), FG::Spline_kind::BEZIER,
+                        std::back_inserter(curves[1]));
+    for(const std::vector<Point>& points : curves) {
+      BOOST_TEST(points.size() > polygon.size());
+      BOOST_TEST((std::adjacent_find(points.begin(), points.end()) == points.end()));
+    }
+  }
+  BOOST_CHECK_THROW(FG::geodesics_through(t, locations(t, surface, {{1, 1}})), FG::Invalid_curve_error);
+}

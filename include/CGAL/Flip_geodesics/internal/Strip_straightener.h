@@ -125,7 +125,7 @@ private:
     double length = 0;
     for(const Leg& leg : m_legs)
       length += leg.length;
-    return length <= m_path_length && are_strips();
+    return length <= m_path_length;
   }
 
   // Takes memory for a path of a number of edges: its strip crosses about four at each vertex, if it crosses many.
@@ -136,18 +136,6 @@ private:
     for(std::vector<Crossing>* crossings : {&m_crossings, &m_used, &m_word})
       crossings->reserve(4 * edges);
     m_gates.reserve(4 * edges);
-  }
-
-  // Do the crossings of each leg follow on one another?
-  bool are_strips() const
-  {
-    for(const Leg& leg : m_legs)
-      for(std::size_t i = leg.first; i + 1 < leg.last; ++i) {
-        const Index right_side = m_crossings[i].right_side, crossed = m_crossings[i + 1].crossed;
-        if(crossed != right_side && crossed != m_faces.next(right_side))
-          return false;
-      }
-    return true;
   }
 
   enum class Way { LEFT, RIGHT, NONE };
@@ -229,9 +217,7 @@ private:
         if(m_faces.is_border(spoke))
           return false;
         angle = product(angle, m_faces.corner(spoke));
-        if(spoke == from.spoke) // the rest of the corner, which can be nothing
-          angle.imag((std::max)(angle.imag(), 0.0));
-        else if(angle.imag() <= 0)
+        if(spoke != from.spoke && angle.imag() <= 0) // of the first corner, the rest can be nothing
           return false;
         spoke = m_faces.counterclockwise(spoke);
       } while(spoke != to.spoke);
