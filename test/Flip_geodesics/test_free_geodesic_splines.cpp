@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(legs_within_a_face_and_legs_that_contract)
   const auto start = t.outgoing(grid_vertex(4, 2, 2));
   auto spoke = start;
   do {
-    round.push_back({spoke, {{1, 1, 0}}});
+    round.push_back({spoke, {{1, 3, 0}}}); // nearer to the other end
     spoke = t.clockwise(spoke);
   } while(spoke != start);
   round.push_back(round.front());
