@@ -354,3 +354,14 @@ BOOST_AUTO_TEST_CASE(paths_that_go_on_from_one_too_long_are_replaced_with_it)
   }
   BOOST_TEST(followers > 0);
 }
+
+// A path as short as the bound says, up to rounding.
+BOOST_AUTO_TEST_CASE(a_gap_is_not_negative)
+{
+  FG::Shortest_path_report report;
+  report.length = 1;
+  report.lower_bound = 1 + 1e-15;
+  BOOST_TEST(report.gap() == 0);
+  report.lower_bound = 0.75;
+  BOOST_TEST(report.gap() == 0.25);
+}

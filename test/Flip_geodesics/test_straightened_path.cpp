@@ -5,12 +5,13 @@
 #include "Curve_setting.h"
 #include "closed_forms.h"
 #include "generated_meshes.h"
-#include "random_curves.h"
 #include "invalid_meshes.h"
+#include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
 
@@ -295,6 +296,35 @@ BOOST_AUTO_TEST_CASE(a_leg_along_an_edge_that_another_leg_crosses)
   const Outcome outcome = pulled_from_straightened(setting, path);
   BOOST_TEST(outcome.first_length == outcome.report.curves[0].initial_length);
   BOOST_TEST(outcome.first_flips > 0u); // which were taken back
+}
+
+BOOST_AUTO_TEST_CASE(a_path_is_straightened_on_the_input_alone)
+{
+  Curve_setting setting(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 1));
+  const std::vector<FG::Index> path = Curve_setting::Search(setting.triangulation)(0, 40);
+  FG::Index h = 0;
+  while(!setting.triangulation.is_flippable(h))
+    h += 2;
+  setting.triangulation.flip(h);
+  BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Precondition_exception);
+  setting.triangulation.rollback();
+  setting.network.add_curve(path, false);
+  BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Precondition_exception);
+}
+
+// Zero is zero whatever its sign, and nothing lies before it.
+BOOST_AUTO_TEST_CASE(vertices_are_queued_by_distance)
+{
+  FG::internal::Vertex_queue queue;
+  queue.push(1.0, 3);
+  queue.push(0.0, 7);
+  queue.push(-0.0, 5);
+  queue.push(0x1p-1074, 1);
+  for(FG::Index expected : {5, 7, 1, 3})
+    BOOST_TEST(queue.pop() == expected);
+  BOOST_TEST(queue.empty());
+  BOOST_CHECK_THROW(queue.push(-1.0, 2), CGAL::Precondition_exception);
+  BOOST_CHECK_THROW(queue.push(std::nan(""), 2), CGAL::Precondition_exception);
 }
 
 BOOST_AUTO_TEST_CASE(beside_a_face_without_area_the_path_itself_is_added)
