@@ -167,7 +167,8 @@ BOOST_AUTO_TEST_CASE(paths_between_points_and_through_way_points)
     BOOST_TEST((std::adjacent_find(points.begin(), points.end()) == points.end())); // legs share their ends
     BOOST_TEST(std::abs(through.report.curves.front().length - length) < 1e-12 * length);
     points.clear();
-    const auto direct = FG::geodesic_path(surface.bent, way_points.front(), way_points.back(), std::back_inserter(points));
+    const auto direct =
+        FG::geodesic_path(surface.bent, way_points.front(), way_points.back(), std::back_inserter(points));
     const double straight = distance(polygon.front(), polygon.back());
     BOOST_TEST(std::abs(direct.report.curves.front().length - straight) < 1e-12 * straight);
     double sum = 0;
@@ -186,19 +187,23 @@ BOOST_AUTO_TEST_CASE(bad_points_are_refused)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Point> points;
   const Face_location good = {f, {{0.5, 0.25, 0.25}}};
-  for(const Face_location& bad :
-      std::vector<Face_location>{{Mesh::null_face(), {{0.5, 0.25, 0.25}}}, {f, {{0.5, 0.25, 0.2}}},
-                                 {f, {{1.1, -0.05, -0.05}}}, {f, {{nan, 0.5, 0.5}}}, {f, {{0, 0, 0}}}})
+  for(const Face_location& bad : std::vector<Face_location>{{Mesh::null_face(), {{0.5, 0.25, 0.25}}},
+                                                            {f, {{0.5, 0.25, 0.2}}},
+                                                            {f, {{1.1, -0.05, -0.05}}},
+                                                            {f, {{nan, 0.5, 0.5}}},
+                                                            {f, {{0, 0, 0}}}})
     BOOST_CHECK_THROW(FG::geodesic_path(mesh, good, bad, std::back_inserter(points)), FG::Invalid_location_error);
   BOOST_CHECK_THROW(FG::geodesic_path(mesh, good, good, std::back_inserter(points)), FG::Invalid_curve_error);
   // Located with rounding: at the vertex.
   Triangulation t(mesh);
   const auto snapped = FG::surface_location(t, mesh, Face_location{f, {{1 + 5.6e-17, -5.6e-17, 1e-16}}});
   BOOST_TEST((kind(snapped) == FG::Location_kind::VERTEX));
-  BOOST_TEST((kind(FG::surface_location(t, mesh, Face_location{f, {{0.5, 0.5, 1e-16}}}, 0)) == FG::Location_kind::FACE));
+  BOOST_TEST(
+      (kind(FG::surface_location(t, mesh, Face_location{f, {{0.5, 0.5, 1e-16}}}, 0)) == FG::Location_kind::FACE));
   // The message names what is wrong.
   const auto names = [](const std::string& words) {
-    return [words](const FG::Invalid_location_error& e) { return std::string(e.what()).find(words) != std::string::npos; };
+    return
+        [words](const FG::Invalid_location_error& e) { return std::string(e.what()).find(words) != std::string::npos; };
   };
   BOOST_CHECK_EXCEPTION(FG::surface_location(t, mesh, Face_location{f, {{2, 0, 0}}}), FG::Invalid_location_error,
                         names("not between 0 and 1"));
@@ -363,12 +368,14 @@ BOOST_AUTO_TEST_CASE(snapped_polylines_do_not_go_to_and_fro)
   const auto snapped = [&](const std::vector<Flat_point>& points, bool is_closed) {
     return FG::snap_polyline(t, locations(t, surface, points), is_closed);
   };
-  BOOST_TEST(snapped({{2, 2}, {2.75, 2}, {2.25, 2}, {2.25, 2.25}, {2, 2.75}}, false) == (Path{vertex(2, 2), vertex(2, 3)}),
+  BOOST_TEST(snapped({{2, 2}, {2.75, 2}, {2.25, 2}, {2.25, 2.25}, {2, 2.75}}, false) ==
+                 (Path{vertex(2, 2), vertex(2, 3)}),
              boost::test_tools::per_element());
   // The last point of a closed one lies near the first.
   BOOST_TEST(snapped({{2, 2}, {3, 2}, {3, 3}, {2.25, 2.25}}, true) == (Path{vertex(2, 2), vertex(3, 2), vertex(3, 3)}),
              boost::test_tools::per_element());
-  BOOST_TEST(snapped({{2.125, 2}, {2.25, 2}, {2.125, 2.125}}, true) == Path{vertex(2, 2)}, boost::test_tools::per_element());
+  BOOST_TEST(snapped({{2.125, 2}, {2.25, 2}, {2.125, 2.125}}, true) == Path{vertex(2, 2)},
+             boost::test_tools::per_element());
 }
 
 // A geodesic that crosses edges next to a vertex, closer than numbers tell there, passes the vertex.
@@ -484,7 +491,8 @@ BOOST_AUTO_TEST_CASE(legs_along_edges_are_divided_at_vertices)
 {
   const Bent_surface surface = surfaces().front();
   for(const std::vector<Flat_point>& polygon : std::vector<std::vector<Flat_point>>{
-          {{1, 1}, {5, 1}}, {{1, 1}, {5, 5}}, {{1, 1}, {5, 1}, {5, 5}}, {{2, 1}, {2, 5}, {6, 5}, {6, 1}}}) {
+          {{1, 1}, {5, 1}}, {{1, 1}, {5, 5}}, {{1, 1}, {5, 1}, {5, 5}}, {{2, 1}, {2, 5}, {6, 5}, {6, 1}}})
+  {
     Triangulation t(surface.bent);
     Network network(t);
     const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygon));

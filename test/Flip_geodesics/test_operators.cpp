@@ -232,7 +232,8 @@ BOOST_AUTO_TEST_CASE(parallel_assembly_gives_the_same_bits)
 // Its lengths say that the triangle has no area, though its points do not.
 BOOST_AUTO_TEST_CASE(faces_without_area_are_refused)
 {
-  const Mesh mesh = to_mesh<Mesh>(Mesh_soup{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-20, 0}, {0.5, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}});
+  const Mesh mesh =
+      to_mesh<Mesh>(Mesh_soup{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-20, 0}, {0.5, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}});
   const Triangulation triangulation(mesh);
   BOOST_CHECK_THROW(Operators{triangulation}, FG::Degenerate_face_error);
 }

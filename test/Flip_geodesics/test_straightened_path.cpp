@@ -288,8 +288,8 @@ BOOST_AUTO_TEST_CASE(a_leg_along_an_edge_that_another_leg_crosses)
   const Mesh_soup soup = grid_with_hole(12, 12, 4, 8, 4, 8);
   Vertex_sequence way;
   for(const std::array<int, 2>& p : std::vector<std::array<int, 2>>{
-          {1, 6}, {2, 6}, {2, 5}, {3, 5}, {3, 4}, {4, 4}, {5, 4}, {6, 4}, {7, 4}, {8, 4}, {8, 5}, {8, 6}, {8, 7},
-          {8, 8}, {7, 8}, {6, 8}, {5, 8}, {4, 8}, {3, 8}, {2, 8}, {1, 7}, {0, 6}, {0, 5}, {1, 5}})
+          {1, 6}, {2, 6}, {2, 5}, {3, 5}, {3, 4}, {4, 4}, {5, 4}, {6, 4}, {7, 4}, {8, 4}, {8, 5}, {8, 6},
+          {8, 7}, {8, 8}, {7, 8}, {6, 8}, {5, 8}, {4, 8}, {3, 8}, {2, 8}, {1, 7}, {0, 6}, {0, 5}, {1, 5}})
     way.push_back(index_of(soup, {double(p[0]), double(p[1]), 0}));
   Curve_setting setting(soup);
   const std::vector<FG::Index> path = FG::halfedges_through(setting.triangulation, way, false);

@@ -577,7 +577,8 @@ BOOST_AUTO_TEST_CASE(slits_that_open_by_themselves)
                                                                  {v(0, 2), v(1, 2)},
                                                                  {v(6, 2), v(5, 2)},
                                                                  {v(2, 0), v(2, 1)},
-                                                                 {v(2, 6), v(2, 5)}}) {
+                                                                 {v(2, 6), v(2, 5)}})
+  {
     Curve_setting s(flat_grid(n, n, Diagonal_rule::RISING));
     s.add(slit, false);
     BOOST_CHECK_EQUAL(cut_open(s).mesh().number_of_vertices(), s.mesh.number_of_vertices() + 1);

@@ -113,8 +113,8 @@ public:
     const Vector end = position(word.head, corners), direction = (end - start) / std::abs(end - start);
     Result result = {std::abs(end - start), 0};
     for(const auto& [right, left] : gates)
-      result.bend = (std::max)(
-          {result.bend, ((right - start) / direction).imag(), -((left - start) / direction).imag()});
+      result.bend =
+          (std::max)({result.bend, ((right - start) / direction).imag(), -((left - start) / direction).imag()});
     return result;
   }
 
@@ -552,7 +552,8 @@ BOOST_AUTO_TEST_CASE(points_of_faces_and_edges_are_told)
         continue;
       const int corners[3] = {t.tail(h), t.head(h), t.head(t.next(h))};
       for(const std::array<double, 3>& weights : std::vector<std::array<double, 3>>{
-              {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{0.5, 0.5, 0}}, {{0.25, 0.5, 0.25}}, {{0.125, 0.125, 0.75}}}) {
+              {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{0.5, 0.5, 0}}, {{0.25, 0.5, 0.25}}, {{0.125, 0.125, 0.75}}})
+      {
         const FG::Surface_location at = FG::location_in_face(t, h, weights);
         std::complex<double> expected = 0;
         for(int i = 0; i < 3; ++i)
@@ -585,8 +586,8 @@ BOOST_AUTO_TEST_CASE(points_next_to_a_vertex_are_refused)
 BOOST_AUTO_TEST_CASE(there_is_room_on_an_edge_or_not)
 {
   for(double depth : {0.5, 1e-3, 1e-9, 4e-15}) {
-    const Mesh mesh = to_mesh<Mesh>(
-        Mesh_soup{{{0, 0, 0}, {1, -depth, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}});
+    const Mesh mesh =
+        to_mesh<Mesh>(Mesh_soup{{{0, 0, 0}, {1, -depth, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}});
     Certified t(mesh);
     const FG::Index h = FG::internal::halfedge_between(t, 1, 3);
     BOOST_REQUIRE(t.is_flippable(h));

@@ -224,8 +224,8 @@ private:
     }
   }
 
-  // Where a vertex of the triangulation is on the input edge that it starts or divides, from 0 at the tail of the edge's
-  // first halfedge. Locations are told from that, unless it is on the border, where there are no crossings.
+  // Where a vertex of the triangulation is on the input edge that it starts or divides, from 0 at the tail of the
+  // edge's first halfedge. Locations are told from that, unless it is on the border, where there are no crossings.
   double position_on_side(Index v) const
   {
     if(!triangulation().is_inserted(v))
