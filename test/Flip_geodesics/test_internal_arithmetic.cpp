@@ -13,12 +13,10 @@
 #include <CGAL/Flip_geodesics/internal/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/Precise_face.h>
-#include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/exceptions.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/mpfr.hpp>
@@ -30,7 +28,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -643,35 +640,6 @@ BOOST_AUTO_TEST_CASE(literals_are_united_unless_they_are_opposite)
       for(int b = 0; b < r / 2 * 2; ++b) // it is the smallest
         BOOST_TEST(!are_equal_in_all(a, b));
     }
-  }
-}
-
-// ---------------------------------------------------------------- queues
-
-BOOST_AUTO_TEST_CASE(vertices_come_out_of_a_queue_in_order)
-{
-  FI::Vertex_queue queue;
-  queue.push(0x1p-1074, 0);
-  queue.push(-0.0, 2); // as 0
-  queue.push(0.0, 1);
-  queue.push(std::numeric_limits<double>::infinity(), 3);
-  for(int expected : {1, 2, 0, 3})
-    BOOST_TEST(queue.pop() == expected);
-  BOOST_TEST(queue.empty());
-  BOOST_CHECK_THROW(queue.push(-1e-300, 0), CGAL::Precondition_exception);
-
-  Random_numbers random(10);
-  std::set<std::pair<double, int>> entries;
-  for(int i = 0; i < 2000 * scale; ++i) {
-    if(entries.empty() || random.below(i % 200 < 100 ? 3 : 2) != 0) {
-      const std::pair<double, int> entry = {random.below(50) / 8.0, i};
-      queue.push(entry.first, entry.second);
-      entries.insert(entry);
-    } else {
-      BOOST_TEST(queue.pop() == entries.begin()->second);
-      entries.erase(entries.begin());
-    }
-    BOOST_TEST(queue.empty() == entries.empty());
   }
 }
 

@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
-#include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
 
@@ -310,21 +309,6 @@ BOOST_AUTO_TEST_CASE(a_path_is_straightened_on_the_input_alone)
   setting.triangulation.rollback();
   setting.network.add_curve(path, false);
   BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Precondition_exception);
-}
-
-// Zero is zero whatever its sign, and nothing lies before it.
-BOOST_AUTO_TEST_CASE(vertices_are_queued_by_distance)
-{
-  FG::internal::Vertex_queue queue;
-  queue.push(1.0, 3);
-  queue.push(0.0, 7);
-  queue.push(-0.0, 5);
-  queue.push(0x1p-1074, 1);
-  for(FG::Index expected : {5, 7, 1, 3})
-    BOOST_TEST(queue.pop() == expected);
-  BOOST_TEST(queue.empty());
-  BOOST_CHECK_THROW(queue.push(-1.0, 2), CGAL::Precondition_exception);
-  BOOST_CHECK_THROW(queue.push(std::nan(""), 2), CGAL::Precondition_exception);
 }
 
 BOOST_AUTO_TEST_CASE(beside_a_face_without_area_the_path_itself_is_added)
