@@ -44,6 +44,7 @@ using Network = FG::Edge_path_network<Triangulation>;
 using Search = FG::Shortest_edge_path<Triangulation>;
 
 constexpr double tolerance = 1e-9; // relative, of lengths that are to be equal
+constexpr FG::Curve_index only_curve(0);
 
 struct Options
 {
@@ -70,7 +71,7 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 struct Station
 {
   bool is_vertex;
-  int index;
+  FG::Index index;
 
   bool operator==(const Station& other) const { return is_vertex == other.is_vertex && index == other.index; }
 };
@@ -78,8 +79,8 @@ using Stations = std::vector<Station>;
 
 struct Station_visitor
 {
-  void operator()(Mesh::Halfedge_index h, double) { stations.push_back({false, static_cast<int>(std::size_t(h) / 2)}); }
-  void operator()(Mesh::Vertex_index v) { stations.push_back({true, static_cast<int>(std::size_t(v))}); }
+  void operator()(Mesh::Halfedge_index h, double) { stations.push_back({false, static_cast<FG::Index>(h / 2)}); }
+  void operator()(Mesh::Vertex_index v) { stations.push_back({true, static_cast<FG::Index>(v)}); }
   template <class Coordinates>
   void operator()(Mesh::Face_index, const Coordinates&)
   {
@@ -149,7 +150,7 @@ private:
     }
   }
 
-  void add(Halfedge h) { m_chain.push_back(static_cast<int>(std::size_t(h))); }
+  void add(Halfedge h) { m_chain.emplace_back(static_cast<FG::Index>(h)); }
 
   Mesh::Vertex_index apex(Halfedge h) const
   {
@@ -164,13 +165,13 @@ Stations stations_of(const Network& network)
 {
   const Triangulation& triangulation = network.triangulation();
   Stations result;
-  network.for_each_segment(0, [&](int s) {
-    const int h = network.halfedge(s);
-    result.push_back({true, triangulation.tail(h)});
-    for(int crossed : triangulation.crossing_word(h).crossed)
-      result.push_back({false, crossed / 2});
-    if(network.next(s) == FG::null_index)
-      result.push_back({true, triangulation.head(h)});
+  network.for_each_segment(only_curve, [&](FG::Segment_index s) {
+    const FG::Halfedge_index h = network.halfedge(s);
+    result.push_back({true, triangulation.tail(h).idx()});
+    for(FG::Input_halfedge_index crossed : triangulation.crossing_word(h).crossed)
+      result.push_back({false, crossed.idx() / 2});
+    if(!network.next(s).is_valid())
+      result.push_back({true, triangulation.head(h).idx()});
   });
   return result;
 }
@@ -219,8 +220,7 @@ private:
       if(target == source || shortest_path.shortest_distance_to_source_points(target).first < 0)
         continue;
       start = processor_seconds();
-      const double length =
-          pulled(m_search(static_cast<int>(std::size_t(source)), static_cast<int>(std::size_t(target))));
+      const double length = pulled(m_search(m_triangulation.index(source), m_triangulation.index(target)));
       m_row.flip_time += processor_seconds() - start;
       compare(length, CGAL::to_double(shortest_path.shortest_distance_to_source_points(target).first));
       start_from_strip(shortest_path, target);
@@ -234,7 +234,7 @@ private:
     m_network.add_curve(chain, false);
     FG::shorten(m_network);
     m_row.uncertified += FG::certify(m_network).is_locally_shortest() ? 0 : 1;
-    return m_network.length(0);
+    return m_network.length(only_curve);
   }
 
   void compare(double length, double shortest)
@@ -270,7 +270,7 @@ private:
     if(!chain)
       throw std::runtime_error("a shortest path crosses edges that are not sides of consecutive faces");
     const double length = pulled(*chain);
-    const bool is_same = !m_network.is_contracted(0) && stations_of(m_network) == stations;
+    const bool is_same = !m_network.is_contracted(only_curve) && stations_of(m_network) == stations;
     return is_same || std::abs(length / shortest - 1) <= 1e-13;
   }
 

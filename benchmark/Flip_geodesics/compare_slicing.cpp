@@ -84,10 +84,10 @@ double solution(const Kernel::Point_3& p) { return std::sin(3 * p.x()) * std::ex
 double density(const Kernel::Point_3& p) { return 5 * solution(p); } // less its Laplacian
 
 // The point in space of a vertex, which may be inserted.
-Kernel::Point_3 point(const Triangulation& triangulation, FG::Index v)
+Kernel::Point_3 point(const Triangulation& triangulation, FG::Vertex_index v)
 {
   const FG::Surface_location location = triangulation.location(v);
-  FG::Index h = location.halfedge;
+  FG::Input_halfedge_index h = location.halfedge;
   double sum = 0, x = 0, y = 0, z = 0;
   for(double weight : location.weights) {
     const Kernel::Point_3 p = triangulation.metric().point(triangulation.input(), triangulation.input().tail(h));
@@ -100,11 +100,11 @@ Kernel::Point_3 point(const Triangulation& triangulation, FG::Index v)
   return {x / sum, y / sum, z / sum};
 }
 
-std::vector<FG::Index> given_vertices(const Network& network, bool has_border)
+std::vector<FG::Vertex_index> given_vertices(const Network& network, bool has_border)
 {
   const Triangulation& triangulation = network.triangulation();
-  std::vector<FG::Index> result;
-  for(FG::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+  std::vector<FG::Vertex_index> result;
+  for(FG::Halfedge_index h : halfedges(triangulation))
     if(network.is_occupied(h) || (has_border && triangulation.is_border(h)))
       result.push_back(triangulation.tail(h));
   return result;
@@ -126,9 +126,9 @@ void report(const std::string& mesh, const std::string& way, Network& network, d
   const Eigen::Index n = triangulation.number_of_vertices();
   Eigen::VectorXd load = Eigen::VectorXd::Ones(n), values = Eigen::VectorXd::Zero(n);
   if(is_square)
-    for(FG::Index v = 0; v < n; ++v) {
-      load[v] = density(point(triangulation, v));
-      values[v] = solution(point(triangulation, v));
+    for(FG::Vertex_index v : FG::vertices(triangulation)) {
+      load[v.idx()] = density(point(triangulation, v));
+      values[v.idx()] = solution(point(triangulation, v));
     }
   const Eigen::VectorXd u = problem.solve(load, values);
   const double solved = seconds();
@@ -147,9 +147,9 @@ void compare(const std::string& name, const Mesh& mesh, int paths, double angle,
   Network network(triangulation);
   std::mt19937 random(1);
   const unsigned n = static_cast<unsigned>(mesh.number_of_vertices());
-  const FG::Index source = static_cast<FG::Index>(random() % n);
+  const FG::Vertex_index source(static_cast<FG::Index>(random() % n));
   for(int i = 0; i < paths; ++i) {
-    const FG::Index target = static_cast<FG::Index>(random() % n);
+    const FG::Vertex_index target(static_cast<FG::Index>(random() % n));
     if(target != source)
       network.add_curve(search(source, target), false);
   }

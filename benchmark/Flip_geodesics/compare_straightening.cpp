@@ -40,7 +40,6 @@ namespace {
 
 namespace FG = CGAL::Flip_geodesics;
 using benchmark_meshes::Mesh;
-using FG::Index;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Edge_path = std::vector<Mesh::Halfedge_index>;
@@ -159,17 +158,19 @@ private:
 
   Polyline flip_out(const Edge_path& path, std::size_t& flips)
   {
-    std::vector<Index> halfedges(path.begin(), path.end());
+    std::vector<FG::Halfedge_index> halfedges;
+    for(Mesh::Halfedge_index h : path)
+      halfedges.emplace_back(static_cast<FG::Index>(h));
     Polyline result = {0, {}};
     {
       Network network(m_triangulation);
-      network.add_curve(halfedges, false);
+      const FG::Curve_index curve = network.add_curve(halfedges, false);
       flips = FG::shorten(network).flips;
       FG::Curve_extractor<Network> extractor(network);
-      for(const FG::Surface_point& p : extractor.surface_points(0)) {
+      for(const FG::Surface_point& p : extractor.surface_points(curve)) {
         const auto q = extractor.point(p);
-        result.points.push_back({static_cast<polyline_checker::Index>(p.a),
-                                 static_cast<polyline_checker::Index>(p.b),
+        result.points.push_back({static_cast<polyline_checker::Index>(p.a.idx()),
+                                 static_cast<polyline_checker::Index>(p.b.idx()),
                                  p.t,
                                  {q.x(), q.y(), q.z()}});
       }

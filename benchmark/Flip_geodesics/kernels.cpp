@@ -22,7 +22,6 @@ namespace {
 
 namespace FG = CGAL::Flip_geodesics;
 using benchmark_meshes::Mesh;
-using FG::Index;
 
 /// A path over a bumpy torus, and the triangulation before and after it is pulled tight.
 template <class Traits>
@@ -36,8 +35,8 @@ public:
     : m_mesh(benchmark_meshes::torus(20000))
     , m_triangulation(m_mesh)
     , m_search(m_triangulation, FG::Search_method::LOOK_BACK)
-    , m_target(static_cast<Index>(m_mesh.number_of_vertices() / 2 + 35))
-    , m_path(m_search(0, m_target))
+    , m_target(static_cast<FG::Index>(m_mesh.number_of_vertices() / 2 + 35))
+    , m_path(m_search(m_source, m_target))
     , m_untouched(m_triangulation)
     , m_tight_triangulation(m_mesh)
     , m_tight(m_tight_triangulation)
@@ -45,14 +44,15 @@ public:
     m_untouched.add_curve(m_path, false);
     m_tight.add_curve(m_path, false);
     FG::shorten(m_tight);
-    m_tight.for_each_segment(0, [&](Index s) {
-      const Index h = m_tight.halfedge(s);
-      if(m_tight_triangulation.crossings(h >> 1) > m_tight_triangulation.crossings(m_longest >> 1))
+    m_tight.for_each_segment(m_curve, [&](FG::Segment_index s) {
+      const FG::Halfedge_index h = m_tight.halfedge(s);
+      if(m_tight_triangulation.crossings(Triangulation::edge(h)) >
+         m_tight_triangulation.crossings(Triangulation::edge(m_longest)))
         m_longest = h;
     });
-    for(Index h = 0; h < 2000; h += 2)
-      if(m_tight_triangulation.is_flippable(h) && m_tight_triangulation.label(h >> 1) == 0)
-        m_flippable.push_back(h);
+    for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(1000))
+      if(m_tight_triangulation.is_flippable(e.halfedge()) && m_tight_triangulation.label(e) == 0)
+        m_flippable.push_back(e.halfedge());
   }
 
   /// The kernels by name. Each returns how many units of work it has done.
@@ -62,7 +62,7 @@ public:
             {"reflex_test", [this] { return reflex_test(); }},
             {"wedge", [this] { return wedges(); }},
             {"word_and_strip", [this] { return strip(); }},
-            {"search", [this] { return m_search(0, m_target).size(); }},
+            {"search", [this] { return m_search(m_source, m_target).size(); }},
             {"shorten_and_undo", [this] { return shorten_and_undo(); }},
             {"certify", [this] { return certify(); }}};
   }
@@ -71,7 +71,7 @@ private:
   std::size_t flip_and_undo()
   {
     const auto start = m_tight_triangulation.log_position();
-    for(Index h : m_flippable) {
+    for(FG::Halfedge_index h : m_flippable) {
       m_tight_triangulation.flip(h);
       m_tight_triangulation.rollback(start);
     }
@@ -80,7 +80,7 @@ private:
 
   std::size_t reflex_test()
   {
-    for(Index h : m_flippable)
+    for(FG::Halfedge_index h : m_flippable)
       benchmark::DoNotOptimize(m_tight_triangulation.is_reflex_at_head(h));
     return m_flippable.size();
   }
@@ -88,7 +88,7 @@ private:
   std::size_t wedges()
   {
     std::size_t count = 0;
-    m_untouched.for_each_segment(0, [&](Index s) {
+    m_untouched.for_each_segment(m_curve, [&](FG::Segment_index s) {
       if(m_untouched.next(s) == FG::null_index)
         return;
       benchmark::DoNotOptimize(m_untouched.wedge({s, FG::Side::LEFT}).state);
@@ -119,19 +119,20 @@ private:
   std::size_t certify()
   {
     benchmark::DoNotOptimize(FG::certify(m_tight).is_locally_shortest());
-    return m_tight.halfedges(0).size();
+    return m_tight.halfedges(m_curve).size();
   }
 
   Mesh m_mesh;
   Triangulation m_triangulation;
   FG::Shortest_edge_path<Triangulation> m_search;
-  Index m_target;
-  std::vector<Index> m_path;
+  FG::Vertex_index m_source = FG::Vertex_index(0), m_target;
+  std::vector<FG::Halfedge_index> m_path;
   Network m_untouched;
   Triangulation m_tight_triangulation;
   Network m_tight;
-  Index m_longest = 0;
-  std::vector<Index> m_flippable;
+  FG::Curve_index m_curve = FG::Curve_index(0); // the only one in either network
+  FG::Halfedge_index m_longest = FG::Halfedge_index(0);
+  std::vector<FG::Halfedge_index> m_flippable;
 };
 
 using Kernel = benchmark_meshes::Kernel;

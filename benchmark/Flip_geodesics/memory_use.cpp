@@ -27,7 +27,6 @@ namespace {
 
 namespace FG = CGAL::Flip_geodesics;
 using benchmark_meshes::Mesh;
-using FG::Index;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 
@@ -50,16 +49,16 @@ long long resident_bytes_in_use()
 }
 
 /// The vertex that is farthest from `source` in space.
-Index farthest_vertex(const Mesh& mesh, Index source)
+Mesh::Vertex_index farthest_vertex(const Mesh& mesh, Mesh::Vertex_index source)
 {
-  const auto& p = mesh.point(Mesh::Vertex_index(static_cast<std::uint32_t>(source)));
-  Index farthest = source;
+  const auto& p = mesh.point(source);
+  Mesh::Vertex_index farthest = source;
   double largest = 0;
   for(Mesh::Vertex_index v : mesh.vertices()) {
     const double square = CGAL::squared_distance(p, mesh.point(v));
     if(square > largest) {
       largest = square;
-      farthest = static_cast<Index>(v);
+      farthest = v;
     }
   }
   return farthest;
@@ -77,19 +76,19 @@ struct Workspace
   {
   }
 
-  std::size_t query(Index source, Index target)
+  std::size_t query(Mesh::Vertex_index source, Mesh::Vertex_index target)
   {
-    const std::vector<Index> path = search(source, target);
+    const std::vector<FG::Halfedge_index> path = search(triangulation.index(source), triangulation.index(target));
     Network network(triangulation);
     FG::add_straightened_path(network, path);
     FG::shorten(network);
-    FG::Curve_extractor<Network>(network).surface_points(0);
+    FG::Curve_extractor<Network>(network).surface_points(FG::Curve_index(0));
     return path.size();
   }
 
   void touch_all()
   {
-    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+    for(FG::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h)
       triangulation.is_border(h);
   }
 };
@@ -98,11 +97,11 @@ void measure(const std::string& name)
 {
   const long long before = resident_bytes_in_use();
   const Mesh mesh = benchmark_meshes::make_mesh(name);
-  const Index target = farthest_vertex(mesh, 0);
+  const Mesh::Vertex_index source(0), target = farthest_vertex(mesh, source);
   const long long with_mesh = resident_bytes_in_use();
   auto workspace = std::make_unique<Workspace>(mesh);
   const long long constructed = resident_bytes();
-  const std::size_t segments = workspace->query(0, target);
+  const std::size_t segments = workspace->query(source, target);
   const long long queried = resident_bytes();
   workspace.reset();
   const long long empty = resident_bytes_in_use();

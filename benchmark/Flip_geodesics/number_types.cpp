@@ -51,7 +51,7 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Chain = std::vector<FG::Index>;
+using Chain = std::vector<FG::Halfedge_index>;
 using Gmpq = CGAL::Gmpq;
 using Rational = boost::multiprecision::cpp_rational;
 using Extension = CGAL::Sqrt_extension<Gmpq, Gmpq>;
@@ -182,8 +182,8 @@ std::vector<Chain> random_paths(const Mesh& mesh, int count)
   Random_numbers random(1);
   std::vector<Chain> paths;
   while(static_cast<int>(paths.size()) < count) {
-    const FG::Index u = random.below(triangulation.number_of_vertices()),
-                    v = random.below(triangulation.number_of_vertices());
+    const FG::Vertex_index u(random.below(triangulation.number_of_vertices())),
+        v(random.below(triangulation.number_of_vertices()));
     if(u != v)
       paths.push_back(search(u, v));
   }

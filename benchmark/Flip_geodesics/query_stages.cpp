@@ -44,7 +44,8 @@ namespace {
 
 namespace FG = CGAL::Flip_geodesics;
 using benchmark_meshes::Mesh;
-using FG::Index;
+using FG::Halfedge_index;
+using FG::Vertex_index;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Search = FG::Shortest_edge_path<Triangulation>;
@@ -95,7 +96,7 @@ std::uint64_t hash_of(const std::vector<FG::Surface_point>& points)
   for(const FG::Surface_point& p : points) {
     std::uint64_t bits;
     std::memcpy(&bits, &p.t, sizeof bits);
-    for(std::uint64_t word : {static_cast<std::uint64_t>(p.a), static_cast<std::uint64_t>(p.b), bits})
+    for(std::uint64_t word : {static_cast<std::uint64_t>(p.a.idx()), static_cast<std::uint64_t>(p.b.idx()), bits})
       hash = (hash ^ word) * 1099511628211u;
   }
   return hash;
@@ -121,23 +122,23 @@ public:
   void run()
   {
     std::mt19937 random(m_options.seed);
-    const auto vertex = [&] { return static_cast<Index>(random() % m_mesh.number_of_vertices()); };
+    const auto vertex = [&] { return Vertex_index(static_cast<FG::Index>(random() % m_mesh.number_of_vertices())); };
     for(std::size_t i = 0; i < m_options.pairs;) {
-      const Index source = vertex(), target = vertex();
+      const Vertex_index source = vertex(), target = vertex();
       if(source != target && run(source, target))
         ++i;
     }
   }
 
 private:
-  bool run(Index source, Index target)
+  bool run(Vertex_index source, Vertex_index target)
   {
-    const Mesh::Vertex_index from(static_cast<std::uint32_t>(source)), to(static_cast<std::uint32_t>(target));
+    const Mesh::Vertex_index from = m_triangulation.vertex(source), to = m_triangulation.vertex(target);
     const std::size_t edge_segments = m_dijkstra(from, to).size();
     if(edge_segments == 0)
       return false; // another component
     std::array<Times, NUMBER_OF_STAGES> times;
-    std::vector<Index> start;
+    std::vector<Halfedge_index> start;
     FG::Shortening_report report;
     std::vector<FG::Surface_point> curve;
     for(std::size_t round = 0; round < m_options.rounds; ++round) {
@@ -147,7 +148,8 @@ private:
       {
         Network network(m_triangulation);
         report = times[SHORTEN].measure([&] { return shorten(network, start); });
-        curve = times[EXTRACT].measure([&] { return FG::Curve_extractor<Network>(network).surface_points(0); });
+        curve = times[EXTRACT].measure(
+            [&] { return FG::Curve_extractor<Network>(network).surface_points(FG::Curve_index(0)); });
         times[CERTIFY].measure([&] { return FG::certify(network).is_locally_shortest(); });
       }
       times[ROLLBACK].measure([&] {
@@ -162,9 +164,9 @@ private:
         return points.size();
       });
     }
-    std::cout << m_name << ',' << m_mesh.number_of_faces() << ',' << m_options.search << ',' << source << ',' << target
-              << ',' << edge_segments << ',' << start.size() << ',' << m_search.settled_vertices() << ','
-              << m_dijkstra.settled_vertices() << ',' << report.flips;
+    std::cout << m_name << ',' << m_mesh.number_of_faces() << ',' << m_options.search << ',' << source.idx() << ','
+              << target.idx() << ',' << edge_segments << ',' << start.size() << ',' << m_search.settled_vertices()
+              << ',' << m_dijkstra.settled_vertices() << ',' << report.flips;
     for(Times& stage : times)
       std::cout << ',' << stage.median();
     std::cout << ',' << report.curves[0].length << ',' << to_string(report.curves[0].status) << ',' << std::hex
@@ -172,7 +174,7 @@ private:
     return true;
   }
 
-  FG::Shortening_report shorten(Network& network, const std::vector<Index>& start) const
+  FG::Shortening_report shorten(Network& network, const std::vector<Halfedge_index>& start) const
   {
     const std::size_t flips = add(network, start);
     FG::Shortening_report report = FG::shorten(network);
@@ -181,7 +183,7 @@ private:
   }
 
   // As geodesic_path() does; shortest edge paths as they are, for comparison. Returns the number of flips.
-  std::size_t add(Network& network, const std::vector<Index>& start) const
+  std::size_t add(Network& network, const std::vector<Halfedge_index>& start) const
   {
     if(m_options.search != "astar" && m_options.search != "dijkstra")
       return FG::add_straightened_path(network, start);
@@ -190,7 +192,7 @@ private:
   }
 
   // How long what shorten() does before it measures takes.
-  double run_steps(const std::vector<Index>& start)
+  double run_steps(const std::vector<Halfedge_index>& start)
   {
     double seconds = 0;
     {

@@ -78,7 +78,7 @@ public:
       throw Enough();
     ++m_row.decisions;
     m_row.filtered += decision.is_filtered ? 1 : 0;
-    for(int h : {decision.from, decision.to})
+    for(FG::Halfedge_index h : {decision.from, decision.to})
       m_row.bent_edges += m_referee.is_straight(m_triangulation.crossing_word(h)) ? 0 : 1;
     try {
       const int comparison = m_referee.compare_wedge(decision.from, decision.to);
@@ -102,7 +102,7 @@ void flip_at_random(Triangulation& triangulation, sample::Source<Triangulation>&
   const int middle = source.below(triangulation.number_of_halfedges());
   for(int i = 0; i < 100; ++i) {
     // Near each other, so that flips build on flips.
-    const int h = (middle + source.below(60)) % triangulation.number_of_halfedges();
+    const FG::Halfedge_index h((middle + source.below(60)) % triangulation.number_of_halfedges());
     if(triangulation.is_flippable(h))
       triangulation.flip(h);
   }

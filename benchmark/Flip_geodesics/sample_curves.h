@@ -3,6 +3,7 @@
 #ifndef FLIP_GEODESICS_BENCHMARK_SAMPLE_CURVES_H
 #define FLIP_GEODESICS_BENCHMARK_SAMPLE_CURVES_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -19,7 +20,11 @@
 /* Random curves to start from, and the meshes of a folder: what the measurements have in common. */
 namespace sample {
 
-using Chain = std::vector<int>; // halfedges
+using CGAL::Flip_geodesics::Halfedge_index;
+using CGAL::Flip_geodesics::Input_halfedge_index;
+using CGAL::Flip_geodesics::Vertex_index;
+
+using Chain = std::vector<Halfedge_index>;
 
 /// Curves that are pulled tight together.
 struct Curves
@@ -63,8 +68,8 @@ public:
     , m_search(triangulation)
     , m_random(seed)
   {
-    for(int v = 0; v < triangulation.number_of_vertices(); ++v)
-      if(triangulation.input().outgoing(v) != -1)
+    for(Vertex_index v(0); v.idx() < triangulation.number_of_vertices(); ++v)
+      if(triangulation.input().outgoing(v).is_valid())
         m_vertices.push_back(v);
   }
 
@@ -72,10 +77,10 @@ public:
   bool is_empty() const { return m_vertices.size() < 2; }
 
   /// Two different vertices that edges connect. \throws Disconnected_endpoints_error after 100 pairs that are not
-  std::array<int, 2> connected_pair()
+  std::array<Vertex_index, 2> connected_pair()
   {
     for(int i = 0;; ++i) {
-      const int u = vertex(), v = vertex();
+      const Vertex_index u = vertex(), v = vertex();
       if(u == v)
         continue;
       try {
@@ -107,12 +112,12 @@ public:
   /// A loop of shortest edge paths through three random vertices; empty if they are not connected.
   Curves round_trip()
   {
-    const std::array<int, 2> ends = connected_pair();
-    const int w = vertex();
+    const std::array<Vertex_index, 2> ends = connected_pair();
+    const Vertex_index w = vertex();
     if(w == ends[0] || w == ends[1])
       return {};
     try {
-      const std::array<int, 3> stops = {ends[0], ends[1], w};
+      const std::array<Vertex_index, 3> stops = {ends[0], ends[1], w};
       return {{CGAL::Flip_geodesics::shortest_halfedges_through(m_search, stops, true)}, true};
     } catch(const CGAL::Flip_geodesics::Disconnected_endpoints_error&) {
       return {};
@@ -123,35 +128,38 @@ public:
   Curves disk_boundary(int size)
   {
     const auto& input = m_triangulation.input();
-    const int start = below(m_triangulation.number_of_halfedges());
+    const Input_halfedge_index start(below(m_triangulation.number_of_halfedges()));
     if(input.is_border(start))
       return {};
-    Chain loop = {start, input.next(start), input.next(input.next(start))};
-    std::set<int> passed;
-    for(int h : loop)
+    std::vector<Input_halfedge_index> loop = {start, input.next(start), input.next(input.next(start))};
+    std::set<Vertex_index> passed;
+    for(Input_halfedge_index h : loop)
       passed.insert(input.tail(h));
     for(int tries = 4 * size; tries > 0 && static_cast<int>(passed.size()) < size; --tries) {
       const std::size_t i = below(static_cast<int>(loop.size()));
-      const int t = loop[i] ^ 1;
+      const Input_halfedge_index t = CGAL::Flip_geodesics::internal::twin_index(loop[i]);
       if(input.is_border(t) || passed.count(input.tail(input.next(input.next(t)))) != 0)
         continue;
-      const int first = input.next(t), second = input.next(first);
+      const Input_halfedge_index first = input.next(t), second = input.next(first);
       passed.insert(input.tail(second));
       loop[i] = first;
       loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, second);
     }
-    return {{loop}, true};
+    Chain chain;
+    for(Input_halfedge_index h : loop)
+      chain.push_back(CGAL::Flip_geodesics::internal::as_intrinsic(h));
+    return {{chain}, true};
   }
 
   int below(int bound) { return static_cast<int>(m_random() % static_cast<unsigned>(bound)); }
 
 private:
-  int vertex() { return m_vertices[below(static_cast<int>(m_vertices.size()))]; }
+  Vertex_index vertex() { return m_vertices[below(static_cast<int>(m_vertices.size()))]; }
 
   const Triangulation& m_triangulation;
   CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
   std::mt19937 m_random;
-  std::vector<int> m_vertices;
+  std::vector<Vertex_index> m_vertices;
   Chain m_path;
 };
 

@@ -88,8 +88,9 @@ bool measure(const std::string& name, const Mesh& mesh)
 {
   using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits>;
   bool is_valid = true;
-  FG::Index source = 0;
-  while(source < static_cast<FG::Index>(mesh.number_of_vertices()) && mesh.is_isolated(Mesh::Vertex_index(source)))
+  FG::Vertex_index source(0);
+  const auto end = static_cast<FG::Index>(mesh.number_of_vertices());
+  while(source.idx() < end && mesh.is_isolated(Mesh::Vertex_index(source.idx())))
     ++source;
   std::cout << name << ' ' << mesh.number_of_faces() << std::flush;
   try {

@@ -113,6 +113,8 @@ class Task
   using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits>;
   using Network = FG::Edge_path_network<Triangulation>;
   using Subdivision = FG::Surface_subdivision<Triangulation, Mesh>;
+  template <class T>
+  using By_vertex = FG::internal::Indexed_by<FG::Vertex_index, std::vector<T>>;
 
 public:
   Task(const Mesh& mesh, const Options& options, Rows& rows)
@@ -145,7 +147,7 @@ public:
         "cut", [&] { return FG::cut_along_curves(m_network, m_mesh); }, occupied_edges(), change_by_cut());
     flip();
     std::size_t crossings = 0;
-    for(FG::Index e = 0; e < m_triangulation.number_of_edges(); ++e)
+    for(FG::Edge_index e : edges(m_triangulation))
       crossings += static_cast<std::size_t>((std::max)(m_triangulation.crossings(e), 0));
     if(crossings <= m_options.most_crossings)
       check_subdivision(
@@ -163,8 +165,8 @@ private:
   std::size_t occupied_edges() const
   {
     std::size_t count = 0;
-    for(FG::Index e = 0; e < m_triangulation.number_of_edges(); ++e)
-      count += m_network.is_occupied(2 * e) ? 1 : 0;
+    for(FG::Edge_index e : edges(m_triangulation))
+      count += m_network.is_occupied(e.halfedge()) ? 1 : 0;
     return count;
   }
 
@@ -172,19 +174,20 @@ private:
   int change_by_cut() const
   {
     int result = 0;
-    std::vector<int> degree(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
-    for(FG::Index e = 0; e < m_triangulation.number_of_edges(); ++e) {
-      if(!m_network.is_occupied(2 * e) || m_triangulation.is_border(2 * e) || m_triangulation.is_border(2 * e + 1))
+    By_vertex<int> degree(num_vertices(m_triangulation), 0);
+    for(FG::Edge_index e : edges(m_triangulation)) {
+      const FG::Halfedge_index h = e.halfedge(), t = Triangulation::twin(h);
+      if(!m_network.is_occupied(h) || m_triangulation.is_border(h) || m_triangulation.is_border(t))
         continue;
       --result;
-      ++degree[m_triangulation.tail(2 * e)];
-      ++degree[m_triangulation.head(2 * e)];
+      ++degree[m_triangulation.tail(h)];
+      ++degree[m_triangulation.head(h)];
     }
-    std::vector<char> is_on_border(degree.size(), 0);
-    for(FG::Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+    By_vertex<char> is_on_border(degree.size(), 0);
+    for(FG::Halfedge_index h : halfedges(m_triangulation))
       if(m_triangulation.is_border(h))
         is_on_border[m_triangulation.tail(h)] = 1;
-    for(std::size_t v = 0; v < degree.size(); ++v)
+    for(FG::Vertex_index v : vertices(m_triangulation))
       result += (std::max)(degree[v] - (is_on_border[v] != 0 ? 0 : 1), 0);
     return result;
   }
@@ -219,7 +222,7 @@ private:
   double length_of_curves() const
   {
     double sum = 0;
-    for(FG::Index c = 0; c < m_network.number_of_curves(); ++c)
+    for(FG::Curve_index c(0); c.idx() < m_network.number_of_curves(); ++c)
       sum += m_network.length(c);
     return sum;
   }

@@ -46,9 +46,10 @@ int main(int argc, char** argv)
     Triangulation triangulation(mesh);
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     Network network(triangulation);
-    network.add_curve(search(0, triangulation.number_of_vertices() / 2), false);
+    const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
+    const FG::Curve_index curve = network.add_curve(search(source, target), false);
     FG::shorten(network);
-    edges_of_curve = network.halfedges(0).size();
+    edges_of_curve = network.halfedges(curve).size();
     FG::intrinsic_faces(triangulation, std::back_inserter(faces));
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
@@ -58,8 +59,8 @@ int main(int argc, char** argv)
   std::ofstream out("conforming_triangulation.txt");
   out.precision(17);
   for(const FG::Intrinsic_face& f : faces)
-    out << f.vertices[0] << ' ' << f.vertices[1] << ' ' << f.vertices[2] << ' ' << f.lengths[0] << ' ' << f.lengths[1]
-        << ' ' << f.lengths[2] << '\n';
+    out << f.vertices[0].idx() << ' ' << f.vertices[1].idx() << ' ' << f.vertices[2].idx() << ' ' << f.lengths[0] << ' '
+        << f.lengths[1] << ' ' << f.lengths[2] << '\n';
   std::cout << faces.size() << " faces, the geodesic along " << edges_of_curve << " of their edges.\n";
   return out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -55,7 +55,7 @@ public:
   Kernel::Vector_3 operator()(Mesh::Vertex_index v, double turn) const
   {
     std::vector<FG::Surface_point> points;
-    const FG::Index i = m_triangulation.index(v);
+    const FG::Vertex_index i = m_triangulation.index(v);
     FG::edge_surface_points(m_triangulation, m_field.tangent_spaces().reference(i), std::back_inserter(points));
     const Kernel::Vector_3 normal = PMP::compute_vertex_normal(v, m_mesh);
     const Kernel::Vector_3 reference = FG::point_in_space(m_triangulation, points[1]) - m_mesh.point(v);
@@ -114,8 +114,8 @@ int main(int argc, char** argv)
   std::ofstream out("cross_field.obj");
   try {
     Triangulation triangulation(mesh);
-    const FG::Index source = argc == 4 ? std::stoi(argv[2]) : 0;
-    const FG::Index target = argc == 4 ? std::stoi(argv[3]) : triangulation.number_of_vertices() / 2 + 10;
+    const FG::Vertex_index source(argc == 4 ? std::stoi(argv[2]) : 0);
+    const FG::Vertex_index target(argc == 4 ? std::stoi(argv[3]) : triangulation.number_of_vertices() / 2 + 10);
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     Network network(triangulation);
     network.add_curve(search(source, target), false);

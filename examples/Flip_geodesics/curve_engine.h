@@ -37,8 +37,7 @@ struct Curve_point
 struct Curve_result
 {
   std::string name;
-  Index source = CGAL::Flip_geodesics::null_index; ///< -1 if it is closed or starts at no vertex
-  Index target = CGAL::Flip_geodesics::null_index;
+  Vertex_index source, target; ///< null if it is closed, or if it does not start or end at a vertex
   std::size_t initial_segments = 0;
   double initial_length = std::numeric_limits<double>::quiet_NaN();
   double length = std::numeric_limits<double>::quiet_NaN();

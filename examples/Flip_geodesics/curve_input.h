@@ -25,15 +25,13 @@ class Components
 {
 public:
   explicit Components(const Mesh& mesh)
-    : m_parents(mesh.number_of_vertices())
+    : m_parents(mesh.vertices().begin(), mesh.vertices().end())
   {
-    for(std::size_t v = 0; v < m_parents.size(); ++v)
-      m_parents[v] = static_cast<Index>(v);
     for(const auto e : mesh.edges())
-      join(static_cast<Index>(mesh.vertex(e, 0)), static_cast<Index>(mesh.vertex(e, 1)));
+      join(mesh.vertex(e, 0), mesh.vertex(e, 1));
   }
 
-  Index root(Index v)
+  Mesh::Vertex_index root(Mesh::Vertex_index v)
   {
     while(m_parents[v] != v) {
       m_parents[v] = m_parents[m_parents[v]];
@@ -43,18 +41,22 @@ public:
   }
 
 private:
-  void join(Index v, Index w) { m_parents[(std::max)(root(v), root(w))] = (std::min)(root(v), root(w)); }
+  void join(Mesh::Vertex_index v, Mesh::Vertex_index w)
+  {
+    m_parents[(std::max)(root(v), root(w))] = (std::min)(root(v), root(w));
+  }
 
-  std::vector<Index> m_parents;
+  std::vector<Mesh::Vertex_index> m_parents;
 };
 
 inline void check_pair(Components& components, const Curve_request& pair)
 {
-  const Index s = pair.vertices[0], t = pair.vertices[1];
+  const Vertex_index s = pair.vertices[0], t = pair.vertices[1];
   if(s == t)
-    throw Bad_input(pair.name + ": source and target are both vertex " + std::to_string(s) + "; give two vertices");
-  if(components.root(s) != components.root(t))
-    throw Bad_input(pair.name + ": vertices " + std::to_string(s) + " and " + std::to_string(t) +
+    throw Bad_input(pair.name + ": source and target are both vertex " + std::to_string(s.idx()) +
+                    "; give two vertices");
+  if(components.root(mesh_vertex(s)) != components.root(mesh_vertex(t)))
+    throw Bad_input(pair.name + ": vertices " + std::to_string(s.idx()) + " and " + std::to_string(t.idx()) +
                     " lie in different components; choose both in one");
 }
 
@@ -62,7 +64,7 @@ inline void check_pair(Components& components, const Curve_request& pair)
 inline void check_points_are_joined(const Mesh& mesh, Components& components, const Curve_request& curve)
 {
   const auto root = [&](std::size_t i) {
-    return components.root(static_cast<Index>(mesh.target(Mesh::Halfedge_index(curve.points[i].halfedge))));
+    return components.root(mesh.target(mesh_halfedge(curve.points[i].halfedge)));
   };
   for(std::size_t i = 1; i < curve.points.size(); ++i)
     if(root(i) != root(0))
@@ -72,14 +74,14 @@ inline void check_points_are_joined(const Mesh& mesh, Components& components, co
 
 inline void check_chain(const Mesh& mesh, const Curve_request& curve)
 {
-  const std::vector<Index>& v = curve.vertices;
+  const std::vector<Vertex_index>& v = curve.vertices;
   if(v.size() < 2)
     throw Bad_input(curve.name + ": a curve needs two vertices or more; add vertices or remove the line");
   for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < v.size(); ++i) {
-    const Index a = v[i], b = v[(i + 1) % v.size()];
-    if(mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b)) == Mesh::null_halfedge())
-      throw Bad_input(curve.name + ": the curve is not connected, no edge joins vertices " + std::to_string(a) +
-                      " and " + std::to_string(b) + "; list every vertex on the way");
+    const Vertex_index a = v[i], b = v[(i + 1) % v.size()];
+    if(mesh.halfedge(mesh_vertex(a), mesh_vertex(b)) == Mesh::null_halfedge())
+      throw Bad_input(curve.name + ": the curve is not connected, no edge joins vertices " + std::to_string(a.idx()) +
+                      " and " + std::to_string(b.idx()) + "; list every vertex on the way");
   }
 }
 
@@ -91,12 +93,12 @@ inline void check_not_empty(const std::vector<Curve_request>& curves, const Inpu
 
 inline void check_fixed_vertices(const Network_request& network, const Input_text& input)
 {
-  for(Index v : network.fixed_vertices) {
+  for(Vertex_index v : network.fixed_vertices) {
     const bool is_passed = std::any_of(network.curves.begin(), network.curves.end(), [&](const Curve_request& curve) {
       return std::find(curve.vertices.begin(), curve.vertices.end(), v) != curve.vertices.end();
     });
     if(!is_passed)
-      throw Bad_input(input.name() + ": no curve passes the fixed vertex " + std::to_string(v) +
+      throw Bad_input(input.name() + ": no curve passes the fixed vertex " + std::to_string(v.idx()) +
                       "; remove it, or correct it");
   }
 }
@@ -110,10 +112,10 @@ void for_each_line(const Input_text& input, Function use)
     use(words);
 }
 
-inline std::vector<Index> read_vertices(const Input_mesh& mesh, Text_scanner& words)
+inline std::vector<Vertex_index> read_vertices(const Input_mesh& mesh, Text_scanner& words)
 {
   const std::string name = words.place();
-  std::vector<Index> vertices;
+  std::vector<Vertex_index> vertices;
   for(std::string_view word; !(word = words.next_word()).empty();) {
     long long v = 0;
     if(const char* const error = parse_number(word, v))
@@ -123,7 +125,7 @@ inline std::vector<Index> read_vertices(const Input_mesh& mesh, Text_scanner& wo
   return vertices;
 }
 
-inline Curve_request make_pair_request(Index s, Index t, const std::string& name)
+inline Curve_request make_pair_request(Vertex_index s, Vertex_index t, const std::string& name)
 {
   Curve_request pair;
   pair.name = name;
@@ -154,7 +156,7 @@ inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input
   Components components(mesh);
   std::vector<Curve_request> pairs;
   for_each_line(input, [&](Text_scanner& words) {
-    const std::vector<Index> v = read_vertices(mesh, words);
+    const std::vector<Vertex_index> v = read_vertices(mesh, words);
     if(v.size() != 2)
       words.fail("a pair is two vertices, not " + std::to_string(v.size()) + "; write `source target`");
     pairs.push_back(make_pair_request(v[0], v[1], words.place()));
@@ -168,22 +170,22 @@ inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input
 inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t count, std::uint64_t seed)
 {
   Components components(mesh);
-  std::vector<std::vector<Index>> members(mesh.number_of_vertices());
-  std::vector<Index> candidates; // faces make components of three vertices or more; others are isolated
+  std::vector<std::vector<Mesh::Vertex_index>> members(mesh.number_of_vertices());
+  std::vector<Mesh::Vertex_index> candidates; // faces make components of three vertices or more; others are isolated
   for(const auto v : mesh.vertices())
-    members[components.root(static_cast<Index>(v))].push_back(static_cast<Index>(v));
+    members[components.root(v)].push_back(v);
   for(const auto v : mesh.vertices())
-    if(members[components.root(static_cast<Index>(v))].size() > 1)
-      candidates.push_back(static_cast<Index>(v));
+    if(members[components.root(v)].size() > 1)
+      candidates.push_back(v);
 
   std::mt19937_64 random(seed);
   std::vector<Curve_request> pairs;
   while(pairs.size() < count) {
-    const Index s = candidates[random() % candidates.size()];
-    const std::vector<Index>& component = members[components.root(s)];
-    const Index t = component[random() % component.size()];
+    const Mesh::Vertex_index s = candidates[random() % candidates.size()];
+    const std::vector<Mesh::Vertex_index>& component = members[components.root(s)];
+    const Mesh::Vertex_index t = component[random() % component.size()];
     if(s != t)
-      pairs.push_back(make_pair_request(s, t, "random pair " + std::to_string(pairs.size())));
+      pairs.push_back(make_pair_request(index_of(s), index_of(t), "random pair " + std::to_string(pairs.size())));
   }
   return pairs;
 }

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_REQUESTS_H
 #define CGAL_FLIP_GEODESICS_EXAMPLES_CURVE_REQUESTS_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 
@@ -12,13 +13,13 @@
 
 namespace program {
 
-using CGAL::Flip_geodesics::Index;
+using CGAL::Flip_geodesics::Vertex_index;
 
 /// A curve to compute. Two vertices of a pair need not be neighbours; those of a curve given by its edges are.
 struct Curve_request
 {
-  std::string name;            ///< for messages: where it comes from
-  std::vector<Index> vertices; ///< a closed curve does not repeat the first
+  std::string name;                   ///< for messages: where it comes from
+  std::vector<Vertex_index> vertices; ///< a closed curve does not repeat the first
   bool is_pair = false;
   bool is_closed = false;
   std::vector<CGAL::Flip_geodesics::Surface_location> points; ///< instead of vertices: points anywhere
@@ -30,8 +31,8 @@ struct Curve_request
 struct Network_request
 {
   std::vector<Curve_request> curves;
-  std::vector<Index> fixed_vertices;
-  std::optional<Index> tree_source;
+  std::vector<Vertex_index> fixed_vertices;
+  std::optional<Vertex_index> tree_source;
 };
 
 } // namespace program

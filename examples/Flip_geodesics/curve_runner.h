@@ -44,6 +44,8 @@ namespace program {
 template <class Traits>
 class Curve_runner : public Curve_engine
 {
+  using Curve_index = CGAL::Flip_geodesics::Curve_index;
+  using Halfedge_index = CGAL::Flip_geodesics::Halfedge_index;
   using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Program_metric>;
   using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
   using Recorder = std::optional<Shortening_recorder<Network>>;
@@ -221,12 +223,12 @@ private:
       }
       m_progress.enter("searching");
       if(!request.curves[c].points.empty()) {
-        const Index curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
+        const auto curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
         results[c].search_s = stopwatch.seconds();
         results[c].initial_segments = network.halfedges(curve).size();
         continue;
       }
-      const std::vector<Index> halfedges = initial_halfedges(request.curves[c]);
+      const std::vector<Halfedge_index> halfedges = initial_halfedges(request.curves[c]);
       results[c].search_s = stopwatch.seconds();
       results[c].initial_segments = halfedges.size();
       if(is_straightened(request)) {
@@ -238,7 +240,7 @@ private:
         network.add_curve(halfedges, request.curves[c].is_closed);
       }
     }
-    for(Index v : request.fixed_vertices)
+    for(Vertex_index v : request.fixed_vertices)
       network.fix_nodes_at(v);
     if(!request.curves.front().is_drawn || m_options.is_snapped)
       order_overlapping_curves(network);
@@ -342,22 +344,23 @@ private:
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
     const auto polyline = FG::complete_polyline(m_triangulation, request.points, request.is_closed);
+    Curve_index curve;
     if(m_options.is_snapped) {
-      const std::vector<Index> path = FG::snap_polyline(m_triangulation, polyline, request.is_closed);
-      network.add_curve(FG::halfedges_through(m_triangulation, path, request.is_closed), request.is_closed);
+      const std::vector<Vertex_index> path = FG::snap_polyline(m_triangulation, polyline, request.is_closed);
+      curve = network.add_curve(FG::halfedges_through(m_triangulation, path, request.is_closed), request.is_closed);
     } else {
-      FG::draw_polyline(network, polyline, request.is_closed);
+      curve = FG::draw_polyline(network, polyline, request.is_closed);
       FG::order_overlapping_curves(network);
       FG::shorten(network, memory_limit());
-      network.reset_initial_length(0);
-      network.free_nodes(0);
+      network.reset_initial_length(curve);
+      network.free_nodes(curve);
     }
-    result.initial_segments = network.halfedges(0).size();
+    result.initial_segments = network.halfedges(curve).size();
     result.search_s = stopwatch.seconds();
   }
 
   // Grows the tree from a source, with a curve for each of its edges.
-  void grow(Network& network, Index source, std::vector<Curve_result>& results)
+  void grow(Network& network, Vertex_index source, std::vector<Curve_result>& results)
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
@@ -380,21 +383,21 @@ private:
     common.status = to_string(shortest.status);
     common.initial_segments = 1;
     common.shorten_s = stopwatch.seconds();
-    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v) {
-      const Index h = tree.incoming(v);
-      if(h == FG::null_index)
+    for(Vertex_index v(0); v.idx() < m_triangulation.number_of_vertices(); ++v) {
+      const Halfedge_index h = tree.incoming(v);
+      if(!h.is_valid())
         continue;
-      network.add_curve(std::vector<Index>{h}, false);
+      network.add_curve(std::vector<Halfedge_index>{h}, false);
       results.push_back(common);
       results.back().is_of_tree = true;
-      results.back().name = "to vertex " + std::to_string(v);
+      results.back().name = "to vertex " + std::to_string(v.idx());
       results.back().source = m_triangulation.tail(h);
       results.back().target = v;
       results.back().length = results.back().initial_length = m_triangulation.length(h);
     }
   }
 
-  std::vector<Index> initial_halfedges(const Curve_request& request)
+  std::vector<Halfedge_index> initial_halfedges(const Curve_request& request)
   {
     namespace FG = CGAL::Flip_geodesics;
     if(request.is_pair)
@@ -451,8 +454,10 @@ private:
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
     m_progress.enter("subdividing", "rounds");
-    auto spline = *request.spline == FG::Spline_kind::BEZIER ? FG::Geodesic_spline<Network>(network, 0)
-                                                             : FG::Geodesic_spline<Network>::cubic_b_spline(network, 0);
+    const Curve_index curve(0);
+    auto spline = *request.spline == FG::Spline_kind::BEZIER
+                      ? FG::Geodesic_spline<Network>(network, curve)
+                      : FG::Geodesic_spline<Network>::cubic_b_spline(network, curve);
     for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
       spline.refine();
     const FG::Shortening_report& report = spline.finish();
@@ -470,9 +475,9 @@ private:
     result.target = vertex_at(result.points.back().on_surface);
   }
 
-  static Index vertex_at(const CGAL::Flip_geodesics::Surface_point& p)
+  static Vertex_index vertex_at(const CGAL::Flip_geodesics::Surface_point& p)
   {
-    return p.is_vertex() ? p.a : CGAL::Flip_geodesics::null_index;
+    return p.is_vertex() ? p.a : Vertex_index();
   }
 
   void extract(Network& network, std::vector<Curve_result>& results)
@@ -481,8 +486,8 @@ private:
     CGAL::Flip_geodesics::Curve_extractor<Network> extractor(network);
     for(std::size_t c = 0; c < results.size(); ++c) {
       const Stopwatch stopwatch;
-      for(const auto& p : extractor.surface_points(static_cast<Index>(c)))
-        results[c].points.push_back({p, extractor.point(p), p.vertex != CGAL::Flip_geodesics::null_index});
+      for(const auto& p : extractor.surface_points(Curve_index(static_cast<Index>(c))))
+        results[c].points.push_back({p, extractor.point(p), p.vertex.is_valid()});
       note_ends(results[c]);
       results[c].extract_s = stopwatch.seconds();
       m_progress.add_steps(1);

@@ -40,7 +40,8 @@ int main(int argc, char** argv)
     Triangulation triangulation(mesh);
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     Network network(triangulation);
-    network.add_curve(search(0, triangulation.number_of_vertices() / 2), false);
+    const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
+    network.add_curve(search(source, target), false);
     FG::shorten(network);
 
     const auto cut = FG::cut_along_curves(network, mesh);

@@ -93,13 +93,14 @@ using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
 // The curves of a network as requests.
 inline Network_request requests(const Network& network, const std::string& name)
 {
+  namespace FG = CGAL::Flip_geodesics;
   Network_request request;
-  for(Index c = 0; c < network.number_of_curves(); ++c) {
+  for(FG::Curve_index c(0); c.idx() < network.number_of_curves(); ++c) {
     Curve_request curve;
-    curve.name = name + ", curve " + std::to_string(c);
+    curve.name = name + ", curve " + std::to_string(c.idx());
     curve.is_closed = network.is_closed(c);
-    Index last = CGAL::Flip_geodesics::null_index;
-    for(Index h : network.halfedges(c)) {
+    FG::Halfedge_index last;
+    for(FG::Halfedge_index h : network.halfedges(c)) {
       curve.vertices.push_back(network.triangulation().tail(h));
       last = h;
     }

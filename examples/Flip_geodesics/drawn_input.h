@@ -61,7 +61,7 @@ public:
   {
     const auto location = CGAL::Polygon_mesh_processing::locate_with_AABB_tree(p, m_tree, m_mesh);
     CGAL::Flip_geodesics::Surface_location result;
-    result.halfedge = static_cast<Index>(m_mesh.halfedge(location.first));
+    result.halfedge = index_of(m_mesh.halfedge(location.first));
     for(std::size_t i = 0; i < 3; ++i)
       result.weights[i] = location.second[i] < 1e-12 ? 0 : location.second[i];
     return result;

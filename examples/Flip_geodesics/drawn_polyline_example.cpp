@@ -47,7 +47,8 @@ std::vector<double> heights(const Mesh& mesh)
 }
 
 // The first line on which the function is zero, as points of edges. It is closed unless it ends at the border.
-std::vector<FG::Surface_location> level_line(const Mesh& mesh, const std::vector<double>& f, bool& is_closed)
+std::vector<FG::Surface_location> level_line(const Triangulation& triangulation, const Mesh& mesh,
+                                             const std::vector<double>& f, bool& is_closed)
 {
   std::vector<FG::Surface_location> line;
   const auto enters = [&](Mesh::Halfedge_index h) { return f[mesh.source(h)] < 0 && f[mesh.target(h)] >= 0; };
@@ -57,7 +58,7 @@ std::vector<FG::Surface_location> level_line(const Mesh& mesh, const std::vector
     Mesh::Halfedge_index h = start;
     do {
       const double t = f[mesh.source(h)] / (f[mesh.source(h)] - f[mesh.target(h)]);
-      line.push_back({static_cast<FG::Index>(h), {{1 - t, t, 0}}});
+      line.push_back({triangulation.input().index(h), {{1 - t, t, 0}}});
       if(mesh.is_border(h))
         break;
       const auto next = mesh.opposite(mesh.next(h));
@@ -69,10 +70,10 @@ std::vector<FG::Surface_location> level_line(const Mesh& mesh, const std::vector
   return line;
 }
 
-std::vector<Point_3> points_of(const Network& network)
+std::vector<Point_3> points_of(const Network& network, FG::Curve_index curve)
 {
   std::vector<Point_3> points;
-  FG::Curve_extractor<Network>(network).points(0, std::back_inserter(points));
+  FG::Curve_extractor<Network>(network).points(curve, std::back_inserter(points));
   return points;
 }
 
@@ -80,32 +81,32 @@ int main(int argc, char** argv)
 {
   Mesh mesh;
   const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh, 48, 24) > 0;
-  bool is_closed = false;
   if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
-  const std::vector<FG::Surface_location> line = level_line(mesh, heights(mesh), is_closed);
   std::vector<std::vector<Point_3>> curves;
   try {
     Triangulation triangulation(mesh);
+    bool is_closed = false;
+    const std::vector<FG::Surface_location> line = level_line(triangulation, mesh, heights(mesh), is_closed);
     Network network(triangulation);
-    FG::draw_polyline(network, line, is_closed);
+    const FG::Curve_index drawn = FG::draw_polyline(network, line, is_closed);
     FG::order_overlapping_curves(network);
     FG::shorten(network); // to the polyline itself, since its points are fixed
-    curves.push_back(points_of(network));
-    std::cout << "drawn: " << network.length(0);
-    network.free_nodes(0);
+    curves.push_back(points_of(network, drawn));
+    std::cout << "drawn: " << network.length(drawn);
+    network.free_nodes(drawn);
     FG::shorten(network);
-    curves.push_back(points_of(network));
-    std::cout << ", pulled tight: " << network.length(0);
+    curves.push_back(points_of(network, drawn));
+    std::cout << ", pulled tight: " << network.length(drawn);
     network.clear();
     triangulation.rollback(); // the inserted points are gone, too
 
-    const std::vector<FG::Index> path = FG::snap_polyline(triangulation, line, is_closed);
-    network.add_curve(FG::halfedges_through(triangulation, path, is_closed), is_closed);
-    curves.push_back(points_of(network));
-    std::cout << ", snapped to edges: " << network.length(0) << '\n';
+    const std::vector<FG::Vertex_index> path = FG::snap_polyline(triangulation, line, is_closed);
+    const FG::Curve_index snapped = network.add_curve(FG::halfedges_through(triangulation, path, is_closed), is_closed);
+    curves.push_back(points_of(network, snapped));
+    std::cout << ", snapped to edges: " << network.length(snapped) << '\n';
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

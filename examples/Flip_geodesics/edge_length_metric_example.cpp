@@ -55,10 +55,11 @@ int main(int argc, char** argv)
     Triangulation triangulation(mesh, Metric(mesh, lengths));
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     Network network(triangulation);
-    network.add_curve(search(0, triangulation.number_of_vertices() / 2), false);
+    const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
+    const FG::Curve_index curve = network.add_curve(search(source, target), false);
     const FG::Shortening_report report = FG::shorten(network);
     std::cout << "In this metric the geodesic is " << report.curves.front().length << " long.\n";
-    for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(0)) {
+    for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(curve)) {
       const Kernel::Point_3 &a = mesh.point(triangulation.vertex(p.a)), &b = mesh.point(triangulation.vertex(p.b));
       points.push_back(a + p.t * (b - a));
     }

@@ -62,11 +62,11 @@ int main(int argc, char** argv)
     Triangulation triangulation(mesh, Traits(radicand));
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     Network network(triangulation);
-    const FG::Index source = argc > 3 ? std::atoi(argv[2]) : 0;
-    const FG::Index target = argc > 3 ? std::atoi(argv[3]) : triangulation.number_of_vertices() - 1;
-    network.add_curve(search(source, target), false);
+    const FG::Vertex_index source(argc > 3 ? std::atoi(argv[2]) : 0);
+    const FG::Vertex_index target(argc > 3 ? std::atoi(argv[3]) : triangulation.number_of_vertices() - 1);
+    const FG::Curve_index curve = network.add_curve(search(source, target), false);
     FG::shorten(network);
-    for(FG::Index h : network.halfedges(0))
+    for(FG::Halfedge_index h : network.halfedges(curve))
       std::cout << "A straight piece whose squared length is " << triangulation.squared_length(h) << ".\n";
     std::cout << "The certificate says " << to_string(FG::certify(network).curves.front().verdict) << ".\n";
   } catch(const FG::Error& error) {

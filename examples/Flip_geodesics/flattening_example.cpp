@@ -24,6 +24,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -79,13 +80,17 @@ int main(int argc, char** argv)
     Triangulation triangulation(mesh);
     Search search(triangulation);
     Network network(triangulation);
-    for(int i = 3; i < argc; ++i)
-      network.add_curve(search(std::stoi(argv[2]), std::stoi(argv[i])), false);
+    for(int i = 3; i < argc; ++i) {
+      const FG::Vertex_index source(std::stoi(argv[2])), target(std::stoi(argv[i]));
+      network.add_curve(search(source, target), false);
+    }
     if(argc == 1) {
-      for(const std::vector<FG::Index>& way :
-          {std::vector<FG::Index>{0, along / 3, 2 * along / 3}, {0, around / 3 * along, around * 2 / 3 * along}})
+      const FG::Vertex_index crossing(0);
+      for(FG::Index step : {along / 3, around / 3 * along}) {
+        const std::array<FG::Vertex_index, 3> way = {crossing, FG::Vertex_index(step), FG::Vertex_index(2 * step)};
         network.add_curve(FG::shortest_halfedges_through(search, way, true), true);
-      network.fix_nodes_at(0);
+      }
+      network.fix_nodes_at(crossing);
     }
     FG::order_overlapping_curves(network);
     FG::shorten(network);

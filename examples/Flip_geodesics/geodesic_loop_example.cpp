@@ -35,17 +35,18 @@ int main(int argc, char** argv)
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
-  std::vector<FG::Index> way_points;
+  std::vector<FG::Vertex_index> way_points;
   for(int i = 2; i < argc; ++i)
-    way_points.push_back(static_cast<FG::Index>(std::strtol(argv[i], nullptr, 10)));
+    way_points.emplace_back(static_cast<FG::Index>(std::strtol(argv[i], nullptr, 10)));
   if(argc <= 1)
-    way_points = {0, 1440, 2900}; // around the hole of the torus
+    for(FG::Index v : {0, 1440, 2900}) // around the hole of the torus
+      way_points.emplace_back(v);
 
   try {
     const Triangulation triangulation(mesh);
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     std::vector<Mesh::Vertex_index> loop;
-    for(FG::Index h : FG::shortest_halfedges_through(search, way_points, true))
+    for(FG::Halfedge_index h : FG::shortest_halfedges_through(search, way_points, true))
       loop.push_back(triangulation.vertex(triangulation.tail(h)));
 
     std::vector<Kernel::Point_3> points;

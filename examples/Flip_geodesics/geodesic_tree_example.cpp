@@ -28,17 +28,20 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 
 // Faces with a vertex that has no path are left out.
-bool write_textured_obj(const char* file, const Mesh& mesh, const FG::Logarithmic_map& map)
+bool write_textured_obj(const char* file, const Mesh& mesh, const Triangulation& triangulation,
+                        const FG::Logarithmic_map& map)
 {
   std::ofstream out(file);
   for(const auto v : mesh.vertices()) {
-    const auto [x, y] = map.in_plane(v);
+    const auto [x, y] = map.in_plane(triangulation.index(v));
     out << "v " << mesh.point(v) << "\nvt " << x << ' ' << y << '\n';
   }
   for(const auto f : mesh.faces()) {
     bool is_mapped = true;
-    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      is_mapped = is_mapped && map.vertices[v].radius < std::numeric_limits<double>::infinity();
+    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      const double radius = map.vertices[triangulation.index(v).idx()].radius;
+      is_mapped = is_mapped && radius < std::numeric_limits<double>::infinity();
+    }
     if(!is_mapped)
       continue;
     out << 'f';
@@ -53,7 +56,7 @@ int main(int argc, char** argv)
 {
   Mesh mesh;
   const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  const FG::Index source = argc > 2 ? std::atoi(argv[2]) : 0;
+  const FG::Vertex_index source(argc > 2 ? std::atoi(argv[2]) : 0);
   if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
@@ -66,7 +69,8 @@ int main(int argc, char** argv)
     const FG::Geodesic_tree_report report = tree.grow(source);
     std::cout << report.flips << " flips; the paths are " << FG::to_string(report.status) << '\n';
     const FG::Logarithmic_map map = FG::logarithmic_map(tree);
-    return write_textured_obj("logarithmic_map.obj", mesh, map) && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+    const bool is_written = write_textured_obj("logarithmic_map.obj", mesh, triangulation, map);
+    return is_written && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch(const FG::Error& error) {
     std::cerr << error.what() << '\n';
     return EXIT_FAILURE;

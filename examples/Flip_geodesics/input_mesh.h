@@ -7,7 +7,6 @@
 #include "program_mesh.h"
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,7 +26,6 @@ namespace program {
  */
 class Input_mesh
 {
-  using Index = CGAL::Flip_geodesics::Index;
   using Repair_report = CGAL::Flip_geodesics::Repair_report;
 
 public:
@@ -51,20 +49,20 @@ public:
    * The vertex that a user names by its number: another one if a repair merged it into that, the first of its parts if
    * it was split. \param name where the user does so, for messages \throws Bad_input if there is none
    */
-  Index vertex(long long v, const std::string& name) const
+  Vertex_index vertex(long long v, const std::string& name) const
   {
     if(v < 0 || v >= static_cast<long long>(m_mesh.number_of_vertices()))
       throw Bad_input(name + ": vertex " + std::to_string(v) + " does not exist; use 0 to " +
                       std::to_string(m_mesh.number_of_vertices() - 1));
     const auto point = static_cast<std::size_t>(v);
     if(!m_report || point >= m_report->number_of_points())
-      return static_cast<Index>(v);
+      return Vertex_index(static_cast<Index>(v));
     const auto parts = m_report->vertices_of_point(point);
     if(parts.empty())
       throw Bad_input(name + ": vertex " + std::to_string(v) + " has no faces after the repair; choose another one");
     if(parts.size() > 1)
       note_split(parts, name, point);
-    return static_cast<Index>(parts.front());
+    return Vertex_index(static_cast<Index>(parts.front()));
   }
 
   /// The number of faces in the file.

@@ -50,7 +50,7 @@ public:
   bool go_further() { return true; }
 
   template <class Triangulation>
-  void on_insertion(const Triangulation&, CGAL::Flip_geodesics::Index)
+  void on_insertion(const Triangulation&, CGAL::Flip_geodesics::Vertex_index)
   {
     m_progress.add_steps(1);
   }

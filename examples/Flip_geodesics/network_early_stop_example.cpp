@@ -38,7 +38,7 @@ struct Counting_visitor : FG::Default_shortening_visitor
   std::size_t steps = 0;
 
   template <class AnyNetwork>
-  void after_flip_out(const AnyNetwork&, FG::Index)
+  void after_flip_out(const AnyNetwork&, FG::Curve_index)
   {
     ++steps;
   }
@@ -54,10 +54,12 @@ int region(const Mesh& mesh, Mesh::Face_index f)
 
 bool write_curves(const char* file, const Network& network)
 {
-  std::vector<std::vector<Point_3>> curves(network.number_of_curves());
+  std::vector<std::vector<Point_3>> curves;
   FG::Curve_extractor<Network> extractor(network);
-  for(FG::Index c = 0; c < network.number_of_curves(); ++c)
-    extractor.points(c, std::back_inserter(curves[c]));
+  for(FG::Curve_index c(0); c.idx() < network.number_of_curves(); ++c) {
+    curves.emplace_back();
+    extractor.points(c, std::back_inserter(curves.back()));
+  }
   return write_polylines(file, curves);
 }
 

@@ -35,7 +35,7 @@ inline std::vector<double> read_numbers(std::string_view word, const std::string
   return numbers;
 }
 
-inline Index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
+inline Vertex_index read_vertex(const Input_mesh& mesh, double number, const std::string& name)
 {
   if(!(number >= -1e15 && number <= 1e15) || number != static_cast<double>(static_cast<long long>(number)))
     throw Bad_input(name + ": a point has a vertex that is no whole number; vertices are counted from 0");
@@ -43,11 +43,11 @@ inline Index read_vertex(const Input_mesh& mesh, double number, const std::strin
 }
 
 /// The halfedge from a to b; one of the face with c if that is given.
-inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Index a, Index b, Index c = -1)
+inline Mesh::Halfedge_index halfedge_between(const Mesh& mesh, Vertex_index a, Vertex_index b, Vertex_index c)
 {
-  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(a), Mesh::Vertex_index(b));
+  const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(a), mesh_vertex(b));
   const bool is_of_face = h != Mesh::null_halfedge() &&
-                          (c < 0 || (!mesh.is_border(h) && mesh.target(mesh.next(h)) == Mesh::Vertex_index(c)));
+                          (!c.is_valid() || (!mesh.is_border(h) && mesh.target(mesh.next(h)) == mesh_vertex(c)));
   return is_of_face ? h : Mesh::null_halfedge();
 }
 
@@ -58,22 +58,23 @@ inline CGAL::Flip_geodesics::Surface_location read_point(const Input_mesh& input
   const std::vector<double> n = read_numbers(word, name);
   if(n.size() != 1 && n.size() != 3 && n.size() != 5)
     throw_no_point(word, name);
-  const Index a = read_vertex(input_mesh, n[0], name);
+  const Vertex_index a = read_vertex(input_mesh, n[0], name);
   if(n.size() == 1) {
-    const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(a));
+    const Mesh::Halfedge_index h = mesh.halfedge(mesh_vertex(a));
     if(h == Mesh::null_halfedge())
-      throw Bad_input(name + ": vertex " + std::to_string(a) + " is in no face; choose another one");
-    return {static_cast<Index>(mesh.opposite(h)), {{1, 0, 0}}};
+      throw Bad_input(name + ": vertex " + std::to_string(a.idx()) + " is in no face; choose another one");
+    return {index_of(mesh.opposite(h)), {{1, 0, 0}}};
   }
-  const Index b = read_vertex(input_mesh, n[1], name), c = n.size() == 5 ? read_vertex(input_mesh, n[2], name) : -1;
+  const Vertex_index b = read_vertex(input_mesh, n[1], name);
+  const Vertex_index c = n.size() == 5 ? read_vertex(input_mesh, n[2], name) : Vertex_index();
   const double t = n[n.size() == 5 ? 3 : 2], u = n.size() == 5 ? n[4] : 0;
   if(!(t >= 0 && u >= 0 && t + u <= 1))
     throw Bad_input(name + ": '" + printable(word) +
                     "' is outside; its coordinates must not be negative or sum to more than 1");
   if(const auto h = halfedge_between(mesh, a, b, c); h != Mesh::null_halfedge())
-    return {static_cast<Index>(h), {{1 - t - u, t, u}}};
+    return {index_of(h), {{1 - t - u, t, u}}};
   if(const auto h = halfedge_between(mesh, b, a, c); h != Mesh::null_halfedge())
-    return {static_cast<Index>(h), {{t, 1 - t - u, u}}};
+    return {index_of(h), {{t, 1 - t - u, u}}};
   throw Bad_input(name + ": '" + printable(word) +
                   "' names vertices that are not those of an edge or face; correct them");
 }

@@ -39,26 +39,25 @@ using Operators = FG::Operators<Triangulation>;
 
 namespace {
 
-std::vector<FG::Index> vertices_on(const Network& network)
+std::vector<FG::Vertex_index> vertices_on(const Network& network, FG::Curve_index curve)
 {
   const Triangulation& triangulation = network.triangulation();
-  std::vector<FG::Index> result;
-  for(FG::Index c = 0; c < network.number_of_curves(); ++c)
-    for(FG::Index h : network.halfedges(c)) {
-      result.push_back(triangulation.tail(h));
-      result.push_back(triangulation.head(h));
-    }
+  std::vector<FG::Vertex_index> result;
+  for(FG::Halfedge_index h : network.halfedges(curve)) {
+    result.push_back(triangulation.tail(h));
+    result.push_back(triangulation.head(h));
+  }
   return result;
 }
 
 // Of the control points that the one curve of the network passes.
-void draw_bezier_curve(Network& network, const std::vector<FG::Index>& control_points)
+void draw_bezier_curve(Network& network, FG::Curve_index curve, const std::vector<FG::Vertex_index>& control_points)
 {
   constexpr int rounds = 5;
-  for(FG::Index v : control_points)
+  for(FG::Vertex_index v : control_points)
     network.fix_nodes_at(v);
   FG::order_overlapping_curves(network);
-  FG::Geodesic_spline<Network> spline(network, 0);
+  FG::Geodesic_spline<Network> spline(network, curve);
   for(int round = 0; round < rounds; ++round)
     spline.refine();
 }
@@ -79,27 +78,28 @@ int main(int argc, char** argv)
   auto temperature = mesh.add_property_map<Mesh::Vertex_index, double>("v:u", 0).first;
   try {
     Triangulation triangulation(mesh);
-    std::vector<FG::Index> vertices = {0, 1450, 2190, 2420}; // of the torus
-    if(argc > 3)
-      vertices.clear();
+    std::vector<FG::Vertex_index> vertices;
     for(int i = 2; i < argc; ++i)
-      vertices.push_back(std::stoi(argv[i]));
+      vertices.emplace_back(std::stoi(argv[i]));
+    if(argc == 1)
+      for(FG::Index v : {0, 1450, 2190, 2420}) // of the torus
+        vertices.emplace_back(v);
 
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     Network network(triangulation);
-    network.add_curve(FG::shortest_halfedges_through(search, vertices), false);
+    const FG::Curve_index curve = network.add_curve(FG::shortest_halfedges_through(search, vertices), false);
     if(vertices.size() == 2)
       FG::shorten(network);
     else
-      draw_bezier_curve(network, vertices);
+      draw_bezier_curve(network, curve, vertices);
     FG::flip_to_delaunay(triangulation); // all edges but those of the curve
 
-    const FG::Dirichlet_problem<Operators> problem(Operators(triangulation), vertices_on(network));
+    const FG::Dirichlet_problem<Operators> problem(Operators(triangulation), vertices_on(network, curve));
     const Eigen::VectorXd heat = Eigen::VectorXd::Ones(triangulation.number_of_vertices());
     const Eigen::VectorXd u = problem.solve(heat, Eigen::VectorXd::Zero(triangulation.number_of_vertices()));
     for(Mesh::Vertex_index v : mesh.vertices())
-      temperature[v] = u[triangulation.index(v)];
-    std::cout << "Kept at 0 at " << network.halfedges(0).size() + 1 << " vertices on the curve; largest value "
+      temperature[v] = u[triangulation.index(v).idx()];
+    std::cout << "Kept at 0 at " << network.halfedges(curve).size() + 1 << " vertices on the curve; largest value "
               << u.maxCoeff() << ".\n";
   } catch(const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -22,7 +22,6 @@ class Program_metric
       CGAL::Flip_geodesics::Embedded_metric<program::Mesh,
                                             program::Mesh::Property_map<program::Mesh::Vertex_index, program::Point_3>>;
   using Mollified = CGAL::Flip_geodesics::Mollified_metric<Embedded>;
-  using Index = CGAL::Flip_geodesics::Index;
   using Word = CGAL::Flip_geodesics::Crossing_word;
 
 public:
@@ -45,29 +44,29 @@ public:
   /// The length that was added to every edge.
   double added_length() const { return m_mollified ? m_mollified->added_length() : 0; }
 
-  decltype(auto) point(const Mesh& mesh, Index v) const { return m_embedded.point(mesh, v); }
-  Place place(const Mesh& mesh, Index v) const { return m_embedded.place(mesh, v); }
+  decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return m_embedded.point(mesh, v); }
+  Place place(const Mesh& mesh, Vertex_index v) const { return m_embedded.place(mesh, v); }
   double distance_lower_bound(const Place& p, const Place& q) const { return m_embedded.distance_lower_bound(p, q); }
 
-  double length(const Mesh& mesh, Index h) const
+  double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     return m_mollified ? m_mollified->length(mesh, h) : m_embedded.length(mesh, h);
   }
 
   // A length and zero is the same length, to the bit.
-  double weight(const Mesh& mesh, Index h) const { return m_embedded.weight(mesh, h) + m_added; }
-  double weight(const Mesh& mesh, Index h, const Place& tail, const Place& head) const
+  double weight(const Mesh& mesh, Input_halfedge_index h) const { return m_embedded.weight(mesh, h) + m_added; }
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     return m_embedded.weight(mesh, h, tail, head) + m_added;
   }
 
   template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
     return m_mollified ? m_mollified->face_geometry(mesh, h, traits) : m_embedded.face_geometry(mesh, h, traits);
   }
 
-  auto exact_face(const Mesh& mesh, Index h) const
+  auto exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
     return m_mollified ? m_mollified->exact_face(mesh, h) : m_embedded.exact_face(mesh, h);
   }

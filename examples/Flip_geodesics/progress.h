@@ -83,7 +83,7 @@ public:
   }
 
   template <class Triangulation>
-  void on_flip(const Triangulation&, CGAL::Flip_geodesics::Index)
+  void on_flip(const Triangulation&, CGAL::Flip_geodesics::Halfedge_index)
   {
     if(++m_flips == Progress::portion) {
       m_progress.add_flips(m_flips);

@@ -28,13 +28,13 @@ public:
     if(!m_file.is_wanted())
       return;
     for(const Curve_point& p : result.points) {
-      m_file.stream() << curve << ' ' << p.on_surface.a << ' ' << p.on_surface.b << ' ';
-      const bool is_inserted = !p.on_surface.is_vertex() && p.is_stop;
+      const CGAL::Flip_geodesics::Surface_point& at = p.on_surface;
+      m_file.stream() << curve << ' ' << at.a.idx() << ' ' << at.b.idx() << ' ';
+      const bool is_inserted = !at.is_vertex() && p.is_stop;
       if(is_inserted)
-        m_file.stream() << (p.on_surface.is_inside_face() ? p.on_surface.c : p.on_surface.b) << ' ' << p.on_surface.t
-                        << ' ' << p.on_surface.u;
+        m_file.stream() << (at.is_inside_face() ? at.c : at.b).idx() << ' ' << at.t << ' ' << at.u;
       else
-        m_file.stream() << p.on_surface.t;
+        m_file.stream() << at.t;
       m_file.stream() << ' ' << p.in_space.x() << ' ' << p.in_space.y() << ' ' << p.in_space.z() << '\n';
     }
     m_file.check();
@@ -67,7 +67,7 @@ public:
   {
     if(!m_file.is_wanted())
       return;
-    m_file.stream() << curve << ',' << r.source << ',' << r.target << ',' << r.initial_segments << ','
+    m_file.stream() << curve << ',' << r.source.idx() << ',' << r.target.idx() << ',' << r.initial_segments << ','
                     << r.initial_length << ',' << r.length << ',' << r.flips << ',' << r.flip_outs << ','
                     << r.smallest_angle << ',' << r.status << ',' << r.certificate << ',' << r.search_s << ','
                     << r.shorten_s << ',' << r.extract_s << ',' << (r.are_zero_edges_contracted ? 1 : 0) << '\n';
@@ -96,10 +96,11 @@ public:
   {
     if(!m_file.is_wanted())
       return;
-    for(std::size_t v = 0; v < map.vertices.size(); ++v) {
-      const auto [x, y] = map.in_plane(static_cast<Index>(v));
-      m_file.stream() << v << ',' << map.vertices[v].radius << ',' << map.vertices[v].angle << ',' << x << ',' << y
-                      << '\n';
+    Vertex_index v(0);
+    for(const CGAL::Flip_geodesics::Polar_coordinates& p : map.vertices) {
+      const auto [x, y] = map.in_plane(v);
+      m_file.stream() << v.idx() << ',' << p.radius << ',' << p.angle << ',' << x << ',' << y << '\n';
+      ++v;
     }
   }
 

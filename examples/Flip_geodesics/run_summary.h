@@ -72,9 +72,9 @@ private:
 
   static std::string line(std::size_t curve, const Curve_result& r)
   {
-    return format("%5zu %9d %9d %9zu %13.6g %13.6g %9zu  %-16s %8.3f\n", curve, static_cast<int>(r.source),
-                  static_cast<int>(r.target), r.initial_segments, r.initial_length, r.length, r.flips, r.status.c_str(),
-                  1e3 * (r.search_s + r.shorten_s + r.extract_s));
+    return format("%5zu %9d %9d %9zu %13.6g %13.6g %9zu  %-16s %8.3f\n", curve, static_cast<int>(r.source.idx()),
+                  static_cast<int>(r.target.idx()), r.initial_segments, r.initial_length, r.length, r.flips,
+                  r.status.c_str(), 1e3 * (r.search_s + r.shorten_s + r.extract_s));
   }
 
   static void print_sums(std::ostream& out, const char* name, std::vector<double> values, double scale,

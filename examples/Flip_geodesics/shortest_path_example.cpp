@@ -32,15 +32,14 @@ int main(int argc, char** argv)
 {
   Mesh mesh;
   const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh, 48, 24) > 0;
-  const int source = argc > 3 ? std::atoi(argv[2]) : 6, target = argc > 3 ? std::atoi(argv[3]) : 620;
+  const Mesh::Vertex_index source(argc > 3 ? std::atoi(argv[2]) : 6), target(argc > 3 ? std::atoi(argv[3]) : 620);
   if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
     std::cerr << "This is not a triangle mesh.\n";
     return EXIT_FAILURE;
   }
   std::vector<std::vector<Point_3>> paths(1);
   try {
-    const auto found =
-        FG::shortest_path(mesh, Mesh::Vertex_index(source), Mesh::Vertex_index(target), std::back_inserter(paths[0]));
+    const auto found = FG::shortest_path(mesh, source, target, std::back_inserter(paths[0]));
     std::cout << "The shortest edge path pulled tight: " << found.report.first_length
               << "\nThe result: " << found.report.length << ", at most " << found.report.gap()
               << " longer than a shortest path, "
@@ -48,7 +47,7 @@ int main(int argc, char** argv)
 
     Triangulation triangulation(mesh);
     FG::Geodesic_tree<Triangulation> tree(triangulation);
-    tree.grow(source);
+    tree.grow(triangulation.index(source));
     const FG::Shortest_tree_report report = FG::make_shortest(tree);
     std::cout << report.longer_before << " of " << report.vertices
               << " paths of the tree were longer than shortest, by " << 100 * report.largest_excess_before

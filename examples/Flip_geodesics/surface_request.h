@@ -43,7 +43,7 @@ inline Curve_result make_result(const Curve_request& request)
 }
 
 /// The same for a tree.
-inline Curve_result tree_result(Index source)
+inline Curve_result tree_result(Vertex_index source)
 {
   Curve_result result;
   result.name = "the tree";
@@ -64,7 +64,7 @@ std::optional<CGAL::Flip_geodesics::Surface_point> put_on_surface(const Triangul
                                     : std::nullopt;
   }
   bool is_point = false;
-  const Index v = FG::vertex_on_surface(triangulation, curve.vertices.front());
+  const Vertex_index v = FG::vertex_on_surface(triangulation, curve.vertices.front());
   if(curve.is_pair) {
     curve.vertices = {v, FG::vertex_on_surface(triangulation, curve.vertices.back())};
     is_point = v == curve.vertices.back();
@@ -85,7 +85,7 @@ Surface_request surface_request(const Triangulation& triangulation, const Networ
     if(!result.places.back())
       result.request.curves.push_back(curve);
   }
-  for(Index v : request.fixed_vertices)
+  for(Vertex_index v : request.fixed_vertices)
     result.request.fixed_vertices.push_back(FG::vertex_on_surface(triangulation, v));
   if(request.tree_source)
     result.request.tree_source = FG::vertex_on_surface(triangulation, *request.tree_source);
@@ -114,8 +114,8 @@ void put_on_mesh(const Triangulation& triangulation, std::vector<Curve_result>& 
 {
   for(Curve_result& result : tree)
     result.are_zero_edges_contracted = true;
-  for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-    map.vertices[v] = map.vertices[CGAL::Flip_geodesics::vertex_on_surface(triangulation, v)];
+  for(Vertex_index v(0); v.idx() < triangulation.number_of_vertices(); ++v)
+    map.vertices[v.idx()] = map.vertices[CGAL::Flip_geodesics::vertex_on_surface(triangulation, v).idx()];
 }
 
 /// Lets a curve that ends at vertices start and end at those that were asked for, which lie in the same places.

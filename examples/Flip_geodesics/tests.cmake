@@ -18,6 +18,7 @@ foreach(
   geodesic_path_example
   geodesic_spline_example
   geodesic_tree_example
+  graph_example
   network_early_stop_example
   own_mesh_and_kernel_example
   poisson_example

@@ -46,15 +46,19 @@ struct Basic_curve_setting
   {
   }
 
-  int add_path(int source, int target) { return add_path_through({source, target}); }
+  CGAL::Flip_geodesics::Curve_index add_path(CGAL::Flip_geodesics::Vertex_index source,
+                                             CGAL::Flip_geodesics::Vertex_index target)
+  {
+    return add_path_through({source, target});
+  }
 
-  int add_path_through(const Vertex_sequence& way_points)
+  CGAL::Flip_geodesics::Curve_index add_path_through(const Vertex_sequence& way_points)
   {
     Search search(triangulation);
     return network.add_curve(CGAL::Flip_geodesics::shortest_halfedges_through(search, way_points), false);
   }
 
-  int add(const Vertex_sequence& vertices, bool is_closed)
+  CGAL::Flip_geodesics::Curve_index add(const Vertex_sequence& vertices, bool is_closed)
   {
     return network.add_curve(CGAL::Flip_geodesics::halfedges_through(triangulation, vertices, is_closed), is_closed);
   }
@@ -66,7 +70,8 @@ struct Basic_curve_setting
   }
 
   /// Adds a path, pulls it tight, returns its report, and takes everything back.
-  CGAL::Flip_geodesics::Curve_report pulled_path(int source, int target)
+  CGAL::Flip_geodesics::Curve_report pulled_path(CGAL::Flip_geodesics::Vertex_index source,
+                                                 CGAL::Flip_geodesics::Vertex_index target)
   {
     add_path(source, target);
     return take_back();
@@ -79,9 +84,9 @@ struct Basic_curve_setting
   }
 
   /// The flipped halfedges, in order.
-  std::vector<int> flips() const
+  std::vector<CGAL::Flip_geodesics::Halfedge_index> flips() const
   {
-    std::vector<int> result;
+    std::vector<CGAL::Flip_geodesics::Halfedge_index> result;
     for(std::size_t i = 0; i < triangulation.log_position(); ++i)
       result.push_back(triangulation.flip_record(i).h);
     return result;

@@ -37,9 +37,9 @@ class Guarded_triangulation : public Triangulation
 public:
   using Triangulation::Triangulation;
 
-  void flip(CGAL::Flip_geodesics::Index h)
+  void flip(CGAL::Flip_geodesics::Halfedge_index h)
   {
-    require(this->label(h >> 1) == 0, "an edge under a curve is flipped");
+    require(this->label(Triangulation::edge(h)) == 0, "an edge under a curve is flipped");
     require(this->is_flippable(h), "an edge is flipped that cannot be");
     Triangulation::flip(h);
   }
@@ -58,8 +58,10 @@ void check_links(const Network& network, const Curve_system& system)
       ++listed[s];
     }
   for(int c = 0; c < network.number_of_curves(); ++c) {
+    const CGAL::Flip_geodesics::Curve_index curve(c);
+    const int first_segment = network.first_segment(curve).idx();
     int last = -1, steps = 0;
-    for(int s = network.first_segment(c); s != -1;) {
+    for(int s = first_segment; s != -1;) {
       require(++steps <= static_cast<int>(system.segments.size()), "a chain does not end");
       const Curve_system::Segment& segment = system.segments[s];
       require(segment.curve == c && segment.halfedge >= 0, "a chain holds a stranger");
@@ -68,15 +70,15 @@ void check_links(const Network& network, const Curve_system& system)
               "a chain is not continuous");
       ++chained[s];
       last = s;
-      s = segment.next == network.first_segment(c) ? -1 : segment.next;
+      s = segment.next == first_segment ? -1 : segment.next;
     }
-    require(last == network.last_segment(c), "a chain's last segment is wrong");
+    require(last == network.last_segment(curve).idx(), "a chain's last segment is wrong");
     if(last == -1)
       continue;
-    const Curve_system::Segment &first = system.segments[network.first_segment(c)], &end = system.segments[last];
-    require(network.is_closed(c) ? end.next == network.first_segment(c) : end.next == -1, "a chain ends wrongly");
-    require(network.is_closed(c) ? first.previous == last : first.previous == -1, "a chain starts wrongly");
-    require(!network.is_closed(c) || system.tail[end.halfedge ^ 1] == system.tail[first.halfedge],
+    const Curve_system::Segment &first = system.segments[first_segment], &end = system.segments[last];
+    require(network.is_closed(curve) ? end.next == first_segment : end.next == -1, "a chain ends wrongly");
+    require(network.is_closed(curve) ? first.previous == last : first.previous == -1, "a chain starts wrongly");
+    require(!network.is_closed(curve) || system.tail[end.halfedge ^ 1] == system.tail[first.halfedge],
             "a loop is not closed");
   }
   for(std::size_t s = 0; s < listed.size(); ++s) {
@@ -125,10 +127,10 @@ inline void check_matching(const Curve_system& system)
 
 /// The angle at the tail of `h` in the face on its right, by atan2. \pre there is one
 template <class Triangulation>
-double corner_right_of(const Triangulation& triangulation, int h)
+double corner_right_of(const Triangulation& triangulation, CGAL::Flip_geodesics::Halfedge_index h)
 {
-  const auto& in = triangulation.geometry(h ^ 1);
-  const auto& out = triangulation.geometry(triangulation.next(h ^ 1));
+  const auto& in = triangulation.geometry(Triangulation::twin(h));
+  const auto& out = triangulation.geometry(triangulation.next(Triangulation::twin(h)));
   const double x = -(in.x * out.x + in.y * out.y);
   const double y = (std::max)(out.y * in.x - out.x * in.y, 0.0); // a corner of pi is not one of -pi
   return std::atan2(y, x);
@@ -170,7 +172,8 @@ std::vector<Free_side> free_sides(const Network& network)
       for(int s : system.stack_along(star[i]))
         ends.push_back({star[i], s, i});
       if(system.clockwise(star[i]) != -1)
-        angle_before.push_back(angle_before.back() + corner_right_of(triangulation, star[i]));
+        angle_before.push_back(angle_before.back() +
+                               corner_right_of(triangulation, CGAL::Flip_geodesics::Halfedge_index(star[i])));
     }
     const bool has_border = system.clockwise(star.back()) == -1;
     const double whole = angle_before.back();
@@ -200,11 +203,11 @@ std::vector<Free_side> free_sides(const Network& network)
 
 /// The smallest angle of the free sides of some curves; infinite if there is none.
 template <class Network>
-double smallest_free_angle(const Network& network, const std::set<int>& curves)
+double smallest_free_angle(const Network& network, const std::set<CGAL::Flip_geodesics::Curve_index>& curves)
 {
   double smallest = HUGE_VAL;
   for(const Free_side& free : free_sides(network))
-    if(curves.count(network.curve(free.incoming)) != 0)
+    if(curves.count(network.curve(CGAL::Flip_geodesics::Segment_index(free.incoming))) != 0)
       smallest = (std::min)(smallest, free.angle);
   return smallest;
 }
@@ -240,6 +243,9 @@ template <class Network_>
 class Edge_path_graph_archetype
 {
   using Index = CGAL::Flip_geodesics::Index;
+  using Halfedge_index = CGAL::Flip_geodesics::Halfedge_index;
+  using Segment_index = CGAL::Flip_geodesics::Segment_index;
+  using Curve_index = CGAL::Flip_geodesics::Curve_index;
   using Joint = CGAL::Flip_geodesics::Joint;
   using Side = CGAL::Flip_geodesics::Side;
   using Strand_end = CGAL::Flip_geodesics::Strand_end;
@@ -264,21 +270,21 @@ public:
 
   Triangulation& triangulation() const { return m_network.triangulation(); }
   Index number_of_curves() const { return m_network.number_of_curves(); }
-  double length(Index curve) const { return m_network.length(curve); }
-  double initial_length(Index curve) const { return m_network.initial_length(curve); }
-  bool is_contracted(Index curve) const { return m_network.is_contracted(curve); }
+  double length(Curve_index curve) const { return m_network.length(curve); }
+  double initial_length(Curve_index curve) const { return m_network.initial_length(curve); }
+  bool is_contracted(Curve_index curve) const { return m_network.is_contracted(curve); }
   template <class Function>
-  void for_each_segment(Index curve, Function function) const
+  void for_each_segment(Curve_index curve, Function function) const
   {
     m_network.for_each_segment(curve, function);
   }
 
-  bool is_alive(Index s) const { return m_network.is_alive(s); }
-  Index halfedge(Index s) const { return m_network.halfedge(s); }
-  Index curve(Index s) const { return m_network.curve(s); }
-  Index next(Index s) const { return m_network.next(s); }
-  bool is_head_fixed(Index s) const { return m_network.is_head_fixed(s); }
-  bool is_occupied(Index h) const { return m_network.is_occupied(h); }
+  bool is_alive(Segment_index s) const { return m_network.is_alive(s); }
+  Halfedge_index halfedge(Segment_index s) const { return m_network.halfedge(s); }
+  Curve_index curve(Segment_index s) const { return m_network.curve(s); }
+  Segment_index next(Segment_index s) const { return m_network.next(s); }
+  bool is_head_fixed(Segment_index s) const { return m_network.is_head_fixed(s); }
+  bool is_occupied(Halfedge_index h) const { return m_network.is_occupied(h); }
 
   std::pair<Strand_end, Strand_end> ends(const Joint& joint) const { return m_network.ends(joint); }
   Strand_end next_clockwise(const Strand_end& end) const { return m_network.next_clockwise(end); }
@@ -290,34 +296,34 @@ public:
   }
   bool is_turning_back(const Joint& joint) const { return m_network.is_turning_back(joint); }
 
-  Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)
+  Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
   {
-    const Index curve = m_network.curve(joint.incoming);
+    const Curve_index curve = m_network.curve(joint.incoming);
     count(joint, arc);
     const std::vector<Free_side> before = free_sides(m_network);
-    const Index first = m_network.replace_joint(joint, arc, affected);
+    const Segment_index first = m_network.replace_joint(joint, arc, affected);
     check(curve);
     check_names(before, affected);
     return first;
   }
 
-  Index perturb_loop(Index s, Index h)
+  Segment_index perturb_loop(Segment_index s, Halfedge_index h)
   {
-    const Index curve = m_network.curve(s);
+    const Curve_index curve = m_network.curve(s);
     ++m_counts.perturbations;
-    const Index arriving = m_network.perturb_loop(s, h);
+    const Segment_index arriving = m_network.perturb_loop(s, h);
     check(curve);
     return arriving;
   }
 
-  Stack_place stack_place(Index s) const { return m_network.stack_place(s); }
+  Stack_place stack_place(Segment_index s) const { return m_network.stack_place(s); }
 
-  Index restore_loop(Index curve, const Stack_place& place)
+  Segment_index restore_loop(Curve_index curve, const Stack_place& place)
   {
     ++m_counts.restorations;
-    if(m_contracted.erase(curve) != 0)
+    if(m_contracted.erase(curve.idx()) != 0)
       m_expected = Topological_signature(m_initial, m_contracted, m_has_fixed_nodes);
-    const Index s = m_network.restore_loop(curve, place);
+    const Segment_index s = m_network.restore_loop(curve, place);
     check(curve);
     return s;
   }
@@ -332,25 +338,26 @@ private:
     });
   }
 
-  void count(const Joint& joint, const std::vector<Index>& arc)
+  void count(const Joint& joint, const std::vector<Halfedge_index>& arc)
   {
     const auto [a, b] = m_network.ends(joint);
     ++(arc.empty() ? m_counts.cancellations : m_counts.moves);
     m_counts.full_stars += !arc.empty() && a.halfedge == b.halfedge ? 1 : 0;
-    m_counts.own_edge_moves += a.halfedge == (b.halfedge ^ 1) ? 1 : 0;
-    m_counts.stacked_moves +=
-        m_network.stack(a.halfedge / 2).size() + m_network.stack(b.halfedge / 2).size() > 2 ? 1 : 0;
+    m_counts.own_edge_moves += a.halfedge == Triangulation::twin(b.halfedge) ? 1 : 0;
+    const std::size_t at_a = m_network.stack(Triangulation::edge(a.halfedge)).size();
+    const std::size_t at_b = m_network.stack(Triangulation::edge(b.halfedge)).size();
+    m_counts.stacked_moves += at_a + at_b > 2 ? 1 : 0;
   }
 
-  void check(Index curve)
+  void check(Curve_index curve)
   {
     const Curve_system system(m_network);
     check_links(m_network, system);
     check_matching(system);
     require(m_network.is_valid(), "is_valid() says no");
-    if(m_network.is_contracted(curve) && m_contracted.insert(curve).second) {
+    if(m_network.is_contracted(curve) && m_contracted.insert(curve.idx()).second) {
       ++m_counts.contractions;
-      require(m_has_fixed_nodes || m_expected.has_disk_inside(curve),
+      require(m_has_fixed_nodes || m_expected.has_disk_inside(curve.idx()),
               "a curve has contracted that does not bound a disk");
       m_expected = Topological_signature(m_initial, m_contracted, m_has_fixed_nodes);
     }
@@ -364,7 +371,7 @@ private:
       const bool is_old = std::any_of(before.begin(), before.end(),
                                       [&](const Free_side& other) { return free.is_of_same_joint(other); });
       const bool is_named = std::any_of(named.begin(), named.end(), [&](const Joint& joint) {
-        return joint.incoming == free.incoming && joint.side == free.side;
+        return joint.incoming.idx() == free.incoming && joint.side == free.side;
       });
       require(is_old || is_named || free.angle > straight - 1e-8, "a joint that can be shortened has not been named");
     }

@@ -3,6 +3,8 @@
 #ifndef FLIP_GEODESICS_TEST_RECORDED_RESULTS_H
 #define FLIP_GEODESICS_TEST_RECORDED_RESULTS_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -30,12 +32,18 @@ public:
       m_value = (m_value ^ ((static_cast<std::uint64_t>(value) >> (8 * i)) & 255)) * 1099511628211u;
   }
 
+  template <class Element>
+  void add(CGAL::Flip_geodesics::Descriptor<Element> d)
+  {
+    add(d.idx());
+  }
+
   template <class Range>
   void add_all(const Range& values)
   {
     add(static_cast<long long>(values.size()));
     for(const auto& value : values)
-      add(static_cast<long long>(value));
+      add(value);
   }
 
   std::string text() const

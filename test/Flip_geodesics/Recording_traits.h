@@ -22,7 +22,7 @@ namespace Flip_geodesics_test {
 
 struct Decision
 {
-  int from, to; // the halfedges that bound the wedge, clockwise
+  CGAL::Flip_geodesics::Halfedge_index from, to; // the halfedges that bound the wedge, clockwise
   CGAL::Comparison_result result;
   bool is_filtered; // decided by the traits alone
 };
@@ -79,6 +79,10 @@ private:
 template <class Triangulation>
 class Plain_view
 {
+  using Vertex_index = CGAL::Flip_geodesics::Vertex_index;
+  using Halfedge_index = CGAL::Flip_geodesics::Halfedge_index;
+  using Input_halfedge_index = CGAL::Flip_geodesics::Input_halfedge_index;
+
 public:
   using Metric = typename Triangulation::Metric;
   using Input_mesh = typename Triangulation::Input_mesh;
@@ -88,18 +92,24 @@ public:
   {
   }
 
-  static int twin(int h) { return Triangulation::twin(h); }
+  static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
   const Input_mesh& input() const { return m_triangulation.input(); }
   const Metric& metric() const { return m_triangulation.metric(); }
-  decltype(auto) crossing_word(int h) const { return m_triangulation.crossing_word(h); }
-  int tail(int h) const { return m_triangulation.tail(h); }
-  bool is_inserted(int v) const { return m_triangulation.is_inserted(v); }
-  auto location(int v) const { return m_triangulation.location(v); }
-  int clockwise(int h) const { return m_triangulation.clockwise(h); }
-  decltype(auto) exact_input_face(int h) const { return m_triangulation.exact_input_face(h); }
-  decltype(auto) precise_edge(int h) const { return m_triangulation.precise_edge(h); }
-  decltype(auto) precise_input_halfedge(int h) const { return m_triangulation.precise_input_halfedge(h); }
-  int input_edges_in_wedge(int from, int to) const { return m_triangulation.input_edges_in_wedge(from, to); }
+  decltype(auto) crossing_word(Halfedge_index h) const { return m_triangulation.crossing_word(h); }
+  Vertex_index tail(Halfedge_index h) const { return m_triangulation.tail(h); }
+  bool is_inserted(Vertex_index v) const { return m_triangulation.is_inserted(v); }
+  auto location(Vertex_index v) const { return m_triangulation.location(v); }
+  Halfedge_index clockwise(Halfedge_index h) const { return m_triangulation.clockwise(h); }
+  decltype(auto) exact_input_face(Input_halfedge_index h) const { return m_triangulation.exact_input_face(h); }
+  decltype(auto) precise_edge(Halfedge_index h) const { return m_triangulation.precise_edge(h); }
+  decltype(auto) precise_input_halfedge(Input_halfedge_index h) const
+  {
+    return m_triangulation.precise_input_halfedge(h);
+  }
+  int input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
+  {
+    return m_triangulation.input_edges_in_wedge(from, to);
+  }
 
 private:
   const Triangulation& m_triangulation;
@@ -125,7 +135,7 @@ public:
   {
   }
 
-  Comparison_result operator()(Index from, Index to) const
+  Comparison_result operator()(Halfedge_index from, Halfedge_index to) const
   {
     Flip_geodesics_test::Decision_observer& observer = m_triangulation.traits().observer();
     const std::optional<Comparison_result> filtered = observer.filtered;

@@ -3,6 +3,8 @@
 #ifndef FLIP_GEODESICS_TEST_REFEREE_H
 #define FLIP_GEODESICS_TEST_REFEREE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/boost_mp.h>
 #include <CGAL/number_utils.h>
@@ -139,8 +141,11 @@ struct No_order : std::runtime_error
 template <class Triangulation, class Shape>
 class Referee
 {
+  using Halfedge_index = CGAL::Flip_geodesics::Halfedge_index;
+  using Input_halfedge_index = CGAL::Flip_geodesics::Input_halfedge_index;
+
 public:
-  using Word = decltype(std::declval<const Triangulation&>().crossing_word(0));
+  using Word = decltype(std::declval<const Triangulation&>().crossing_word(Halfedge_index()));
 
   Referee(const Triangulation& triangulation, const Shape& shape)
     : m_triangulation(triangulation)
@@ -152,7 +157,7 @@ public:
    * Compares the angle clockwise from halfedge `from` to halfedge `to` of the triangulation with pi: -1, 0 or 1.
    * `from == to` means all the way round. \pre no border in between \throws No_order
    */
-  int compare_wedge(int from, int to)
+  int compare_wedge(Halfedge_index from, Halfedge_index to)
   {
     Sum sum;
     for(const Real_vector& angle : angles(from, to))
@@ -161,7 +166,7 @@ public:
   }
 
   /// The same wedge as a rotation, up to a positive factor.
-  Real_vector rotation(int from, int to)
+  Real_vector rotation(Halfedge_index from, Halfedge_index to)
   {
     Real_vector result = {1, 0};
     for(const Real_vector& angle : angles(from, to))
@@ -182,11 +187,10 @@ public:
   /// The length of a word.
   Real length(const Word& word)
   {
-    if(word.along >= 0)
-      return m_shape.length(m_triangulation.input_halfedge(word.along));
+    if(word.along.is_valid())
+      return length_of(word.along.idx());
     const Layout strip = layout(word);
-    return boost::multiprecision::sqrt(squared_norm(strip.end)) *
-           m_shape.length(m_triangulation.input_halfedge(strip.right_spoke));
+    return boost::multiprecision::sqrt(squared_norm(strip.end)) * length_of(strip.right_spoke);
   }
 
 private:
@@ -232,7 +236,7 @@ private:
   };
 
   // The wedge in parts of at most pi: up to the first spoke, from spoke to spoke, from the last.
-  std::vector<Real_vector> angles(int from, int to)
+  std::vector<Real_vector> angles(Halfedge_index from, Halfedge_index to)
   {
     const Layout a = layout(m_triangulation.crossing_word(from)), b = layout(m_triangulation.crossing_word(to));
     if(!a.is_edge && !b.is_edge && a.right_spoke == b.right_spoke && from != to) {
@@ -258,22 +262,25 @@ private:
     return result;
   }
 
-  int next_of(int h) const { return m_triangulation.input().next(h); }
+  // Input halfedges are bare numbers in here.
+  int next_of(int h) const { return m_triangulation.input().next(Input_halfedge_index(h)).idx(); }
+  auto input_halfedge(int h) const { return m_triangulation.input().halfedge(Input_halfedge_index(h)); }
+  Real length_of(int h) const { return m_shape.length(input_halfedge(h)); }
 
   const Real_vector& ratio(int h)
   {
     const auto found = m_ratios.find(h);
     if(found != m_ratios.end())
       return found->second;
-    return m_ratios.emplace(h, m_shape(m_triangulation.input_halfedge(h))).first->second;
+    return m_ratios.emplace(h, m_shape(input_halfedge(h))).first->second;
   }
 
   Layout layout(const Word& word)
   {
-    if(word.along >= 0)
-      return {true, word.along, word.along, {1, 0}, {1, 0}, {}};
+    if(word.along.is_valid())
+      return {true, word.along.idx(), word.along.idx(), {1, 0}, {1, 0}, {}};
     Layout result;
-    const int first = word.crossed.front(), left_side = next_of(first);
+    const int first = word.crossed.front().idx(), left_side = next_of(first);
     result.is_edge = false;
     result.left_spoke = left_side ^ 1;
     result.right_spoke = next_of(left_side);
@@ -282,12 +289,13 @@ private:
     result.left = left;
     for(std::size_t i = 0; i < word.crossed.size(); ++i) {
       result.gates.emplace_back(right, left);
-      const int entered = word.crossed[i] ^ 1; // from left to right
+      const int entered = word.crossed[i].idx() ^ 1; // from left to right
       result.end = right + (right - left) * ratio(entered);
       if(i + 1 == word.crossed.size())
         return result;
-      const bool is_leaving_right = word.crossed[i + 1] == next_of(entered);
-      if(!is_leaving_right && word.crossed[i + 1] != next_of(next_of(entered)))
+      const int left_through = word.crossed[i + 1].idx();
+      const bool is_leaving_right = left_through == next_of(entered);
+      if(!is_leaving_right && left_through != next_of(next_of(entered)))
         throw std::logic_error("a word leaves a face through an edge that it does not have");
       (is_leaving_right ? left : right) = result.end;
     }

@@ -3,6 +3,8 @@
 #ifndef FLIP_GEODESICS_TEST_TOPOLOGICAL_SIGNATURE_H
 #define FLIP_GEODESICS_TEST_TOPOLOGICAL_SIGNATURE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -17,7 +19,7 @@ namespace Flip_geodesics_test {
  * What a network of curves is, apart from geometry: the connectivity of the triangulation, the stacks of its edges and
  * the chains of segments, copied once, so that it can be looked at later, and without some of the curves.
  *
- * Shares no code with the library beyond the accessors it copies from.
+ * Shares no code with the library beyond the accessors it copies from; elements are their bare numbers here.
  */
 struct Curve_system
 {
@@ -37,18 +39,24 @@ struct Curve_system
   template <class Network>
   explicit Curve_system(const Network& network)
   {
+    using CGAL::Flip_geodesics::Edge_index;
+    using CGAL::Flip_geodesics::Halfedge_index;
+    using CGAL::Flip_geodesics::Segment_index;
     const auto& triangulation = network.triangulation();
-    for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
-      next.push_back(triangulation.is_border(h) ? -1 : triangulation.next(h));
-      tail.push_back(triangulation.tail(h));
+    for(Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h) {
+      next.push_back(triangulation.is_border(h) ? -1 : triangulation.next(h).idx());
+      tail.push_back(triangulation.tail(h).idx());
     }
-    for(int e = 0; e < triangulation.number_of_edges(); ++e)
-      stacks.push_back(network.stack(e));
-    for(int s = 0; s < network.end_of_segment_ids(); ++s)
-      segments.push_back(s == 0 || !network.is_alive(s)
+    for(int e = 0; e < triangulation.number_of_edges(); ++e) {
+      stacks.emplace_back();
+      for(Segment_index s : network.stack(Edge_index(e)))
+        stacks.back().push_back(s.idx());
+    }
+    for(Segment_index s(0); s.idx() < network.end_of_segment_ids(); ++s)
+      segments.push_back(s.idx() == 0 || !network.is_alive(s)
                              ? Segment{-1, -1, -1, -1, false}
-                             : Segment{network.halfedge(s), network.next(s), network.previous(s), network.curve(s),
-                                       network.is_head_fixed(s)});
+                             : Segment{network.halfedge(s).idx(), network.next(s).idx(), network.previous(s).idx(),
+                                       network.curve(s).idx(), network.is_head_fixed(s)});
   }
 
   bool is_border(int h) const { return next[h] < 0; }

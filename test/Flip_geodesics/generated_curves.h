@@ -5,6 +5,8 @@
 
 #include "generated_meshes.h"
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -29,7 +31,7 @@
 namespace Flip_geodesics_test {
 
 /// Consecutive vertices share an edge; in a loop, so do the last and the first, which is not repeated at the end.
-using Vertex_sequence = std::vector<int>;
+using Vertex_sequence = std::vector<CGAL::Flip_geodesics::Vertex_index>;
 
 // ---------------------------------------------------------------- from indices to meshes and back
 
@@ -44,7 +46,8 @@ std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> halfedges_a
   const std::vector<Vertex> all(vertices(mesh).begin(), vertices(mesh).end());
   std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor> result;
   for(std::size_t i = 0; i + (is_closed ? 0 : 1) < sequence.size(); ++i) {
-    const auto [h, exists] = halfedge(all.at(sequence[i]), all.at(sequence[(i + 1) % sequence.size()]), mesh);
+    const auto [h, exists] =
+        halfedge(all.at(sequence[i].idx()), all.at(sequence[(i + 1) % sequence.size()].idx()), mesh);
     if(!exists)
       throw std::invalid_argument("the vertex sequence does not follow edges");
     result.push_back(h);
@@ -77,7 +80,7 @@ inline double length(const Mesh_soup& soup, const Vertex_sequence& sequence, boo
 {
   double sum = 0;
   for(std::size_t i = 0; i + (is_closed ? 0 : 1) < sequence.size(); ++i)
-    sum += distance(soup.points[sequence[i]], soup.points[sequence[(i + 1) % sequence.size()]]);
+    sum += distance(soup.points[sequence[i].idx()], soup.points[sequence[(i + 1) % sequence.size()].idx()]);
   return sum;
 }
 
@@ -93,7 +96,7 @@ inline int index_of(const Mesh_soup& soup, const Coordinates& p)
 inline Vertex_sequence vertices_on_polyline(const Mesh_soup& soup, const std::vector<std::array<int, 3>>& corners,
                                             bool is_closed)
 {
-  std::map<Coordinates, int> indices;
+  std::map<Coordinates, CGAL::Flip_geodesics::Vertex_index> indices;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     indices.emplace(soup.points[v], static_cast<int>(v));
   Vertex_sequence result;
@@ -147,10 +150,11 @@ inline Vertex_sequence walked_repeatedly(const Vertex_sequence& path, int times)
 /// left, if there is one. No strand crosses one that it did not cross before.
 inline Vertex_sequence with_detours(const Mesh_soup& soup, const Vertex_sequence& curve, bool is_closed, int period = 1)
 {
-  std::map<std::pair<int, int>, int> opposite;
+  using CGAL::Flip_geodesics::Vertex_index;
+  std::map<std::pair<Vertex_index, Vertex_index>, Vertex_index> opposite;
   for(const Corners& t : soup.triangles)
     for(int i = 0; i < 3; ++i)
-      opposite[{t[i], t[(i + 1) % 3]}] = t[(i + 2) % 3];
+      opposite[{Vertex_index(t[i]), Vertex_index(t[(i + 1) % 3])}] = Vertex_index(t[(i + 2) % 3]);
   Vertex_sequence result;
   for(std::size_t i = 0; i < curve.size(); ++i) {
     result.push_back(curve[i]);
@@ -170,12 +174,13 @@ inline Vertex_sequence vertex_path_on_grid(int n, const std::vector<std::array<i
 {
   const auto sign = [](int x) { return (x > 0) - (x < 0); };
   std::array<int, 2> p = corners.front();
-  Vertex_sequence result = {grid_vertex(n, p[0], p[1])};
+  Vertex_sequence result;
+  result.emplace_back(grid_vertex(n, p[0], p[1]));
   for(const std::array<int, 2>& corner : corners) {
     CGAL_precondition(corner[0] == p[0] || corner[1] == p[1]);
     while(p != corner) {
       p = {p[0] + sign(corner[0] - p[0]), p[1] + sign(corner[1] - p[1])};
-      result.push_back(grid_vertex(n, p[0], p[1]));
+      result.emplace_back(grid_vertex(n, p[0], p[1]));
     }
   }
   return result;
@@ -209,7 +214,7 @@ inline Vertex_sequence cylinder_ring(int n, int k)
 {
   Vertex_sequence result;
   for(int i = 0; i < n; ++i)
-    result.push_back(i + n * k);
+    result.emplace_back(i + n * k);
   return result;
 }
 
@@ -217,11 +222,12 @@ inline Vertex_sequence cylinder_ring(int n, int k)
 /// winds about it more than once. It tightens to `hypot(height, steps * polygon_side(n, radius))`.
 inline Vertex_sequence cylinder_helix(int n, int m, int i, int steps)
 {
-  Vertex_sequence result = {i % n};
+  Vertex_sequence result;
+  result.emplace_back(i % n);
   for(int k = 0; k < m; ++k) {
     for(int s = steps * k / m; s < steps * (k + 1) / m; ++s)
-      result.push_back((i + s + 1) % n + n * k);
-    result.push_back((i + steps * (k + 1) / m) % n + n * (k + 1));
+      result.emplace_back((i + s + 1) % n + n * k);
+    result.emplace_back((i + steps * (k + 1) / m) % n + n * (k + 1));
   }
   return result;
 }
@@ -232,7 +238,7 @@ inline Vertex_sequence disk_ring(int k, int r)
 {
   Vertex_sequence result;
   for(int i = 0; i < k; ++i)
-    result.push_back(disk_vertex(k, r, i));
+    result.emplace_back(disk_vertex(k, r, i));
   return result;
 }
 
@@ -241,7 +247,7 @@ inline Vertex_sequence disk_arc(int k, int r, int i, int steps)
 {
   Vertex_sequence result;
   for(int s = 0; s <= steps; ++s)
-    result.push_back(disk_vertex(k, r, i + s));
+    result.emplace_back(disk_vertex(k, r, i + s));
   return result;
 }
 
@@ -297,9 +303,9 @@ inline Vertex_sequence torus_loop(int n, int m, int p, int q)
   Vertex_sequence result;
   for(int i = 0, j = 0; i < (std::max)(right, 1); ++i) {
     if(right > 0)
-      result.push_back(vertex(i, j));
+      result.emplace_back(vertex(i, j));
     for(const int end = right == 0 ? up : up * (i + 1) / right; j < end; ++j)
-      result.push_back(right == 0 ? vertex(0, j) : vertex(i + 1, j));
+      result.emplace_back(right == 0 ? vertex(0, j) : vertex(i + 1, j));
   }
   return result;
 }

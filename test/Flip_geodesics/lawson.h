@@ -3,6 +3,8 @@
 #ifndef FLIP_GEODESICS_TEST_LAWSON_H
 #define FLIP_GEODESICS_TEST_LAWSON_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
 #include <vector>
 
 namespace Flip_geodesics_test {
@@ -12,12 +14,13 @@ namespace Flip_geodesics_test {
 template <class Triangulation>
 int flip_to_delaunay(Triangulation& triangulation, int limit)
 {
-  std::vector<int> pending;
-  for(int h = 0; h < triangulation.number_of_halfedges(); h += 2)
-    pending.push_back(h);
+  namespace FG = CGAL::Flip_geodesics;
+  std::vector<FG::Halfedge_index> pending;
+  for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(triangulation.number_of_edges()))
+    pending.push_back(FG::internal::first_side(e));
   int flips = 0;
   while(!pending.empty()) {
-    const int h = pending.back();
+    const FG::Halfedge_index h = pending.back();
     pending.pop_back();
     if(triangulation.is_locally_delaunay(h))
       continue;
@@ -25,7 +28,7 @@ int flip_to_delaunay(Triangulation& triangulation, int limit)
       return -1;
     triangulation.flip(h);
     ++flips;
-    for(int side : {h, h ^ 1})
+    for(FG::Halfedge_index side : {h, Triangulation::twin(h)})
       pending.insert(pending.end(), {triangulation.next(side), triangulation.previous(side)});
   }
   return flips;
@@ -34,7 +37,8 @@ int flip_to_delaunay(Triangulation& triangulation, int limit)
 template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {
-  for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
+  namespace FG = CGAL::Flip_geodesics;
+  for(FG::Halfedge_index h : FG::internal::descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges()))
     if(!triangulation.is_locally_delaunay(h))
       return false;
   return true;

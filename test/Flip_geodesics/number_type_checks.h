@@ -4,6 +4,7 @@
 #define FLIP_GEODESICS_TEST_NUMBER_TYPE_CHECKS_H
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "lawson.h"
@@ -72,7 +73,7 @@ inline Mesh_soup oblique(const Mesh_soup& plane)
 struct Outcome
 {
   std::vector<CGAL::Flip_geodesics::Shortening_status> statuses;
-  std::vector<int> flips;
+  std::vector<CGAL::Flip_geodesics::Halfedge_index> flips;
   std::vector<std::vector<int>> crossed; // per curve; an edge along input halfedge h is -1 - h
 
   bool operator==(const Outcome& other) const
@@ -84,17 +85,19 @@ struct Outcome
 template <class Setting>
 Outcome outcome(Setting& setting)
 {
+  using CGAL::Flip_geodesics::Curve_index;
   Outcome result;
   const CGAL::Flip_geodesics::Shortening_report report = setting.pull();
   result.flips = setting.flips();
-  for(int c = 0; c < setting.network.number_of_curves(); ++c) {
-    result.statuses.push_back(report.curves[c].status);
+  for(Curve_index c(0); c.idx() < setting.network.number_of_curves(); ++c) {
+    result.statuses.push_back(report.curves[c.idx()].status);
     result.crossed.emplace_back();
-    setting.network.for_each_segment(c, [&](int s) {
+    setting.network.for_each_segment(c, [&](CGAL::Flip_geodesics::Segment_index s) {
       const auto word = setting.triangulation.crossing_word(setting.network.halfedge(s));
-      if(word.along >= 0)
-        result.crossed.back().push_back(-1 - word.along);
-      result.crossed.back().insert(result.crossed.back().end(), word.crossed.begin(), word.crossed.end());
+      if(word.along.is_valid())
+        result.crossed.back().push_back(-1 - word.along.idx());
+      for(const auto h : word.crossed)
+        result.crossed.back().push_back(h.idx());
     });
   }
   return result;
@@ -117,7 +120,7 @@ std::size_t check_same_curves(Setting& setting, Reference& reference, int rounds
   for(int round = 0; round < rounds; ++round) {
     for(int c = 0; c <= round % 3; ++c) {
       const bool is_closed = random.below(2) == 1;
-      const std::vector<int> walk = random_walk(reference.triangulation, 16, is_closed, random);
+      const Halfedge_sequence walk = random_walk(reference.triangulation, 16, is_closed, random);
       if(walk.empty())
         continue;
       reference.network.add_curve(walk, is_closed);
@@ -167,7 +170,7 @@ void check_grid(int n)
     for(const auto& [i, j] : {std::pair<int, int>{n, n - 1}, {n - 1, n}, {n, 1}, {1, n}, {n - 2, n - 1}}) {
       setting.add(vertex_path_on_grid(n, {{0, 0}, {i, 0}, {i, j}}), false);
       setting.pull();
-      const auto& halfedges = setting.network.halfedges(0);
+      const auto& halfedges = setting.network.halfedges(0_c);
       BOOST_TEST(halfedges.size() == 1u);
       BOOST_TEST((setting.triangulation.squared_length(halfedges.front()) == NT(i * i + j * j)));
       BOOST_TEST(CGAL::Flip_geodesics::certify(setting.network).is_locally_shortest());
@@ -221,12 +224,12 @@ public:
     : m_radicand(radicand)
     , m_turns(triangulation.number_of_vertices(), {NT(1), NT(0)})
   {
-    for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+    for(CGAL::Flip_geodesics::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h) {
       if(triangulation.is_border(h))
         continue;
       typename Triangulation::Turn corner;
       triangulation.extend_turn(corner, h);
-      multiply(m_turns[triangulation.head(h)], {corner.x, corner.y});
+      multiply(m_turns[triangulation.head(h).idx()], {corner.x, corner.y});
       m_quadrupled_area += corner.y;
       // The law of cosines: the corner's number has the norm 2 |in| |out|.
       const NT in = triangulation.squared_length(h), out = triangulation.squared_length(triangulation.next(h));
@@ -269,10 +272,13 @@ template <class Triangulation>
 bool have_equal_sides(const Triangulation& triangulation)
 {
   const auto squared_length = triangulation.traits().compute_squared_length_object();
-  for(int h = 0; h < triangulation.number_of_halfedges(); h += 2)
-    if(!triangulation.is_border(h) && !triangulation.is_border(h + 1) &&
-       squared_length(triangulation.geometry(h)) != squared_length(triangulation.geometry(h + 1)))
+  namespace FG = CGAL::Flip_geodesics;
+  for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(triangulation.number_of_edges())) {
+    const FG::Halfedge_index h = FG::internal::first_side(e), t = Triangulation::twin(h);
+    if(!triangulation.is_border(h) && !triangulation.is_border(t) &&
+       squared_length(triangulation.geometry(h)) != squared_length(triangulation.geometry(t)))
       return false;
+  }
   return true;
 }
 
@@ -294,7 +300,7 @@ void check_flips(const Mesh_soup& soup, const Traits& traits, const typename Tra
   BOOST_TEST((after.tripled_quadrupled_area() == before.tripled_quadrupled_area()));
   BOOST_TEST(after.have_the_same_angles(before));
 
-  for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+  for(CGAL::Flip_geodesics::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h) {
     if(!triangulation.is_flippable(h))
       continue;
     const auto length = triangulation.squared_length(h);
@@ -318,7 +324,7 @@ void check_delaunay(const Mesh_soup& soup, const Traits& traits, int attempts)
   CGAL::Flip_geodesics::Intrinsic_triangulation<Surface, Traits> triangulation(mesh, traits);
   typename Certified_setting::Triangulation reference(mesh);
   const auto check = [&] {
-    for(int h = 0; h < triangulation.number_of_halfedges(); ++h)
+    for(CGAL::Flip_geodesics::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h)
       BOOST_TEST(triangulation.is_locally_delaunay(h) == reference.is_locally_delaunay(h));
   };
   check();
@@ -350,9 +356,9 @@ void check_right_triangles(int n)
   const Vertex_sequence path = vertex_path_on_grid(n, {{0, 0}, {n, 0}, {n, n - 1}});
   network.add_curve(CGAL::Flip_geodesics::halfedges_through(triangulation, path, false), false);
   CGAL::Flip_geodesics::shorten(network);
-  BOOST_TEST(network.halfedges(0).size() == 1u);
+  BOOST_TEST(network.halfedges(0_c).size() == 1u);
   const int x = 3 * n, y = 4 * (n - 1);
-  BOOST_TEST((triangulation.squared_length(network.halfedges(0).front()) == NT(x * x + y * y)));
+  BOOST_TEST((triangulation.squared_length(network.halfedges(0_c).front()) == NT(x * x + y * y)));
   BOOST_TEST(CGAL::Flip_geodesics::certify(network).is_locally_shortest());
 }
 

@@ -21,11 +21,16 @@
 
 namespace Flip_geodesics_test {
 
+using CGAL::Flip_geodesics::Curve_index;
+using CGAL::Flip_geodesics::Halfedge_index;
 using CGAL::Flip_geodesics::Index;
+using CGAL::Flip_geodesics::Segment_index;
+using CGAL::Flip_geodesics::Vertex_index;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh>;
 using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
-using Indices = std::vector<Index>;
+using Curve_list = std::vector<Curve_index>;
+using Segment_list = std::vector<Segment_index>;
 
 /// A mesh with curves, whose order on common edges is then looked for.
 struct Overlapping_world
@@ -37,7 +42,7 @@ struct Overlapping_world
   {
   }
 
-  Index add(const Indices& vertices, bool is_closed = false)
+  Curve_index add(const Vertex_sequence& vertices, bool is_closed = false)
   {
     return network.add_curve(CGAL::Flip_geodesics::halfedges_through(triangulation, vertices, is_closed), is_closed);
   }
@@ -49,21 +54,21 @@ struct Overlapping_world
   }
 
   /// The segments on the edge from v to w, from left to right as seen that way.
-  Indices stack(Index v, Index w) const
+  Segment_list stack(Vertex_index v, Vertex_index w) const
   {
-    const Index h = CGAL::Flip_geodesics::internal::halfedge_between(triangulation, v, w);
-    Indices result = network.stack(Triangulation::edge(h));
-    if((h & 1) != 0)
+    const Halfedge_index h = CGAL::Flip_geodesics::internal::halfedge_between(triangulation, v, w);
+    Segment_list result = network.stack(Triangulation::edge(h));
+    if(!CGAL::Flip_geodesics::internal::is_first_side(h))
       std::reverse(result.begin(), result.end());
     return result;
   }
 
   /// The curves of these segments.
-  Indices curves(Index v, Index w) const
+  Curve_list curves(Vertex_index v, Vertex_index w) const
   {
-    Indices result = stack(v, w);
-    for(Index& s : result)
-      s = network.curve(s);
+    Curve_list result;
+    for(Segment_index s : stack(v, w))
+      result.push_back(network.curve(s));
     return result;
   }
 
@@ -73,11 +78,11 @@ struct Overlapping_world
 };
 
 /// `turns` times around ring `k` of a cylinder of n columns, from column 0 on.
-inline Indices ring_path(int n, int k, int turns, int more = 0)
+inline Vertex_sequence ring_path(int n, int k, int turns, int more = 0)
 {
-  Indices result;
+  Vertex_sequence result;
   for(int i = 0; i < turns * n + more; ++i)
-    result.push_back(i % n + n * k);
+    result.emplace_back(i % n + n * k);
   return result;
 }
 

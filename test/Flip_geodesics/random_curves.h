@@ -5,6 +5,8 @@
 
 #include "mesh_soup.h"
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -12,6 +14,9 @@
 
 /* Random Delta-complexes, made by flipping small meshes, and random curves on them that do not cross. */
 namespace Flip_geodesics_test {
+
+/// Halfedges of a triangulation in a row.
+using Halfedge_sequence = std::vector<CGAL::Flip_geodesics::Halfedge_index>;
 
 /// Moves every point by up to `amplitude` in each coordinate.
 inline Mesh_soup shaken(const Mesh_soup& soup, double amplitude, unsigned seed)
@@ -31,7 +36,7 @@ int flip_at_random(Triangulation& triangulation, int attempts, Random_numbers& r
 {
   int flips = 0;
   for(int i = 0; i < attempts; ++i) {
-    const int h = random.below(triangulation.number_of_halfedges());
+    const CGAL::Flip_geodesics::Halfedge_index h(random.below(triangulation.number_of_halfedges()));
     if(!triangulation.is_flippable(h))
       continue;
     triangulation.flip(h);
@@ -42,12 +47,13 @@ int flip_at_random(Triangulation& triangulation, int attempts, Random_numbers& r
 
 /// The halfedges that start where `h` starts, in some order.
 template <class Triangulation>
-std::vector<int> spokes_at_tail(const Triangulation& triangulation, int h)
+Halfedge_sequence spokes_at_tail(const Triangulation& triangulation, CGAL::Flip_geodesics::Halfedge_index h)
 {
-  std::vector<int> result = {h};
-  for(int g = triangulation.clockwise(h); g != h; g = triangulation.clockwise(g)) {
-    if(g == -1) {
-      for(g = triangulation.counterclockwise(h); g != -1; g = triangulation.counterclockwise(g))
+  using CGAL::Flip_geodesics::null_index;
+  Halfedge_sequence result = {h};
+  for(auto g = triangulation.clockwise(h); g != h; g = triangulation.clockwise(g)) {
+    if(g == null_index) {
+      for(g = triangulation.counterclockwise(h); g != null_index; g = triangulation.counterclockwise(g))
         result.push_back(g);
       return result;
     }
@@ -59,21 +65,25 @@ std::vector<int> spokes_at_tail(const Triangulation& triangulation, int h)
 /// A random walk of halfedges; a closed one ends where it starts, or is empty if it does not come back within `steps`.
 /// Half of the walks avoid vertices that they have been at, if they can. One in six edges turns back if it can.
 template <class Triangulation>
-std::vector<int> random_walk(const Triangulation& triangulation, int steps, bool is_closed, Random_numbers& random)
+Halfedge_sequence random_walk(const Triangulation& triangulation, int steps, bool is_closed, Random_numbers& random)
 {
-  std::vector<int> walk = {random.below(triangulation.number_of_halfedges())};
-  const int start = triangulation.tail(walk.front());
+  using CGAL::Flip_geodesics::Halfedge_index;
+  using CGAL::Flip_geodesics::Vertex_index;
+  Halfedge_sequence walk = {Halfedge_index(random.below(triangulation.number_of_halfedges()))};
+  const Vertex_index start = triangulation.tail(walk.front());
   const bool avoids_old_vertices = random.below(2) == 0;
-  std::vector<bool> is_visited(static_cast<std::size_t>(triangulation.number_of_vertices()), false);
+  CGAL::Flip_geodesics::internal::Indexed_by<Vertex_index, std::vector<bool>> is_visited(
+      static_cast<std::size_t>(triangulation.number_of_vertices()), false);
   while(!is_closed || triangulation.head(walk.back()) != start) {
     if(static_cast<int>(walk.size()) >= steps)
-      return is_closed ? std::vector<int>() : walk;
+      return is_closed ? Halfedge_sequence() : walk;
     is_visited[triangulation.head(walk.back())] = true;
-    const std::vector<int> spokes = spokes_at_tail(triangulation, walk.back() ^ 1);
-    int h = walk.back() ^ 1;
+    const Halfedge_index back = Triangulation::twin(walk.back());
+    const Halfedge_sequence spokes = spokes_at_tail(triangulation, back);
+    Halfedge_index h = back;
     for(int i = 0; i < 6; ++i) {
-      const int g = spokes[random.below(static_cast<int>(spokes.size()))];
-      if((g ^ 1) == walk.back() && i < 5)
+      const Halfedge_index g = spokes[random.below(static_cast<int>(spokes.size()))];
+      if(g == back && i < 5)
         continue;
       h = g;
       if(!avoids_old_vertices || !is_visited[triangulation.head(h)])
@@ -86,10 +96,10 @@ std::vector<int> random_walk(const Triangulation& triangulation, int steps, bool
 
 /// A random edge from a vertex to itself, as a walk of one halfedge; empty if none is found.
 template <class Triangulation>
-std::vector<int> random_loop_edge(const Triangulation& triangulation, Random_numbers& random)
+Halfedge_sequence random_loop_edge(const Triangulation& triangulation, Random_numbers& random)
 {
   for(int i = 0; i < triangulation.number_of_halfedges(); ++i) {
-    const int h = random.below(triangulation.number_of_halfedges());
+    const CGAL::Flip_geodesics::Halfedge_index h(random.below(triangulation.number_of_halfedges()));
     if(triangulation.tail(h) == triangulation.head(h))
       return {h};
   }
@@ -98,17 +108,18 @@ std::vector<int> random_loop_edge(const Triangulation& triangulation, Random_num
 
 /// Shuffles the stacks of the edges under `walk` until the network is valid; false if it does not become so.
 template <class Network>
-bool order_at_random(Network& network, const std::vector<int>& walk, int attempts, Random_numbers& random)
+bool order_at_random(Network& network, const Halfedge_sequence& walk, int attempts, Random_numbers& random)
 {
   for(int i = 0; i < attempts; ++i) {
     if(network.is_valid())
       return true;
-    for(int h : walk) {
-      auto stack = network.stack(h / 2);
+    for(const auto h : walk) {
+      const auto e = Network::Triangulation::edge(h);
+      auto stack = network.stack(e);
       for(std::size_t k = stack.size(); k > 1; --k)
         std::swap(stack[k - 1], stack[random.below(static_cast<int>(k))]);
       if(stack.size() > 1)
-        network.set_stack(h / 2, stack);
+        network.set_stack(e, stack);
     }
   }
   return network.is_valid();

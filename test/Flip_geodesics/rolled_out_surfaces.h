@@ -93,7 +93,7 @@ inline std::vector<Bent_surface> surfaces()
 // Where a point of the surface is in the plane that it rolls out to.
 inline Flat_point rolled_out(const Mesh& flat, const CGAL::Flip_geodesics::Surface_location& at)
 {
-  auto h = Mesh::Halfedge_index(static_cast<unsigned>(at.halfedge));
+  auto h = Mesh::Halfedge_index(static_cast<unsigned>(at.halfedge.idx()));
   Flat_point sum = {0, 0};
   const double weights = at.weights[0] + at.weights[1] + at.weights[2];
   for(double weight : at.weights) {
@@ -106,15 +106,16 @@ inline Flat_point rolled_out(const Mesh& flat, const CGAL::Flip_geodesics::Surfa
 
 // A vertex of a triangulation.
 template <class T>
-Flat_point rolled_out(const Mesh& flat, const T& t, CGAL::Flip_geodesics::Index v)
+Flat_point rolled_out(const Mesh& flat, const T& t, CGAL::Flip_geodesics::Vertex_index v)
 {
   return rolled_out(flat, t.location(v));
 }
 
 inline double distance(const Flat_point& p, const Flat_point& q) { return std::hypot(p[0] - q[0], p[1] - q[1]); }
 
-inline std::vector<CGAL::Flip_geodesics::Surface_location> locations(const Triangulation& t, const Bent_surface& surface,
-                                            const std::vector<Flat_point>& points)
+inline std::vector<CGAL::Flip_geodesics::Surface_location> locations(const Triangulation& t,
+                                                                     const Bent_surface& surface,
+                                                                     const std::vector<Flat_point>& points)
 {
   std::vector<CGAL::Flip_geodesics::Surface_location> result;
   for(const Flat_point& p : points)

@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE certificate_falsehoods
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/certify.h>
@@ -30,7 +31,9 @@
  */
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
-using FG::Index;
+using FG::Halfedge_index;
+using FG::Input_halfedge_index;
+using FG::Vertex_index;
 
 namespace {
 
@@ -42,16 +45,16 @@ class Planted_triangulation : public FG::Intrinsic_triangulation<Surface>
 public:
   using Base::Base;
 
-  void plant(Index h, const FG::Crossing_word& word) { m_planted = {h, word}; }
+  void plant(Halfedge_index h, const FG::Crossing_word& word) { m_planted = {h, word}; }
   void uproot() { m_planted.reset(); }
 
-  FG::Crossing_word crossing_word(Index h) const
+  FG::Crossing_word crossing_word(Halfedge_index h) const
   {
     return m_planted && m_planted->first == h ? m_planted->second : Base::crossing_word(h);
   }
 
 private:
-  std::optional<std::pair<Index, FG::Crossing_word>> m_planted;
+  std::optional<std::pair<Halfedge_index, FG::Crossing_word>> m_planted;
 };
 
 using Setting = Basic_curve_setting<Planted_triangulation>;
@@ -68,22 +71,25 @@ enum class Folds { NONE, RATIONAL, ROOTS };
 struct Screen
 {
   Folds folds;
-  std::array<double, (columns + 1) * (rows + 1)> y;
+  FG::internal::Indexed_by<Vertex_index, std::array<double, (columns + 1) * (rows + 1)>> y;
   Mesh_soup connectivity;
+
+  auto vertices() const { return FG::internal::descriptors<Vertex_index>(static_cast<FG::Index>(y.size())); }
 
   Screen(Folds folds_, unsigned seed)
     : folds(folds_)
     , connectivity(flat_grid(columns, rows, Diagonal_rule::RANDOM))
   {
     Random_numbers random(seed);
-    for(int v = 0; v < static_cast<int>(y.size()); ++v) // in eighths
-      y[v] = 5 * (v / (columns + 1)) + (random.below(25) - 12) / 8.0;
+    for(Vertex_index v : vertices()) // in eighths
+      y[v] = 5 * row(v) + (random.below(25) - 12) / 8.0;
   }
 
-  static int column(Index v) { return v % (columns + 1); }
-  static int row(Index v) { return v / (columns + 1); }
+  static Vertex_index vertex(int column, int row) { return Vertex_index(grid_vertex(columns, column, row)); }
+  static int column(Vertex_index v) { return v.idx() % (columns + 1); }
+  static int row(Vertex_index v) { return v.idx() / (columns + 1); }
 
-  Coordinates point(Index v) const
+  Coordinates point(Vertex_index v) const
   {
     const double i = column(v);
     if(folds == Folds::NONE)
@@ -94,15 +100,15 @@ struct Screen
   Mesh_soup soup() const
   {
     Mesh_soup result = connectivity;
-    for(int v = 0; v < static_cast<int>(y.size()); ++v)
-      result.points[v] = point(v);
+    for(Vertex_index v : vertices())
+      result.points[v.idx()] = point(v);
     return result;
   }
 
   bool is_ordered() const // so that no face is turned over
   {
-    for(int v = 0; v + columns + 1 < static_cast<int>(y.size()); ++v)
-      if(!(y[v] < y[v + columns + 1]))
+    for(Vertex_index v : vertices())
+      if(row(v) < rows && !(y[v] < y[vertex(column(v), row(v) + 1)]))
         return false;
     return true;
   }
@@ -110,9 +116,9 @@ struct Screen
 
 void move(Setting& setting, const Screen& screen)
 {
-  for(int v = 0; v < static_cast<int>(screen.y.size()); ++v) {
+  for(Vertex_index v : screen.vertices()) {
     const Coordinates p = screen.point(v);
-    setting.mesh.point(Surface::Vertex_index(v)) = {p[0], p[1], p[2]};
+    setting.mesh.point(setting.triangulation.vertex(v)) = {p[0], p[1], p[2]};
   }
 }
 
@@ -124,7 +130,7 @@ struct Place
 };
 
 // Where a vertex is, unfolded.
-Place place(const Setting& setting, const Screen& screen, Index v)
+Place place(const Setting& setting, const Screen& screen, Vertex_index v)
 {
   if(!setting.triangulation.is_inserted(v))
     return {5 * Screen::column(v), Rational(screen.y[v])};
@@ -132,7 +138,7 @@ Place place(const Setting& setting, const Screen& screen, Index v)
   const auto& input = setting.triangulation.input();
   Place result = {0, 0};
   Rational sum = 0;
-  Index h = at.halfedge;
+  Input_halfedge_index h = at.halfedge;
   for(int i = 0; i < 3; ++i, h = input.next(h)) {
     const Rational weight(at.weights[i]);
     const Place corner = place(setting, screen, input.tail(h));
@@ -154,19 +160,19 @@ bool is_straight(const Setting& setting, const Screen& screen, const FG::Crossin
 {
   const Place p = place(setting, screen, word.tail), q = place(setting, screen, word.head);
   const auto& input = setting.triangulation.input();
-  for(Index h : word.crossed)
+  for(Input_halfedge_index h : word.crossed)
     if(orientation(p, q, place(setting, screen, input.tail(h))) > 0 ||
-       orientation(p, q, place(setting, screen, input.tail(h ^ 1))) < 0)
+       orientation(p, q, place(setting, screen, input.tail(FG::internal::twin_index(h)))) < 0)
       return false;
   return true;
 }
 
 // The point half way from column i to the next one, in the face that has a corner at `corner` and two in the other
 // column, at its middle height there.
-FG::Surface_location middle_of_face(const Setting& setting, Index lone, bool is_leftmost)
+FG::Surface_location middle_of_face(const Setting& setting, Vertex_index lone, bool is_leftmost)
 {
   const auto& input = setting.triangulation.input();
-  for(Index h = 0; h < input.number_of_halfedges(); ++h) {
+  for(Input_halfedge_index h : FG::internal::descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
     if(input.tail(h) != lone || input.is_border(h))
       continue;
     const int a = Screen::column(input.tail(input.next(h)));
@@ -178,9 +184,9 @@ FG::Surface_location middle_of_face(const Setting& setting, Index lone, bool is_
 }
 
 // A curve of one segment between two ends in the first and last columns, if there is one.
-bool add_segment(Setting& setting, int inserted, Index from, Index to)
+bool add_segment(Setting& setting, int inserted, Vertex_index from, Vertex_index to)
 {
-  Index ends[2] = {from, to};
+  Vertex_index ends[2] = {from, to};
   for(int k = 2 - inserted; k < 2; ++k) { // both, or the last
     const FG::Surface_location middle = middle_of_face(setting, ends[k], k == 0);
     if(middle.halfedge == FG::null_index)
@@ -189,7 +195,7 @@ bool add_segment(Setting& setting, int inserted, Index from, Index to)
   }
   setting.network.add_curve(FG::shortest_intrinsic_edge_path(setting.triangulation, ends[0], ends[1]), false);
   setting.pull();
-  return setting.network.halfedges(0).size() == 1;
+  return setting.network.halfedges(0_c).size() == 1;
 }
 
 double moved_by_units(double y, int units)
@@ -207,12 +213,12 @@ struct Tally
 };
 
 // Moves vertex v to the line of the only segment, and a little further, and compares the certificate with the truth.
-void move_across(const Screen& screen, int inserted, Index from, Index to, Index v, Tally& tally)
+void move_across(const Screen& screen, int inserted, Vertex_index from, Vertex_index to, Vertex_index v, Tally& tally)
 {
   for(int units : {-1000000000, -2, -1, 0, 1, 2, 1000000000}) {
     Setting setting(screen.soup()); // afresh, for what is known of the input's faces is kept
     BOOST_REQUIRE(add_segment(setting, inserted, from, to));
-    const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0).front());
+    const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0_c).front());
     Screen moved = screen;
     for(int round = 0; round < 3; ++round) { // the ends may move along
       const Place p = place(setting, moved, word.tail), q = place(setting, moved, word.head);
@@ -229,8 +235,8 @@ void move_across(const Screen& screen, int inserted, Index from, Index to, Index
     const bool is_true = is_straight(setting, moved, word);
     const Verdict verdict = FG::certify(setting.network).curves[0].verdict;
     BOOST_TEST((verdict == (is_true ? Verdict::PROVEN : Verdict::BENT_SEGMENT)),
-               "folds " << static_cast<int>(screen.folds) << ", from " << from << " to " << to << ", vertex " << v
-                        << ", " << units);
+               "folds " << static_cast<int>(screen.folds) << ", from " << from.idx() << " to " << to.idx()
+                        << ", vertex " << v.idx() << ", " << units);
     const int side =
         orientation(place(setting, moved, word.tail), place(setting, moved, word.head), place(setting, moved, v));
     (side == 0 ? tally.touching : (is_true ? tally.straight : tally.bent)) += 1;
@@ -249,14 +255,14 @@ BOOST_AUTO_TEST_CASE(a_segment_that_leaves_its_strip_is_bent)
         const Screen screen(folds, seed);
         for(int j = 0; j <= rows; ++j)
           for(int k = 0; k <= rows; ++k) {
-            const Index from = grid_vertex(columns, 0, j), to = grid_vertex(columns, inserted > 0 ? 5 : 4, k);
+            const Vertex_index from = Screen::vertex(0, j), to = Screen::vertex(inserted > 0 ? 5 : 4, k);
             Setting setting(screen.soup());
             if(!add_segment(setting, inserted, from, to))
               continue;
-            const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0).front());
+            const FG::Crossing_word word = setting.triangulation.crossing_word(setting.network.halfedges(0_c).front());
             const auto& input = setting.triangulation.input();
             for(std::size_t i = 1; i + 1 < word.crossed.size(); ++i)
-              for(Index v : {input.tail(word.crossed[i]), input.tail(word.crossed[i] ^ 1)})
+              for(Vertex_index v : {input.tail(word.crossed[i]), input.tail(FG::internal::twin_index(word.crossed[i]))})
                 if(Screen::column(v) >= 1 && Screen::column(v) <= (inserted > 0 ? 4 : 3) && i % 2 == 1)
                   move_across(screen, inserted, from, to, v, tally);
           }
@@ -279,13 +285,15 @@ std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting,
     if(changed.crossed != word.crossed || changed.along != word.along)
       result.push_back(changed);
   };
-  const auto beside = [&](Index h) { // the letters that could be taken for h
-    const Index t = h ^ 1;
-    std::vector<Index> letters = {t, random.below(input.number_of_halfedges())};
-    for(Index side : {h, t})
-      if(!input.is_border(side))
-        letters.insert(letters.end(), {input.next(side), input.next(input.next(side)), input.next(side) ^ 1,
-                                       input.next(input.next(side)) ^ 1});
+  const auto beside = [&](Input_halfedge_index h) { // the letters that could be taken for h
+    using FG::internal::twin_index;
+    const Input_halfedge_index t = twin_index(h);
+    std::vector<Input_halfedge_index> letters = {t, Input_halfedge_index(random.below(input.number_of_halfedges()))};
+    for(Input_halfedge_index side : {h, t})
+      if(!input.is_border(side)) {
+        const Input_halfedge_index second = input.next(side), third = input.next(second);
+        letters.insert(letters.end(), {second, third, twin_index(second), twin_index(third)});
+      }
     return letters;
   };
   for(std::size_t i = 0; i < word.crossed.size(); ++i) {
@@ -296,7 +304,7 @@ std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting,
     if(i > 0)
       std::swap(changed.crossed[i - 1], changed.crossed[i]);
     add(changed);
-    for(Index letter : beside(word.crossed[i])) {
+    for(Input_halfedge_index letter : beside(word.crossed[i])) {
       changed = word;
       changed.crossed[i] = letter;
       add(changed);
@@ -307,15 +315,15 @@ std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting,
       }
     }
   }
-  for(Index letter : beside(word.along != FG::null_index ? word.along : word.crossed.front())) {
+  for(Input_halfedge_index letter : beside(word.along != FG::null_index ? word.along : word.crossed.front())) {
     FG::Crossing_word changed = word;
     changed.crossed.clear();
     changed.along = letter;
     add(changed);
   }
-  for(Index v : {word.tail, word.head}) { // and of another edge
+  for(Vertex_index v : {word.tail, word.head}) { // and of another edge
     FG::Crossing_word changed = word;
-    (v == word.tail ? changed.tail : changed.head) = (v + 1) % input.number_of_vertices();
+    (v == word.tail ? changed.tail : changed.head) = Vertex_index((v.idx() + 1) % input.number_of_vertices());
     result.push_back(changed);
   }
   return result;
@@ -324,8 +332,8 @@ std::vector<FG::Crossing_word> words_changed_by_a_letter(const Setting& setting,
 int plant_falsehoods(Setting& setting, Random_numbers& random)
 {
   int result = 0;
-  setting.network.for_each_segment(0, [&](Index s) {
-    const Index h = setting.network.halfedge(s);
+  setting.network.for_each_segment(0_c, [&](FG::Segment_index s) {
+    const Halfedge_index h = setting.network.halfedge(s);
     const FG::Crossing_word word = setting.triangulation.crossing_word(h);
     if(word.along == FG::null_index && word.crossed.empty())
       return;
@@ -356,7 +364,7 @@ BOOST_AUTO_TEST_CASE(a_word_changed_by_a_letter_is_found)
       Setting setting(soup);
       const int n = setting.triangulation.number_of_vertices();
       const int u = random.below(n);
-      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      setting.add_path(Vertex_index(u), Vertex_index((u + 1 + random.below(n - 1)) % n));
       setting.pull();
       if(FG::certify(setting.network).is_locally_shortest())
         falsehoods += plant_falsehoods(setting, random);
@@ -372,9 +380,9 @@ BOOST_AUTO_TEST_CASE(a_word_between_points_changed_by_a_letter_is_found)
   int falsehoods = 0;
   for(int i = 0; i < 20; ++i) {
     Setting setting(Screen(i % 2 != 0 ? Folds::RATIONAL : Folds::NONE, 1 + i).soup());
-    Index ends[2];
+    Vertex_index ends[2];
     for(int k = 0; k < 2; ++k) {
-      const Index h = setting.triangulation.index(
+      const Input_halfedge_index h = setting.triangulation.input().index(
           halfedge(Surface::Face_index(random.below(static_cast<int>(setting.mesh.number_of_faces()))), setting.mesh));
       ends[k] = setting.network.insert({h, {{0.25, 0.5, i % 3 == 0 ? 0.0 : 0.25}}});
     }
@@ -397,19 +405,19 @@ namespace {
 FG::Curve_certificate verdict_on_joint(const Mesh_soup& soup, const FG::Surface_location& middle, bool is_reversed)
 {
   Setting setting(soup);
-  const Index x = setting.network.insert(middle);
-  std::vector<Index> path = {FG::internal::halfedge_between(setting.triangulation, 2, x),
-                             FG::internal::halfedge_between(setting.triangulation, x, 3)};
+  const Vertex_index x = setting.network.insert(middle);
+  std::vector<Halfedge_index> path = {FG::internal::halfedge_between(setting.triangulation, 2_v, x),
+                                      FG::internal::halfedge_between(setting.triangulation, x, 3_v)};
   if(is_reversed)
-    path = {path[1] ^ 1, path[0] ^ 1};
+    path = {Planted_triangulation::twin(path[1]), Planted_triangulation::twin(path[0])};
   setting.network.add_curve(path, false);
   return FG::certify(setting.network).curves[0];
 }
 
-Index halfedge_from_to(const Mesh_soup& soup, Index v, Index w)
+Input_halfedge_index halfedge_from_to(const Mesh_soup& soup, Vertex_index v, Vertex_index w)
 {
   const Setting setting(soup);
-  return FG::internal::halfedge_between(setting.triangulation, v, w);
+  return FG::internal::as_input(FG::internal::halfedge_between(setting.triangulation, v, w));
 }
 
 } // namespace
@@ -423,7 +431,7 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_an_edge_bent_by_a_unit_is_found)
       const Mesh_soup soup = {
           {{0, 0, 0}, {1, 0, 0}, {0, -5, 0}, is_folded ? Coordinates{x, 3, 4} : Coordinates{x, 5, 0}},
           {{0, 1, 3}, {1, 0, 2}}};
-      const FG::Surface_location middle = {halfedge_from_to(soup, 0, 1), {{0.5, 0.5, 0}}};
+      const FG::Surface_location middle = {halfedge_from_to(soup, 0_v, 1_v), {{0.5, 0.5, 0}}};
       for(bool is_reversed : {false, true}) {
         const FG::Curve_certificate certificate = verdict_on_joint(soup, middle, is_reversed);
         BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
@@ -442,12 +450,15 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_point_of_a_face_bent_by_a_unit_is_found)
       for(int units : {-1000, -1, 0, 1, 1000}) {
         const Mesh_soup soup = {{{0, 0, height}, {7, 1, 0}, {2, 5, 3 * height}}, {{0, 1, 2}}};
         Setting setting(soup);
-        const Index h = FG::internal::halfedge_between(setting.triangulation, corner, (corner + 1) % 3);
-        const Index x = setting.network.insert({h, {{0.5, 0.25, 0.25}}});
-        const Index y = setting.network.insert({h, {{0.25, moved_by_units(0.375, units), 0.375}}});
-        setting.network.add_curve(std::vector<Index>{FG::internal::halfedge_between(setting.triangulation, corner, x),
-                                                     FG::internal::halfedge_between(setting.triangulation, x, y)},
-                                  false);
+        const Vertex_index start(corner), next((corner + 1) % 3);
+        const Input_halfedge_index h =
+            FG::internal::as_input(FG::internal::halfedge_between(setting.triangulation, start, next));
+        const Vertex_index x = setting.network.insert({h, {{0.5, 0.25, 0.25}}});
+        const Vertex_index y = setting.network.insert({h, {{0.25, moved_by_units(0.375, units), 0.375}}});
+        setting.network.add_curve(
+            std::vector<Halfedge_index>{FG::internal::halfedge_between(setting.triangulation, start, x),
+                                        FG::internal::halfedge_between(setting.triangulation, x, y)},
+            false);
         const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
         BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
         if(units != 0) // more of the next corner is on the right
@@ -461,12 +472,12 @@ BOOST_AUTO_TEST_CASE(a_joint_at_a_vertex_bent_by_a_unit_is_found)
   for(Folds folds : {Folds::NONE, Folds::RATIONAL, Folds::ROOTS})
     for(int units : {-1000, -1, 0, 1, 1000}) {
       Screen screen(folds, 1);
-      for(std::size_t v = 0; v < screen.y.size(); ++v)
-        screen.y[v] = 5 * Screen::row(static_cast<Index>(v)) + Screen::column(static_cast<Index>(v));
-      const Index v = grid_vertex(columns, 2, 2);
+      for(Vertex_index v : screen.vertices())
+        screen.y[v] = 5 * Screen::row(v) + Screen::column(v);
+      const Vertex_index v = Screen::vertex(2, 2);
       screen.y[v] = moved_by_units(screen.y[v], units);
       Setting setting(screen.soup());
-      setting.add({grid_vertex(columns, 1, 2), v, grid_vertex(columns, 3, 2)}, false);
+      setting.add({Screen::vertex(1, 2), v, Screen::vertex(3, 2)}, false);
       const FG::Curve_certificate certificate = FG::certify(setting.network).curves[0];
       BOOST_TEST((certificate.verdict == (units == 0 ? Verdict::PROVEN : Verdict::BENT_JOINT)));
       if(units != 0)
@@ -497,10 +508,10 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_counted_in_what_is_told_from_them)
   for(int j = 0; j <= rows; ++j)
     for(int k = 0; k <= rows; ++k) {
       Setting setting(screen.soup());
-      if(!add_segment(setting, 0, grid_vertex(columns, 0, j), grid_vertex(columns, columns, k)))
+      if(!add_segment(setting, 0, Screen::vertex(0, j), Screen::vertex(columns, k)))
         continue;
       const auto& triangulation = setting.triangulation;
-      const Index h = setting.network.halfedges(0).front();
+      const Halfedge_index h = setting.network.halfedges(0_c).front();
       const FG::Crossing_word word = triangulation.crossing_word(h);
       if(word.crossed.empty())
         continue;
@@ -518,7 +529,7 @@ BOOST_AUTO_TEST_CASE(errors_of_strips_are_counted_in_what_is_told_from_them)
         BOOST_TEST(precise.side({p, 0}).is_certain());
         BOOST_TEST(!precise.side({p, 0x1p-70 * size}).is_certain());
       }
-      const Index g = triangulation.clockwise(h);
+      const Halfedge_index g = triangulation.clockwise(h);
       if(g == FG::null_index)
         continue;
       const FG::internal::Strip<Planted_triangulation> from(triangulation, word);

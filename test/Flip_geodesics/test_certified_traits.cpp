@@ -5,6 +5,7 @@
 #include "Curve_setting.h"
 #include "Recording_traits.h"
 #include "Referee.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "lawson.h"
@@ -121,7 +122,7 @@ public:
   {
     ++decisions;
     filtered += decision.is_filtered ? 1 : 0;
-    for(int h : {decision.from, decision.to})
+    for(FG::Halfedge_index h : {decision.from, decision.to})
       bent_edges += m_referee.is_straight(m_triangulation.crossing_word(h)) ? 0 : 1;
     try {
       const int comparison = m_referee.compare_wedge(decision.from, decision.to);
@@ -156,7 +157,7 @@ void work(Triangulation& triangulation, Random_numbers& random)
   const int n = triangulation.number_of_vertices();
   const auto path = [&] {
     const int u = random.below(n);
-    return search(u, (u + 1 + random.below(n - 1)) % n);
+    return search(FG::Vertex_index(u), FG::Vertex_index((u + 1 + random.below(n - 1)) % n));
   };
   for(int i = 0; i < 4; ++i) {
     network.add_curve(path(), false);
@@ -173,7 +174,7 @@ void work(Triangulation& triangulation, Random_numbers& random)
   for(int i = 0; i < 3; ++i) {
     if(i > 0)
       flip_at_random(triangulation, 50, random);
-    const std::vector<int> loop = random_walk(triangulation, 12, true, random);
+    const Halfedge_sequence loop = random_walk(triangulation, 12, true, random);
     if(loop.empty())
       continue;
     network.add_curve(loop, true);
@@ -277,10 +278,11 @@ namespace {
 
 // -1, 0 or 1: the angles opposite to an edge, compared with pi by 300 digits.
 template <class Triangulation, class Shape>
-int compare_opposite_angles(Referee<Triangulation, Shape>& referee, const Triangulation& t, int h)
+int compare_opposite_angles(Referee<Triangulation, Shape>& referee, const Triangulation& t, FG::Halfedge_index h)
 {
-  const Real_vector k = referee.rotation(t.next(h) ^ 1, t.previous(h)),
-                    l = referee.rotation(t.next(h ^ 1) ^ 1, t.previous(h ^ 1));
+  const FG::Halfedge_index other = t.twin(h);
+  const Real_vector k = referee.rotation(t.twin(t.next(h)), t.previous(h)),
+                    l = referee.rotation(t.twin(t.next(other)), t.previous(other));
   const int at_k = sign_beside(k.x, boost::multiprecision::sqrt(squared_norm(k))),
             at_l = sign_beside(l.x, boost::multiprecision::sqrt(squared_norm(l)));
   if(at_k == at_l)
@@ -303,8 +305,9 @@ BOOST_AUTO_TEST_CASE(the_referee_agrees_on_what_is_delaunay)
       Random_numbers random(1);
       for(int round = 0; round < 2; ++round) {
         Referee<Triangulation, Shape> referee(t, Shape(mesh));
-        for(int h = 0; h < t.number_of_halfedges(); h += 2) {
-          if(t.is_border(h) || t.is_border(h ^ 1))
+        for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(t.number_of_edges())) {
+          const FG::Halfedge_index h = FG::internal::first_side(e);
+          if(t.is_border(h) || t.is_border(t.twin(h)))
             continue;
           try {
             const int comparison = compare_opposite_angles(referee, t, h);
@@ -340,14 +343,14 @@ BOOST_AUTO_TEST_CASE(error_bounds_hold)
       Random_numbers random(1);
       flip_at_random(triangulation, 2000 * scale, random);
       Referee<Triangulation, Shape> referee(triangulation, Shape(mesh));
-      for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+      for(FG::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h) {
         if(triangulation.is_border(h))
           continue;
-        const int hn = triangulation.next(h);
+        const FG::Halfedge_index hn = triangulation.next(h);
         const auto in = triangulation.geometry(h), out = triangulation.geometry(hn);
         const Real length =
             referee.length(triangulation.crossing_word(h)) * referee.length(triangulation.crossing_word(hn));
-        Real_vector exact = referee.rotation(h ^ 1, hn);
+        Real_vector exact = referee.rotation(Triangulation::twin(h), hn);
         const Real factor = length / boost::multiprecision::sqrt(squared_norm(exact));
         exact = exact * Real_vector{factor, 0};
         const Real_vector stored = Real_vector{out.x, -Real(out.y)} * Real_vector{-Real(in.x), -Real(in.y)};
@@ -378,9 +381,9 @@ BOOST_AUTO_TEST_CASE(error_bounds_of_precise_edges_hold)
       Random_numbers random(2);
       flip_at_random(triangulation, 2000 * scale, random);
       Referee<Triangulation, Shape> referee(triangulation, Shape(mesh));
-      for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
-        const int next = triangulation.clockwise(h);
-        if(next == -1)
+      for(FG::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h) {
+        const FG::Halfedge_index next = triangulation.clockwise(h);
+        if(next == FG::null_index)
           continue;
         ++edges;
         const FG::internal::Precise_wedge<Triangulation> wedge(triangulation, h, next);
@@ -428,12 +431,12 @@ BOOST_AUTO_TEST_CASE(faces_laid_out_afresh_have_small_errors)
     Triangulation triangulation(mesh);
     Random_numbers random(3);
     for(int i = 0; i < 20; ++i) {
-      const int h = random.below(triangulation.input().number_of_halfedges());
+      const FG::Input_halfedge_index h(random.below(triangulation.input().number_of_halfedges()));
       if(!triangulation.input().is_border(h))
         triangulation.insert({h, {{1, random.uniform(0.5, 1), i % 3 == 0 ? 0 : random.uniform(0.5, 1)}}});
     }
     flip_at_random(triangulation, 300, random);
-    for(int h = 0; h < triangulation.number_of_halfedges(); ++h) {
+    for(FG::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h) {
       if(triangulation.is_border(h))
         continue;
       BOOST_TEST(FG::internal::refresh_face(triangulation, h));
@@ -489,7 +492,7 @@ BOOST_AUTO_TEST_CASE(lengths_that_violate_the_triangle_inequality_by_less_than_r
     FG::Intrinsic_triangulation<Surface, Certified_traits, Length_metric> triangulation(
         mesh, Length_metric(mesh, Length_map(map)));
     try {
-      triangulation.outgoing(0);
+      triangulation.outgoing(0_v);
       return true;
     } catch(const FG::Degenerate_face_error&) {
       return false;

@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "Referee.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -72,10 +73,10 @@ public:
   {
   }
 
-  bool is_locally_shortest(int curve)
+  bool is_locally_shortest(FG::Curve_index curve)
   {
     bool result = true;
-    m_network.for_each_segment(curve, [&](int s) {
+    m_network.for_each_segment(curve, [&](FG::Segment_index s) {
       result = result && m_referee.is_straight(m_network.triangulation().crossing_word(m_network.halfedge(s))) &&
                !is_bent({s, FG::Side::LEFT}) && !is_bent({s, FG::Side::RIGHT});
     });
@@ -103,8 +104,8 @@ FG::Network_certificate checked_certificate(Setting& setting)
   const FG::Network_certificate certificate = FG::certify(setting.network);
   Second_opinion<typename Setting::Network> opinion(setting.network, setting.mesh);
   BOOST_TEST(certificate.curves.size() == std::size_t(setting.network.number_of_curves()));
-  for(int c = 0; c < setting.network.number_of_curves(); ++c) {
-    const FG::Curve_certificate& curve = certificate.curves[c];
+  for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(setting.network.number_of_curves())) {
+    const FG::Curve_certificate& curve = certificate.curves[c.idx()];
     BOOST_TEST(curve.is_locally_shortest() == opinion.is_locally_shortest(c));
     if(curve.verdict == FG::Certificate_verdict::BENT_JOINT) {
       BOOST_TEST(setting.network.curve(curve.segment) == c);
@@ -112,6 +113,14 @@ FG::Network_certificate checked_certificate(Setting& setting)
     }
   }
   return certificate;
+}
+
+template <class Setting>
+void add_random_path(Setting& setting, Random_numbers& random)
+{
+  const int n = setting.triangulation.number_of_vertices();
+  const int u = random.below(n);
+  setting.add_path(FG::Vertex_index(u), FG::Vertex_index((u + 1 + random.below(n - 1)) % n));
 }
 
 template <class Setting>
@@ -128,10 +137,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(paths_that_were_pulled_tight_are_proven, Setting, 
   for(const Mesh_soup& soup : soups()) {
     Setting setting(soup);
     Random_numbers random(1);
-    const int n = setting.triangulation.number_of_vertices();
     for(int i = 0; i < 20; ++i) {
-      const int u = random.below(n);
-      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      add_random_path(setting, random);
       setting.pull();
       BOOST_TEST((checked_certificate(setting).curves[0].verdict == FG::Certificate_verdict::PROVEN));
       take_back(setting);
@@ -145,12 +152,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_and_networks_that_were_pulled_tight_are_prov
   for(const Mesh_soup& soup : soups()) {
     Setting setting(soup);
     Random_numbers random(2);
-    const int n = setting.triangulation.number_of_vertices();
     for(int i = 0; i < 10; ++i) {
-      for(int k = 0; k < 3; ++k) {
-        const int u = random.below(n);
-        setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
-      }
+      for(int k = 0; k < 3; ++k)
+        add_random_path(setting, random);
       try {
         FG::order_overlapping_curves(setting.network);
         setting.pull();
@@ -160,7 +164,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_and_networks_that_were_pulled_tight_are_prov
       }
       take_back(setting);
 
-      const std::vector<int> loop = random_walk(setting.triangulation, 15, true, random);
+      const Halfedge_sequence loop = random_walk(setting.triangulation, 15, true, random);
       if(!loop.empty())
         setting.network.add_curve(loop, true);
       if(!loop.empty() && order_at_random(setting.network, loop, 5, random)) {
@@ -182,10 +186,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(near_ties_are_told_from_ties, Setting, Settings)
   for(const Mesh_soup& soup : soups_near_ties()) {
     Setting setting(soup);
     Random_numbers random(5);
-    const int n = setting.triangulation.number_of_vertices();
     for(int i = 0; i < 40; ++i) {
-      const int u = random.below(n);
-      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      add_random_path(setting, random);
       setting.pull();
       bent += checked_certificate(setting).is_locally_shortest() ? 0 : 1;
       take_back(setting);
@@ -200,10 +202,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(paths_as_they_were_found_are_judged_as_the_referee
   for(const Mesh_soup& soup : soups()) {
     Setting setting(soup);
     Random_numbers random(3);
-    const int n = setting.triangulation.number_of_vertices();
     for(int i = 0; i < 20; ++i) {
-      const int u = random.below(n);
-      setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+      add_random_path(setting, random);
       (checked_certificate(setting).is_locally_shortest() ? straight : bent) += 1;
       take_back(setting);
     }
@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_curve_one_step_from_the_end_is_bent, Setting, Se
     Random_numbers random(4);
     const int n = setting.triangulation.number_of_vertices();
     for(int i = 0; i < 10; ++i) {
-      const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
+      const FG::Vertex_index u(random.below(n)), v((u.idx() + 1 + random.below(n - 1)) % n);
       setting.add_path(u, v);
       const std::size_t steps = setting.pull().flip_outs;
       take_back(setting);
@@ -246,13 +246,14 @@ BOOST_AUTO_TEST_CASE(the_bent_joint_is_named)
   const FG::Network_certificate left = FG::certify(setting.network);
   BOOST_TEST((left.curves[0].verdict == FG::Certificate_verdict::BENT_JOINT));
   BOOST_TEST((left.curves[0].side == FG::Side::LEFT));
-  BOOST_TEST(setting.triangulation.head(setting.network.halfedge(left.curves[0].segment)) == grid_vertex(n, 2, 1));
+  const auto head_of = [&](FG::Segment_index s) { return setting.triangulation.head(setting.network.halfedge(s)); };
+  BOOST_TEST(head_of(left.curves[0].segment) == FG::Vertex_index(grid_vertex(n, 2, 1)));
   take_back(setting);
 
   setting.add(vertex_path_on_grid(n, {{0, 3}, {2, 3}, {2, 1}}), false);
   const FG::Network_certificate right = FG::certify(setting.network);
   BOOST_TEST((right.curves[0].side == FG::Side::RIGHT));
-  BOOST_TEST(setting.triangulation.head(setting.network.halfedge(right.curves[0].segment)) == grid_vertex(n, 2, 3));
+  BOOST_TEST(head_of(right.curves[0].segment) == FG::Vertex_index(grid_vertex(n, 2, 3)));
 }
 
 BOOST_AUTO_TEST_CASE(each_curve_has_a_verdict_of_its_own)
@@ -276,7 +277,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(what_blocks_a_joint_is_not_held_against_the_curve,
   Setting setting(flat_grid(n, n, Diagonal_rule::FALLING));
   setting.add(vertex_path_on_grid(n, {{1, 3}, {3, 3}, {3, 5}}), false);
   BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
-  setting.add({grid_vertex(n, 2, 4), grid_vertex(n, 3, 3)}, false);
+  setting.add({FG::Vertex_index(grid_vertex(n, 2, 4)), FG::Vertex_index(grid_vertex(n, 3, 3))}, false);
   const FG::Network_certificate certificate = checked_certificate(setting);
   BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
   BOOST_TEST((certificate.curves[1].verdict == FG::Certificate_verdict::PROVEN));
@@ -288,14 +289,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fixed_nodes_may_be_bent, Setting, Settings)
   Setting setting(flat_grid(n, n, Diagonal_rule::RISING));
   setting.add(vertex_path_on_grid(n, {{1, 3}, {3, 3}, {3, 5}}), false);
   BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
-  setting.network.fix_nodes_at(grid_vertex(n, 3, 3));
+  setting.network.fix_nodes_at(FG::Vertex_index(grid_vertex(n, 3, 3)));
   BOOST_TEST(checked_certificate(setting).is_locally_shortest());
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_curve_that_turns_back_is_bent, Setting, Settings)
 {
   Setting setting(cube(3));
-  setting.add({0, 1, 0, 1}, false);
+  setting.add({0_v, 1_v, 0_v, 1_v}, false);
   const FG::Network_certificate certificate = checked_certificate(setting);
   BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::BENT_JOINT));
 }
@@ -306,7 +307,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_contracted_curve_is_proven, Setting, Settings)
   setting.add(disk_ring(6, 1), true);
   BOOST_TEST(!FG::certify(setting.network).is_locally_shortest());
   setting.pull();
-  BOOST_TEST(setting.network.is_contracted(0));
+  BOOST_TEST(setting.network.is_contracted(0_c));
   BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Certificate_verdict::PROVEN));
 }
 
@@ -393,7 +394,7 @@ BOOST_AUTO_TEST_CASE(zeros_of_many_roots_are_proven)
     Certified_setting setting(folding_screen(n, true, 0));
     const FG::Network_certificate certificate = certificate_of_diagonal(setting, n);
     BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
-    BOOST_TEST(setting.network.halfedges(0).size() == 2u);
+    BOOST_TEST(setting.network.halfedges(0_c).size() == 2u);
     BOOST_TEST(certificate.statistics.zeros_by_roots == 2u);
     BOOST_TEST(certificate.statistics.most_roots > (n == 5 ? 3u : 12u));
     BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
@@ -423,7 +424,7 @@ BOOST_AUTO_TEST_CASE(legs_are_as_certain_as_the_least_of_them)
 {
   Certified_setting setting(folding_screen(20, false, 0));
   auto& t = setting.triangulation;
-  const auto at = [&](int i, int j) { return t.location(grid_vertex(40, i, j)); };
+  const auto at = [&](int i, int j) { return t.location(FG::Vertex_index(grid_vertex(40, i, j))); };
   setting.network.clear();
   BOOST_TEST((FG::geodesics_through(t, {at(0, 0), at(40, 2), at(39, 2)}).certificate.verdict ==
               FG::Certificate_verdict::PROBABLE));
@@ -439,7 +440,7 @@ BOOST_AUTO_TEST_CASE(almost_zeros_of_many_roots_have_signs)
       Certified_setting setting(folding_screen(20, is_reversed, lift));
       const FG::Network_certificate certificate = certificate_of_diagonal(setting, 20);
       BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
-      BOOST_TEST(setting.network.halfedges(0).size() == 1u);
+      BOOST_TEST(setting.network.halfedges(0_c).size() == 1u);
       BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
     }
 }
@@ -477,7 +478,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(segments_along_faces_without_area_are_proven, Sett
   Random_numbers random(1);
   int walks = 0;
   for(int i = 0; i < 300; ++i) {
-    const std::vector<int> walk = random_walk(setting.triangulation, 8, false, random);
+    const Halfedge_sequence walk = random_walk(setting.triangulation, 8, false, random);
     if(walk.empty())
       continue;
     setting.network.add_curve(walk, false);
@@ -486,7 +487,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(segments_along_faces_without_area_are_proven, Sett
                  q = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.head(walk.back())));
       setting.pull();
       BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Certificate_verdict::PROVEN));
-      BOOST_TEST(std::abs(setting.network.length(0) - std::sqrt(CGAL::squared_distance(p, q))) < 1e-12);
+      BOOST_TEST(std::abs(setting.network.length(0_c) - std::sqrt(CGAL::squared_distance(p, q))) < 1e-12);
       ++walks;
     }
     take_back(setting);
@@ -513,7 +514,7 @@ BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
     });
     Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
     FG::Edge_path_network<Triangulation> network(triangulation);
-    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0, 1}, false), false);
+    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0_v, 1_v}, false), false);
     const auto verdict = FG::certify(network).curves[0].verdict;
     BOOST_TEST((verdict ==
                 (far_side < std::sqrt(2.0) ? FG::Certificate_verdict::BENT_SEGMENT : FG::Certificate_verdict::PROVEN)));
@@ -543,10 +544,10 @@ BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_gate_has_a_full_angle_or_i
           return (std::max)(u, v) == 4 ? far_side : 5.0;
         });
         Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
-        const int h = FG::internal::halfedge_between(triangulation, 2, 3);
+        const FG::Halfedge_index h = FG::internal::halfedge_between(triangulation, 2_v, 3_v);
         triangulation.flip(h);
         FG::Edge_path_network<Triangulation> network(triangulation);
-        network.add_curve(std::vector<int>{is_reversed ? h ^ 1 : h}, false);
+        network.add_curve(Halfedge_sequence{is_reversed ? Triangulation::twin(h) : h}, false);
         const auto verdict = FG::certify(network).curves[0].verdict;
         BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Certificate_verdict::PROVEN
                                                             : FG::Certificate_verdict::BENT_SEGMENT)));
@@ -575,11 +576,11 @@ BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
       return ends.first == 1 ? far_side : 2.5;
     });
     Triangulation triangulation(mesh, Metric(mesh, boost::make_assoc_property_map(lengths)));
-    const int h = FG::internal::halfedge_between(triangulation, 0, 3);
+    const FG::Halfedge_index h = FG::internal::halfedge_between(triangulation, 0_v, 3_v);
     triangulation.flip(h);
-    for(int side : {h, h ^ 1}) {
+    for(FG::Halfedge_index side : {h, Triangulation::twin(h)}) {
       FG::Edge_path_network<Triangulation> network(triangulation);
-      network.add_curve(std::vector<int>{side}, false);
+      network.add_curve(Halfedge_sequence{side}, false);
       BOOST_TEST((FG::certify(network).curves[0].verdict ==
                   (far_side > 3.1 ? FG::Certificate_verdict::PROVEN : FG::Certificate_verdict::BENT_SEGMENT)));
       network.clear();
@@ -620,29 +621,29 @@ public:
     });
   }
 
-  FG::Certificate_verdict verdict_on_edge(int u, int v) const
+  FG::Certificate_verdict verdict_on_edge(FG::Vertex_index u, FG::Vertex_index v) const
   {
     Triangulation triangulation = triangulated();
     return verdict(triangulation, FG::internal::halfedge_between(triangulation, u, v));
   }
 
   // Of what becomes of an edge when it is flipped, whether it could be or not; in both directions.
-  FG::Certificate_verdict verdict_on_flipped_edge(int u, int v) const
+  FG::Certificate_verdict verdict_on_flipped_edge(FG::Vertex_index u, FG::Vertex_index v) const
   {
     Triangulation triangulation = triangulated();
-    const int h = FG::internal::halfedge_between(triangulation, u, v);
+    const FG::Halfedge_index h = FG::internal::halfedge_between(triangulation, u, v);
     triangulation.flip(h);
     const auto result = verdict(triangulation, h);
-    BOOST_TEST((verdict(triangulation, h ^ 1) == result));
+    BOOST_TEST((verdict(triangulation, Triangulation::twin(h)) == result));
     return result;
   }
 
   // Of the part of an edge from a point of it to its end.
-  FG::Certificate_verdict verdict_on_part(int u, int v, double at_tail) const
+  FG::Certificate_verdict verdict_on_part(FG::Vertex_index u, FG::Vertex_index v, double at_tail) const
   {
     Triangulation triangulation = triangulated();
-    const int h = FG::internal::halfedge_between(triangulation, u, v);
-    const int x = triangulation.insert({h, {{at_tail, 1 - at_tail, 0}}});
+    const FG::Halfedge_index h = FG::internal::halfedge_between(triangulation, u, v);
+    const FG::Vertex_index x = triangulation.insert({FG::internal::as_input(h), {{at_tail, 1 - at_tail, 0}}});
     return verdict(triangulation, FG::internal::halfedge_between(triangulation, x, v));
   }
 
@@ -652,10 +653,10 @@ private:
     return Triangulation(m_mesh, Metric(m_mesh, boost::make_assoc_property_map(m_lengths)));
   }
 
-  static FG::Certificate_verdict verdict(Triangulation& triangulation, int h)
+  static FG::Certificate_verdict verdict(Triangulation& triangulation, FG::Halfedge_index h)
   {
     FG::Edge_path_network<Triangulation> network(triangulation);
-    network.add_curve(std::vector<int>{h}, false);
+    network.add_curve(Halfedge_sequence{h}, false);
     const auto result = FG::certify(network).curves[0].verdict;
     network.clear();
     return result;
@@ -677,17 +678,17 @@ BOOST_AUTO_TEST_CASE(cones_on_the_line_count_between_the_ends)
     const double to_1 = std::abs(4 - x);
     return Surface_of_lengths(one_face, {{0, 1, 4}, {0, 2, x}, {1, 2, to_1}, {2, 3, 1}, {0, 3, x}, {1, 3, to_1}});
   };
-  BOOST_TEST((with_cone_at(2).verdict_on_edge(0, 1) == bent));
-  BOOST_TEST((with_cone_at(5).verdict_on_edge(0, 1) == proven));
+  BOOST_TEST((with_cone_at(2).verdict_on_edge(0_v, 1_v) == bent));
+  BOOST_TEST((with_cone_at(5).verdict_on_edge(0_v, 1_v) == proven));
   const double close = 0x1p-32;
   const Surface_of_lengths near_the_head(
       one_face, {{0, 1, 4}, {0, 2, 4 - close}, {1, 2, close}, {2, 3, close}, {0, 3, 4 - close}, {1, 3, close}});
-  BOOST_TEST((near_the_head.verdict_on_edge(0, 1) == bent));
-  BOOST_TEST((near_the_head.verdict_on_edge(1, 0) == bent));
+  BOOST_TEST((near_the_head.verdict_on_edge(0_v, 1_v) == bent));
+  BOOST_TEST((near_the_head.verdict_on_edge(1_v, 0_v) == bent));
   // Seen from a point of the edge, on either side of the tip.
-  BOOST_TEST((with_cone_at(2).verdict_on_part(0, 1, 0.75) == bent));
-  BOOST_TEST((with_cone_at(2).verdict_on_part(0, 1, 0.25) == proven));
-  BOOST_TEST((with_cone_at(1).verdict_on_part(0, 1, 0.5) == proven));
+  BOOST_TEST((with_cone_at(2).verdict_on_part(0_v, 1_v, 0.75) == bent));
+  BOOST_TEST((with_cone_at(2).verdict_on_part(0_v, 1_v, 0.25) == proven));
+  BOOST_TEST((with_cone_at(1).verdict_on_part(0_v, 1_v, 0.5) == proven));
 }
 
 // Beyond the head, at 5 and 6, faces turn back to a tip at 3, which is not on the edge: it is reached over 5 only.
@@ -696,7 +697,7 @@ BOOST_AUTO_TEST_CASE(faces_on_the_line_are_followed_between_the_ends)
   const std::vector<Corners> triangles = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {2, 4, 5}};
   const std::vector<Edge_with_length> edges = {{0, 1, 4}, {1, 2, 1}, {0, 2, 5}, {1, 3, 2}, {2, 3, 1},
                                                {2, 4, 2}, {3, 4, 3}, {4, 5, 1}, {2, 5, 2}, {3, 5, 3}};
-  BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0, 1) == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0_v, 1_v) == FG::Certificate_verdict::PROVEN));
 }
 
 // A fan of many faces about 0, with far ends beyond the head, and then one with a tip on the edge.
@@ -713,7 +714,8 @@ BOOST_AUTO_TEST_CASE(many_faces_on_the_line_are_followed_to_the_last)
     const int tip = n + 1, beside = n + 2;
     triangles.insert(triangles.end(), {{0, n, tip}, {tip, n, beside}, {0, tip, beside}});
     edges.insert(edges.end(), {{0, tip, 2}, {n, tip, n + 1.0}, {tip, beside, 1}, {0, beside, 2}, {n, beside, n + 1.0}});
-    BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0, 1) == FG::Certificate_verdict::BENT_SEGMENT));
+    const auto verdict = Surface_of_lengths(triangles, edges).verdict_on_edge(0_v, 1_v);
+    BOOST_TEST((verdict == FG::Certificate_verdict::BENT_SEGMENT));
   }
 }
 
@@ -724,7 +726,7 @@ BOOST_AUTO_TEST_CASE(faces_with_little_area_are_told_from_those_without)
   for(double other : {rest, rest + 0x1p-53}) {
     const Surface_of_lengths surface({{0, 1, 2}, {2, 1, 3}, {0, 2, 3}},
                                      {{0, 1, 1}, {0, 2, close}, {1, 2, other}, {0, 3, 1}});
-    BOOST_TEST((surface.verdict_on_edge(0, 1) ==
+    BOOST_TEST((surface.verdict_on_edge(0_v, 1_v) ==
                 (other > rest ? FG::Certificate_verdict::PROVEN : FG::Certificate_verdict::BENT_SEGMENT)));
   }
 }
@@ -739,7 +741,7 @@ BOOST_AUTO_TEST_CASE(edges_crossed_on_the_line_lie_between_the_ends)
                                           {2, 3, to - from},
                                           {1, 2, std::abs(4 - from)},
                                           {1, 3, std::abs(4 - to)}})
-        .verdict_on_flipped_edge(2, 3);
+        .verdict_on_flipped_edge(2_v, 3_v);
   };
   BOOST_TEST((verdict(1, 3) == FG::Certificate_verdict::PROVEN));
   BOOST_TEST((verdict(-1, 5) == FG::Certificate_verdict::PROVEN));

@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "closed_forms.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -48,7 +49,7 @@ void check_distances(const char* name, const Mesh_soup& soup, int pairs, const D
   for(int i = 0; i < pairs; ++i) {
     const int n = static_cast<int>(soup.points.size());
     const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
-    const FG::Curve_report report = setting.pulled_path(u, v);
+    const FG::Curve_report report = setting.pulled_path(FG::Vertex_index(u), FG::Vertex_index(v));
     const double expected = distance(u, v);
     BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
     BOOST_TEST(report.length >= expected * (1 - tolerance), u << " to " << v);
@@ -92,7 +93,7 @@ BOOST_AUTO_TEST_CASE(cube_of_edge_32)
   const int u = index_of(soup, {-16, -6, 0}), v = index_of(soup, {8, -16, 12});
   BOOST_REQUIRE(u >= 0);
   BOOST_REQUIRE(v >= 0);
-  check_shortest(setting.pulled_path(u, v), std::sqrt(1300.0));
+  check_shortest(setting.pulled_path(FG::Vertex_index(u), FG::Vertex_index(v)), std::sqrt(1300.0));
 }
 
 BOOST_AUTO_TEST_CASE(tetrahedra)
@@ -146,8 +147,8 @@ BOOST_AUTO_TEST_CASE(a_saddle_vertex_is_passed)
   check_shortest(report.curves[0], 2);
   BOOST_TEST(report.curves[0].smallest_angle == 4.5, boost::test_tools::tolerance(1e-9));
   bool passes = false;
-  for(int h : setting.network.halfedges(0))
-    passes = passes || setting.triangulation.tail(h) == 0;
+  for(FG::Halfedge_index h : setting.network.halfedges(0_c))
+    passes = passes || setting.triangulation.tail(h) == 0_v;
   BOOST_TEST(passes);
 }
 
@@ -194,7 +195,7 @@ BOOST_AUTO_TEST_CASE(random_loops_on_the_tetrahedron)
     Random_numbers random(2);
     for(int i = 0; i < 6000 * scale; ++i) {
       flip_at_random(setting.triangulation, random.below(40), random);
-      const std::vector<int> walk = random_walk(setting.triangulation, 12, true, random);
+      const Halfedge_sequence walk = random_walk(setting.triangulation, 12, true, random);
       if(!walk.empty()) {
         setting.network.add_curve(walk, true);
         if(order_at_random(setting.network, walk, 5, random)) {
@@ -272,7 +273,7 @@ BOOST_AUTO_TEST_CASE(loops_contract_on_convex_surfaces)
     Curve_setting setting(soup);
     for(int i = 0; i < 3000 * scale; ++i) {
       flip_at_random(setting.triangulation, random.below(200), random);
-      const std::vector<int> walk = random_walk(setting.triangulation, 25, true, random);
+      const Halfedge_sequence walk = random_walk(setting.triangulation, 25, true, random);
       if(!walk.empty()) {
         setting.network.add_curve(walk, true);
         if(order_at_random(setting.network, walk, 5, random))

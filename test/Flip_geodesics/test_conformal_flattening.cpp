@@ -2,6 +2,7 @@
 //
 // Flattening along cuts: developable surfaces come out with their lengths, curved ones with their angle sums.
 
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "mesh_soup.h"
@@ -41,7 +42,7 @@ using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Flattening = FG::Conformal_flattening<Triangulation>;
 
-double flat_length(const Flattening& flattening, const Triangulation& triangulation, FG::Index h)
+double flat_length(const Flattening& flattening, const Triangulation& triangulation, FG::Halfedge_index h)
 {
   const auto& p = flattening.point(flattening.copy_at(h));
   const auto& q = flattening.point(flattening.copy_at(triangulation.next(h)));
@@ -79,10 +80,10 @@ double largest_scale(const Flattening& flattening)
   return result;
 }
 
-FG::Index add_path(Network& network, FG::Index s, FG::Index t)
+FG::Curve_index add_path(Network& network, FG::Vertex_index s, FG::Vertex_index t)
 {
   FG::Shortest_edge_path<Triangulation> search(network.triangulation());
-  return network.add_curve(FG::shortest_halfedges_through(search, std::vector<FG::Index>{s, t}), false);
+  return network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{s, t}), false);
 }
 
 } // namespace
@@ -93,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_cut_from_border_to_border_rolls_out_to_a_strip)
   const Mesh mesh = to_mesh<Mesh>(cylinder(n, m, 1, 3));
   Triangulation triangulation(mesh);
   Network network(triangulation);
-  add_path(network, 0, 3 + n * m);
+  add_path(network, 0_v, FG::Vertex_index(3 + n * m));
   FG::shorten(network);
   const Flattening flattening(network);
   BOOST_TEST(largest_scale(flattening) < 1e-12);
@@ -111,9 +112,9 @@ BOOST_AUTO_TEST_CASE(a_cylinder_cut_from_border_to_border_rolls_out_to_a_strip)
   }
 
   // The two sides of the cut are parallel, one circumference apart.
-  const FG::Index h = network.halfedge(network.first_segment(0));
+  const FG::Halfedge_index h = network.halfedge(network.first_segment(0_c));
   const auto& left = flattening.point(flattening.copy_at(h));
-  const auto& right = flattening.point(flattening.copy_at(triangulation.next(h ^ 1)));
+  const auto& right = flattening.point(flattening.copy_at(triangulation.next(Triangulation::twin(h))));
   BOOST_TEST(std::abs(std::hypot(left[0] - right[0], left[1] - right[1]) - n * polygon_side(n, 1)) < 1e-11);
 }
 
@@ -123,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_cone_cut_to_its_apex_rolls_out_to_a_sector)
   const Mesh mesh = to_mesh<Mesh>(cone(n, m, 2, 3));
   Triangulation triangulation(mesh);
   Network network(triangulation);
-  add_path(network, 0, disk_vertex(n, m, 4));
+  add_path(network, 0_v, FG::Vertex_index(disk_vertex(n, m, 4)));
   FG::shorten(network);
   const Flattening flattening(network);
   BOOST_TEST(largest_scale(flattening) < 1e-12);
@@ -138,17 +139,17 @@ BOOST_AUTO_TEST_CASE(curved_surfaces_are_flattened_conformally)
   const Mesh mesh = to_mesh<Mesh>(soup);
   Triangulation triangulation(mesh);
   Network network(triangulation);
-  FG::Index top = 0;
-  std::vector<FG::Index> ends;
+  FG::Vertex_index top = 0_v;
+  Vertex_sequence ends;
   for(std::size_t v = 0; v < soup.points.size(); ++v) {
     const Coordinates p = normalized(soup.points[v]);
     if(p[2] > 1 - 1e-9)
-      top = static_cast<FG::Index>(v);
+      top = FG::Vertex_index(static_cast<FG::Index>(v));
     if(std::abs(p[0]) > 1 - 1e-9 || std::abs(p[1]) > 1 - 1e-9)
-      ends.push_back(static_cast<FG::Index>(v));
+      ends.emplace_back(static_cast<FG::Index>(v));
   }
   BOOST_TEST(ends.size() == 4u);
-  for(FG::Index end : ends)
+  for(FG::Vertex_index end : ends)
     add_path(network, top, end);
   const Flattening flattening(network);
   BOOST_TEST(flattening.angle_error() <= 1e-10);
@@ -157,11 +158,12 @@ BOOST_AUTO_TEST_CASE(curved_surfaces_are_flattened_conformally)
   BOOST_TEST(largest_length_error(flattening, triangulation) < 1e-7);
   BOOST_TEST(flattening.layout_error() < 1e-7);
   // Both sides of the seam are as long as the curve was on the surface.
-  network.for_each_segment(0, [&](FG::Index s) {
-    const FG::Index h = network.halfedge(s);
+  network.for_each_segment(0_c, [&](FG::Segment_index s) {
+    const FG::Halfedge_index h = network.halfedge(s);
     const double expected = triangulation.length(h);
     BOOST_TEST(std::abs(flat_length(flattening, triangulation, h) - expected) < 1e-7 * expected);
-    BOOST_TEST(std::abs(flat_length(flattening, triangulation, h ^ 1) - expected) < 1e-7 * expected);
+    const double on_other_side = flat_length(flattening, triangulation, Triangulation::twin(h));
+    BOOST_TEST(std::abs(on_other_side - expected) < 1e-7 * expected);
   });
 }
 
@@ -171,11 +173,11 @@ BOOST_AUTO_TEST_CASE(a_torus_is_flattened_along_two_loops)
   const Mesh mesh = to_mesh<Mesh>(torus(n, m, 3, 1));
   Triangulation triangulation(mesh);
   Network network(triangulation);
-  std::vector<FG::Index> along, around;
+  Vertex_sequence along, around;
   for(int i = 0; i < n; ++i)
-    along.push_back(i);
+    along.emplace_back(i);
   for(int j = 0; j < m; ++j)
-    around.push_back(n * j);
+    around.emplace_back(n * j);
   network.add_curve(FG::halfedges_through(triangulation, along, true), true);
   BOOST_CHECK_THROW(Flattening{network}, FG::Flattening_error); // an annulus
   network.add_curve(FG::halfedges_through(triangulation, around, true), true);
@@ -191,9 +193,10 @@ BOOST_AUTO_TEST_CASE(straightened_seams_are_refined_first)
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
-  for(const std::vector<FG::Index>& way : {std::vector<FG::Index>{0, 8, 16}, {0, 4 * n, 8 * n}})
+  const Vertex_sequence along = {0_v, 8_v, 16_v}, around = {0_v, FG::Vertex_index(4 * n), FG::Vertex_index(8 * n)};
+  for(const Vertex_sequence& way : {along, around})
     network.add_curve(FG::shortest_halfedges_through(search, way, true), true);
-  network.fix_nodes_at(0);
+  network.fix_nodes_at(0_v);
   FG::order_overlapping_curves(network);
   FG::shorten(network);
   FG::Refinement_options options;

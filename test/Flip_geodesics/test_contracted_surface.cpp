@@ -4,6 +4,7 @@
 
 #include "Mesh_archetype.h"
 #include "closed_forms.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -144,10 +145,10 @@ BOOST_AUTO_TEST_CASE(what_is_left_is_the_mesh_as_it_was)
       std::multiset<std::multiset<Coordinates>> before, after;
       for(const Corners& t : cube_soup.triangles)
         before.insert({cube_soup.points[t[0]], cube_soup.points[t[1]], cube_soup.points[t[2]]});
-      for(FG::Index h = 0; h < input.number_of_halfedges(); ++h) {
-        const FG::Index hn = input.next(h), hp = input.next(hn);
+      for(FG::Input_halfedge_index h(0); h.idx() < input.number_of_halfedges(); ++h) {
+        const FG::Input_halfedge_index hn = input.next(h), hp = input.next(hn);
         BOOST_REQUIRE_EQUAL(input.next(hp), h);
-        BOOST_CHECK_EQUAL(input.tail(hn), input.tail(h ^ 1));
+        BOOST_CHECK_EQUAL(input.tail(hn), input.tail(FG::internal::twin_index(h)));
         BOOST_CHECK_EQUAL(input.tail(h), input.index(mesh.source(input.halfedge(h))));
         if(h < hn && h < hp)
           after.insert({triangulation.metric().place(input, input.tail(h)),
@@ -194,16 +195,16 @@ BOOST_AUTO_TEST_CASE(curves_are_proven_on_the_surface_that_is_left)
   Triangulation triangulation = contracted(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   for(int t = 1; t < static_cast<int>(mesh.number_of_vertices()); t += 7) {
-    const std::vector<FG::Index> ends = {triangulation.index(vertex(0)), triangulation.index(vertex(t))};
+    const Vertex_sequence ends = {triangulation.index(vertex(0)), triangulation.index(vertex(t))};
     if(ends[0] == ends[1])
       continue;
     Network network(triangulation);
     network.add_curve(FG::shortest_halfedges_through(search, ends), false);
     BOOST_CHECK(FG::shorten(network).is_complete());
     BOOST_CHECK(FG::certify(network).curves.front().verdict == FG::Certificate_verdict::PROVEN);
-    for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(0))
+    for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(0_c))
       if(!p.is_vertex()) // told by an edge of the mesh itself
-        BOOST_CHECK(mesh.halfedge(vertex(p.a), vertex(p.b)) != Mesh::null_halfedge());
+        BOOST_CHECK(mesh.halfedge(vertex(p.a.idx()), vertex(p.b.idx())) != Mesh::null_halfedge());
     network.clear();
     triangulation.rollback();
   }
@@ -336,7 +337,9 @@ BOOST_AUTO_TEST_CASE(points_lie_on_faces_without_area_and_edges_without_length)
   const int v = grid_vertex(8, 4, 4), c = grid_vertex(8, 5, 4), d = grid_vertex(8, 3, 4);
   const int w = split_vertex(soup, v, c, d);
   const Mesh mesh = to_mesh<Mesh>(soup);
-  const auto halfedge = [&](int a, int b) { return static_cast<FG::Index>(mesh.halfedge(vertex(a), vertex(b))); };
+  const auto halfedge = [&](int a, int b) {
+    return FG::Input_halfedge_index(static_cast<FG::Index>(mesh.halfedge(vertex(a), vertex(b))));
+  };
   const auto path_length = [&](const FG::Surface_location& p, const FG::Surface_location& q) {
     std::vector<Point> points;
     const auto report =
@@ -411,17 +414,17 @@ BOOST_AUTO_TEST_CASE(sheets_that_meet_in_a_point_are_apart)
 BOOST_AUTO_TEST_CASE(without_being_asked_a_triangulation_refuses)
 {
   Mesh_soup soup = flat_grid(4, 4, Diagonal_rule::RISING);
-  const int v = grid_vertex(4, 2, 2);
-  const int w = split_vertex(soup, v, grid_vertex(4, 3, 2), grid_vertex(4, 1, 2));
+  const FG::Vertex_index v(grid_vertex(4, 2, 2));
+  const FG::Vertex_index w(split_vertex(soup, v.idx(), grid_vertex(4, 3, 2), grid_vertex(4, 1, 2)));
   const Mesh mesh = to_mesh<Mesh>(soup);
   const Triangulation strict(mesh, Metric(mesh.points()));
-  const std::vector<FG::Index> chain = {v, w};
+  const Vertex_sequence chain = {v, w};
   BOOST_CHECK_THROW(FG::halfedges_on_surface(strict, chain, false), FG::Degenerate_face_error);
   const Triangulation left = contracted(mesh);
   BOOST_CHECK(FG::halfedges_on_surface(left, chain, false).empty());
   BOOST_CHECK_EQUAL(FG::vertex_on_surface(left, w), v);
-  BOOST_CHECK_THROW(FG::vertex_on_surface(left, w + 1), FG::Vertex_out_of_range_error);
-  const std::vector<FG::Index> apart = {v, grid_vertex(4, 0, 0)};
+  BOOST_CHECK_THROW(FG::vertex_on_surface(left, FG::Vertex_index(w.idx() + 1)), FG::Vertex_out_of_range_error);
+  const Vertex_sequence apart = {v, FG::Vertex_index(grid_vertex(4, 0, 0))};
   BOOST_CHECK_THROW(FG::halfedges_on_surface(left, apart, false), FG::Invalid_curve_error);
 
   const Mesh regular = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
@@ -433,13 +436,15 @@ BOOST_AUTO_TEST_CASE(other_meshes_are_contracted_alike)
   const Mesh_soup soup = split_at_random(cube(3), 60, 7);
   const Mesh_archetype mesh(soup);
   const FG::internal::Indexed_mesh<Mesh_archetype> plain(mesh);
-  const auto lengths = [&](auto tail, auto head) { return distance(soup.points[tail], soup.points[head]); };
-  const auto left = plain.contracted([&](FG::Index h) { return lengths(plain.tail(h), plain.tail(h ^ 1)); });
+  const auto length_of = [&](FG::Input_halfedge_index h) {
+    return distance(soup.points[plain.tail(h).idx()], soup.points[plain.tail(FG::internal::twin_index(h)).idx()]);
+  };
+  const auto left = plain.contracted(length_of);
   BOOST_CHECK_EQUAL(left.number_of_halfedges(), 3 * static_cast<FG::Index>(cube(3).triangles.size()));
-  for(FG::Index h = 0; h < left.number_of_halfedges(); ++h) {
+  for(FG::Input_halfedge_index h(0); h.idx() < left.number_of_halfedges(); ++h) {
     BOOST_REQUIRE_EQUAL(left.next(left.next(left.next(h))), h);
     BOOST_CHECK_EQUAL(left.index(left.halfedge(h)), h);
-    BOOST_CHECK(soup.points[left.tail(h)] == soup.points[left.uncontracted_tail(h)]);
+    BOOST_CHECK(soup.points[left.tail(h).idx()] == soup.points[left.uncontracted_tail(h).idx()]);
   }
 }
 
@@ -450,8 +455,9 @@ BOOST_AUTO_TEST_CASE(sides_of_a_needle_are_of_one_length)
   const FG::internal::Indexed_mesh<Mesh_archetype> plain(mesh);
   for(double first : {1, 2, 3}) {
     const auto contracted = [&] {
-      plain.contracted([&](FG::Index h) { // of the edge from 0 to 1, of that from 1 to 2, of that from 2 to 0
-        const FG::Index sum = plain.tail(h) + plain.tail(h ^ 1);
+      // Of the edge from 0 to 1, of that from 1 to 2, of that from 2 to 0.
+      plain.contracted([&](FG::Input_halfedge_index h) {
+        const FG::Index sum = plain.tail(h).idx() + plain.tail(FG::internal::twin_index(h)).idx();
         return sum == 1 ? 0 : (sum == 3 ? first : 2);
       });
     };
@@ -475,23 +481,25 @@ BOOST_AUTO_TEST_CASE(halfedges_that_are_left_lead_where_they_did)
     }
     const Mesh mesh = to_mesh<Mesh>(soup);
     const FG::internal::Indexed_mesh<Mesh> input(mesh);
-    const auto at = [&](FG::Index v) { return soup.points[v]; };
-    const auto left = input.contracted([&](FG::Index h) { return distance(at(input.tail(h)), at(input.tail(h ^ 1))); });
+    const auto twin = [](FG::Input_halfedge_index h) { return FG::internal::twin_index(h); };
+    const auto at = [&](FG::Vertex_index v) { return soup.points[v.idx()]; };
+    const auto left = input.contracted(
+        [&](FG::Input_halfedge_index h) { return distance(at(input.tail(h)), at(input.tail(twin(h)))); });
     contracted_meshes += left.is_contracted() ? 1 : 0;
-    for(FG::Index h = 0; h < input.number_of_halfedges(); ++h) {
-      const FG::Index g = left.contracted_halfedge(h);
-      if(g < 0) {
-        BOOST_CHECK(g != FG::internal::Contraction::is_point || at(input.tail(h)) == at(input.tail(h ^ 1)));
+    for(FG::Input_halfedge_index h(0); h.idx() < input.number_of_halfedges(); ++h) {
+      const FG::Input_halfedge_index g = left.contracted_halfedge(h);
+      if(!g.is_valid()) {
+        BOOST_CHECK(g != FG::internal::Contraction::is_point || at(input.tail(h)) == at(input.tail(twin(h))));
         continue;
       }
       BOOST_CHECK(at(left.uncontracted_tail(g)) == at(input.tail(h)));
-      BOOST_CHECK(at(left.uncontracted_head(g)) == at(input.tail(h ^ 1)));
-      BOOST_CHECK_EQUAL(left.contracted_halfedge(h ^ 1), g ^ 1);
+      BOOST_CHECK(at(left.uncontracted_head(g)) == at(input.tail(twin(h))));
+      BOOST_CHECK_EQUAL(left.contracted_halfedge(twin(h)), twin(g));
     }
-    for(FG::Index g = 0; g < left.number_of_halfedges(); ++g) {
-      BOOST_CHECK(!left.is_border(g) || !left.is_border(g ^ 1));
+    for(FG::Input_halfedge_index g(0); g.idx() < left.number_of_halfedges(); ++g) {
+      BOOST_CHECK(!left.is_border(g) || !left.is_border(twin(g)));
       // As in any mesh, the halfedge of a vertex on the border leads along it.
-      BOOST_CHECK(!left.is_border(g ^ 1) || left.is_border(left.outgoing(left.tail(g)) ^ 1));
+      BOOST_CHECK(!left.is_border(twin(g)) || left.is_border(twin(left.outgoing(left.tail(g)))));
       BOOST_CHECK_EQUAL(left.tail(left.outgoing(left.tail(g))), left.tail(g));
     }
   }
@@ -510,7 +518,8 @@ BOOST_AUTO_TEST_CASE(a_needle_by_itself_leaves_no_surface)
   const Mesh mesh = to_mesh<Mesh>(soup);
   const Triangulation left = contracted(mesh);
   BOOST_CHECK_EQUAL(left.number_of_halfedges(), static_cast<FG::Index>(mesh.number_of_halfedges()) - 6);
-  for(int i : {1, 2})
-    BOOST_CHECK_THROW(FG::halfedges_on_surface(left, std::vector<FG::Index>{first, first + i}, false),
-                      FG::Degenerate_face_error);
+  for(int i : {1, 2}) {
+    const Vertex_sequence ends = {FG::Vertex_index(first), FG::Vertex_index(first + i)};
+    BOOST_CHECK_THROW(FG::halfedges_on_surface(left, ends, false), FG::Degenerate_face_error);
+  }
 }

@@ -3,6 +3,7 @@
 // Intrinsic Delaunay and constrained Delaunay triangulations: in the plane against CGAL's own, elsewhere by properties.
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -64,9 +65,11 @@ template <class Setting>
 Edge_set edges_of(const Setting& s, bool only_curves)
 {
   Edge_set result;
-  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
-    if(!only_curves || s.network.is_occupied(2 * e))
-      result.insert(std::minmax(s.triangulation.tail(2 * e), s.triangulation.head(2 * e)));
+  for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(s.triangulation.number_of_edges())) {
+    const FG::Halfedge_index h = FG::internal::first_side(e);
+    if(!only_curves || s.network.is_occupied(h))
+      result.insert(std::minmax(s.triangulation.tail(h).idx(), s.triangulation.head(h).idx()));
+  }
   return result;
 }
 
@@ -74,9 +77,10 @@ Edge_set edges_of(const Setting& s, bool only_curves)
 template <class Setting>
 void add_star(Setting& s, int curves, Random_numbers& random)
 {
-  const int n = static_cast<int>(s.mesh.number_of_vertices()), source = random.below(n);
+  const int n = static_cast<int>(s.mesh.number_of_vertices());
+  const FG::Vertex_index source(random.below(n));
   for(int i = 0; i < curves; ++i) {
-    const int target = random.below(n);
+    const FG::Vertex_index target(random.below(n));
     if(target == source)
       continue;
     s.add_path(source, target);
@@ -177,8 +181,8 @@ BOOST_AUTO_TEST_CASE(a_limit_is_kept_and_told)
   Random_numbers random(3);
   Curve_setting s(shaken(torus(10, 6, 3, 1), 0.05, 3));
   flip_at_random(s.triangulation, 300, random);
-  const FG::Delaunay_report report =
-      FG::flip_to_delaunay(s.triangulation, std::vector<FG::Index>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, 1);
+  const std::vector<FG::Edge_index> edges = {0_e, 1_e, 2_e, 3_e, 4_e, 5_e, 6_e, 7_e, 8_e, 9_e, 10_e};
+  const FG::Delaunay_report report = FG::flip_to_delaunay(s.triangulation, edges, 1);
   BOOST_CHECK_EQUAL(report.flips, 1u);
   BOOST_CHECK(!report.is_complete());
   BOOST_CHECK(!FG::is_delaunay(s.triangulation));
@@ -193,7 +197,7 @@ struct Impatient_visitor : FG::Default_shortening_visitor
   }
 
   template <class Triangulation>
-  void on_flip(const Triangulation&, FG::Index)
+  void on_flip(const Triangulation&, FG::Halfedge_index)
   {
     ++flips;
   }
@@ -224,18 +228,20 @@ BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
 BOOST_AUTO_TEST_CASE(near_curves_only)
 {
   Curve_setting s(bumpy_sphere(16, 0.1, 7));
-  s.add_path(0, static_cast<int>(s.mesh.number_of_vertices()) / 2);
+  s.add_path(0_v, FG::Vertex_index(static_cast<int>(s.mesh.number_of_vertices()) / 2));
   s.pull();
-  const std::vector<FG::Index> near = FG::edges_near_curves(s.network);
+  const std::vector<FG::Edge_index> near = FG::edges_near_curves(s.network);
   BOOST_CHECK(std::is_sorted(near.begin(), near.end()));
   const std::size_t before = s.triangulation.log_position();
   const FG::Delaunay_report report = FG::flip_to_delaunay(s.triangulation, near);
   BOOST_CHECK(report.is_complete());
   BOOST_CHECK_EQUAL(s.triangulation.log_position() - before, report.flips);
   for(std::size_t i = before; i < s.triangulation.log_position(); ++i)
-    BOOST_CHECK(std::binary_search(near.begin(), near.end(), s.triangulation.flip_record(i).h >> 1));
-  for(FG::Index e : near)
-    BOOST_CHECK(s.network.is_occupied(2 * e) || s.triangulation.is_locally_delaunay(2 * e));
+    BOOST_CHECK(std::binary_search(near.begin(), near.end(), FG::Edge_index(s.triangulation.flip_record(i).h)));
+  for(FG::Edge_index e : near) {
+    const FG::Halfedge_index h = FG::internal::first_side(e);
+    BOOST_CHECK(s.network.is_occupied(h) || s.triangulation.is_locally_delaunay(h));
+  }
   BOOST_CHECK_LT(near.size(), static_cast<std::size_t>(s.triangulation.number_of_edges()) / 4);
   BOOST_CHECK_GT(FG::edges_near_curves(s.network, 2).size(), near.size());
 }

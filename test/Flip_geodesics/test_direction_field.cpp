@@ -2,6 +2,7 @@
 //
 // The smoothest direction field: Poincare-Hopf, constant fields in the plane, alignment to curves.
 
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "mesh_soup.h"
@@ -46,16 +47,16 @@ int total_index(const Field& field)
   return sum;
 }
 
-double difference(const Field& field, FG::Index v, double angle, int symmetry)
+double difference(const Field& field, FG::Vertex_index v, double angle, int symmetry)
 {
   const double turn = symmetry * (field.angle(v) - angle);
   return std::abs(std::arg(std::polar(1.0, turn))) / symmetry;
 }
 
 // The direction, in the plane, of a flat mesh's reference at v.
-double reference_direction(const Mesh& mesh, const Triangulation& triangulation, const Field& field, FG::Index v)
+double reference_direction(const Mesh& mesh, const Triangulation& triangulation, const Field& field, FG::Vertex_index v)
 {
-  const FG::Index h = field.tangent_spaces().reference(v);
+  const FG::Halfedge_index h = field.tangent_spaces().reference(v);
   const Point p = mesh.point(triangulation.vertex(triangulation.tail(h)));
   const Point q = mesh.point(triangulation.vertex(triangulation.head(h)));
   return std::atan2(q.y() - p.y(), q.x() - p.x());
@@ -97,12 +98,12 @@ BOOST_AUTO_TEST_CASE(in_the_plane_one_direction_makes_the_field_constant)
   const Triangulation triangulation(mesh);
   for(int symmetry : {1, 4}) {
     Field field(triangulation, symmetry);
-    const FG::Index center = grid_vertex(9, 4, 4);
+    const FG::Vertex_index center(grid_vertex(9, 4, 4));
     field.align(center, 0.3 - reference_direction(mesh, triangulation, field, center));
     field.compute();
     BOOST_TEST(field.singularities().empty());
     BOOST_TEST(field.energy() < 1e-20);
-    for(FG::Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    for(FG::Vertex_index v(0); v.idx() < triangulation.number_of_vertices(); ++v)
       BOOST_TEST(difference(field, v, 0.3 - reference_direction(mesh, triangulation, field, v), symmetry) < 1e-9);
   }
 }
@@ -113,18 +114,18 @@ BOOST_AUTO_TEST_CASE(the_field_runs_along_the_curves_it_is_aligned_to)
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
-  network.add_curve(FG::shortest_halfedges_through(search, std::vector<FG::Index>{0, 150}), false);
+  network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{0_v, 150_v}), false);
   FG::shorten(network);
   Field field(triangulation);
   field.align(network);
   field.compute();
-  network.for_each_segment(0, [&](FG::Index s) {
-    const FG::Index h = network.halfedge(s);
+  network.for_each_segment(0_c, [&](FG::Segment_index s) {
+    const FG::Halfedge_index h = network.halfedge(s), t = Triangulation::twin(h);
     // At a joint the curve's two directions differ by what its angles exceed pi.
     if(network.previous(s) == FG::null_index)
       BOOST_TEST(difference(field, triangulation.tail(h), field.tangent_spaces().angle(h), 4) < 1e-9);
     if(network.next(s) == FG::null_index)
-      BOOST_TEST(difference(field, triangulation.head(h), field.tangent_spaces().angle(h ^ 1), 4) < 1e-9);
+      BOOST_TEST(difference(field, triangulation.head(h), field.tangent_spaces().angle(t), 4) < 1e-9);
   });
   BOOST_TEST(total_index(field) == 8);
   BOOST_TEST(field.energy() > 0);
@@ -136,14 +137,15 @@ BOOST_AUTO_TEST_CASE(curves_have_a_direction)
   const Mesh mesh = to_mesh<Mesh>(jittered_grid(6, 6, Diagonal_rule::RISING, 0.2, 3));
   Triangulation triangulation(mesh);
   Network network(triangulation);
-  network.add_curve(FG::halfedges_through(triangulation, std::vector<FG::Index>{16, 17, 18}, false), false);
+  network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{16_v, 17_v, 18_v}, false), false);
   Field field(triangulation, 1);
   field.align(network);
   field.compute();
-  const FG::Index first = network.halfedge(network.first_segment(0)), last = network.halfedge(network.last_segment(0));
+  const FG::Halfedge_index first = network.halfedge(network.first_segment(0_c)),
+                           last = network.halfedge(network.last_segment(0_c));
   constexpr double pi = boost::math::constants::pi<double>();
-  BOOST_TEST(difference(field, 16, field.tangent_spaces().angle(first), 1) < 1e-9);
-  BOOST_TEST(difference(field, 18, field.tangent_spaces().angle(last ^ 1) + pi, 1) < 1e-9);
+  BOOST_TEST(difference(field, 16_v, field.tangent_spaces().angle(first), 1) < 1e-9);
+  BOOST_TEST(difference(field, 18_v, field.tangent_spaces().angle(Triangulation::twin(last)) + pi, 1) < 1e-9);
 }
 
 // What cancels out is not asked for.
@@ -153,9 +155,9 @@ BOOST_AUTO_TEST_CASE(opposite_directions_cancel_out)
   const Triangulation triangulation(mesh);
   Field expected(triangulation, 1), field(triangulation, 1);
   for(Field* f : {&expected, &field})
-    f->align(3, 0.7);
+    f->align(3_v, 0.7);
   for(int k = 0; k < 3; ++k)
-    field.align(60, 0.4 + k * boost::math::constants::two_pi<double>() / 3);
+    field.align(60_v, 0.4 + k * boost::math::constants::two_pi<double>() / 3);
   expected.compute();
   field.compute();
   BOOST_TEST((field.values() - expected.values()).norm() < 1e-9 * expected.values().norm());
@@ -166,8 +168,9 @@ BOOST_AUTO_TEST_CASE(components_without_a_curve_and_bad_vertices_are_refused)
   const Mesh mesh = to_mesh<Mesh>(disjoint_union(sphere(2), sphere(2)));
   const Triangulation triangulation(mesh);
   Field field(triangulation);
-  BOOST_CHECK_THROW(field.align(triangulation.number_of_vertices(), 0), FG::Vertex_out_of_range_error);
-  field.align(0, 0);
+  const FG::Vertex_index end(triangulation.number_of_vertices());
+  BOOST_CHECK_THROW(field.align(end, 0), FG::Vertex_out_of_range_error);
+  field.align(0_v, 0);
   BOOST_CHECK_THROW(field.compute(), FG::Singular_problem_error);
 }
 

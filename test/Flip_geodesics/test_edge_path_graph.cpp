@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE edge_path_graph
 
 #include "Edge_path_graph_archetype.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -45,7 +46,7 @@ constexpr double angle_tolerance = 1e-7;
 struct Length_checking_visitor : FG::Default_shortening_visitor
 {
   template <class Network>
-  void after_flip_out(const Network& network, int curve)
+  void after_flip_out(const Network& network, FG::Curve_index curve)
   {
     const double length = network.length(curve);
     require(length <= lengths[curve] * (1 + length_rounding), "a step has lengthened its curve");
@@ -53,7 +54,7 @@ struct Length_checking_visitor : FG::Default_shortening_visitor
     require(++steps < 100000, "the engine does not end");
   }
 
-  std::vector<double> lengths;
+  FG::internal::Indexed_by<FG::Curve_index, std::vector<double>> lengths;
   int steps = 0;
 };
 
@@ -82,13 +83,14 @@ void shorten_and_check(Network& network, const Stop_predicate& stop, Tally& tall
 {
   Archetype archetype(network);
   Length_checking_visitor visitor;
-  for(int c = 0; c < network.number_of_curves(); ++c)
+  const auto curves = FG::internal::descriptors<FG::Curve_index>(network.number_of_curves());
+  for(FG::Curve_index c : curves)
     visitor.lengths.push_back(network.length(c));
   const FG::Shortening_report report = FG::shorten(archetype, stop, visitor);
 
-  std::set<int> shortest;
-  for(int c = 0; c < network.number_of_curves(); ++c) {
-    const FG::Curve_report& curve = report.curves[c];
+  std::set<FG::Curve_index> shortest;
+  for(FG::Curve_index c : curves) {
+    const FG::Curve_report& curve = report.curves[c.idx()];
     ++tally.counts[FG::to_string(curve.status)];
     require(curve.length <= curve.initial_length * (1 + length_rounding), "a curve is longer than it was");
     require((curve.status == FG::Shortening_status::CONTRACTED) == network.is_contracted(c), "a wrong status");
@@ -158,7 +160,7 @@ void for_random_delta_complexes(int number, unsigned seed, const Function& funct
 // Adds up to `number` random curves; those that cross are left out.
 int add_random_curves(Network& network, int number, int steps, int percentage_closed, Random_numbers& random)
 {
-  std::vector<std::pair<std::vector<int>, bool>> accepted;
+  std::vector<std::pair<Halfedge_sequence, bool>> accepted;
   const auto rebuild = [&] {
     network.clear();
     for(const auto& [walk, is_closed] : accepted)
@@ -166,13 +168,13 @@ int add_random_curves(Network& network, int number, int steps, int percentage_cl
   };
   for(int i = 0; i < number; ++i) {
     const bool is_closed = random.below(100) < percentage_closed;
-    std::vector<int> walk = random_walk(network.triangulation(), 1 + random.below(steps), is_closed, random);
+    Halfedge_sequence walk = random_walk(network.triangulation(), 1 + random.below(steps), is_closed, random);
     if(is_closed && random.below(3) == 0)
       walk = random_loop_edge(network.triangulation(), random);
     if(walk.empty())
       continue;
     accepted.emplace_back(walk, is_closed);
-    std::vector<int> all;
+    Halfedge_sequence all;
     for(const auto& a : accepted)
       all.insert(all.end(), a.first.begin(), a.first.end());
     rebuild();
@@ -180,7 +182,7 @@ int add_random_curves(Network& network, int number, int steps, int percentage_cl
       continue;
     accepted.pop_back();
     rebuild();
-    std::vector<int> rest;
+    Halfedge_sequence rest;
     for(const auto& a : accepted)
       rest.insert(rest.end(), a.first.begin(), a.first.end());
     if(!order_at_random(network, rest, 200, random)) {
@@ -192,29 +194,32 @@ int add_random_curves(Network& network, int number, int steps, int percentage_cl
 }
 
 // A copy of a curve along its right side, however often the curve passes an edge.
-void add_parallel_copy(Network& network, int curve)
+void add_parallel_copy(Network& network, FG::Curve_index curve)
 {
-  std::map<int, int> copy_of;
-  std::vector<int> segments;
-  network.for_each_segment(curve, [&](int s) { segments.push_back(s); });
-  const std::vector<int> halfedges = network.halfedges(curve);
-  int copy = network.end_of_segment_ids();
+  std::map<FG::Segment_index, FG::Segment_index> copy_of;
+  std::vector<FG::Segment_index> segments;
+  network.for_each_segment(curve, [&](FG::Segment_index s) { segments.push_back(s); });
+  const Halfedge_sequence halfedges = network.halfedges(curve);
+  FG::Segment_index copy(network.end_of_segment_ids());
   network.add_curve(halfedges, network.is_closed(curve));
-  for(int s : segments)
-    copy_of[s] = copy++;
-  for(int h : halfedges) {
-    std::vector<int> order;
-    for(int s : network.stack(h / 2)) {
+  for(FG::Segment_index s : segments) {
+    copy_of[s] = copy;
+    ++copy;
+  }
+  for(FG::Halfedge_index h : halfedges) {
+    const FG::Edge_index e = Triangulation::edge(h);
+    std::vector<FG::Segment_index> order;
+    for(FG::Segment_index s : network.stack(e)) {
       const bool is_original = copy_of.count(s) != 0;
       if(!is_original && s >= copy_of.begin()->second)
         continue;
-      if(is_original && network.halfedge(s) % 2 == 1)
+      if(is_original && !FG::internal::is_first_side(network.halfedge(s)))
         order.push_back(copy_of[s]);
       order.push_back(s);
-      if(is_original && network.halfedge(s) % 2 == 0)
+      if(is_original && FG::internal::is_first_side(network.halfedge(s)))
         order.push_back(copy_of[s]);
     }
-    network.set_stack(h / 2, order);
+    network.set_stack(e, order);
   }
 }
 
@@ -263,7 +268,7 @@ BOOST_AUTO_TEST_CASE(parallel_copies)
     if(add_random_curves(network, 2, 7, 50, random) == 0)
       return false;
     for(int i = 0, curves = network.number_of_curves(); i < 3; ++i)
-      add_parallel_copy(network, random.below(curves));
+      add_parallel_copy(network, FG::Curve_index(random.below(curves)));
     BOOST_REQUIRE(network.is_valid());
     return true;
   });
@@ -274,7 +279,7 @@ BOOST_AUTO_TEST_CASE(stacked_walks)
   run("stacked walks", 120, 5, [](Network& network, Random_numbers& random) {
     for(int i = 0; i < 2; ++i) {
       const bool is_closed = random.below(2) == 0;
-      const std::vector<int> walk = random_walk(network.triangulation(), 14, is_closed, random);
+      const Halfedge_sequence walk = random_walk(network.triangulation(), 14, is_closed, random);
       if(!walk.empty())
         network.add_curve(walk, is_closed);
     }
@@ -294,7 +299,7 @@ BOOST_AUTO_TEST_CASE(fixed_nodes)
   run("fixed nodes", 100, 6, [](Network& network, Random_numbers& random) {
     add_random_curves(network, 3, 10, 60, random);
     for(int i = 0; i < 2; ++i)
-      network.fix_nodes_at(random.below(network.triangulation().number_of_vertices()));
+      network.fix_nodes_at(FG::Vertex_index(random.below(network.triangulation().number_of_vertices())));
     return network.number_of_curves() > 0 && network.is_valid(); // fixing an enclosed node is crossing
   });
 }
@@ -316,26 +321,27 @@ BOOST_AUTO_TEST_CASE(the_signature_tells_classes_apart)
   };
   using Numbers = std::vector<int>;
   BOOST_TEST((characteristics(octahedron(1), {}) == Numbers{2}));
-  BOOST_TEST((characteristics(octahedron(1), {{0, 2, 1, 3}}) == Numbers{1, 1}));
-  BOOST_TEST((characteristics(octahedron(1), {{0, 2, 1, 3}, {0, 2, 1, 3}}) == Numbers{0, 1, 1}));
+  BOOST_TEST((characteristics(octahedron(1), {{0_v, 2_v, 1_v, 3_v}}) == Numbers{1, 1}));
+  BOOST_TEST((characteristics(octahedron(1), {{0_v, 2_v, 1_v, 3_v}, {0_v, 2_v, 1_v, 3_v}}) == Numbers{0, 1, 1}));
   BOOST_TEST((characteristics(torus(4, 3, 2, 1), {}) == Numbers{0}));
   BOOST_TEST((characteristics(torus(4, 3, 2, 1), {torus_loop(4, 3, 1, 0)}) == Numbers{0}));
   BOOST_TEST((characteristics(torus(4, 3, 2, 1), {torus_loop(4, 3, 1, 0), torus_loop(4, 3, 1, 0)}) == Numbers{0, 0}));
   BOOST_TEST((characteristics(genus_3_plate(1), {genus_3_loops(1)[0]}) == Numbers{-4}));
-  BOOST_TEST((characteristics(flat_grid(2, 2, Diagonal_rule::RISING), {{0, 1, 4, 3}}) == Numbers{0, 1}));
+  BOOST_TEST((characteristics(flat_grid(2, 2, Diagonal_rule::RISING), {{0_v, 1_v, 4_v, 3_v}}) == Numbers{0, 1}));
 
   const Mesh mesh = to_mesh<Mesh>(octahedron(1));
   Triangulation triangulation(mesh);
   Network network(triangulation);
   for(int c = 0; c < 3; ++c)
-    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0, 2, 1, 3}, true), true);
+    network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0_v, 2_v, 1_v, 3_v}, true), true);
   const Topological_signature before{Curve_system(network)};
   BOOST_TEST(!before.has_disk_inside(1));
   BOOST_TEST(before.has_disk_inside(2));
-  for(int h : network.halfedges(0)) {
-    std::vector<int> order = network.stack(h / 2);
+  for(FG::Halfedge_index h : network.halfedges(0_c)) {
+    const FG::Edge_index e = Triangulation::edge(h);
+    std::vector<FG::Segment_index> order = network.stack(e);
     std::swap(order[0], order[1]); // in each edge, so that curves change places, or two cross
-    network.set_stack(h / 2, order);
+    network.set_stack(e, order);
   }
   BOOST_TEST((!network.is_valid() || Topological_signature{Curve_system(network)} != before));
 }
@@ -345,20 +351,22 @@ BOOST_AUTO_TEST_CASE(a_cancelled_spur_keeps_its_fixed_node)
 {
   const Mesh_soup soup = {{{0, 0, 0}, {1, -1, 0}, {2, 0, 0}, {1, -0.25, 0}, {1, 2, 0}},
                           {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {3, 2, 4}}};
-  const int u = 0, v = 1, b = 2, p = 3, t = 4;
+  const FG::Vertex_index u = 0_v, v = 1_v, b = 2_v, p = 3_v, t = 4_v;
   const Mesh mesh = to_mesh<Mesh>(soup);
   Triangulation triangulation(mesh);
-  const auto to = [&](int from, int to) { return FG::internal::halfedge_between(triangulation, from, to); };
+  const auto to = [&](FG::Vertex_index from, FG::Vertex_index to) {
+    return FG::internal::halfedge_between(triangulation, from, to);
+  };
   Network network(triangulation);
-  network.add_curve(std::vector<int>{to(u, v), to(v, b), to(b, p), to(p, t)}, false);
+  network.add_curve(Halfedge_sequence{to(u, v), to(v, b), to(b, p), to(p, t)}, false);
   network.fix_nodes_at(p);
 
   std::vector<FG::Joint> affected;
-  network.replace_joint({network.first_segment(0), FG::Side::LEFT}, {to(u, p), to(p, b)}, affected);
-  const int spur = network.next(network.first_segment(0));
+  network.replace_joint({network.first_segment(0_c), FG::Side::LEFT}, {to(u, p), to(p, b)}, affected);
+  const FG::Segment_index spur = network.next(network.first_segment(0_c));
   BOOST_REQUIRE(network.halfedge(spur) == to(p, b));
   BOOST_REQUIRE(network.wedge({spur, FG::Side::LEFT}).state == FG::Wedge_state::FREE);
   network.replace_joint({spur, FG::Side::LEFT}, {}, affected);
-  BOOST_TEST((network.halfedges(0) == std::vector<int>{to(u, p), to(p, t)}));
-  BOOST_TEST(network.is_head_fixed(network.first_segment(0)));
+  BOOST_TEST((network.halfedges(0_c) == Halfedge_sequence{to(u, p), to(p, t)}));
+  BOOST_TEST(network.is_head_fixed(network.first_segment(0_c)));
 }

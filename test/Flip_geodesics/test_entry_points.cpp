@@ -6,6 +6,7 @@
 #define BOOST_TEST_MODULE entry_points
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
 
@@ -152,7 +153,7 @@ struct Setting
   }
 
   Triangulation triangulation;
-  int v, w;
+  FG::Vertex_index v, w;
   const Surface& mesh;
   Vertex from, to;
 };
@@ -160,7 +161,7 @@ struct Setting
 void add_path(Network& network, const Setting& s)
 {
   FG::Shortest_edge_path<Triangulation> search(s.triangulation);
-  network.add_curve(FG::shortest_halfedges_through(search, std::vector<int>{s.v, s.w}), false);
+  network.add_curve(FG::shortest_halfedges_through(search, Vertex_sequence{s.v, s.w}), false);
 }
 
 template <class Paths>
@@ -261,10 +262,10 @@ std::vector<Entry_point> building_blocks()
   return {{"Shortest_edge_path", Reach::EDGES,
            in_setting([](Setting& s) { FG::Shortest_edge_path<Triangulation>(s.triangulation)(s.v, s.w); })},
           {"Shortest_edge_path::visit_all", Reach::EDGES, in_setting([](Setting& s) {
-             FG::Shortest_edge_path<Triangulation>(s.triangulation).visit_all(s.v, [](int, double) {});
+             FG::Shortest_edge_path<Triangulation>(s.triangulation).visit_all(s.v, [](FG::Vertex_index, double) {});
            })},
           {"halfedges_through", Reach::LOCAL, in_setting([](Setting& s) {
-             const std::vector<int> vertices = {s.v, s.triangulation.index(next_to(s.mesh, s.from))};
+             const Vertex_sequence vertices = {s.v, s.triangulation.index(next_to(s.mesh, s.from))};
              FG::halfedges_through(s.triangulation, vertices, false);
            })},
           {"shortest_intrinsic_edge_path", Reach::LOCAL,
@@ -274,7 +275,7 @@ std::vector<Entry_point> building_blocks()
              FG::shorten(network);
            })},
           {"add_straightened_path", Reach::LOCAL, in_network([](Setting& s, Network& network) {
-             const std::vector<int> path = FG::Shortest_edge_path<Triangulation>(s.triangulation)(s.v, s.w);
+             const auto path = FG::Shortest_edge_path<Triangulation>(s.triangulation)(s.v, s.w);
              FG::add_straightened_path(network, path);
            })},
           {"add_shortest_path", Reach::LOCAL, in_network([](Setting& s, Network& network) {
@@ -319,9 +320,9 @@ std::vector<Entry_point> building_blocks()
              FG::shorten(network);
              FG::certify(network);
              FG::Straightness_meter<Network> meter(network);
-             meter(0);
+             meter(0_c);
              FG::Curve_extractor<Network> extractor(network);
-             extractor.surface_points(0);
+             extractor.surface_points(0_c);
            })},
           {"edges_near_curves", Reach::LOCAL, in_network([](Setting& s, Network& network) {
              add_path(network, s);
@@ -566,26 +567,23 @@ BOOST_AUTO_TEST_CASE(locations_that_are_no_points_are_refused)
   for(const Face_location& p : in_faces)
     BOOST_CHECK_THROW(FG::surface_location(triangulation, mesh, p), FG::Invalid_location_error);
 
-  const int border = [&] {
-    int h = 0;
+  const FG::Input_halfedge_index border = [&] {
+    FG::Halfedge_index h = 0_h;
     while(!triangulation.is_border(h))
       ++h;
-    return h;
+    return FG::internal::as_input(h);
   }();
-  const std::vector<FG::Surface_location> locations = {{FG::null_index, {{1, 0, 0}}},
-                                                       {triangulation.number_of_halfedges(), {{1, 0, 0}}},
-                                                       {-7, {{1, 1, 1}}},
-                                                       {0, {{0, 0, 0}}},
-                                                       {0, {{nan, 1, 1}}},
-                                                       {0, {{1, -1, 1}}},
-                                                       {0, {{infinity, 1, 1}}},
-                                                       {0, {{1e-300, 1, 1}}},
-                                                       {border, {{1, 1, 1}}},
-                                                       {(std::numeric_limits<int>::max)(), {{1, 1, 1}}}};
+  const FG::Input_halfedge_index end(triangulation.number_of_halfedges());
+  const FG::Input_halfedge_index negative(-7), largest((std::numeric_limits<int>::max)());
+  const std::vector<FG::Surface_location> locations = {{FG::null_index, {{1, 0, 0}}},   {end, {{1, 0, 0}}},
+                                                       {negative, {{1, 1, 1}}},         {0_input_h, {{0, 0, 0}}},
+                                                       {0_input_h, {{nan, 1, 1}}},      {0_input_h, {{1, -1, 1}}},
+                                                       {0_input_h, {{infinity, 1, 1}}}, {0_input_h, {{1e-300, 1, 1}}},
+                                                       {border, {{1, 1, 1}}},           {largest, {{1, 1, 1}}}};
   for(const FG::Surface_location& p : locations) {
     Triangulation t(mesh);
     Sink out;
-    const std::vector<FG::Surface_location> way = {{0, {{1, 1, 1}}}, p};
+    const std::vector<FG::Surface_location> way = {{0_input_h, {{1, 1, 1}}}, p};
     BOOST_CHECK_THROW(t.insert(p), FG::Invalid_location_error);
     BOOST_CHECK_THROW(FG::surface_point(t, p), FG::Invalid_location_error);
     BOOST_CHECK_THROW(FG::geodesics_through(t, way), FG::Invalid_location_error);
@@ -604,8 +602,11 @@ BOOST_AUTO_TEST_CASE(chains_that_are_none_are_refused)
 {
   const Surface mesh = to_mesh<Surface>(flat_grid(4, 4, Diagonal_rule::RISING));
   Triangulation triangulation(mesh);
-  const int end = triangulation.number_of_halfedges();
-  for(const std::vector<int>& chain : std::vector<std::vector<int>>{{}, {-1}, {end}, {0, 7}, {0, end + 5}, {12, 0, 31}})
+  const int size = triangulation.number_of_halfedges();
+  const FG::Halfedge_index end(size), beyond(size + 5);
+  using Chain = Halfedge_sequence;
+  for(const Chain& chain :
+      {Chain{}, Chain{FG::null_index}, Chain{end}, Chain{0_h, 7_h}, Chain{0_h, beyond}, Chain{12_h, 0_h, 31_h}})
   {
     Network network(triangulation);
     BOOST_CHECK_THROW(network.add_curve(chain, false), FG::Invalid_curve_error);
@@ -619,10 +620,11 @@ BOOST_AUTO_TEST_CASE(a_direction_zero_elsewhere_is_refused)
   const Surface mesh = to_mesh<Surface>(octahedron(2));
   Triangulation triangulation(mesh);
   FG::Geodesic_tree<Triangulation> tree(triangulation);
-  tree.grow(0);
-  for(int h : {-2, triangulation.number_of_halfedges(), triangulation.input().outgoing(1)})
+  tree.grow(0_v);
+  const FG::Input_halfedge_index negative(-2), end(triangulation.number_of_halfedges());
+  for(FG::Input_halfedge_index h : {negative, end, triangulation.input().outgoing(1_v)})
     BOOST_CHECK_THROW(FG::logarithmic_map(tree, h), FG::Invalid_location_error);
-  BOOST_CHECK_NO_THROW(FG::logarithmic_map(tree, triangulation.input().outgoing(0)));
+  BOOST_CHECK_NO_THROW(FG::logarithmic_map(tree, triangulation.input().outgoing(0_v)));
 }
 
 // ---------------------------------------------------------------- one network in a triangulation
@@ -635,9 +637,9 @@ BOOST_AUTO_TEST_CASE(a_second_network_is_refused)
     Network network(s.triangulation);
     BOOST_CHECK_THROW(Network{s.triangulation}, FG::Occupied_triangulation_error); // also while it is empty
     add_path(network, s);
-    const std::vector<int> before = network.halfedges(0);
+    const auto before = network.halfedges(0_c);
     BOOST_CHECK_THROW(Network{s.triangulation}, FG::Occupied_triangulation_error);
-    BOOST_TEST((network.halfedges(0) == before));
+    BOOST_TEST((network.halfedges(0_c) == before));
     BOOST_TEST(network.is_valid());
     BOOST_TEST(FG::shorten(network).is_complete());
   }
@@ -656,11 +658,11 @@ BOOST_AUTO_TEST_CASE(what_disturbs_a_network_is_refused)
   Network network(t);
   add_path(network, s);
   FG::shorten(network);
-  const std::vector<int> before = network.halfedges(0);
+  const auto before = network.halfedges(0_c);
   const auto position = t.log_position();
   FG::Geodesic_tree<Triangulation> tree(t);
   Triangulation other(mesh);
-  BOOST_CHECK_THROW(tree.grow(3), FG::Occupied_triangulation_error);
+  BOOST_CHECK_THROW(tree.grow(3_v), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(FG::refine(t), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(FG::geodesics_through(t, s.locations()), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(FG::complete_polyline(t, s.locations()), FG::Occupied_triangulation_error);
@@ -669,7 +671,7 @@ BOOST_AUTO_TEST_CASE(what_disturbs_a_network_is_refused)
   BOOST_CHECK_THROW(Triangulation{std::move(t)}, FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(other = std::move(t), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(t = std::move(other), FG::Occupied_triangulation_error);
-  BOOST_TEST((network.halfedges(0) == before));
+  BOOST_TEST((network.halfedges(0_c) == before));
   BOOST_TEST(network.is_valid());
   BOOST_TEST(t.is_valid());
   BOOST_TEST(t.log_position() == position);
@@ -678,8 +680,8 @@ BOOST_AUTO_TEST_CASE(what_disturbs_a_network_is_refused)
   t.rollback();
   BOOST_CHECK_NO_THROW(FG::geodesics_through(t, s.locations()));
   BOOST_CHECK_THROW(Network{t}, FG::Occupied_triangulation_error);
-  BOOST_CHECK_NO_THROW(tree.grow(3));
-  network.add_curve(tree.path(40), false);
+  BOOST_CHECK_NO_THROW(tree.grow(3_v));
+  network.add_curve(tree.path(40_v), false);
   BOOST_CHECK_THROW(FG::make_shortest(tree), FG::Occupied_triangulation_error);
 }
 
@@ -688,8 +690,9 @@ BOOST_AUTO_TEST_CASE(a_point_on_an_edge_under_a_curve_is_refused)
   const Surface mesh = to_mesh<Surface>(flat_grid(6, 6, Diagonal_rule::RISING));
   Triangulation t(mesh);
   Network network(t);
-  const int h = t.outgoing(16);
-  network.add_curve(std::vector<int>{h}, false);
+  const FG::Halfedge_index along = t.outgoing(16_v);
+  const FG::Input_halfedge_index h = FG::internal::as_input(along);
+  network.add_curve(Halfedge_sequence{along}, false);
   const auto position = t.log_position();
   BOOST_CHECK_THROW(t.insert({h, {{1, 1, 0}}}), FG::Occupied_triangulation_error);
   BOOST_TEST(t.log_position() == position);
@@ -697,7 +700,7 @@ BOOST_AUTO_TEST_CASE(a_point_on_an_edge_under_a_curve_is_refused)
   BOOST_TEST(t.is_valid());
   BOOST_CHECK_NO_THROW(t.insert({h, {{1, 1, 1}}}));
   BOOST_CHECK_NO_THROW(network.insert({h, {{1, 1, 0}}}));
-  BOOST_TEST(network.halfedges(0).size() == 2u);
+  BOOST_TEST(network.halfedges(0_c).size() == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(a_network_can_outlive_its_triangulation)
@@ -705,7 +708,7 @@ BOOST_AUTO_TEST_CASE(a_network_can_outlive_its_triangulation)
   const Surface mesh = to_mesh<Surface>(octahedron(2));
   auto triangulation = std::make_unique<Triangulation>(mesh);
   Network network(*triangulation);
-  network.add_curve(std::vector<int>{0}, false);
+  network.add_curve(Halfedge_sequence{0_h}, false);
   triangulation.reset(); // nothing is written there any more
 }
 

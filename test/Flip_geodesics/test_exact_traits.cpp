@@ -4,6 +4,7 @@
 
 // Number types without roots, on meshes with one radicand.
 
+#include "descriptors.h"
 #include "number_type_checks.h"
 
 #include <CGAL/Gmpq.h>
@@ -79,7 +80,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(random_networks_with_ties_are_certified, NT, Numbe
     int networks = 0;
     for(int i = 0; i < 40 * scale; ++i) {
       for(int c = 0; c <= i % 2; ++c) {
-        const std::vector<int> walk = random_walk(setting.triangulation, 12, i % 4 < 2, random);
+        const Halfedge_sequence walk = random_walk(setting.triangulation, 12, i % 4 < 2, random);
         if(!walk.empty())
           setting.network.add_curve(walk, i % 4 < 2);
       }
@@ -179,16 +180,16 @@ BOOST_AUTO_TEST_CASE(meshes_without_a_radicand_are_reported)
 BOOST_AUTO_TEST_CASE_TEMPLATE(faces_that_do_not_fit_are_reported, NT, Number_types)
 {
   Exact_setting<NT> setting(tetrahedron(2));
-  BOOST_CHECK_THROW(setting.triangulation.length(0), FG::Inexact_root_error);
+  BOOST_CHECK_THROW(setting.triangulation.length(0_h), FG::Inexact_root_error);
   Exact_setting<NT> sphere_setting(sphere(2), traits_with_radicand<NT>(3));
-  BOOST_CHECK_THROW(sphere_setting.add_path(0, 3); sphere_setting.pull(), FG::Inexact_root_error);
+  BOOST_CHECK_THROW(sphere_setting.add_path(0_v, 3_v); sphere_setting.pull(), FG::Inexact_root_error);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(bad_faces_are_reported_as_elsewhere, NT, Number_types)
 {
   const Mesh_soup soup = {{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}};
   Exact_setting<NT> setting(soup);
-  BOOST_CHECK_THROW(setting.triangulation.length(0), FG::Degenerate_face_error);
+  BOOST_CHECK_THROW(setting.triangulation.length(0_h), FG::Degenerate_face_error);
 }
 
 // A face of area zero is a face like any other.
@@ -197,9 +198,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(flat_faces_are_exact, NT, Number_types)
   const Mesh_soup soup = {{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, -1, 0}},
                           {{0, 3, 2}, {3, 1, 2}, {0, 1, 3}, {0, 4, 1}}};
   Exact_setting<NT> setting(soup);
-  setting.add({2, 3, 1, 4}, false);
+  setting.add({2_v, 3_v, 1_v, 4_v}, false);
   BOOST_TEST(setting.pull().is_complete());
-  BOOST_TEST(std::abs(setting.network.length(0) - 2) < 1e-12);
+  BOOST_TEST(std::abs(setting.network.length(0_c) - 2) < 1e-12);
   BOOST_TEST(FG::certify(setting.network).is_locally_shortest());
 }
 
@@ -219,8 +220,8 @@ BOOST_AUTO_TEST_CASE(coordinates_need_not_be_doubles)
   network.add_curve(FG::halfedges_through(triangulation, vertex_path_on_grid(5, {{0, 0}, {4, 0}, {4, 5}}), false),
                     false);
   FG::shorten(network);
-  BOOST_TEST(network.halfedges(0).size() == 1u);
-  BOOST_TEST((triangulation.squared_length(network.halfedges(0).front()) == Gmpq(16, 9) + Gmpq(25, 49)));
+  BOOST_TEST(network.halfedges(0_c).size() == 1u);
+  BOOST_TEST((triangulation.squared_length(network.halfedges(0_c).front()) == Gmpq(16, 9) + Gmpq(25, 49)));
 }
 
 // Turns whose numbers leave the range of double still have an order.

@@ -4,6 +4,7 @@
 
 // Number types with square roots, on any mesh: exact, of 100 digits, double, and intervals.
 
+#include "descriptors.h"
 #include "number_type_checks.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
@@ -96,13 +97,14 @@ BOOST_AUTO_TEST_CASE(hundred_digits_see_ties)
 BOOST_AUTO_TEST_CASE(hundred_digits_do_not_drift)
 {
   Exact_setting<Long_float> setting(bumpy_sphere(40, 0.001, 5));
-  setting.add_path(0, 1);
+  setting.add_path(0_v, 1_v);
   BOOST_TEST(setting.pull().is_complete());
   BOOST_TEST(setting.triangulation.log_position() > 300u);
-  for(int h = 0; h < setting.triangulation.number_of_halfedges(); h += 2) {
+  for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(setting.triangulation.number_of_edges())) {
+    const FG::Halfedge_index h = FG::internal::first_side(e);
     const auto squared_length = setting.triangulation.traits().compute_squared_length_object();
     const Long_float a = squared_length(setting.triangulation.geometry(h));
-    const Long_float b = squared_length(setting.triangulation.geometry(h + 1));
+    const Long_float b = squared_length(setting.triangulation.geometry(setting.triangulation.twin(h)));
     BOOST_TEST((abs(a - b) < Long_float("1e-90")));
   }
 }
@@ -120,9 +122,9 @@ BOOST_AUTO_TEST_CASE(doubles_of_any_size)
 {
   for(const double size : {1e-60, 1e60}) {
     Exact_setting<double> setting(scaled(bumpy_sphere(6, 0.3, 1), size));
-    BOOST_TEST(setting.pulled_path(0, 1).length > size);
+    BOOST_TEST(setting.pulled_path(0_v, 1_v).length > size);
     Exact_setting<Interval> intervals(scaled(bumpy_sphere(6, 0.3, 1), size));
-    BOOST_TEST(intervals.pulled_path(0, 1).length > size);
+    BOOST_TEST(intervals.pulled_path(0_v, 1_v).length > size);
   }
 }
 
@@ -150,11 +152,11 @@ BOOST_AUTO_TEST_CASE(intervals_are_narrowed)
   const Mesh_soup soup = bumpy_sphere(50, 0.001, 5);
   Exact_setting<Interval> setting(soup);
   Certified_setting reference(soup);
-  setting.add_path(0, 1);
-  reference.add_path(0, 1);
+  setting.add_path(0_v, 1_v);
+  reference.add_path(0_v, 1_v);
   setting.pull();
   reference.pull();
-  BOOST_TEST(setting.network.halfedges(0) == reference.network.halfedges(0), boost::test_tools::per_element());
+  BOOST_TEST(setting.network.halfedges(0_c) == reference.network.halfedges(0_c), boost::test_tools::per_element());
   int refreshes = 0;
   for(std::size_t i = 0; i < setting.triangulation.log_position(); ++i)
     refreshes += setting.triangulation.flip_record(i).hp == FG::null_index ? 1 : 0;
@@ -212,16 +214,16 @@ BOOST_AUTO_TEST_CASE(near_ties_are_left_to_those_who_can)
   };
   for(const double by : {1e-9, -1e-9}) {
     Exact_setting<Interval> setting(bent(by));
-    setting.add({0, 1, 2}, false);
+    setting.add({0_v, 1_v, 2_v}, false);
     BOOST_TEST(!is_undecided(setting));
   }
   for(const double by : {1e-17, 0.0}) {
     Exact_setting<Interval> setting(bent(by));
-    setting.add({0, 1, 2}, false);
+    setting.add({0_v, 1_v, 2_v}, false);
     BOOST_TEST(is_undecided(setting));
   }
   Exact_setting<Expression> setting(bent(1e-17));
-  setting.add({0, 1, 2}, false);
+  setting.add({0_v, 1_v, 2_v}, false);
   BOOST_TEST(setting.pull().is_complete());
   BOOST_TEST(FG::certify(setting.network).is_locally_shortest());
 }

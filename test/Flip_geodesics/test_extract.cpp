@@ -3,6 +3,7 @@
 // What is read off a network, the ways to build one, and the mollified metric.
 
 #include "closed_forms.h"
+#include "descriptors.h"
 
 #include <CGAL/Flip_geodesics.h>
 
@@ -60,21 +61,21 @@ BOOST_AUTO_TEST_CASE(points_face_locations_and_crossed_halfedges_agree)
   std::mt19937 random(1);
   int crossings = 0;
   for(int i = 0; i < 50; ++i) {
-    const FG::Index s = static_cast<FG::Index>(random() % mesh.number_of_vertices());
-    const FG::Index t = static_cast<FG::Index>(random() % mesh.number_of_vertices());
+    const FG::Vertex_index s(static_cast<FG::Index>(random() % mesh.number_of_vertices()));
+    const FG::Vertex_index t(static_cast<FG::Index>(random() % mesh.number_of_vertices()));
     if(s == t)
       continue;
     Network network(triangulation);
     network.add_curve(search(s, t), false);
     const FG::Shortening_report report = FG::shorten(network);
     FG::Curve_extractor<Network> extractor(network);
-    const std::vector<FG::Surface_point> on_surface = extractor.surface_points(0);
+    const std::vector<FG::Surface_point> on_surface = extractor.surface_points(0_c);
     std::vector<Point> points;
-    extractor.points(0, std::back_inserter(points));
+    extractor.points(0_c, std::back_inserter(points));
     std::vector<Location> locations;
-    extractor.face_locations(0, mesh, std::back_inserter(locations));
+    extractor.face_locations(0_c, mesh, std::back_inserter(locations));
     std::vector<Mesh::Halfedge_index> crossed;
-    extractor.crossed_halfedges(0, std::back_inserter(crossed));
+    extractor.crossed_halfedges(0_c, std::back_inserter(crossed));
 
     BOOST_REQUIRE_EQUAL(points.size(), on_surface.size());
     BOOST_REQUIRE_EQUAL(points.size(), locations.size());
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(points_face_locations_and_crossed_halfedges_agree)
       if(!on_surface[k].is_vertex()) {
         BOOST_CHECK(on_surface[k].t > 0 && on_surface[k].t <= 0.5);
         BOOST_REQUIRE(next_crossed < crossed.size());
-        BOOST_CHECK(triangulation.input_halfedge(on_surface[k].halfedge) == crossed[next_crossed++]);
+        BOOST_CHECK(triangulation.input().halfedge(on_surface[k].halfedge) == crossed[next_crossed++]);
       }
     }
     BOOST_CHECK_EQUAL(next_crossed, crossed.size());
@@ -107,15 +108,16 @@ BOOST_AUTO_TEST_CASE(edges_of_a_flipped_triangulation_are_as_long_on_the_input_a
   Triangulation triangulation(mesh);
   std::mt19937 random(2);
   for(int i = 0; i < 3 * triangulation.number_of_edges(); ++i) {
-    const FG::Index h = static_cast<FG::Index>(random() % triangulation.number_of_halfedges());
+    const FG::Halfedge_index h(static_cast<FG::Index>(random() % triangulation.number_of_halfedges()));
     if(triangulation.is_flippable(h))
       triangulation.flip(h);
   }
   std::size_t crossings = 0;
-  for(FG::Index h = 0; h < triangulation.number_of_halfedges(); h += 2) {
+  for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(triangulation.number_of_edges())) {
+    const FG::Halfedge_index h = FG::internal::first_side(e);
     std::vector<FG::Surface_point> there, back;
     FG::edge_surface_points(triangulation, h, std::back_inserter(there));
-    FG::edge_surface_points(triangulation, h + 1, std::back_inserter(back));
+    FG::edge_surface_points(triangulation, Triangulation::twin(h), std::back_inserter(back));
     BOOST_REQUIRE_EQUAL(there.size(), back.size());
     BOOST_CHECK_EQUAL(there.front().a, triangulation.tail(h));
     BOOST_CHECK_EQUAL(there.back().a, triangulation.head(h));
@@ -137,9 +139,9 @@ BOOST_AUTO_TEST_CASE(a_crossing_is_inside_its_edge)
 {
   const Mesh mesh = to_mesh<Mesh>(tetrahedron());
   const Triangulation triangulation(mesh);
-  const FG::Index right = triangulation.tail(0), left = triangulation.head(0);
+  const FG::Vertex_index right = triangulation.tail(0_h), left = triangulation.head(0_h);
   for(double from_right : {0.0, -0.0, 5e-324, 1e-99, 0.25, 0.5, 0.75, std::nextafter(1.0, 0.0), 1.0}) {
-    const FG::Surface_point p = FG::internal::surface_point_on_edge(triangulation, 0, from_right);
+    const FG::Surface_point p = FG::internal::surface_point_on_edge(triangulation, 0_input_h, from_right);
     BOOST_TEST_CONTEXT("from the right " << from_right)
     {
       BOOST_CHECK_EQUAL(p.a, from_right <= 0.5 ? right : left);
@@ -153,9 +155,9 @@ BOOST_AUTO_TEST_CASE(a_crossing_is_inside_its_edge)
       BOOST_CHECK(again.a == p.a && again.b == p.b && again.t == p.t);
     }
   }
-  const FG::Surface_point inside = FG::surface_point(triangulation, {0, {{1e-100, 1e100, 1e-100}}});
+  const FG::Surface_point inside = FG::surface_point(triangulation, {0_input_h, {{1e-100, 1e100, 1e-100}}});
   BOOST_CHECK(inside.is_inside_face() && inside.t > 0 && inside.u > 0);
-  BOOST_CHECK_NO_THROW(FG::internal::check_location(triangulation.input(), {0, {{inside.u, 1, inside.t}}}));
+  BOOST_CHECK_NO_THROW(FG::internal::check_location(triangulation.input(), {0_input_h, {{inside.u, 1, inside.t}}}));
 }
 
 // The diagonal of a square crosses that which was there halfway.
@@ -163,11 +165,13 @@ BOOST_AUTO_TEST_CASE(a_point_of_an_edge_is_inside_a_face_unless_the_edge_runs_al
 {
   const Mesh mesh = to_mesh<Mesh>(flat_grid(1, 1, Diagonal_rule::RISING));
   Triangulation triangulation(mesh);
-  FG::Index diagonal = 0;
+  FG::Halfedge_index diagonal = 0_h;
   while(!triangulation.is_flippable(diagonal))
     ++diagonal;
-  const auto kind_at = [&](FG::Index h, double t) { return FG::kind(FG::location_on_edge(triangulation, h, t)); };
-  for(FG::Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+  const auto kind_at = [&](FG::Halfedge_index h, double t) {
+    return FG::kind(FG::location_on_edge(triangulation, h, t));
+  };
+  for(FG::Halfedge_index h(0); h.idx() < triangulation.number_of_halfedges(); ++h)
     for(double t : {1e-90, 1e-17, 0.5, std::nextafter(1.0, 0.0)})
       BOOST_CHECK(kind_at(h, t) == FG::Location_kind::EDGE);
   triangulation.flip(diagonal);
@@ -202,16 +206,16 @@ BOOST_AUTO_TEST_CASE(the_conforming_triangulation_keeps_euler_characteristic_and
 
   BOOST_CHECK_EQUAL(after.size(), mesh.number_of_faces());
   double area_before = 0, area_after = 0;
-  std::vector<char> is_side(mesh.number_of_halfedges(), 0);
+  FG::internal::Indexed_by<FG::Halfedge_index, std::vector<char>> is_side(mesh.number_of_halfedges(), 0);
   for(const FG::Intrinsic_face& f : before)
     area_before += area(f);
   for(const FG::Intrinsic_face& f : after) {
     area_after += area(f);
-    for(FG::Index h : f.halfedges)
+    for(FG::Halfedge_index h : f.halfedges)
       is_side[h] = 1;
   }
   BOOST_CHECK_CLOSE_FRACTION(area_before, area_after, 1e-10);
-  for(FG::Index h : network.halfedges(0))
+  for(FG::Halfedge_index h : network.halfedges(0_c))
     BOOST_CHECK(is_side[h] != 0);
 }
 
@@ -232,7 +236,7 @@ BOOST_AUTO_TEST_CASE(marked_edges_become_curves_between_junctions)
   BOOST_CHECK_EQUAL(FG::add_marked_edges(network, mesh, is_marked), 4);
   BOOST_CHECK(network.is_valid());
   int closed = 0, segments = 0;
-  for(FG::Index c = 0; c < network.number_of_curves(); ++c) {
+  for(FG::Curve_index c(0); c.idx() < network.number_of_curves(); ++c) {
     closed += network.is_closed(c) ? 1 : 0;
     segments += static_cast<int>(network.halfedges(c).size());
   }
@@ -246,20 +250,21 @@ BOOST_AUTO_TEST_CASE(way_points_are_passed_in_order)
   const Mesh mesh = to_mesh<Mesh>(flat_grid(n, n, Diagonal_rule::RISING));
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation), dijkstra(triangulation, FG::Search_method::DIJKSTRA);
-  const std::vector<FG::Index> way_points = {grid_vertex(n, 0, 0), grid_vertex(n, 3, 9), grid_vertex(n, 9, 2)};
-  const std::vector<FG::Index> path = FG::shortest_halfedges_through(search, way_points);
+  const auto vertex = [](int i, int j) { return FG::Vertex_index(grid_vertex(n, i, j)); };
+  const Vertex_sequence way_points = {vertex(0, 0), vertex(3, 9), vertex(9, 2)};
+  const std::vector<FG::Halfedge_index> path = FG::shortest_halfedges_through(search, way_points);
   std::size_t next = 1;
-  for(FG::Index h : path)
+  for(FG::Halfedge_index h : path)
     next += next < way_points.size() && triangulation.head(h) == way_points[next] ? 1 : 0;
   BOOST_CHECK_EQUAL(next, way_points.size());
   double a_star_length = 0, dijkstra_length = 0;
-  for(FG::Index h : path)
+  for(FG::Halfedge_index h : path)
     a_star_length += triangulation.length(h);
-  for(FG::Index h : FG::shortest_halfedges_through(dijkstra, way_points))
+  for(FG::Halfedge_index h : FG::shortest_halfedges_through(dijkstra, way_points))
     dijkstra_length += triangulation.length(h);
   BOOST_CHECK_CLOSE_FRACTION(a_star_length, dijkstra_length, 1e-14);
-  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, std::vector<FG::Index>{1, 1}), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, std::vector<FG::Index>{1}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, Vertex_sequence{1_v, 1_v}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, Vertex_sequence{1_v}), FG::Invalid_curve_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
@@ -271,7 +276,7 @@ BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
   using Mollified = FG::Mollified_metric<Embedded>;
   using Mollified_triangulation = FG::Intrinsic_triangulation<Mesh, Triangulation::Traits, Mollified>;
   const Embedded embedded(mesh.points());
-  const std::vector<FG::Index> over = {grid_vertex(6, 3, 1), grid_vertex(6, 3, 2), grid_vertex(6, 3, 3)};
+  const Vertex_sequence over = vertex_path_on_grid(6, {{3, 1}, {3, 3}});
 
   Triangulation plain(mesh, embedded);
   BOOST_CHECK_THROW(FG::halfedges_through(plain, over, false), FG::Degenerate_face_error);

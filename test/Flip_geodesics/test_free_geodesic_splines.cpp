@@ -5,6 +5,7 @@
 
 #define BOOST_TEST_MODULE free_geodesic_splines
 
+#include "descriptors.h"
 #include "rolled_out_surfaces.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(exact_decisions)
   for(const FG::Spline_kind kind : {FG::Spline_kind::BEZIER, FG::Spline_kind::CUBIC_B_SPLINE}) {
     Certified t(mesh);
     std::vector<FG::Surface_location> points;
-    for(FG::Index v : {0, 15, 40, 3, 65})
+    for(FG::Vertex_index v : {0_v, 15_v, 40_v, 3_v, 65_v})
       points.push_back(t.location(v));
     FG::Free_geodesic_spline<Certified> spline(t, points, kind);
     for(int i = 0; i < 3; ++i)
@@ -181,7 +182,7 @@ BOOST_AUTO_TEST_CASE(bad_control_points_are_refused)
   BOOST_CHECK_THROW(Spline(t, {points[0]}, FG::Spline_kind::BEZIER), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(Spline(t, points, FG::Spline_kind::CLOSED_CUBIC_B_SPLINE), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(Spline(t, {points[0], points[0]}, FG::Spline_kind::BEZIER), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(Spline(t, {points[0], FG::Surface_location{100000, {{1, 1, 1}}}}, FG::Spline_kind::BEZIER),
+  BOOST_CHECK_THROW(Spline(t, {points[0], FG::Surface_location{100000_input_h, {{1, 1, 1}}}}, FG::Spline_kind::BEZIER),
                     FG::Invalid_location_error);
   BOOST_TEST(t.log_position() == 0u);
 }
@@ -192,7 +193,7 @@ BOOST_AUTO_TEST_CASE(legs_within_a_face_and_legs_that_contract)
   const Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
   Triangulation t(mesh);
   FG::internal::Path_straightener<Triangulation> straightener(t);
-  const auto h = t.index(mesh.halfedge(Mesh::Face_index(9)));
+  const auto h = t.input().index(mesh.halfedge(Mesh::Face_index(9)));
   const FG::internal::Surface_polyline bent = {{h, {{1, 2, 3}}}, {h, {{5, 1, 1}}}, {h, {{3, 2, 2}}}};
   const auto straight = straightener.straightened(bent);
   BOOST_REQUIRE_EQUAL(straight.size(), 2u);
@@ -202,10 +203,10 @@ BOOST_AUTO_TEST_CASE(legs_within_a_face_and_legs_that_contract)
   }
 
   FG::internal::Surface_polyline round; // about a vertex, from an edge to the same place
-  const auto start = t.outgoing(grid_vertex(4, 2, 2));
+  const auto start = t.outgoing(FG::Vertex_index(grid_vertex(4, 2, 2)));
   auto spoke = start;
   do {
-    round.push_back({spoke, {{1, 3, 0}}}); // nearer to the other end
+    round.push_back({FG::internal::as_input(spoke), {{1, 3, 0}}}); // nearer to the other end
     spoke = t.clockwise(spoke);
   } while(spoke != start);
   round.push_back(round.front());

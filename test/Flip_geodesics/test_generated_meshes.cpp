@@ -5,6 +5,7 @@
 
 #define BOOST_TEST_MODULE generated_meshes
 
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "invalid_meshes.h"
@@ -48,6 +49,7 @@ namespace {
 
 using namespace Flip_geodesics_test;
 namespace utf = boost::unit_test;
+using CGAL::Flip_geodesics::Vertex_index;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -336,8 +338,8 @@ BOOST_AUTO_TEST_CASE(angles_at_apexes, *within)
   BOOST_TEST(thirteen_vertex_cone_disk().points.size() == 13);
   for(int r = 1; r <= 4; ++r)
     for(const Mesh_soup& soup : {cone_disk(6, 4, 3), saddle_disk(6, 4, 8)})
-      for(int v : disk_ring(6, r))
-        BOOST_TEST(distance(soup.points[v], soup.points[0]) == r);
+      for(Vertex_index v : disk_ring(6, r))
+        BOOST_TEST(distance(soup.points[v.idx()], soup.points[0]) == r);
 }
 
 BOOST_AUTO_TEST_CASE(interior_vertices_of_developable_meshes_are_flat, *within)
@@ -397,7 +399,8 @@ BOOST_AUTO_TEST_CASE(loops_follow_edges)
   for(int n : {1, 2, 3})
     for(const Vertex_sequence& loop : genus_3_loops(n))
       BOOST_TEST(is_curve(genus_3_plate(n), loop, true));
-  BOOST_CHECK_THROW(is_curve(cube(2), {0, index_of(cube(2), {2, 2, 2})}, false), std::invalid_argument);
+  const Vertex_index opposite(index_of(cube(2), {2, 2, 2}));
+  BOOST_CHECK_THROW(is_curve(cube(2), {0_v, opposite}, false), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(lengths_of_loops, *within)
@@ -417,14 +420,14 @@ BOOST_AUTO_TEST_CASE(loops_of_the_plate_are_a_homology_basis)
     std::set<std::pair<int, int>> cut;
     for(int k = first; k < first + 3; ++k)
       for(std::size_t i = 0; i < loops[k].size(); ++i)
-        cut.insert(std::minmax({loops[k][i], loops[k][(i + 1) % loops[k].size()]}));
+        cut.insert(std::minmax({loops[k][i].idx(), loops[k][(i + 1) % loops[k].size()].idx()}));
     BOOST_TEST(cut.size() == 24);
     BOOST_TEST(number_of_components(soup, [&](int u, int v) { return cut.count(std::minmax({u, v})) == 0; }) == 1);
   }
   for(int k = 0; k < 3; ++k)
     for(int l = 3; l < 6; ++l) {
-      const std::set<int> vertices(loops[k].begin(), loops[k].end());
-      const auto is_common = [&](int v) { return vertices.count(v) > 0; };
+      const std::set<Vertex_index> vertices(loops[k].begin(), loops[k].end());
+      const auto is_common = [&](Vertex_index v) { return vertices.count(v) > 0; };
       BOOST_TEST(std::count_if(loops[l].begin(), loops[l].end(), is_common) == (l == k + 3 ? 1 : 0));
     }
 }
@@ -440,7 +443,7 @@ BOOST_AUTO_TEST_CASE(torus_loops_close_after_their_turns)
     BOOST_TEST(is_curve(soup, loop, true));
     int x = 0, y = 0; // steps, unwound
     for(std::size_t k = 0; k < loop.size(); ++k) {
-      const int u = loop[k], v = loop[(k + 1) % loop.size()];
+      const int u = loop[k].idx(), v = loop[(k + 1) % loop.size()].idx();
       x += (v % n - u % n + n + 1) % n - 1;
       y += (v / n - u / n + m + 1) % m - 1;
     }
@@ -455,8 +458,8 @@ BOOST_AUTO_TEST_CASE(helices_climb_the_cylinder)
     const Vertex_sequence helix = cylinder_helix(7, 3, 2, steps);
     BOOST_TEST(is_curve(cylinder(7, 3, 1, 1), helix, false));
     BOOST_TEST(helix.size() == static_cast<std::size_t>(1 + 3 + steps));
-    BOOST_TEST(helix.front() == 2);
-    BOOST_TEST(helix.back() == (2 + steps) % 7 + 21);
+    BOOST_TEST(helix.front() == 2_v);
+    BOOST_TEST(helix.back() == Vertex_index((2 + steps) % 7 + 21));
   }
 }
 
@@ -470,10 +473,10 @@ BOOST_AUTO_TEST_CASE(curves_on_grids_follow_edges)
       BOOST_TEST(is_curve(soup, walked_repeatedly(path, 3), false));
       BOOST_TEST(is_curve(soup, with_detours(soup, path, false), false));
     }
-  BOOST_TEST((out_and_back({1, 2, 3}) == Vertex_sequence{1, 2, 3, 2, 1}));
-  BOOST_TEST((walked_repeatedly({1, 2}, 2) == Vertex_sequence{1, 2, 1, 2, 1, 2}));
-  BOOST_TEST((reversed({1, 2, 3}) == Vertex_sequence{3, 2, 1}));
-  BOOST_TEST((vertex_path_on_grid(6, {{1, 1}, {1, 3}, {0, 3}}) == Vertex_sequence{8, 15, 22, 21}));
+  BOOST_TEST((out_and_back({1_v, 2_v, 3_v}) == Vertex_sequence{1_v, 2_v, 3_v, 2_v, 1_v}));
+  BOOST_TEST((walked_repeatedly({1_v, 2_v}, 2) == Vertex_sequence{1_v, 2_v, 1_v, 2_v, 1_v, 2_v}));
+  BOOST_TEST((reversed({1_v, 2_v, 3_v}) == Vertex_sequence{3_v, 2_v, 1_v}));
+  BOOST_TEST((vertex_path_on_grid(6, {{1, 1}, {1, 3}, {0, 3}}) == Vertex_sequence{8_v, 15_v, 22_v, 21_v}));
 }
 
 BOOST_AUTO_TEST_CASE(detours_make_loops_longer)

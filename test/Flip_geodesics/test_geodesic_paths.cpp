@@ -2,6 +2,7 @@
 
 #define BOOST_TEST_MODULE Geodesic_paths
 
+#include "descriptors.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -250,13 +251,13 @@ BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one_and_landmarks_di
       look_back(triangulation, FG::Search_method::LOOK_BACK);
   const FG::Landmark_distances landmarks(dijkstra);
   Search directed(triangulation, landmarks);
-  const auto length_of = [&](const std::vector<FG::Index>& path) {
+  const auto length_of = [&](const std::vector<FG::Halfedge_index>& path) {
     return std::accumulate(path.begin(), path.end(), 0.0,
-                           [&](double sum, FG::Index h) { return sum + triangulation.length(h); });
+                           [&](double sum, FG::Halfedge_index h) { return sum + triangulation.length(h); });
   };
   std::size_t settled = 0, settled_with_landmarks = 0;
   for(const auto& [source, target] : random_pairs(mesh, 20, 3)) {
-    const FG::Index s = triangulation.index(source), t = triangulation.index(target);
+    const FG::Vertex_index s = triangulation.index(source), t = triangulation.index(target);
     const auto path = dijkstra(s, t);
     settled += dijkstra.settled_vertices();
     for(Search* search : {&a_star, &look_back}) {
@@ -308,9 +309,9 @@ BOOST_AUTO_TEST_CASE(a_search_towards_a_point_that_is_no_number_says_so)
   const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
   for(auto method : {FG::Search_method::LOOK_BACK, FG::Search_method::A_STAR, FG::Search_method::DIJKSTRA}) {
     FG::Shortest_edge_path<FG::Intrinsic_triangulation<Mesh>> search(triangulation, method);
-    BOOST_CHECK_THROW(search(0, 40), FG::Invalid_coordinate_error);
-    BOOST_CHECK_THROW(search(40, 0), FG::Invalid_coordinate_error);
-    BOOST_TEST(search(0, 3).size() == 3u); // and what lies elsewhere is found
+    BOOST_CHECK_THROW(search(0_v, 40_v), FG::Invalid_coordinate_error);
+    BOOST_CHECK_THROW(search(40_v, 0_v), FG::Invalid_coordinate_error);
+    BOOST_TEST(search(0_v, 3_v).size() == 3u); // and what lies elsewhere is found
   }
 }
 
@@ -318,11 +319,11 @@ BOOST_AUTO_TEST_CASE(the_queue_hands_out_by_priority_and_then_by_vertex)
 {
   std::mt19937 random(11);
   FG::internal::Vertex_queue queue;
-  std::multiset<std::pair<double, int>> reference;
+  std::multiset<std::pair<double, FG::Vertex_index>> reference;
   for(int round = 0; round < 20000; ++round) {
     if(reference.empty() || random() % 5 < 3) {
       const double priority = random() % 3 == 0 ? 0.25 * static_cast<double>(random() % 8) : std::ldexp(random(), -20);
-      const int vertex = static_cast<int>(random() % 1000);
+      const FG::Vertex_index vertex(static_cast<FG::Index>(random() % 1000));
       queue.push(priority, vertex);
       reference.emplace(priority, vertex);
     } else {
@@ -338,12 +339,12 @@ BOOST_AUTO_TEST_CASE(the_queue_hands_out_by_priority_and_then_by_vertex)
 BOOST_AUTO_TEST_CASE(the_queue_takes_minus_zero_for_zero)
 {
   FG::internal::Vertex_queue queue;
-  queue.push(3.0, 0);
-  queue.push(0.0, 2);
-  queue.push(-0.0, 1);
-  for(int expected : {1, 2, 0})
+  queue.push(3.0, 0_v);
+  queue.push(0.0, 2_v);
+  queue.push(-0.0, 1_v);
+  for(FG::Vertex_index expected : {1_v, 2_v, 0_v})
     BOOST_TEST(queue.pop() == expected);
 #ifndef CGAL_NO_PRECONDITIONS
-  BOOST_CHECK_THROW(queue.push(-1.0, 0), CGAL::Failure_exception);
+  BOOST_CHECK_THROW(queue.push(-1.0, 0_v), CGAL::Failure_exception);
 #endif
 }

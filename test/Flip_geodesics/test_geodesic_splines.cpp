@@ -4,6 +4,7 @@
 
 #define BOOST_TEST_MODULE geodesic_splines
 
+#include "descriptors.h"
 #include "rolled_out_surfaces.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -36,7 +37,7 @@ BOOST_AUTO_TEST_CASE(bezier_curves_of_flat_surfaces_are_those_of_the_plane)
     for(const auto& polygon : polygons) {
       Triangulation t(surface.bent);
       Network network(t);
-      const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygon));
+      const FG::Curve_index curve = FG::add_curve_through(network, locations(t, surface, polygon));
       FG::order_overlapping_curves(network);
       FG::Geodesic_spline<Network> spline(network, curve);
       for(int round = 1; round <= 4; ++round) {
@@ -71,13 +72,13 @@ BOOST_AUTO_TEST_CASE(cubic_b_splines_of_flat_surfaces_are_those_of_the_plane)
       const int n = static_cast<int>(polygon.size());
       Triangulation t(surface.bent);
       Network network(t);
-      const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygon), is_closed);
+      const FG::Curve_index curve = FG::add_curve_through(network, locations(t, surface, polygon), is_closed);
       FG::order_overlapping_curves(network);
       auto spline = FG::Geodesic_spline<Network>::cubic_b_spline(network, curve);
       spline.refine();
       spline.refine();
       std::vector<Flat_point> vertices;
-      for(FG::Index v : spline.vertices_on_curve())
+      for(FG::Vertex_index v : spline.vertices_on_curve())
         vertices.push_back(rolled_out(surface.flat, t, v));
       const int pieces = is_closed ? n : n - 1;
       BOOST_REQUIRE_EQUAL(vertices.size(), 4u * pieces + 1);
@@ -117,9 +118,9 @@ BOOST_AUTO_TEST_CASE(splines_in_exact_decisions)
     Certified t(mesh);
     FG::Edge_path_network<Certified> network(t);
     std::vector<FG::Surface_location> points;
-    for(FG::Index v : {0, 15, 40, 65})
+    for(FG::Vertex_index v : {0_v, 15_v, 40_v, 65_v})
       points.push_back(t.location(v));
-    const FG::Index curve = FG::add_curve_through(network, points);
+    const FG::Curve_index curve = FG::add_curve_through(network, points);
     FG::order_overlapping_curves(network);
     using Spline = FG::Geodesic_spline<FG::Edge_path_network<Certified>>;
     Spline spline = is_b_spline ? Spline::cubic_b_spline(network, curve) : Spline(network, curve);
@@ -139,7 +140,7 @@ BOOST_AUTO_TEST_CASE(refinement_to_a_tolerance)
   const Bent_surface surface = surfaces()[2];
   Triangulation t(surface.bent);
   Network network(t);
-  const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygons[2]));
+  const FG::Curve_index curve = FG::add_curve_through(network, locations(t, surface, polygons[2]));
   FG::order_overlapping_curves(network);
   FG::Geodesic_spline<Network> spline(network, curve);
   const int rounds = spline.refine(1e-4, 20);
@@ -229,13 +230,13 @@ BOOST_AUTO_TEST_CASE(polylines_are_drawn_by_insertion_or_snapped_to_edges)
       FG::order_overlapping_curves(network);
       FG::shorten(network);
       std::vector<Face_location> on_faces;
-      FG::Curve_extractor<Network>(network).face_locations(0, surface.bent, std::back_inserter(on_faces));
+      FG::Curve_extractor<Network>(network).face_locations(0_c, surface.bent, std::back_inserter(on_faces));
       for(const Face_location& p : on_faces)
         polyline.push_back(FG::surface_location(t, surface.bent, p));
     }
     Triangulation t(surface.bent);
     Network network(t);
-    const FG::Index drawn = FG::draw_polyline(network, polyline);
+    const FG::Curve_index drawn = FG::draw_polyline(network, polyline);
     FG::order_overlapping_curves(network);
     FG::shorten(network);
     BOOST_TEST(network.is_valid());
@@ -254,8 +255,8 @@ BOOST_AUTO_TEST_CASE(polylines_are_drawn_by_insertion_or_snapped_to_edges)
     snapped.add_curve(FG::halfedges_through(input, path, false), false);
     FG::order_overlapping_curves(snapped);
     BOOST_TEST(FG::shorten(snapped).is_complete());
-    BOOST_TEST(std::abs(snapped.length(0) - distance(rolled_out(surface.flat, input, path.front()),
-                                                     rolled_out(surface.flat, input, path.back()))) < 1e-11);
+    BOOST_TEST(std::abs(snapped.length(0_c) - distance(rolled_out(surface.flat, input, path.front()),
+                                                       rolled_out(surface.flat, input, path.back()))) < 1e-11);
     BOOST_CHECK_THROW(FG::draw_polyline(snapped, {polyline.front(), polyline.back()}), FG::Invalid_curve_error);
     BOOST_CHECK_THROW(FG::snap_polyline(input, {polyline.front()}), FG::Invalid_curve_error);
   }
@@ -275,7 +276,7 @@ BOOST_AUTO_TEST_CASE(polylines_are_completed)
     BOOST_TEST(polyline.size() > 2 * polygon.size());
     BOOST_TEST(FG::complete_polyline(t, polyline).size() == polyline.size()); // nothing is missing now
     Network network(t);
-    const FG::Index drawn = FG::draw_polyline(network, polyline);
+    const FG::Curve_index drawn = FG::draw_polyline(network, polyline);
     FG::order_overlapping_curves(network);
     FG::shorten(network);
     network.reset_initial_length(drawn);
@@ -292,7 +293,7 @@ BOOST_AUTO_TEST_CASE(a_polyline_that_crosses_itself_cannot_be_freed)
   const auto polyline =
       FG::complete_polyline(t, locations(t, surface, {{2, 4}, {4, 4}, {6, 4}, {6, 6}, {4, 4}, {2, 2.5}}));
   Network network(t);
-  const FG::Index drawn = FG::draw_polyline(network, polyline);
+  const FG::Curve_index drawn = FG::draw_polyline(network, polyline);
   FG::order_overlapping_curves(network);
   BOOST_TEST(FG::shorten(network).is_complete());
   BOOST_CHECK_THROW(network.free_nodes(drawn), FG::Crossing_curves_error);
@@ -311,12 +312,12 @@ BOOST_AUTO_TEST_CASE(closed_polylines)
     const auto h = mesh.halfedge(v, Mesh::Vertex_index(static_cast<unsigned>(i + 3 * n)));
     const auto diagonal = mesh.halfedge(v, Mesh::Vertex_index(static_cast<unsigned>((i + 1) % n + 3 * n)));
     BOOST_REQUIRE((h != mesh.null_halfedge() && diagonal != mesh.null_halfedge()));
-    loop.push_back({static_cast<FG::Index>(h), {{2, 1, 0}}});
-    loop.push_back({static_cast<FG::Index>(diagonal), {{1, 3, 0}}});
+    loop.push_back({t.input().index(h), {{2, 1, 0}}});
+    loop.push_back({t.input().index(diagonal), {{1, 3, 0}}});
   }
   const double ring = n * polygon_side(n, 1);
   Network network(t);
-  const FG::Index drawn = FG::draw_polyline(network, loop, true);
+  const FG::Curve_index drawn = FG::draw_polyline(network, loop, true);
   FG::shorten(network);
   BOOST_TEST(network.length(drawn) > ring * 1.01);
   network.free_nodes(drawn);
@@ -327,7 +328,7 @@ BOOST_AUTO_TEST_CASE(closed_polylines)
   network.add_curve(FG::halfedges_through(t, FG::snap_polyline(t, loop, true), true), true);
   FG::order_overlapping_curves(network);
   BOOST_TEST(FG::shorten(network).is_complete());
-  BOOST_TEST(std::abs(network.length(0) - ring) < 1e-11);
+  BOOST_TEST(std::abs(network.length(0_c) - ring) < 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(polylines_with_too_few_points_are_refused)
@@ -354,7 +355,7 @@ BOOST_AUTO_TEST_CASE(repeated_points_of_a_polyline_are_skipped)
   std::vector<FG::Surface_location> repeated;
   for(const FG::Surface_location& p : points)
     repeated.insert(repeated.end(), 2, p);
-  const FG::Index once = FG::draw_polyline(network, points), twice = FG::draw_polyline(network, repeated);
+  const FG::Curve_index once = FG::draw_polyline(network, points), twice = FG::draw_polyline(network, repeated);
   BOOST_TEST(network.halfedges(once) == network.halfedges(twice), boost::test_tools::per_element());
 }
 
@@ -363,8 +364,8 @@ BOOST_AUTO_TEST_CASE(snapped_polylines_do_not_go_to_and_fro)
 {
   const Bent_surface surface = surfaces().front(); // with a diagonal from (0, 0) to (1, 1)
   Triangulation t(surface.bent);
-  const auto vertex = [](int i, int j) { return static_cast<FG::Index>(grid_vertex(size, i, j)); };
-  using Path = std::vector<FG::Index>;
+  const auto vertex = [](int i, int j) { return FG::Vertex_index(grid_vertex(size, i, j)); };
+  using Path = std::vector<FG::Vertex_index>;
   const auto snapped = [&](const std::vector<Flat_point>& points, bool is_closed) {
     return FG::snap_polyline(t, locations(t, surface, points), is_closed);
   };
@@ -389,8 +390,8 @@ BOOST_AUTO_TEST_CASE(completed_polylines_keep_away_from_vertices)
   int crossings = 0;
   for(double from : {1e-18, 1e-17, 1e-16, 3e-16})
     for(const auto to : {along, up, right}) {
-      const FG::Surface_location start = {static_cast<FG::Index>(up), {{1, from, 0}}};
-      const FG::Surface_location end = {static_cast<FG::Index>(mesh.next(mesh.opposite(to))), {{1, 1, 0}}};
+      const FG::Surface_location start = {t.input().index(up), {{1, from, 0}}};
+      const FG::Surface_location end = {t.input().index(mesh.next(mesh.opposite(to))), {{1, 1, 0}}};
       const auto polyline = FG::complete_polyline(t, {start, end});
       for(std::size_t i = 1; i + 1 < polyline.size(); ++i, ++crossings)
         for(double weight : polyline[i].weights)
@@ -407,20 +408,21 @@ BOOST_AUTO_TEST_CASE(a_place_that_is_divided_already_is_found)
     for(int i = 1; i < 40; ++i) {
       Triangulation t(surface.bent);
       Network network(t);
-      const FG::Index curve = FG::add_curve_through(network, locations(t, surface, {{0.3, 0.4}, {7.6, 6.1}}));
+      const FG::Curve_index curve = FG::add_curve_through(network, locations(t, surface, {{0.3, 0.4}, {7.6, 6.1}}));
       FG::shorten(network);
-      const FG::Index h = network.halfedges(curve).front();
-      const FG::Index end = t.head(h);
+      const FG::Halfedge_index h = network.halfedges(curve).front();
+      const FG::Vertex_index end = t.head(h);
       network.clear();
       const double place = i / 40.0;
-      const FG::Index x = t.insert(FG::location_on_edge(t, h, place));
+      const FG::Vertex_index x = t.insert(FG::location_on_edge(t, h, place));
       if(t.head(h) != end)
         continue; // it lies on the edge
       const bool is_reversed = i % 2 == 0;
-      network.add_curve(std::vector<FG::Index>{is_reversed ? h ^ 1 : h}, false);
-      const FG::Index half = network.divide_segment(network.first_segment(0), is_reversed ? 1 - place : place);
+      network.add_curve(std::vector<FG::Halfedge_index>{is_reversed ? t.twin(h) : h}, false);
+      const FG::Segment_index first = network.first_segment(0_c);
+      const FG::Segment_index half = network.divide_segment(first, is_reversed ? 1 - place : place);
       BOOST_TEST(t.head(network.halfedge(half)) == x);
-      BOOST_TEST(network.halfedges(0).size() == 2u);
+      BOOST_TEST(network.halfedges(0_c).size() == 2u);
       BOOST_TEST(network.is_valid());
       ++found[is_reversed ? 1 : 0];
     }
@@ -431,17 +433,17 @@ BOOST_AUTO_TEST_CASE(a_place_that_is_divided_already_is_found)
 // Segments on one edge are divided together, and the half of the one that was asked for is told.
 BOOST_AUTO_TEST_CASE(segments_that_share_an_edge_are_divided)
 {
-  for(FG::Index divided : {0, 1, 2}) {
+  for(FG::Curve_index divided : {0_c, 1_c, 2_c}) {
     const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
     Triangulation t(mesh);
     Network network(t);
-    const std::vector<FG::Index> there = FG::halfedges_through(t, std::vector<FG::Index>{5, 6}, false);
+    const auto there = FG::halfedges_through(t, std::vector<FG::Vertex_index>{5_v, 6_v}, false);
     for(bool is_reversed : {false, true, false})
-      network.add_curve(std::vector<FG::Index>{is_reversed ? there[0] ^ 1 : there[0]}, false);
-    const FG::Index half = network.divide_segment(network.first_segment(divided), 0.25);
+      network.add_curve(std::vector<FG::Halfedge_index>{is_reversed ? t.twin(there[0]) : there[0]}, false);
+    const FG::Segment_index half = network.divide_segment(network.first_segment(divided), 0.25);
     BOOST_TEST(network.curve(half) == divided);
     BOOST_TEST(half == network.first_segment(divided));
-    for(FG::Index c : {0, 1, 2})
+    for(FG::Curve_index c : {0_c, 1_c, 2_c})
       BOOST_TEST(network.halfedges(c).size() == 2u);
     BOOST_TEST(std::abs(t.length(network.halfedge(half)) - 0.25) < 1e-15);
     BOOST_TEST(network.is_valid());
@@ -452,15 +454,15 @@ BOOST_AUTO_TEST_CASE(a_loop_of_one_segment_is_divided)
 {
   const Mesh mesh = to_mesh<Mesh>(Mesh_soup{{{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
   Triangulation t(mesh);
-  FG::Index h = 0;
+  FG::Halfedge_index h = 0_h;
   while(!t.is_flippable(h))
-    h += 2;
+    ++h;
   t.flip(h);
   BOOST_REQUIRE(t.tail(h) == t.head(h));
   Network network(t);
-  const FG::Index curve = network.add_curve(std::vector<FG::Index>{h}, true);
+  const FG::Curve_index curve = network.add_curve(std::vector<FG::Halfedge_index>{h}, true);
   const double length = network.length(curve);
-  const FG::Index half = network.divide_segment(network.first_segment(curve), 0.3);
+  const FG::Segment_index half = network.divide_segment(network.first_segment(curve), 0.3);
   BOOST_TEST(network.halfedges(curve).size() == 2u);
   BOOST_TEST(network.next(network.next(half)) == half);
   BOOST_TEST(network.previous(half) == network.next(half));
@@ -473,14 +475,14 @@ BOOST_AUTO_TEST_CASE(a_division_on_a_crossed_edge_lies_inside_a_face)
 {
   const Mesh mesh = to_mesh<Mesh>(flat_grid(1, 1, Diagonal_rule::RISING));
   Triangulation t(mesh);
-  FG::Index h = 0;
+  FG::Halfedge_index h = 0_h;
   while(!t.is_flippable(h))
-    h += 2;
+    ++h;
   t.flip(h);
   BOOST_TEST((kind(FG::location_on_edge(t, h, 0.5)) == FG::Location_kind::FACE));
   Network network(t);
-  network.add_curve(std::vector<FG::Index>{h}, false);
-  const FG::Index half = network.divide_segment(network.first_segment(0), 0.5);
+  network.add_curve(std::vector<FG::Halfedge_index>{h}, false);
+  const FG::Segment_index half = network.divide_segment(network.first_segment(0_c), 0.5);
   const FG::Surface_location middle = t.location(t.head(network.halfedge(half)));
   BOOST_TEST((kind(middle) == FG::Location_kind::FACE));
   BOOST_TEST(network.is_valid());
@@ -495,7 +497,7 @@ BOOST_AUTO_TEST_CASE(legs_along_edges_are_divided_at_vertices)
   {
     Triangulation t(surface.bent);
     Network network(t);
-    const FG::Index curve = FG::add_curve_through(network, locations(t, surface, polygon));
+    const FG::Curve_index curve = FG::add_curve_through(network, locations(t, surface, polygon));
     FG::order_overlapping_curves(network);
     FG::Geodesic_spline<Network> spline(network, curve);
     for(int round = 1; round <= 3; ++round) {
@@ -516,7 +518,7 @@ BOOST_AUTO_TEST_CASE(strands_across_a_control_point_are_told)
   const Bent_surface surface = surfaces().front();
   Triangulation t(surface.bent);
   Network network(t);
-  const FG::Index curve = FG::add_curve_through(network, locations(t, surface, {{1, 4}, {4, 4}, {4, 1}}));
+  const FG::Curve_index curve = FG::add_curve_through(network, locations(t, surface, {{1, 4}, {4, 4}, {4, 1}}));
   FG::add_curve_through(network, locations(t, surface, {{2, 2}, {4, 4}, {6, 6}}));
   FG::order_overlapping_curves(network);
   FG::Geodesic_spline<Network> spline(network, curve);
@@ -529,9 +531,9 @@ BOOST_AUTO_TEST_CASE(legs_that_shrink_to_a_point_are_refused)
   const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
   Triangulation t(mesh);
   Network network(t);
-  const auto there = FG::halfedges_through(t, std::vector<FG::Index>{4, 5, 6, 5, 9}, false);
-  const FG::Index curve = network.add_curve(there, false);
-  const FG::Index first = network.first_segment(curve);
+  const auto there = FG::halfedges_through(t, std::vector<FG::Vertex_index>{4_v, 5_v, 6_v, 5_v, 9_v}, false);
+  const FG::Curve_index curve = network.add_curve(there, false);
+  const FG::Segment_index first = network.first_segment(curve);
   network.set_head_fixed(first, true);
   network.set_head_fixed(network.next(network.next(first)), true);
   FG::order_overlapping_curves(network);

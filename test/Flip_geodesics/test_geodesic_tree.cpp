@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "closed_forms.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -18,7 +19,10 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Halfedge_index;
 using FG::Index;
+using FG::Vertex_index;
+using FG::internal::twin_index;
 using namespace Flip_geodesics_test;
 
 using Certified_setting = Basic_curve_setting<
@@ -42,6 +46,7 @@ struct Tree_setting : Setting
   }
 
   Index size() const { return this->triangulation.number_of_vertices(); }
+  auto vertices() const { return FG::internal::descriptors<Vertex_index>(size()); }
 
   Tree tree;
 };
@@ -57,13 +62,13 @@ void check_tree(Setting& setting, const FG::Geodesic_tree_report& report)
   BOOST_TEST(report.smallest_angle >= FG::Straightness::straight_angle());
   BOOST_TEST(setting.tree.is_valid());
   BOOST_TEST(setting.triangulation.is_valid());
-  for(Index v = 0; v < setting.size(); ++v) {
-    const std::vector<Index> path = setting.tree.path(v);
+  for(Vertex_index v : setting.vertices()) {
+    const std::vector<Halfedge_index> path = setting.tree.path(v);
     if(path.empty())
       continue;
     BOOST_TEST(setting.triangulation.tail(path.front()) == setting.tree.source());
     BOOST_TEST(setting.triangulation.head(path.back()) == v);
-    const Index curve = setting.network.add_curve(path, false);
+    const FG::Curve_index curve = setting.network.add_curve(path, false);
     BOOST_TEST(is_close(setting.network.length(curve), setting.tree.distance(v), setting.tree.distance(v)));
   }
   const auto pulled = setting.pull();
@@ -86,11 +91,17 @@ bool is_same_angle(double a, double b, double total)
   return std::abs(difference) <= 1e-9;
 }
 
+// The edge from one vertex to another, before it is flipped.
+FG::Input_halfedge_index direction(const Double_tree_setting& setting, Vertex_index from, Vertex_index to)
+{
+  return FG::internal::as_input(FG::halfedges_through(setting.triangulation, Vertex_sequence{from, to}, false).front());
+}
+
 struct Impatient : FG::Default_shortening_visitor
 {
   int steps = 0, flips = 0;
   template <class Triangulation>
-  void on_flip(const Triangulation&, Index)
+  void on_flip(const Triangulation&, Halfedge_index)
   {
     ++flips;
   }
@@ -105,28 +116,30 @@ BOOST_AUTO_TEST_CASE(plane)
   for(const Mesh_soup& soup : {flat_grid(n, m, Diagonal_rule::RISING), flat_grid(n, m, Diagonal_rule::RANDOM),
                                jittered_grid(n, m, Diagonal_rule::RANDOM, 0.24, 3), needle_strip(n, m, 1e-4)})
   {
-    for(Index source : {grid_vertex(n, 5, 4), grid_vertex(n, 0, 0), grid_vertex(n, n, 3)}) {
+    const Vertex_index inner(grid_vertex(n, 5, 4)), corner(grid_vertex(n, 0, 0)), on_side(grid_vertex(n, n, 3));
+    for(Vertex_index source : {inner, corner, on_side}) {
       Double_tree_setting setting(soup);
       check_tree(setting, setting.tree.grow(source));
-      const Coordinates& s = soup.points[source];
+      const Coordinates& s = soup.points[source.idx()];
       const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
       // Any vertex fixes the rotation; the others must agree.
-      const auto plane_angle_of = [&](Index v) {
-        return plane_angle(soup.points[v][0] - s[0], soup.points[v][1] - s[1]);
+      const auto plane_angle_of = [&](Vertex_index v) {
+        return plane_angle(soup.points[v.idx()][0] - s[0], soup.points[v.idx()][1] - s[1]);
       };
-      const Index other = source == 0 ? 1 : 0;
-      const double turn = plane_angle_of(other) - map.vertices[other].angle;
-      for(Index v = 0; v < setting.size(); ++v) {
+      const Vertex_index other = source == 0_v ? 1_v : 0_v;
+      const double turn = plane_angle_of(other) - map.vertices[other.idx()].angle;
+      for(Vertex_index v : setting.vertices()) {
         if(v == source)
           continue;
-        BOOST_TEST(is_close(map.vertices[v].radius, distance(s, soup.points[v]), n));
-        BOOST_TEST(is_same_angle(map.vertices[v].angle + turn, plane_angle_of(v), 2 * pi));
-        BOOST_TEST(map.vertices[v].angle >= 0);
-        BOOST_TEST(map.vertices[v].angle <= map.total_angle + tolerance);
+        const FG::Polar_coordinates& p = map.vertices[v.idx()];
+        BOOST_TEST(is_close(p.radius, distance(s, soup.points[v.idx()]), n));
+        BOOST_TEST(is_same_angle(p.angle + turn, plane_angle_of(v), 2 * pi));
+        BOOST_TEST(p.angle >= 0);
+        BOOST_TEST(p.angle <= map.total_angle + tolerance);
       }
-      BOOST_TEST(map.vertices[source].radius == 0);
-      BOOST_TEST(std::isnan(map.vertices[source].angle));
-      BOOST_TEST(map.is_on_border == (source != grid_vertex(n, 5, 4)));
+      BOOST_TEST(map.vertices[source.idx()].radius == 0);
+      BOOST_TEST(std::isnan(map.vertices[source.idx()].angle));
+      BOOST_TEST(map.is_on_border == (source != inner));
       if(!map.is_on_border)
         BOOST_TEST(is_close(map.total_angle, 2 * pi));
     }
@@ -140,13 +153,13 @@ BOOST_AUTO_TEST_CASE(jittered_needles)
   for(double aspect : {1e-4, 1e-6}) {
     const auto squeezed = [aspect](const Coordinates& p) { return Coordinates{p[0], p[1] * aspect, 0}; };
     const Mesh_soup soup = mapped(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.15, 11), squeezed);
-    for(Index source : {0, grid_vertex(n, 20, 20), grid_vertex(n, 31, 7)}) {
+    for(Vertex_index source : {0_v, Vertex_index(grid_vertex(n, 20, 20)), Vertex_index(grid_vertex(n, 31, 7))}) {
       Double_tree_setting setting(soup);
       const FG::Geodesic_tree_report report = setting.tree.grow(source);
       BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
       BOOST_TEST(setting.tree.is_valid());
-      for(Index v = 0; v < setting.size(); ++v)
-        BOOST_TEST(is_close(setting.tree.distance(v), distance(soup.points[source], soup.points[v]), n));
+      for(Vertex_index v : setting.vertices())
+        BOOST_TEST(is_close(setting.tree.distance(v), distance(soup.points[source.idx()], soup.points[v.idx()]), n));
     }
   }
 }
@@ -157,14 +170,14 @@ BOOST_AUTO_TEST_CASE(plane_coordinates)
   constexpr int n = 8;
   const Mesh_soup soup = jittered_grid(n, n, Diagonal_rule::RISING, 0.2, 5);
   Double_tree_setting setting(soup);
-  const Index source = grid_vertex(n, 4, 4), right = grid_vertex(n, 5, 4);
-  const Index zero = FG::halfedges_through(setting.triangulation, std::vector<Index>{source, right}, false).front();
+  const Vertex_index source(grid_vertex(n, 4, 4)), right(grid_vertex(n, 5, 4));
+  const FG::Input_halfedge_index zero = direction(setting, source, right);
   setting.tree.grow(source);
   const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
-  const Coordinates &s = soup.points[source], &r = soup.points[right];
+  const Coordinates &s = soup.points[source.idx()], &r = soup.points[right.idx()];
   const double length = distance(s, r), c = (r[0] - s[0]) / length, d = (r[1] - s[1]) / length;
-  for(Index v = 0; v < setting.size(); ++v) {
-    const double x = soup.points[v][0] - s[0], y = soup.points[v][1] - s[1];
+  for(Vertex_index v : setting.vertices()) {
+    const double x = soup.points[v.idx()][0] - s[0], y = soup.points[v.idx()][1] - s[1];
     BOOST_TEST(is_close(map.in_plane(v)[0], c * x + d * y, n));
     BOOST_TEST(is_close(map.in_plane(v)[1], c * y - d * x, n));
   }
@@ -177,20 +190,19 @@ BOOST_AUTO_TEST_CASE(cylinder_unrolls)
   constexpr double radius = 1.25, height = 8;
   const double side = polygon_side(n, radius);
   Double_tree_setting setting(cylinder(n, m, radius, height));
-  const Index source = 4 + n * 3;
-  const Index zero =
-      FG::halfedges_through(setting.triangulation, std::vector<Index>{source, source + 1}, false).front();
+  const Vertex_index source(4 + n * 3), right(source.idx() + 1);
+  const FG::Input_halfedge_index zero = direction(setting, source, right);
   check_tree(setting, setting.tree.grow(source));
   const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, zero);
   int minimal = 0;
-  for(Index v = 0; v < setting.size(); ++v) {
+  for(Vertex_index v : setting.vertices()) {
     const auto [x, y] = map.in_plane(v);
-    const double turns = (x / side - (v % n - source % n)) / n;
-    BOOST_TEST(is_close(turns, std::round(turns)), "vertex " << v);
-    BOOST_TEST(is_close(y, height * (v / n - source / n) / m, height));
-    const double shortest = cylinder_distance(n, m, radius, height, source, v);
-    BOOST_TEST(map.vertices[v].radius >= shortest * (1 - tolerance));
-    minimal += is_close(map.vertices[v].radius, shortest, height) ? 1 : 0;
+    const double turns = (x / side - (v.idx() % n - source.idx() % n)) / n;
+    BOOST_TEST(is_close(turns, std::round(turns)), "vertex " << v.idx());
+    BOOST_TEST(is_close(y, height * (v.idx() / n - source.idx() / n) / m, height));
+    const double shortest = cylinder_distance(n, m, radius, height, source.idx(), v.idx());
+    BOOST_TEST(map.vertices[v.idx()].radius >= shortest * (1 - tolerance));
+    minimal += is_close(map.vertices[v.idx()].radius, shortest, height) ? 1 : 0;
   }
   BOOST_TEST(minimal >= setting.size() * 9 / 10);
 }
@@ -200,7 +212,7 @@ BOOST_AUTO_TEST_CASE(cone_from_the_apex_and_from_elsewhere)
   constexpr int n = 10, m = 6;
   constexpr double total = 4.5;
   Double_tree_setting setting(cone_disk(n, m, total));
-  check_tree(setting, setting.tree.grow(0));
+  check_tree(setting, setting.tree.grow(0_v));
   const FG::Logarithmic_map from_apex = FG::logarithmic_map(setting.tree);
   BOOST_TEST(is_close(from_apex.total_angle, total));
   const double first = from_apex.vertices[disk_vertex(n, 1, 0)].angle;
@@ -212,7 +224,7 @@ BOOST_AUTO_TEST_CASE(cone_from_the_apex_and_from_elsewhere)
     }
 
   setting.triangulation.rollback();
-  const Index source = disk_vertex(n, 4, 0);
+  const Vertex_index source(disk_vertex(n, 4, 0));
   check_tree(setting, setting.tree.grow(source));
   const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
   const double to_apex = map.vertices[0].angle;
@@ -237,19 +249,19 @@ BOOST_AUTO_TEST_CASE(shadow_of_a_saddle)
   constexpr int k = 12, m = 5;
   constexpr double total = 9;
   Double_tree_setting setting(saddle_disk(k, m, total));
-  const Index source = disk_vertex(k, 3, 0);
+  const Vertex_index source(disk_vertex(k, 3, 0));
   check_tree(setting, setting.tree.grow(source));
   const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
   int in_shadow = 0;
   for(int r = 1; r <= m; ++r)
     for(int i = 1; i < k; ++i) {
-      const Index v = disk_vertex(k, r, i);
+      const FG::Polar_coordinates& p = map.vertices[disk_vertex(k, r, i)];
       const double around = (std::min)(i, k - i) * total / k;
-      BOOST_TEST(is_close(map.vertices[v].radius, cone_distance(3, r, around), m));
+      BOOST_TEST(is_close(p.radius, cone_distance(3, r, around), m));
       if(around < pi)
         continue;
       ++in_shadow;
-      BOOST_TEST(is_same_angle(map.vertices[v].angle, map.vertices[0].angle, map.total_angle));
+      BOOST_TEST(is_same_angle(p.angle, map.vertices[0].angle, map.total_angle));
     }
   BOOST_TEST(in_shadow > 0);
 }
@@ -259,10 +271,10 @@ BOOST_AUTO_TEST_CASE(curved_meshes)
   for(const Mesh_soup& soup : {sphere(8), bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), genus_3_plate(2), cube(4),
                                tetrahedron(5), random_convex_polyhedron(60, 2), grid_with_hole(9, 9, 3, 6, 3, 6)})
   {
-    for(Index source : {0, 7, 40}) {
+    for(Vertex_index source : {0_v, 7_v, 40_v}) {
       Double_tree_setting setting(soup);
       check_tree(setting, setting.tree.grow(source));
-      for(Index v = 0; v < setting.size(); ++v)
+      for(Vertex_index v : setting.vertices())
         BOOST_TEST(setting.tree.is_reached(v));
     }
   }
@@ -273,7 +285,7 @@ BOOST_AUTO_TEST_CASE(certified)
 {
   for(const Mesh_soup& soup : {cube(3), tetrahedron(4), flat_grid(6, 6, Diagonal_rule::RANDOM)}) {
     Tree_setting<Certified_setting> setting(soup);
-    const FG::Geodesic_tree_report report = setting.tree.grow(5);
+    const FG::Geodesic_tree_report report = setting.tree.grow(5_v);
     check_tree(setting, report);
     BOOST_TEST(std::isinf(report.smallest_angle));
   }
@@ -284,10 +296,10 @@ BOOST_AUTO_TEST_CASE(on_tetrahedron_never_too_short)
   constexpr int n = 6;
   const Mesh_soup soup = tetrahedron(n);
   Double_tree_setting setting(soup);
-  setting.tree.grow(10);
+  setting.tree.grow(10_v);
   int minimal = 0;
-  for(Index v = 0; v < setting.size(); ++v) {
-    const double shortest = tetrahedron_distance(n, soup.points[10], soup.points[v]);
+  for(Vertex_index v : setting.vertices()) {
+    const double shortest = tetrahedron_distance(n, soup.points[10], soup.points[v.idx()]);
     BOOST_TEST(setting.tree.distance(v) >= shortest - tolerance * n);
     minimal += is_close(setting.tree.distance(v), shortest, n) ? 1 : 0;
   }
@@ -298,39 +310,39 @@ BOOST_AUTO_TEST_CASE(within_a_distance)
 {
   const Mesh_soup soup = jittered_grid(40, 40, Diagonal_rule::RANDOM, 0.2, 2);
   Double_tree_setting setting(soup);
-  const Index source = grid_vertex(40, 20, 20);
+  const Vertex_index source(grid_vertex(40, 20, 20));
   const FG::Geodesic_tree_report report = setting.tree.grow(source, 5);
   check_tree(setting, report);
-  for(Index v = 0; v < setting.size(); ++v)
-    BOOST_TEST(setting.tree.is_reached(v) == (distance(soup.points[v], soup.points[source]) <= 5));
+  for(Vertex_index v : setting.vertices())
+    BOOST_TEST(setting.tree.is_reached(v) == (distance(soup.points[v.idx()], soup.points[source.idx()]) <= 5));
   BOOST_TEST(report.flips < 1000u); // of about 4800 edges; nothing far away is touched
 }
 
 BOOST_AUTO_TEST_CASE(at_the_distance_exactly)
 {
   Double_tree_setting setting(flat_grid(6, 6, Diagonal_rule::RISING));
-  setting.tree.grow(grid_vertex(6, 3, 3), 2);
+  setting.tree.grow(Vertex_index(grid_vertex(6, 3, 3)), 2);
   for(int v : {grid_vertex(6, 1, 3), grid_vertex(6, 5, 3), grid_vertex(6, 3, 1), grid_vertex(6, 3, 5)})
-    BOOST_TEST(setting.tree.is_reached(v));
+    BOOST_TEST(setting.tree.is_reached(Vertex_index(v)));
 }
 
 BOOST_AUTO_TEST_CASE(other_components_are_not_reached)
 {
   Double_tree_setting setting(with_isolated_vertices(disjoint_union(sphere(3), sphere(3)), 1, 1));
-  check_tree(setting, setting.tree.grow(5));
+  check_tree(setting, setting.tree.grow(5_v));
   const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
-  const Index last = setting.size() - 1, other = setting.size() / 2 + 5;
-  for(Index v : {Index(0), last, other}) {
+  const Vertex_index last(setting.size() - 1), other(setting.size() / 2 + 5);
+  for(Vertex_index v : {0_v, last, other}) {
     BOOST_TEST(!setting.tree.is_reached(v));
     BOOST_TEST(setting.tree.path(v).empty());
-    BOOST_TEST(std::isinf(map.vertices[v].radius));
-    BOOST_TEST(std::isnan(map.vertices[v].angle));
+    BOOST_TEST(std::isinf(map.vertices[v.idx()].radius));
+    BOOST_TEST(std::isnan(map.vertices[v.idx()].angle));
   }
   // From an isolated vertex there is nowhere to go.
   setting.triangulation.rollback();
-  setting.tree.grow(0);
-  BOOST_TEST(setting.tree.is_reached(0));
-  BOOST_TEST(!setting.tree.is_reached(5));
+  setting.tree.grow(0_v);
+  BOOST_TEST(setting.tree.is_reached(0_v));
+  BOOST_TEST(!setting.tree.is_reached(5_v));
   BOOST_TEST(std::isinf(FG::logarithmic_map(setting.tree).vertices[5].radius));
 }
 
@@ -338,40 +350,40 @@ BOOST_AUTO_TEST_CASE(other_components_are_not_reached)
 BOOST_AUTO_TEST_CASE(grown_again)
 {
   Double_tree_setting setting(bumpy_sphere(6, 0.2, 4));
-  setting.tree.grow(3);
+  setting.tree.grow(3_v);
   std::vector<double> distances;
-  for(Index v = 0; v < setting.size(); ++v)
+  for(Vertex_index v : setting.vertices())
     distances.push_back(setting.tree.distance(v));
-  const std::vector<int> flips = setting.flips();
-  check_tree(setting, setting.tree.grow(17));
+  const std::vector<Halfedge_index> flips = setting.flips();
+  check_tree(setting, setting.tree.grow(17_v));
   setting.triangulation.rollback();
-  check_tree(setting, setting.tree.grow(3));
-  for(Index v = 0; v < setting.size(); ++v)
-    BOOST_TEST(setting.tree.distance(v) == distances[v]);
+  check_tree(setting, setting.tree.grow(3_v));
+  for(Vertex_index v : setting.vertices())
+    BOOST_TEST(setting.tree.distance(v) == distances[v.idx()]);
   BOOST_TEST(setting.flips() == flips);
 }
 
 BOOST_AUTO_TEST_CASE(bad_sources_and_degenerate_faces)
 {
   Double_tree_setting setting(sphere(3));
-  BOOST_CHECK_THROW(setting.tree.grow(-1), FG::Vertex_out_of_range_error);
-  BOOST_CHECK_THROW(setting.tree.grow(setting.size()), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(setting.tree.grow(FG::null_index), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(setting.tree.grow(Vertex_index(setting.size())), FG::Vertex_out_of_range_error);
 
   Mesh_soup soup = flat_grid(4, 4, Diagonal_rule::RISING);
   soup.points[grid_vertex(4, 2, 2)] = soup.points[grid_vertex(4, 2, 3)];
   Double_tree_setting degenerate(soup);
-  BOOST_CHECK_THROW(degenerate.tree.grow(0), FG::Degenerate_face_error);
+  BOOST_CHECK_THROW(degenerate.tree.grow(0_v), FG::Degenerate_face_error);
   BOOST_TEST(degenerate.triangulation.is_valid());
   soup.points[grid_vertex(4, 2, 2)][0] = std::numeric_limits<double>::quiet_NaN();
   Double_tree_setting invalid(soup);
-  BOOST_CHECK_THROW(invalid.tree.grow(0), FG::Invalid_coordinate_error);
+  BOOST_CHECK_THROW(invalid.tree.grow(0_v), FG::Invalid_coordinate_error);
 }
 
 BOOST_AUTO_TEST_CASE(interrupted)
 {
   Double_tree_setting setting(bumpy_sphere(8, 0.2, 4));
   Impatient visitor;
-  const auto report = setting.tree.grow(0, std::numeric_limits<double>::infinity(), visitor);
+  const auto report = setting.tree.grow(0_v, std::numeric_limits<double>::infinity(), visitor);
   BOOST_TEST(FG::to_string(report.status) == "STOPPED_BY_VISITOR");
   BOOST_TEST(static_cast<std::size_t>(visitor.flips) == report.flips);
   BOOST_TEST(visitor.steps == 101);
@@ -389,10 +401,10 @@ BOOST_AUTO_TEST_CASE(needles_end)
     {
       const Mesh_soup soup = mapped(flat, [=](const Coordinates& p) { return Coordinates{aspect * p[0], p[1], 0}; });
       Double_tree_setting setting(soup);
-      setting.tree.grow(0);
-      for(Index v = 0; v < setting.size(); ++v) {
+      setting.tree.grow(0_v);
+      for(Vertex_index v : setting.vertices()) {
         BOOST_TEST(setting.tree.is_reached(v));
-        BOOST_TEST(setting.tree.distance(v) >= distance(soup.points[0], soup.points[v]) * (1 - tolerance));
+        BOOST_TEST(setting.tree.distance(v) >= distance(soup.points[0], soup.points[v.idx()]) * (1 - tolerance));
       }
       BOOST_TEST(setting.tree.is_valid());
     }
@@ -405,46 +417,46 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
   const Mesh_soup soup = jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 5);
   const Surface mesh = to_mesh<Surface>(soup);
   const FG::Intrinsic_triangulation<Surface> plain(mesh);
-  Index inner = 70, border = 0;
-  while(plain.is_border(inner) || plain.is_border(inner ^ 1))
+  FG::Input_halfedge_index inner = 70_input_h, border = 0_input_h;
+  while(plain.input().is_border(inner) || plain.input().is_border(twin_index(inner)))
     ++inner;
-  while(!plain.is_border(border ^ 1))
+  while(!plain.input().is_border(twin_index(border)))
     ++border;
   const std::array<double, 3> inside = {{0.5, 0.3, 0.2}}, on_edge = {{0.6, 0.4, 0}};
   const std::vector<FG::Surface_location> sources = {{inner, inside}, {inner, on_edge}, {border, on_edge}};
   for(const FG::Surface_location& location : sources) {
     Double_tree_setting setting(soup);
     Random_numbers random(2);
-    setting.tree.grow(0); // before there were more vertices
-    const Index source = setting.triangulation.insert(location);
+    setting.tree.grow(0_v); // before there were more vertices
+    const Vertex_index source = setting.triangulation.insert(location);
     for(int i = 0; i < 20; ++i) {
-      const Index h = random.below(setting.triangulation.input().number_of_halfedges());
+      const FG::Input_halfedge_index h(random.below(setting.triangulation.input().number_of_halfedges()));
       if(!setting.triangulation.input().is_border(h))
         setting.triangulation.insert({h, {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}});
     }
-    const auto place = [&](Index v) {
+    const auto place = [&](Vertex_index v) {
       Coordinates p = {0, 0, 0};
       const FG::Surface_location l = setting.triangulation.location(v);
-      Index h = l.halfedge;
+      FG::Input_halfedge_index h = l.halfedge;
       for(int i = 0; i < 3; ++i, h = setting.triangulation.input().next(h))
         for(int k = 0; k < 3 && l.weights[i] > 0; ++k)
           p[k] += l.weights[i] / (l.weights[0] + l.weights[1] + l.weights[2]) *
-                  soup.points[setting.triangulation.input().tail(h)][k];
+                  soup.points[setting.triangulation.input().tail(h).idx()][k];
       return p;
     };
     auto& tree = setting.tree;
     BOOST_TEST(FG::to_string(tree.grow(source).status) == "LOCALLY_SHORTEST");
     BOOST_TEST(tree.is_valid());
     const FG::Logarithmic_map map = FG::logarithmic_map(tree);
-    const Coordinates s = place(source), other = place(3);
+    const Coordinates s = place(source), other = place(3_v);
     BOOST_TEST(map.is_on_border == (location.halfedge == border));
     const double turn = plane_angle(other[0] - s[0], other[1] - s[1]) - map.vertices[3].angle;
-    for(Index v = 0; v < setting.size(); ++v) {
+    for(Vertex_index v : setting.vertices()) {
       if(v == source)
         continue;
       const Coordinates p = place(v);
-      BOOST_TEST(is_close(map.vertices[v].radius, distance(s, p), n));
-      BOOST_TEST(is_same_angle(map.vertices[v].angle + turn, plane_angle(p[0] - s[0], p[1] - s[1]), 2 * pi));
+      BOOST_TEST(is_close(map.vertices[v.idx()].radius, distance(s, p), n));
+      BOOST_TEST(is_same_angle(map.vertices[v.idx()].angle + turn, plane_angle(p[0] - s[0], p[1] - s[1]), 2 * pi));
     }
   }
 }

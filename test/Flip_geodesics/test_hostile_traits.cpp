@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "Hostile_traits.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -32,7 +33,14 @@
  */
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
+using FG::Curve_index;
+using FG::Edge_index;
+using FG::Halfedge_index;
 using FG::Index;
+using FG::Segment_index;
+using FG::Vertex_index;
+using FG::internal::descriptors;
+using FG::internal::first_side;
 
 namespace {
 
@@ -53,19 +61,19 @@ std::size_t logged_flips(const T& triangulation)
 struct Watcher
 {
   explicit Watcher(const Setting& setting)
-    : length(setting.network.length(0))
+    : length(setting.network.length(0_c))
     , flips_of_steps(logged_flips(setting.triangulation))
   {
   }
 
   template <class T>
-  void on_flip(const T&, Index)
+  void on_flip(const T&, Halfedge_index)
   {
     ++flips;
   }
 
   template <class Network>
-  void after_flip_out(const Network& network, Index curve)
+  void after_flip_out(const Network& network, Curve_index curve)
   {
     ++steps;
     const double now = network.length(curve);
@@ -84,7 +92,7 @@ struct Watcher
 // Pulls tight among lies. Returns the number of flips that were taken back.
 std::size_t check_shortening(Setting& setting)
 {
-  const double before = setting.network.length(0);
+  const double before = setting.network.length(0_c);
   Watcher watcher(setting);
   FG::Shortener<Setting::Network> shortener(setting.network);
   shortener.run(FG::Never_stop_predicate(), watcher);
@@ -92,12 +100,13 @@ std::size_t check_shortening(Setting& setting)
   BOOST_TEST(watcher.steps < 100000u);
   BOOST_TEST(setting.network.is_valid());
   BOOST_TEST(setting.triangulation.is_valid(1e-6));
-  BOOST_TEST(setting.network.length(0) <= before * (1 + 1e-12));
-  BOOST_TEST(std::abs(shortener.length() - setting.network.length(0)) <= 1e-12 * before);
-  BOOST_TEST(std::abs(shortener.length(0) - setting.network.length(0)) <= 1e-12 * before);
+  BOOST_TEST(setting.network.length(0_c) <= before * (1 + 1e-12));
+  BOOST_TEST(std::abs(shortener.length() - setting.network.length(0_c)) <= 1e-12 * before);
+  BOOST_TEST(std::abs(shortener.length(0_c) - setting.network.length(0_c)) <= 1e-12 * before);
   BOOST_TEST(logged_flips(setting.triangulation) == watcher.flips_of_steps); // the others have left no trace
-  setting.network.for_each_segment(
-      0, [&](Index s) { BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(setting.network.halfedge(s))); });
+  setting.network.for_each_segment(0_c, [&](Segment_index s) {
+    BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(setting.network.halfedge(s)));
+  });
   return shortener.number_of_flips() - logged_flips(setting.triangulation);
 }
 
@@ -116,7 +125,7 @@ BOOST_AUTO_TEST_CASE(steps_that_lengthen_leave_no_trace)
         lies.is_quad_reflex = [&](bool is_reflex) { return is_reflex || liar(false); };
         Setting setting(soup, Hostile_traits(lies));
         const int n = setting.triangulation.number_of_vertices(), u = random.below(n);
-        setting.add_path(u, (u + 1 + random.below(n - 1)) % n);
+        setting.add_path(Vertex_index(u), Vertex_index((u + 1 + random.below(n - 1)) % n));
         taken_back += check_shortening(setting);
       }
     BOOST_TEST(taken_back > 100u);
@@ -155,14 +164,14 @@ BOOST_AUTO_TEST_CASE(a_straight_loop_of_one_segment_stays)
       Setting setting(cylinder(n, 4, 1, 3), Hostile_traits(lies));
       setting.add(cylinder_ring(n, 2), true);
       setting.pull();
-      const std::vector<Index> before = setting.network.halfedges(0);
+      const std::vector<Halfedge_index> before = setting.network.halfedges(0_c);
       const std::size_t log = setting.triangulation.log_position();
-      const double length = setting.network.length(0);
+      const double length = setting.network.length(0_c);
       is_lying = !is_honest;
       check_shortening(setting);
-      BOOST_TEST(std::abs(setting.network.length(0) - length) <= 1e-9 * length);
+      BOOST_TEST(std::abs(setting.network.length(0_c) - length) <= 1e-9 * length);
       if(is_honest) {
-        BOOST_TEST(setting.network.halfedges(0) == before, boost::test_tools::per_element());
+        BOOST_TEST(setting.network.halfedges(0_c) == before, boost::test_tools::per_element());
         BOOST_TEST(setting.triangulation.log_position() == log);
       }
     }
@@ -178,10 +187,10 @@ BOOST_AUTO_TEST_CASE(joints_called_straight_are_looked_at_again_or_told)
       int lies_left = lies_told;
       lies.is_wedge_straight = [&](int, bool is_straight) { return is_straight || lies_left-- > 0; };
       Setting setting(jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1), Hostile_traits(lies));
-      setting.add_path(i, 63 - i);
+      setting.add_path(Vertex_index(i), Vertex_index(63 - i));
       const FG::Shortening_report report = FG::shorten(setting.network);
       const FG::Curve_report& curve = report.curves[0];
-      const bool is_straight = FG::Straightness_meter<Setting::Network>(setting.network)(0).is_locally_shortest();
+      const bool is_straight = FG::Straightness_meter<Setting::Network>(setting.network)(0_c).is_locally_shortest();
       BOOST_TEST((curve.status ==
                   (is_straight ? FG::Shortening_status::LOCALLY_SHORTEST : FG::Shortening_status::PRECISION_LIMIT)));
       (is_straight ? mended : told) += 1;
@@ -197,12 +206,12 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_loops_valid)
 {
   struct Thrower
   {
-    void on_flip(const Triangulation&, Index)
+    void on_flip(const Triangulation&, Halfedge_index)
     {
       if(--left == 0)
         throw std::runtime_error("enough");
     }
-    void after_flip_out(const Setting::Network& network, Index curve) { length = network.length(curve); }
+    void after_flip_out(const Setting::Network& network, Curve_index curve) { length = network.length(curve); }
     bool go_further() { return true; }
 
     int left;
@@ -212,14 +221,14 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_loops_valid)
   for(int flips = 1; flips < 60; ++flips) {
     Setting setting(cone_disk(7, 4, 1));
     setting.add(disk_ring(7, 3), true);
-    Thrower thrower = {flips, setting.network.length(0)};
+    Thrower thrower = {flips, setting.network.length(0_c)};
     try {
       FG::shorten(setting.network, FG::Never_stop_predicate(), thrower);
     } catch(const std::runtime_error&) {
       ++thrown;
       BOOST_TEST(setting.network.is_valid());
       BOOST_TEST(setting.triangulation.is_valid());
-      BOOST_TEST(std::abs(setting.network.length(0) - thrower.length) <= 1e-12 * thrower.length);
+      BOOST_TEST(std::abs(setting.network.length(0_c) - thrower.length) <= 1e-12 * thrower.length);
     }
   }
   BOOST_TEST(thrown > 20);
@@ -260,21 +269,21 @@ BOOST_AUTO_TEST_CASE(a_straightened_path_that_cannot_be_inserted_leaves_no_trace
           lies.length = [&](double length) { return is_lying && liar(false) ? 3 * length : length; };
         Setting setting(jittered_grid(7, 7, Diagonal_rule::RANDOM, 0.2, 1), Hostile_traits(lies));
         FG::Shortest_edge_path<Triangulation> search(setting.triangulation);
-        const std::vector<Index> path = search(i, 63 - i);
+        const std::vector<Halfedge_index> path = search(Vertex_index(i), Vertex_index(63 - i));
         double length = 0;
-        for(Index h : path)
+        for(Halfedge_index h : path)
           length += setting.triangulation.length(h);
         is_lying = true;
         FG::add_straightened_path(setting.network, path);
         is_lying = false;
         BOOST_TEST(setting.network.is_valid());
-        BOOST_TEST(setting.network.length(0) <= length * (1 + 1e-12));
-        BOOST_TEST(std::abs(setting.network.initial_length(0) - length) <= (kind == 0 ? 1e-12 : 3) * length);
-        std::set<Index> passed;
-        setting.network.for_each_segment(0, [&](Index s) {
+        BOOST_TEST(setting.network.length(0_c) <= length * (1 + 1e-12));
+        BOOST_TEST(std::abs(setting.network.initial_length(0_c) - length) <= (kind == 0 ? 1e-12 : 3) * length);
+        std::set<Vertex_index> passed;
+        setting.network.for_each_segment(0_c, [&](Segment_index s) {
           BOOST_TEST(passed.insert(setting.triangulation.tail(setting.network.halfedge(s))).second);
         });
-        if(setting.network.halfedges(0) == path) {
+        if(setting.network.halfedges(0_c) == path) {
           BOOST_TEST(setting.triangulation.log_position() == 0u);
           ++given_up;
         } else
@@ -313,17 +322,18 @@ BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
         int lies_left = 0;
         const Triangulation* lied_to = nullptr;
         lies.is_locally_delaunay = [&](bool truth) {
-          const bool is_time = lied_to != nullptr && lied_to->is_inserted(lied_to->number_of_vertices() - 1);
+          const bool is_time =
+              lied_to != nullptr && lied_to->is_inserted(Vertex_index(lied_to->number_of_vertices() - 1));
           return truth && !(is_time && lies_left > 0 && liar(false) && lies_left-- > 0);
         };
         Setting setting(is_open ? jittered_grid(5, 5, Diagonal_rule::RANDOM, 0.2, 1) : bumpy_sphere(4, 0.3, 2),
                         Hostile_traits(lies));
         if(has_curve)
-          setting.add_path(0, is_open ? 17 : 37);
+          setting.add_path(0_v, is_open ? 17_v : 37_v);
         setting.pull();
         FG::flip_to_delaunay(setting.triangulation);
         lied_to = &setting.triangulation;
-        const double length = has_curve ? setting.network.length(0) : 0;
+        const double length = has_curve ? setting.network.length(0_c) : 0;
         FG::Refinement_options options;
         options.smallest_angle = 28;
         options.longest_edge = 0.25;
@@ -336,10 +346,10 @@ BOOST_AUTO_TEST_CASE(insertions_with_wrong_flips_are_taken_back)
         BOOST_TEST(report.insertions + report.splits + setting.mesh.number_of_vertices() ==
                    std::size_t(setting.triangulation.number_of_vertices()));
         if(has_curve)
-          BOOST_TEST(std::abs(setting.network.length(0) - length) < 1e-9 * length);
+          BOOST_TEST(std::abs(setting.network.length(0_c) - length) < 1e-9 * length);
         BOOST_TEST(setting.network.is_valid());
-        for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
-          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(2 * e));
+        for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
+          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(first_side(e)));
       }
     BOOST_TEST(refused > 10u);
   }
@@ -376,7 +386,7 @@ BOOST_AUTO_TEST_CASE(refinement_among_wrong_flips_ends)
         lies.is_locally_delaunay = [&](bool truth) { return is_lying ? liar(truth) : truth; };
         Setting setting(soup, Hostile_traits(lies));
         if(has_curve)
-          setting.add_path(0, 35); // along the diagonals of the second, with circumcentres on it
+          setting.add_path(0_v, 35_v); // along the diagonals of the second, with circumcentres on it
         setting.pull();
         FG::flip_to_delaunay(setting.triangulation);
         const Index vertices = setting.triangulation.number_of_vertices();
@@ -392,8 +402,8 @@ BOOST_AUTO_TEST_CASE(refinement_among_wrong_flips_ends)
         BOOST_TEST(report.insertions + report.splits ==
                    std::size_t(setting.triangulation.number_of_vertices() - vertices));
         BOOST_TEST(setting.network.is_valid());
-        for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
-          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(2 * e));
+        for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
+          BOOST_CHECK_NO_THROW(setting.triangulation.crossing_word(first_side(e)));
       }
   BOOST_TEST(refused > 10u);
 }
@@ -407,8 +417,8 @@ BOOST_AUTO_TEST_CASE(an_exception_between_points_leaves_the_triangulation_as_it_
   };
   const Setting setting(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 2));
   Triangulation triangulation(setting.mesh);
-  const Index h = triangulation.index(halfedge(Surface::Face_index(3), setting.mesh));
-  const Index g = triangulation.index(halfedge(Surface::Face_index(60), setting.mesh));
+  const auto h = triangulation.input().index(halfedge(Surface::Face_index(3), setting.mesh));
+  const auto g = triangulation.input().index(halfedge(Surface::Face_index(60), setting.mesh));
   const std::vector<FG::Surface_location> ends = {{h, {{0.25, 0.25, 0.5}}}, {g, {{0.5, 0.25, 0.25}}}};
   BOOST_CHECK_THROW(FG::geodesics_through(triangulation, ends, FG::Never_stop_predicate(), Thrower()),
                     std::runtime_error);
@@ -433,11 +443,11 @@ BOOST_AUTO_TEST_CASE(trees_among_lies_end)
       };
       Setting setting(torus(13, 7, 3, 1), Hostile_traits(lies));
       FG::Geodesic_tree<Triangulation> tree(setting.triangulation);
-      const FG::Geodesic_tree_report report = tree.grow(0);
+      const FG::Geodesic_tree_report report = tree.grow(0_v);
       BOOST_TEST(setting.triangulation.is_valid(1e-6));
-      for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v) {
+      for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices())) {
         double length = 0;
-        for(Index h : tree.path(v))
+        for(Halfedge_index h : tree.path(v))
           length += setting.triangulation.length(h);
         BOOST_TEST(tree.is_reached(v));
         BOOST_TEST(std::abs(tree.distance(v) - length) <= 1e-9);
@@ -458,12 +468,12 @@ BOOST_AUTO_TEST_CASE(vectors_derived_over_wrong_flips_are_those_of_the_words)
     Setting setting(shaken(seed % 2 == 0 ? octahedron(2) : flat_grid(4, 4, Diagonal_rule::RANDOM), 0.1, seed));
     const Triangulation& t = setting.triangulation;
     for(int i = 0; i < 60; ++i) {
-      const Index h = random.below(t.number_of_halfedges());
-      if(t.is_border(h) || t.is_border(h ^ 1) || t.next(h) == (h ^ 1) || t.next(h ^ 1) == h || t.crossings(h / 2) > 100)
+      const Halfedge_index h(random.below(t.number_of_halfedges())), twin = t.twin(h);
+      if(t.is_border(h) || t.is_border(twin) || t.next(h) == twin || t.next(twin) == h || t.crossings(t.edge(h)) > 100)
         continue;
       setting.triangulation.flip(h); // of any quad
     }
-    for(Index h = 0; h < t.number_of_halfedges(); ++h) {
+    for(Halfedge_index h : descriptors<Halfedge_index>(t.number_of_halfedges())) {
       const FG::internal::Precise_edge derived = t.precise_edge(h); // before its word is asked for, and then unfolded
       const FG::Crossing_word word = t.crossing_word(h);
       if(word.crossed.empty())
@@ -490,7 +500,7 @@ struct Bent_inwards
     : mesh(to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {1, height, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}}))
     , triangulation(mesh, Hostile_traits(lies()))
   {
-    const Index h = FG::internal::halfedge_between(triangulation, 1, 3);
+    const Halfedge_index h = FG::internal::halfedge_between(triangulation, 1_v, 3_v);
     BOOST_REQUIRE(triangulation.is_flippable(h));
     triangulation.flip(h);
   }
@@ -512,13 +522,14 @@ BOOST_AUTO_TEST_CASE(points_on_edges_that_were_flipped_wrongly)
 {
   for(double height : {1e-9, 1e-7, 1e-3, 0.1}) {
     Bent_inwards bent(height);
-    const Index along = FG::internal::halfedge_between(bent.triangulation, 0, 1);
-    const Index flipped = FG::internal::halfedge_between(bent.triangulation, 0, 2);
-    const FG::Surface_location point = {along, {{1, 1, 1e-9}}}; // on the wrong side of the corner
+    const Halfedge_index along = FG::internal::halfedge_between(bent.triangulation, 0_v, 1_v);
+    const Halfedge_index flipped = FG::internal::halfedge_between(bent.triangulation, 0_v, 2_v);
+    // On the wrong side of the corner.
+    const FG::Surface_location point = {FG::internal::as_input(along), {{1, 1, 1e-9}}};
     const auto split = [&] { return bent.triangulation.split_edge(flipped, point, 0, [](const auto&) {}); };
     const auto before = bent.triangulation.log_position();
     if(height < 1e-6) {
-      BOOST_TEST(split() == 4);
+      BOOST_TEST(split() == 4_v);
       continue;
     }
     BOOST_CHECK_THROW(split(), FG::Insertion_error);
@@ -540,12 +551,12 @@ BOOST_AUTO_TEST_CASE(points_among_wrong_flips)
       const Surface mesh = to_mesh<Surface>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.24, seed));
       Triangulation triangulation(mesh, Hostile_traits(lies));
       for(int i = 0; i < 60; ++i) {
-        const Index h = random.below(triangulation.number_of_halfedges());
+        const Halfedge_index h(random.below(triangulation.number_of_halfedges()));
         if(triangulation.is_flippable(h))
           triangulation.flip(h);
       }
       for(int i = 0; i < 30; ++i) {
-        const Index h = random.below(triangulation.input().number_of_halfedges());
+        const FG::Input_halfedge_index h(random.below(triangulation.input().number_of_halfedges()));
         if(triangulation.input().is_border(h))
           continue;
         const auto before = triangulation.log_position();

@@ -2,6 +2,7 @@
 
 #define BOOST_TEST_MODULE intrinsic_triangulation
 
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "lawson.h"
@@ -40,6 +41,8 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::internal::descriptors;
+using FG::internal::twin_index;
 using namespace Flip_geodesics_test;
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -78,9 +81,9 @@ struct Snapshot
 
   explicit Snapshot(const Triangulation& t)
   {
-    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
       const bool is_border = t.is_border(h);
-      for(int i : {is_border ? -1 : int(t.next(h)), int(t.tail(h)), int(t.crossings(h / 2)), int(t.version(h / 2))})
+      for(int i : {is_border ? -1 : t.next(h).idx(), t.tail(h).idx(), t.crossings(t.edge(h)), t.version(t.edge(h))})
         links.push_back(i);
       if(!is_border)
         vectors.insert(vectors.end(), {t.geometry(h).x, t.geometry(h).y});
@@ -97,9 +100,9 @@ struct Snapshot
 std::vector<int> connectivity(const Triangulation& t)
 {
   std::vector<int> result;
-  for(int h = 0; h < t.number_of_halfedges(); ++h) {
-    result.push_back(t.is_border(h) ? -1 : t.next(h));
-    result.push_back(t.tail(h));
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+    result.push_back(t.is_border(h) ? -1 : t.next(h).idx());
+    result.push_back(t.tail(h).idx());
   }
   return result;
 }
@@ -107,12 +110,12 @@ std::vector<int> connectivity(const Triangulation& t)
 struct Measures
 {
   double area = 0;
-  std::vector<double> angle_sums;
+  FG::internal::Indexed_by<FG::Vertex_index, std::vector<double>> angle_sums;
 
   explicit Measures(const Triangulation& t)
     : angle_sums(static_cast<std::size_t>(t.number_of_vertices()), 0.0)
   {
-    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
       if(t.is_border(h))
         continue;
       const auto out = t.geometry(h), in = t.geometry(t.previous(h));
@@ -128,15 +131,15 @@ struct Measures
 using Vector = std::complex<long double>;
 
 // The lengths of the sides of the input face left of h, in long double from the coordinates.
-long double input_length(const Mesh& mesh, const Triangulation& t, int h)
+long double input_length(const Mesh& mesh, const Triangulation& t, FG::Input_halfedge_index h)
 {
-  const Point p = mesh.point(t.vertex(t.input().tail(h))), q = mesh.point(t.vertex(t.input().tail(h ^ 1)));
+  const Point p = mesh.point(t.vertex(t.input().tail(h))), q = mesh.point(t.vertex(t.input().tail(twin_index(h))));
   const long double x = (long double)q.x() - p.x(), y = (long double)q.y() - p.y(), z = (long double)q.z() - p.z();
   return std::sqrt(x * x + y * y + z * z);
 }
 
 // The third point of the input face on the left of h when h leads from a to b in the plane.
-Vector apex(const Mesh& mesh, const Triangulation& t, int h, Vector a, Vector b)
+Vector apex(const Mesh& mesh, const Triangulation& t, FG::Input_halfedge_index h, Vector a, Vector b)
 {
   const long double c = input_length(mesh, t, h), l = input_length(mesh, t, t.input().next(h)),
                     r = input_length(mesh, t, t.input().next(t.input().next(h)));
@@ -155,13 +158,13 @@ Unfolded unfold(const Mesh& mesh, const Triangulation& t, const FG::Crossing_wor
   if(word.along != FG::null_index)
     return {input_length(mesh, t, word.along), 0};
   // The first crossed edge, from right to left as the traveller sees it, and the tail on its left side.
-  const int first = word.crossed.front();
+  const FG::Input_halfedge_index first = word.crossed.front();
   Vector right = 0, left = input_length(mesh, t, first);
   const Vector tail = apex(mesh, t, first, right, left);
   std::vector<std::pair<Vector, Vector>> gates;
   for(std::size_t i = 0;; ++i) {
     gates.emplace_back(right, left);
-    const int entered = word.crossed[i] ^ 1; // from left to right
+    const FG::Input_halfedge_index entered = twin_index(word.crossed[i]); // from left to right
     const Vector next = apex(mesh, t, entered, left, right);
     if(i + 1 == word.crossed.size()) {
       Unfolded result = {std::abs(next - tail), 0};
@@ -174,7 +177,7 @@ Unfolded unfold(const Mesh& mesh, const Triangulation& t, const FG::Crossing_wor
       }
       return result;
     }
-    const int crossed = word.crossed[i + 1];
+    const FG::Input_halfedge_index crossed = word.crossed[i + 1];
     if(crossed == t.input().next(entered)) // starts at the right end
       left = next;
     else {
@@ -192,14 +195,14 @@ struct Oddities
 
   void count(const Triangulation& t)
   {
-    std::set<std::pair<int, int>> ends;
-    for(int h = 0; h < t.number_of_halfedges(); ++h) {
-      loops += h % 2 == 0 && t.tail(h) == t.head(h) ? 1 : 0;
+    std::set<std::pair<FG::Vertex_index, FG::Vertex_index>> ends;
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+      loops += FG::internal::is_first_side(h) && t.tail(h) == t.head(h) ? 1 : 0;
       border_edges += t.is_border(h) ? 1 : 0;
-      self_glued_faces += !t.is_border(h) && t.next(h) == (h ^ 1) ? 1 : 0;
-      degree_one += !t.is_border(h ^ 1) && t.clockwise(h) == h ? 1 : 0;
-      if(h % 2 == 0)
-        multiple_edges += ends.insert(std::minmax<int>(t.tail(h), t.head(h))).second ? 0 : 1;
+      self_glued_faces += !t.is_border(h) && t.next(h) == t.twin(h) ? 1 : 0;
+      degree_one += !t.is_border(t.twin(h)) && t.clockwise(h) == h ? 1 : 0;
+      if(FG::internal::is_first_side(h))
+        multiple_edges += ends.insert(std::minmax<FG::Vertex_index>(t.tail(h), t.head(h))).second ? 0 : 1;
     }
   }
 };
@@ -217,7 +220,7 @@ BOOST_AUTO_TEST_CASE(flips_keep_area_and_angle_sums)
       flip_at_random(t, 30, random);
       const Measures after(t);
       BOOST_TEST(std::abs(after.area - before.area) < 1e-9 * before.area);
-      for(std::size_t v = 0; v < before.angle_sums.size(); ++v)
+      for(FG::Vertex_index v : descriptors<FG::Vertex_index>(t.number_of_vertices()))
         BOOST_TEST(std::abs(after.angle_sums[v] - before.angle_sums[v]) < 1e-8);
       BOOST_TEST(t.is_valid());
       t.rollback(t.log_position() * 3 / 4);
@@ -234,7 +237,7 @@ BOOST_AUTO_TEST_CASE(four_flips_are_the_identity)
     Triangulation t(mesh);
     for(int i = 0; i < 100 * scale; ++i) {
       flip_at_random(t, 2, random);
-      const int h = random.below(t.number_of_halfedges());
+      const FG::Halfedge_index h(random.below(t.number_of_halfedges()));
       if(!t.is_flippable(h))
         continue;
       const std::vector<int> before = connectivity(t);
@@ -275,7 +278,7 @@ BOOST_AUTO_TEST_CASE(rollback_restores_every_bit)
         BOOST_TEST((Snapshot(t) == places[i].second));
       }
       BOOST_TEST((Snapshot(t) == input));
-      for(int v = 0; v < t.number_of_vertices(); ++v)
+      for(FG::Vertex_index v : descriptors<FG::Vertex_index>(t.number_of_vertices()))
         BOOST_TEST((t.outgoing(v) == FG::null_index || t.tail(t.outgoing(v)) == v));
     }
   }
@@ -299,14 +302,14 @@ BOOST_AUTO_TEST_CASE(rollback_restores_faces_that_were_laid_out_afresh)
   Random_numbers random(11);
   for(int i = 0; i < 200; ++i) {
     flip_at_random(t, 3, random);
-    const int h = random.below(t.number_of_halfedges()); // turned by a right angle
+    const FG::Halfedge_index h(random.below(t.number_of_halfedges())); // turned by a right angle
     const auto a = t.geometry(h), b = t.geometry(t.next(h)), c = t.geometry(t.previous(h));
     t.set_face_geometry(h, {{{-a.y, a.x}, {-b.y, b.x}, {-c.y, c.x}}});
   }
   BOOST_TEST(t.is_valid());
   t.rollback();
   BOOST_TEST((Snapshot(t) == input));
-  for(int h = 0; h < t.number_of_halfedges(); ++h) {
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
     const auto a = t.geometry(h), b = t.geometry(t.next(h)), c = t.geometry(t.previous(h));
     BOOST_TEST(std::abs(a.x + b.x + c.x) + std::abs(a.y + b.y + c.y) < 1e-9);
   }
@@ -316,8 +319,8 @@ BOOST_AUTO_TEST_CASE(the_first_touch_leaves_no_trace)
 {
   const Mesh mesh = to_mesh<Mesh>(shaken(torus(5, 4, 3, 1), 0.2, 10));
   const Triangulation forward(mesh), backward(mesh);
-  for(int h = forward.number_of_halfedges(); h-- > 0;)
-    backward.is_border(h);
+  for(FG::Index h = forward.number_of_halfedges(); h-- > 0;)
+    backward.is_border(FG::Halfedge_index(h));
   BOOST_TEST((Snapshot(forward) == Snapshot(backward)));
 }
 
@@ -333,14 +336,14 @@ BOOST_AUTO_TEST_CASE(words_traced_are_words_derived)
       flip_at_random(t, 10 + random.below(90), random);
       FG::internal::Crossing_words<Triangulation> words;
       FG::internal::Word_tracer<Triangulation> tracer(t);
-      for(int h = 0; h < t.number_of_halfedges(); ++h) {
-        const int version = t.version(h / 2);
+      for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+        const FG::Index version = t.version(t.edge(h));
         FG::Crossing_word word;
         if(!tracer(h, word)) {
           ++not_traced;
           continue;
         }
-        FG::Crossing_word expected = {h, {}, FG::null_index, t.tail(h), t.head(h)};
+        FG::Crossing_word expected = {FG::internal::as_input(h), {}, FG::null_index, t.tail(h), t.head(h)};
         if(version != 0) {
           words.resolve(t, {h, version});
           expected = words.word(t, {h, version});
@@ -368,11 +371,11 @@ BOOST_AUTO_TEST_CASE(words_are_exact_and_straight)
     for(int k = 0; k < 60 * scale; ++k) {
       Triangulation t(mesh);
       flip_at_random(t, 10 + random.below(90), random);
-      for(int h = 0; h < t.number_of_halfedges(); ++h) {
-        const FG::Crossing_word word = t.crossing_word(h), back = t.crossing_word(h ^ 1).reversed();
+      for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+        const FG::Crossing_word word = t.crossing_word(h), back = t.crossing_word(t.twin(h)).reversed();
         BOOST_TEST((word.crossed == back.crossed && word.along == back.along));
         const int crossings = word.along == FG::null_index ? static_cast<int>(word.crossed.size()) : -1;
-        BOOST_TEST(t.crossings(h / 2) == crossings);
+        BOOST_TEST(t.crossings(t.edge(h)) == crossings);
         BOOST_TEST((crossings != 0));
         const Unfolded unfolded = unfold(mesh, t, word);
         const FG::internal::Strip<Triangulation> strip(t, word);
@@ -400,13 +403,13 @@ BOOST_AUTO_TEST_CASE(input_edges_are_counted_around_vertices)
     for(int k = 0; k < 60 * scale; ++k) {
       t.rollback();
       flip_at_random(t, 60, random);
-      for(int h = 0; h < t.number_of_halfedges(); ++h) {
-        const std::vector<int> spokes = spokes_at_tail(t, h);
-        const bool has_border =
-            std::any_of(spokes.begin(), spokes.end(), [&](int g) { return t.clockwise(g) == FG::null_index; });
+      for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+        const std::vector<FG::Halfedge_index> spokes = spokes_at_tail(t, h);
+        const bool has_border = std::any_of(spokes.begin(), spokes.end(),
+                                            [&](FG::Halfedge_index g) { return t.clockwise(g) == FG::null_index; });
         if(has_border)
           continue;
-        const int along = t.crossings(h / 2) < 0 ? 1 : 0;
+        const int along = t.crossings(t.edge(h)) < 0 ? 1 : 0;
         BOOST_TEST(t.input_edges_in_wedge(h, h) + along == static_cast<int>(mesh.degree(t.vertex(t.tail(h)))));
       }
     }
@@ -423,14 +426,14 @@ BOOST_AUTO_TEST_CASE(lengths_alone_give_the_same_triangulation)
   Length_triangulation intrinsic(mesh, Length_metric(mesh, Length_map(lengths)));
   Random_numbers random(6);
   for(int i = 0; i < 500; ++i) {
-    const int h = random.below(embedded.number_of_halfedges());
+    const FG::Halfedge_index h(random.below(embedded.number_of_halfedges()));
     BOOST_TEST(embedded.is_flippable(h) == intrinsic.is_flippable(h));
     if(!embedded.is_flippable(h))
       continue;
     embedded.flip(h);
     intrinsic.flip(h);
     BOOST_TEST(embedded.length(h) == intrinsic.length(h), boost::test_tools::tolerance(1e-10));
-    BOOST_TEST(embedded.crossings(h / 2) == intrinsic.crossings(h / 2));
+    BOOST_TEST(embedded.crossings(embedded.edge(h)) == intrinsic.crossings(intrinsic.edge(h)));
   }
   BOOST_TEST(intrinsic.is_valid());
 }
@@ -443,7 +446,7 @@ double law_of_cosines(double a, double b, double c)
   return std::acos((std::max)(-1.0, (std::min)(1.0, (a * a + b * b - c * c) / (2 * a * b))));
 }
 
-double opposite_angle(const Triangulation& t, int h)
+double opposite_angle(const Triangulation& t, FG::Halfedge_index h)
 {
   return law_of_cosines(t.length(t.next(h)), t.length(t.previous(h)), t.length(h));
 }
@@ -470,9 +473,9 @@ BOOST_AUTO_TEST_CASE(flips_lead_to_a_delaunay_triangulation)
       flips += count;
       BOOST_TEST(is_delaunay(t));
       BOOST_TEST(t.is_valid());
-      for(int h = 0; h < t.number_of_halfedges(); ++h)
-        if(!t.is_border(h) && !t.is_border(h ^ 1))
-          BOOST_TEST(opposite_angle(t, h) + opposite_angle(t, h ^ 1) < pi + 1e-6);
+      for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
+        if(!t.is_border(h) && !t.is_border(t.twin(h)))
+          BOOST_TEST(opposite_angle(t, h) + opposite_angle(t, t.twin(h)) < pi + 1e-6);
     }
   }
   std::cout << flips << " flips to Delaunay triangulations\n";
@@ -501,19 +504,20 @@ namespace {
 void insert_at_random(Triangulation& t, int number, Random_numbers& random)
 {
   for(int i = 0; i < number; ++i) {
-    const int h = random.below(t.input().number_of_halfedges());
+    const FG::Input_halfedge_index h(random.below(t.input().number_of_halfedges()));
     const bool is_on_edge = t.input().is_border(h) || random.below(2) == 0;
     t.insert({h, {{random.uniform(0.1, 1), random.uniform(0.1, 1), is_on_edge ? 0 : random.uniform(0.1, 1)}}});
   }
 }
 
 // Where a vertex of a triangulation of a flat mesh is.
-std::complex<double> place(const Mesh& mesh, const Triangulation& t, int v)
+std::complex<double> place(const Mesh& mesh, const Triangulation& t, FG::Vertex_index v)
 {
   const FG::Surface_location at = t.location(v);
   std::complex<double> sum = 0;
   double weight = 0;
-  for(int i = 0, h = at.halfedge; i < 3; ++i, h = t.input().next(h)) {
+  FG::Input_halfedge_index h = at.halfedge;
+  for(int i = 0; i < 3; ++i, h = t.input().next(h)) {
     const Point p = mesh.point(t.vertex(t.input().tail(h)));
     sum += at.weights[i] * std::complex<double>(p.x(), p.y());
     weight += at.weights[i];
@@ -529,10 +533,10 @@ double planar_angle(const std::complex<double>& from, const std::complex<double>
 }
 
 // Does the turn counterclockwise from one spoke to another not meet the border?
-bool is_inner_turn(const Triangulation& t, int from, int to)
+bool is_inner_turn(const Triangulation& t, FG::Halfedge_index from, FG::Halfedge_index to)
 {
-  int h = from;
-  while(h != to && h != -1)
+  FG::Halfedge_index h = from;
+  while(h != to && h != FG::null_index)
     h = t.counterclockwise(h);
   return h == to;
 }
@@ -548,19 +552,20 @@ BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
     Triangulation t(mesh);
     insert_at_random(t, 8, random);
     flip_at_random(t, 30, random);
-    const auto vector = [&](int h) { return place(mesh, t, t.head(h)) - place(mesh, t, t.tail(h)); };
-    for(int v = 0; v < t.number_of_vertices(); ++v) {
+    const auto vector = [&](FG::Halfedge_index h) { return place(mesh, t, t.head(h)) - place(mesh, t, t.tail(h)); };
+    for(FG::Vertex_index v : descriptors<FG::Vertex_index>(t.number_of_vertices())) {
       const FG::internal::Vertex_directions<Triangulation> directions(t, v);
-      const std::vector<int> spokes = spokes_at_tail(t, t.outgoing(v));
-      const bool is_border = std::any_of(spokes.begin(), spokes.end(), [&](int h) { return t.is_border(h); });
+      const Halfedge_sequence spokes = spokes_at_tail(t, t.outgoing(v));
+      const bool is_border =
+          std::any_of(spokes.begin(), spokes.end(), [&](FG::Halfedge_index h) { return t.is_border(h); });
       BOOST_TEST(directions.has_border() == is_border);
       if(!is_border)
         BOOST_TEST(std::abs(directions.total() - 2 * pi) < tolerance);
       if(t.is_inserted(v) && is_border)
         BOOST_TEST(std::abs(directions.total() - pi) < tolerance);
-      for(int g : spokes) {
+      for(FG::Halfedge_index g : spokes) {
         BOOST_TEST((directions(g) > -tolerance && directions(g) < directions.total() + tolerance));
-        for(int h : spokes) {
+        for(FG::Halfedge_index h : spokes) {
           if(g == h)
             continue;
           const double angle = planar_angle(vector(g), vector(h)), back = 2 * pi - angle;
@@ -579,20 +584,21 @@ BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
 namespace {
 
 // The angle at the head of h in the two faces of its edge.
-double angle_at_head(const Triangulation& t, int h)
+double angle_at_head(const Triangulation& t, FG::Halfedge_index h)
 {
-  const auto corner = [&](int in) {
+  const auto corner = [&](FG::Halfedge_index in) {
     const auto a = t.geometry(in), b = t.geometry(t.next(in));
     return std::atan2(a.x * b.y - a.y * b.x, -(a.x * b.x + a.y * b.y));
   };
-  return corner(h) + corner(t.previous(h ^ 1));
+  return corner(h) + corner(t.previous(t.twin(h)));
 }
 
 // Flips an edge whose quad may be reflex by so much.
-bool flip_if_nearly_convex(Triangulation& t, int h, double angle)
+bool flip_if_nearly_convex(Triangulation& t, FG::Halfedge_index h, double angle)
 {
-  if(t.is_border(h) || t.is_border(h ^ 1) || t.next(h) == (h ^ 1) || t.next(h ^ 1) == h ||
-     angle_at_head(t, h) > pi + angle || angle_at_head(t, h ^ 1) > pi + angle)
+  const FG::Halfedge_index twin = t.twin(h);
+  if(t.is_border(h) || t.is_border(twin) || t.next(h) == twin || t.next(twin) == h ||
+     angle_at_head(t, h) > pi + angle || angle_at_head(t, twin) > pi + angle)
     return false;
   t.flip(h);
   return true;
@@ -607,11 +613,12 @@ BOOST_AUTO_TEST_CASE(angles_about_points_inside_a_face_sum_up_to_a_full_turn)
   Random_numbers random(13);
   const Mesh mesh = to_mesh<Mesh>(single_triangle());
   const auto side = mesh.halfedge(*mesh.faces_begin());
-  const int h = static_cast<int>((std::min)({side, mesh.next(side), mesh.prev(side)})); // angles are told from it
+  // Angles are told from it.
+  const FG::Input_halfedge_index h(static_cast<FG::Index>((std::min)({side, mesh.next(side), mesh.prev(side)})));
   int opposite = 0;
   const auto check = [&](const Triangulation& t) {
-    for(int v = 3; v < t.number_of_vertices(); ++v)
-      for(int g : spokes_at_tail(t, t.outgoing(v))) {
+    for(FG::Vertex_index v = 3_v; v.idx() < t.number_of_vertices(); ++v)
+      for(FG::Halfedge_index g : spokes_at_tail(t, t.outgoing(v))) {
         BOOST_TEST(std::abs(FG::internal::wedge_angle(t, g, g).value - 2 * pi) < 1e-9);
         const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(g));
         opposite += std::abs(std::arg(strip.end())) > pi - 1e-15 ? 1 : 0;
@@ -628,7 +635,7 @@ BOOST_AUTO_TEST_CASE(angles_about_points_inside_a_face_sum_up_to_a_full_turn)
     }
     for(int k = 0; k < 100; ++k) {
       const auto position = t.log_position();
-      if(flip_if_nearly_convex(t, random.below(t.number_of_halfedges()), 0.3))
+      if(flip_if_nearly_convex(t, FG::Halfedge_index(random.below(t.number_of_halfedges())), 0.3))
         check(t);
       t.rollback(position);
       flip_at_random(t, 1, random);
@@ -644,15 +651,17 @@ BOOST_AUTO_TEST_CASE(strips_without_length_have_no_relative_error)
   const Triangulation t(mesh);
   const auto& input = t.input();
   int closed = 0;
-  for(int h = 0; h < t.number_of_halfedges(); ++h) {
-    const std::vector<int> spokes = spokes_at_tail(t, h);
-    if(std::any_of(spokes.begin(), spokes.end(), [&](int g) { return t.is_border(g) || t.is_border(g ^ 1); }))
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+    const Halfedge_sequence spokes = spokes_at_tail(t, h);
+    const auto is_at_border = [&](FG::Halfedge_index g) { return t.is_border(g) || t.is_border(t.twin(g)); };
+    if(std::any_of(spokes.begin(), spokes.end(), is_at_border))
       continue;
     FG::Crossing_word word; // from the head of h about its tail, counterclockwise, to the head of h
     word.tail = word.head = t.head(h);
-    for(int g = t.counterclockwise(h); g != h; g = t.counterclockwise(g)) {
-      word.crossed.push_back(g ^ 1);
-      BOOST_REQUIRE(input.tail(g) == t.tail(h));
+    for(FG::Halfedge_index g = t.counterclockwise(h); g != h; g = t.counterclockwise(g)) {
+      const FG::Input_halfedge_index crossed = FG::internal::as_input(g);
+      word.crossed.push_back(twin_index(crossed));
+      BOOST_REQUIRE(input.tail(crossed) == t.tail(h));
     }
     const FG::internal::Strip<Triangulation> strip(t, word);
     BOOST_TEST(strip.length() <= strip.end_error());
@@ -672,8 +681,8 @@ BOOST_AUTO_TEST_CASE(crossings_lie_on_the_edges_that_cross)
   for(int i = 0; i < 20 * scale; ++i) {
     Triangulation t(mesh);
     for(int k = 0; k < 40; ++k)
-      flip_if_nearly_convex(t, random.below(t.number_of_halfedges()), 2);
-    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+      flip_if_nearly_convex(t, FG::Halfedge_index(random.below(t.number_of_halfedges())), 2);
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
       const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(h));
       bent += strip.bend() > 0.1 ? 1 : 0;
       for(std::size_t gate = 0; gate < strip.gates().size(); ++gate)
@@ -689,12 +698,13 @@ BOOST_AUTO_TEST_CASE(edges_on_the_border_are_split)
 {
   const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
   int split = 0;
-  for(int h = 0; h < static_cast<int>(mesh.number_of_halfedges()); ++h) {
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(static_cast<int>(mesh.number_of_halfedges()))) {
     Triangulation t(mesh);
-    if(!t.is_border(h) && !t.is_border(h ^ 1))
+    if(!t.is_border(h) && !t.is_border(t.twin(h)))
       continue;
     const std::complex<double> a = place(mesh, t, t.tail(h)), b = place(mesh, t, t.head(h));
-    const int v = t.split_edge(h, {h, {{0.75, 0.25, 0}}}, 0, [](const auto&) {});
+    const FG::Surface_location at = {FG::internal::as_input(h), {{0.75, 0.25, 0}}};
+    const FG::Vertex_index v = t.split_edge(h, at, 0, [](const auto&) {});
     BOOST_TEST(t.is_inserted(v));
     BOOST_TEST(std::abs(place(mesh, t, v) - (0.75 * a + 0.25 * b)) < 1e-15);
     BOOST_TEST(t.is_valid());
@@ -712,10 +722,10 @@ BOOST_AUTO_TEST_CASE(faces_laid_out_afresh_are_as_they_were)
     Triangulation t(mesh);
     for(int i = 0; i < 10 * scale; ++i) {
       flip_at_random(t, 20, random);
-      const int h = random.below(t.number_of_halfedges());
+      const FG::Halfedge_index h(random.below(t.number_of_halfedges()));
       if(t.is_border(h))
         continue;
-      const std::array<int, 3> sides = {h, int(t.next(h)), int(t.previous(h))};
+      const std::array<FG::Halfedge_index, 3> sides = {h, t.next(h), t.previous(h)};
       std::array<double, 3> lengths;
       for(int k = 0; k < 3; ++k)
         lengths[k] = t.length(sides[k]);
@@ -738,16 +748,17 @@ BOOST_AUTO_TEST_CASE(edge_paths_are_the_shortest_of_all)
     insert_at_random(t, 4, random);
     flip_at_random(t, 20, random);
     const int n = t.number_of_vertices();
-    for(int source = 0; source < n; ++source) {
-      std::vector<double> distance(static_cast<std::size_t>(n), std::numeric_limits<double>::infinity());
+    for(FG::Vertex_index source : descriptors<FG::Vertex_index>(n)) {
+      FG::internal::Indexed_by<FG::Vertex_index, std::vector<double>> distance(static_cast<std::size_t>(n),
+                                                                               std::numeric_limits<double>::infinity());
       distance[source] = 0;
       for(int round = 0; round < n; ++round) // [Bellman, Ford]
-        for(int h = 0; h < t.number_of_halfedges(); ++h)
+        for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
           distance[t.head(h)] = (std::min)(distance[t.head(h)], distance[t.tail(h)] + t.length(h));
-      for(int target = 0; target < n; ++target) {
+      for(FG::Vertex_index target : descriptors<FG::Vertex_index>(n)) {
         double length = 0;
-        int v = source;
-        for(int h : FG::shortest_intrinsic_edge_path(t, source, target)) {
+        FG::Vertex_index v = source;
+        for(FG::Halfedge_index h : FG::shortest_intrinsic_edge_path(t, source, target)) {
           BOOST_TEST(t.tail(h) == v);
           v = t.head(h);
           length += t.length(h);
@@ -764,8 +775,8 @@ BOOST_AUTO_TEST_CASE(isolated_vertices_have_no_spokes)
   const Mesh mesh = to_mesh<Mesh>(with_isolated_vertices(octahedron(1), 2, 1));
   const Triangulation t(mesh);
   BOOST_TEST(t.number_of_vertices() == 9);
-  for(int v = 0; v < 9; ++v)
-    BOOST_TEST((t.outgoing(v) == FG::null_index) == (v < 2 || v == 8));
+  for(FG::Vertex_index v : descriptors<FG::Vertex_index>(9))
+    BOOST_TEST((t.outgoing(v) == FG::null_index) == (v < 2_v || v == 8_v));
 }
 
 // A face that is removed and leaves all its edges is a hole. Where vertices or edges are removed, indices have gaps.

@@ -5,6 +5,7 @@
 
 #define BOOST_TEST_MODULE memory
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -70,7 +71,8 @@ namespace {
 
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
-using FG::Index;
+using FG::Halfedge_index;
+using FG::Vertex_index;
 
 using Triangulation =
     FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>;
@@ -88,17 +90,17 @@ std::size_t number_of_flips(const Triangulation& triangulation)
 std::size_t longest_word(const Setting& setting)
 {
   std::size_t longest = 0;
-  setting.network.for_each_segment(0, [&](Index s) {
+  setting.network.for_each_segment(0_c, [&](FG::Segment_index s) {
     longest = std::max(longest, setting.triangulation.crossing_word(setting.network.halfedge(s)).crossed.size());
   });
   return longest;
 }
 
 /// What a long shortening takes, as it is allocated and as it is told; a vector per word would take `longest_word()`.
-void check_bytes_per_flip(const Mesh_soup& soup, int source, int target, bool is_straightened)
+void check_bytes_per_flip(const Mesh_soup& soup, Vertex_index source, Vertex_index target, bool is_straightened)
 {
   Setting setting(soup);
-  const std::vector<Index> path = Setting::Search(setting.triangulation)(source, target);
+  const std::vector<Halfedge_index> path = Setting::Search(setting.triangulation)(source, target);
   const std::size_t before = bytes_in_use;
   most_bytes_in_use = before;
   if(is_straightened)
@@ -130,16 +132,20 @@ void check_bytes_per_flip(const Mesh_soup& soup, int source, int target, bool is
 BOOST_AUTO_TEST_CASE(a_flip_on_a_strip_of_needles_takes_few_bytes)
 {
   constexpr int n = 500;
-  check_bytes_per_flip(needle_strip(n, 1, 1e-6), grid_vertex(n, 0, 0), grid_vertex(n, n, 1), false);
+  const Vertex_index source(grid_vertex(n, 0, 0)), target(grid_vertex(n, n, 1));
+  check_bytes_per_flip(needle_strip(n, 1, 1e-6), source, target, false);
 }
 
-BOOST_AUTO_TEST_CASE(a_flip_on_a_lantern_takes_few_bytes) { check_bytes_per_flip(lantern(3, 1000), 2900, 10, true); }
+BOOST_AUTO_TEST_CASE(a_flip_on_a_lantern_takes_few_bytes)
+{
+  check_bytes_per_flip(lantern(3, 1000), 2900_v, 10_v, true);
+}
 
 BOOST_AUTO_TEST_CASE(a_limit_of_memory_is_a_status)
 {
   constexpr int n = 200;
   const Mesh_soup soup = needle_strip(n, 1, 1e-3);
-  const int source = grid_vertex(n, 0, 0), target = grid_vertex(n, n, 1);
+  const Vertex_index source(grid_vertex(n, 0, 0)), target(grid_vertex(n, n, 1));
   constexpr std::size_t limit = 1 << 20;
   Setting setting(soup);
   setting.add_path(source, target);
@@ -165,11 +171,11 @@ BOOST_AUTO_TEST_CASE(a_limit_of_memory_is_a_status)
 BOOST_AUTO_TEST_CASE(a_path_is_not_straightened_beyond_a_limit_of_memory)
 {
   Setting setting(lantern(3, 300));
-  const std::vector<Index> path = Setting::Search(setting.triangulation)(812, 149);
+  const std::vector<Halfedge_index> path = Setting::Search(setting.triangulation)(812_v, 149_v);
   constexpr std::size_t limit = 50000;
   FG::add_straightened_path(setting.network, path, limit);
   BOOST_TEST(setting.triangulation.log_position() == 0u);
-  BOOST_TEST((setting.network.halfedges(0) == path));
+  BOOST_TEST((setting.network.halfedges(0_c) == path));
   const FG::Shortening_report report = setting.pull(FG::Memory_stop_predicate(limit));
   BOOST_TEST((report.curves[0].status == Status::MEMORY_LIMIT));
 }
@@ -201,7 +207,7 @@ std::size_t fail_each_allocation(const Mesh_soup& soup, const Add& add, const Ch
 BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_all_valid)
 {
   const Mesh_soup soup = needle_strip(40, 2, 1e-6);
-  const int source = grid_vertex(40, 0, 0), target = grid_vertex(40, 40, 2);
+  const Vertex_index source(grid_vertex(40, 0, 0)), target(grid_vertex(40, 40, 2));
   Setting setting(soup);
   const double length = setting.pulled_path(source, target).length;
   const std::size_t failures = fail_each_allocation(
@@ -232,7 +238,7 @@ BOOST_AUTO_TEST_CASE(a_flip_without_memory_changes_nothing)
 {
   const Mesh_soup soup = needle_strip(60, 1, 1e-6);
   Setting done(soup), replayed(soup);
-  done.add_path(grid_vertex(60, 0, 0), grid_vertex(60, 60, 1));
+  done.add_path(Vertex_index(grid_vertex(60, 0, 0)), Vertex_index(grid_vertex(60, 60, 1)));
   done.pull();
   Triangulation& t = replayed.triangulation;
   std::size_t failures = 0;
@@ -241,7 +247,9 @@ BOOST_AUTO_TEST_CASE(a_flip_without_memory_changes_nothing)
     if(record.hp == FG::null_index)
       continue;
     const std::size_t before = t.log_position();
-    const Index version = t.version(record.h / 2), next = t.next(record.h);
+    const FG::Edge_index edge = t.edge(record.h);
+    const FG::Index version = t.version(edge);
+    const Halfedge_index next = t.next(record.h);
     bool is_flipped = false;
     for(std::size_t allocations = 0; !is_flipped; ++allocations) {
       allocations_left = allocations;
@@ -253,8 +261,7 @@ BOOST_AUTO_TEST_CASE(a_flip_without_memory_changes_nothing)
       }
       allocations_left = std::numeric_limits<std::size_t>::max();
       if(!is_flipped)
-        BOOST_TEST_REQUIRE(
-            (t.log_position() == before && t.version(record.h / 2) == version && t.next(record.h) == next));
+        BOOST_TEST_REQUIRE((t.log_position() == before && t.version(edge) == version && t.next(record.h) == next));
     }
   }
   BOOST_TEST(failures > 50u);
@@ -266,7 +273,7 @@ BOOST_AUTO_TEST_CASE(a_network_is_loaded_as_a_whole_or_not_at_all)
 {
   const Mesh_soup soup = needle_strip(12, 1, 1e-6);
   Setting original(soup);
-  original.add_path(grid_vertex(12, 0, 0), grid_vertex(12, 12, 1));
+  original.add_path(Vertex_index(grid_vertex(12, 0, 0)), Vertex_index(grid_vertex(12, 12, 1)));
   original.pull();
   std::ostringstream out;
   FG::write_network(out, original.network);

@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE mesh_types
 
 #include "Mesh_archetype.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 
@@ -37,6 +38,7 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::internal::descriptors;
 using namespace Flip_geodesics_test;
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -108,7 +110,7 @@ public:
   const Mesh& mesh() const { return m_mesh; }
   Triangulation& triangulation() { return m_triangulation; }
 
-  Curve path(int u, int v)
+  Curve path(FG::Vertex_index u, FG::Vertex_index v)
   {
     FG::Shortest_edge_path<Triangulation> search(m_triangulation);
     return pulled(FG::shortest_halfedges_through(search, Vertex_sequence{u, v}), false);
@@ -120,14 +122,14 @@ public:
   }
 
 private:
-  Curve pulled(const std::vector<FG::Index>& halfedges, bool is_closed)
+  Curve pulled(const std::vector<FG::Halfedge_index>& halfedges, bool is_closed)
   {
     Network network(m_triangulation);
     network.add_curve(halfedges, is_closed);
     Curve result;
     result.report = FG::shorten(network).curves.front();
     std::vector<typename Metric::Point_3> points;
-    FG::Curve_extractor<Network>(network).points(0, std::back_inserter(points));
+    FG::Curve_extractor<Network>(network).points(0_c, std::back_inserter(points));
     for(const auto& p : points)
       result.points.push_back(coordinates(p));
     network.clear();
@@ -176,13 +178,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_same_geodesics_come_out, Type, Mesh_types)
     Random_numbers random(1);
     for(int i = 0; i < 30; ++i) {
       const int n = static_cast<int>(soup.points.size());
-      const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
+      const FG::Vertex_index u(random.below(n)), v((u.idx() + 1 + random.below(n - 1)) % n);
       const Curve curve = curves.path(u, v);
       check_equal(curve, expected.path(u, v));
       points += curve.points.size();
     }
     const Corners& t = soup.triangles[random.below(static_cast<int>(soup.triangles.size()))];
-    check_equal(curves.loop({t[0], t[1], t[2]}), expected.loop({t[0], t[1], t[2]})); // contracts
+    const Vertex_sequence face = {FG::Vertex_index(t[0]), FG::Vertex_index(t[1]), FG::Vertex_index(t[2])};
+    check_equal(curves.loop(face), expected.loop(face)); // contracts
   }
   std::cout << points << " points compared\n";
   BOOST_TEST(points > 200u);
@@ -199,7 +202,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_call_does_the_same, Type, Meshes_with_points)
                                                                              vertices(mesh).end());
   std::vector<typename boost::property_traits<decltype(Type::points(mesh))>::value_type> points;
   const auto result = FG::geodesic_path(mesh, v[3], v[60], std::back_inserter(points));
-  const Curve expected = curves.path(3, 60);
+  const Curve expected = curves.path(3_v, 60_v);
   BOOST_TEST(result.report.curves.front().length == expected.report.length);
   BOOST_REQUIRE_EQUAL(points.size(), expected.points.size());
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -220,10 +223,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_around_handles, Type, Mesh_types)
 BOOST_AUTO_TEST_CASE_TEMPLATE(errors_have_types, Type, Mesh_types)
 {
   Curves_on<Type> two(with_isolated_vertices(disjoint_union(octahedron(1), octahedron(1)), 0, 1));
-  BOOST_CHECK_THROW(two.path(0, 6), FG::Disconnected_endpoints_error);
-  BOOST_CHECK_THROW(two.path(3, 3), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(two.loop({0, 2, 1, 6}), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(two.path(0, 12), FG::Disconnected_endpoints_error);
+  BOOST_CHECK_THROW(two.path(0_v, 6_v), FG::Disconnected_endpoints_error);
+  BOOST_CHECK_THROW(two.path(3_v, 3_v), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(two.loop({0_v, 2_v, 1_v, 6_v}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(two.path(0_v, 12_v), FG::Disconnected_endpoints_error);
 }
 
 // Whichever halfedge a mesh type keeps for a vertex, one on the border for instance: none of them loses it to a point.
@@ -231,14 +234,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(border_edges_are_split, Type, Mesh_types)
 {
   Curves_on<Type> curves(flat_grid(2, 2, Diagonal_rule::RISING));
   auto& triangulation = curves.triangulation();
-  for(FG::Index v = 0; v < triangulation.number_of_vertices(); ++v)
+  for(FG::Vertex_index v : descriptors<FG::Vertex_index>(triangulation.number_of_vertices()))
     BOOST_TEST(triangulation.tail(triangulation.outgoing(v)) == v);
-  const FG::Index halfedges = triangulation.number_of_halfedges();
-  for(FG::Index h = 0; h < halfedges; ++h)
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges()))
     if(triangulation.is_border(h))
-      triangulation.insert({h, {{1, 1, 0}}});
+      triangulation.insert({FG::internal::as_input(h), {{1, 1, 0}}});
   BOOST_TEST(triangulation.number_of_vertices() == 9 + 8);
-  for(FG::Index v = 0; v < triangulation.number_of_vertices(); ++v)
+  for(FG::Vertex_index v : descriptors<FG::Vertex_index>(triangulation.number_of_vertices()))
     BOOST_TEST(triangulation.tail(triangulation.outgoing(v)) == v);
   BOOST_TEST(triangulation.is_valid());
 }
@@ -250,13 +252,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_on_the_border_lie_in_faces, Type, Mesh_type
   auto& triangulation = curves.triangulation();
   using Network = FG::Edge_path_network<std::decay_t<decltype(triangulation)>>;
   Network network(triangulation);
-  const Vertex_sequence around = {0, 1, 2, 5, 8, 7, 6, 3};
+  const Vertex_sequence around = {0_v, 1_v, 2_v, 5_v, 8_v, 7_v, 6_v, 3_v};
   network.add_curve(FG::halfedges_through(triangulation, around, true), true);
   FG::Curve_extractor<Network> extractor(network);
   std::vector<std::pair<typename boost::graph_traits<std::decay_t<decltype(curves.mesh())>>::face_descriptor,
                         std::array<double, 3>>>
       locations;
-  extractor.face_locations(0, curves.mesh(), std::back_inserter(locations));
+  extractor.face_locations(0_c, curves.mesh(), std::back_inserter(locations));
   BOOST_REQUIRE_EQUAL(locations.size(), around.size() + 1);
   for(std::size_t i = 0; i < locations.size(); ++i) {
     const FG::Surface_location at = FG::surface_location(triangulation, curves.mesh(), locations[i]);
@@ -272,8 +274,8 @@ BOOST_AUTO_TEST_CASE(curves_that_return_are_closed)
   using Mesh = CGAL::Surface_mesh<Epick::Point_3>;
   const Mesh mesh = to_mesh<Mesh>(cone_disk(6, 3, 2));
   std::vector<Mesh::Vertex_index> ring;
-  for(int v : disk_ring(6, 2))
-    ring.push_back(Mesh::Vertex_index(static_cast<unsigned>(v)));
+  for(FG::Vertex_index v : disk_ring(6, 2))
+    ring.push_back(Mesh::Vertex_index(static_cast<unsigned>(v.idx())));
   ring.push_back(ring.front());
   std::vector<std::vector<Epick::Point_3>> points;
   const auto result =

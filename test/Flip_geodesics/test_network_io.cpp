@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE network_io
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
 
@@ -25,7 +26,13 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Curve_index;
+using FG::Edge_index;
+using FG::Halfedge_index;
 using FG::Index;
+using FG::Segment_index;
+using FG::Vertex_index;
+using FG::internal::descriptors;
 using namespace Flip_geodesics_test;
 
 using Certified_setting = Basic_curve_setting<
@@ -40,28 +47,28 @@ std::string description(const Setting& setting)
   std::ostringstream out;
   out << std::hexfloat;
   const auto& t = setting.triangulation;
-  for(Index h = 0; h < t.number_of_halfedges(); ++h) {
+  for(Halfedge_index h : descriptors<Halfedge_index>(t.number_of_halfedges())) {
     out << h << ':' << t.tail(h);
     if(!t.is_border(h))
       out << ' ' << t.next(h) << ' ' << t.geometry(h).x << ' ' << t.geometry(h).y;
-    out << ' ' << t.version(h >> 1) << ' ' << t.crossings(h >> 1);
+    out << ' ' << t.version(t.edge(h)) << ' ' << t.crossings(t.edge(h));
     const FG::Crossing_word word = t.crossing_word(h);
     out << " [" << word.along;
-    for(Index letter : word.crossed)
+    for(FG::Input_halfedge_index letter : word.crossed)
       out << ' ' << letter;
     out << "]\n";
   }
   const auto& n = setting.network;
-  for(Index c = 0; c < n.number_of_curves(); ++c) {
+  for(Curve_index c : descriptors<Curve_index>(n.number_of_curves())) {
     out << "curve " << n.is_closed(c) << ' ' << n.initial_length(c);
-    n.for_each_segment(c, [&](Index s) { out << ' ' << s << '@' << n.halfedge(s) << n.is_head_fixed(s); });
+    n.for_each_segment(c, [&](Segment_index s) { out << ' ' << s << '@' << n.halfedge(s) << n.is_head_fixed(s); });
     out << '\n';
   }
-  for(Index e = 0; e < t.number_of_edges(); ++e)
-    for(Index s : n.stack(e))
+  for(Edge_index e : descriptors<Edge_index>(t.number_of_edges()))
+    for(Segment_index s : n.stack(e))
       out << e << '/' << s << ' ';
   out << n.end_of_segment_ids() << '\n';
-  for(int h : setting.flips())
+  for(Halfedge_index h : setting.flips())
     out << h << ' ';
   return out.str();
 }
@@ -159,12 +166,12 @@ BOOST_AUTO_TEST_CASE(paths_with_fixed_nodes_and_contracted_loops)
 {
   const Mesh_soup soup = bumpy_sphere(6, 0.2, 2);
   Curve_setting setting(soup);
-  setting.add_path_through({3, 60, 100});
-  setting.network.fix_nodes_at(60);
+  setting.add_path_through({3_v, 60_v, 100_v});
+  setting.network.fix_nodes_at(60_v);
   Curve_setting::Search search(setting.triangulation);
-  const std::vector<Index> spoke = search(3, 60);
-  const Index h = spoke.front();
-  setting.network.add_curve(std::vector<Index>{h, h ^ 1}, true); // to and fro
+  const std::vector<Halfedge_index> spoke = search(3_v, 60_v);
+  const Halfedge_index h = spoke.front();
+  setting.network.add_curve(std::vector<Halfedge_index>{h, setting.triangulation.twin(h)}, true); // to and fro
   FG::order_overlapping_curves(setting.network);
   setting.pull();
   check_round_trip(setting, soup);
@@ -174,15 +181,16 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
 {
   const Mesh_soup soup = bumpy_sphere(6, 0.2, 3);
   Curve_setting setting(soup);
-  setting.add_path(0, 90);
+  setting.add_path(0_v, 90_v);
   setting.pull();
   setting.network.clear();
   Random_numbers random(5);
   for(int i = 0; i < 20; ++i)
-    setting.triangulation.insert({2 * random.below(setting.triangulation.input().number_of_halfedges() / 2),
-                                  {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}});
-  setting.network.add_curve(
-      std::vector<Index>{setting.triangulation.outgoing(setting.triangulation.number_of_vertices() - 1)}, false);
+    setting.triangulation.insert(
+        {FG::Input_halfedge_index(2 * random.below(setting.triangulation.input().number_of_halfedges() / 2)),
+         {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}});
+  const Vertex_index last(setting.triangulation.number_of_vertices() - 1);
+  setting.network.add_curve(std::vector<Halfedge_index>{setting.triangulation.outgoing(last)}, false);
   check_round_trip(setting, soup);
 }
 
@@ -284,24 +292,37 @@ BOOST_AUTO_TEST_CASE(too_many_ids_are_refused)
   check_throws<FG::File_format_error>(soup, with_checksum(replaced(text, "curves 0 1\n", "curves 0 2000000000\n")));
 }
 
+// Edges that are not there, also those of which twice the number is too large, or that of another one.
+BOOST_AUTO_TEST_CASE(edges_that_are_not_there_are_refused)
+{
+  const Mesh_soup soup = cube(2);
+  Curve_setting setting(soup);
+  for(int i = 0; i < 2; ++i)
+    setting.network.add_curve(std::vector<Halfedge_index>{0_h}, false);
+  const std::string text = saved(setting);
+  for(const char* edge : {"-1", "1000", "1073741824", "2147483647", "-2147483648"})
+    check_throws<FG::File_format_error>(
+        soup, with_checksum(replaced(text, "stacks 1\n0 2", "stacks 1\n" + std::string(edge) + " 2")));
+}
+
 // Faces that are laid out afresh are entries of the log: by request, and by flips whose errors have grown.
 BOOST_AUTO_TEST_CASE(faces_laid_out_afresh)
 {
   const Mesh_soup sphere = bumpy_sphere(6, 0.2, 4);
   Curve_setting setting(sphere);
-  setting.add_path(0, 90);
+  setting.add_path(0_v, 90_v);
   setting.pull(FG::Length_ratio_stop_predicate(0.9));
-  for(Index h : {0, 40, 80})
+  for(Halfedge_index h : {0_h, 40_h, 80_h})
     BOOST_TEST(FG::internal::refresh_face(setting.triangulation, h));
   check_round_trip(setting, sphere);
 
   const Mesh_soup needles = needle_strip(60, 1, 1e-6);
   Certified_setting drifting(needles);
-  drifting.add_path(grid_vertex(60, 0, 0), grid_vertex(60, 60, 1));
+  drifting.add_path(Vertex_index(grid_vertex(60, 0, 0)), Vertex_index(grid_vertex(60, 60, 1)));
   drifting.pull();
   check_round_trip(drifting, needles);
 
-  drifting.add_path(grid_vertex(60, 0, 0), grid_vertex(60, 60, 1));
+  drifting.add_path(Vertex_index(grid_vertex(60, 0, 0)), Vertex_index(grid_vertex(60, 60, 1)));
   drifting.pull();
   drifting.network.clear(); // the flips stay
   const std::string text = saved(drifting);
@@ -332,12 +353,12 @@ BOOST_AUTO_TEST_CASE(impossible_flips_are_refused)
   const Curve_setting flat(grid);
   const std::string text = saved(flat);
   int border_halfedges = 0;
-  for(Index h = 0; h < flat.triangulation.number_of_halfedges(); ++h)
+  for(Halfedge_index h : descriptors<Halfedge_index>(flat.triangulation.number_of_halfedges()))
     if(flat.triangulation.is_border(h)) {
       ++border_halfedges;
-      for(Index side : {h, h ^ 1})
-        check_throws<FG::File_format_error>(grid, with_log(text, {"f " + std::to_string(side)}));
-      check_throws<FG::File_format_error>(grid, with_log(text, {"r " + std::to_string(h)}));
+      for(Halfedge_index side : {h, flat.triangulation.twin(h)})
+        check_throws<FG::File_format_error>(grid, with_log(text, {"f " + std::to_string(side.idx())}));
+      check_throws<FG::File_format_error>(grid, with_log(text, {"r " + std::to_string(h.idx())}));
     }
   BOOST_TEST(border_halfedges == 8);
 
@@ -345,12 +366,12 @@ BOOST_AUTO_TEST_CASE(impossible_flips_are_refused)
                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
   Curve_setting setting(spike);
   auto& triangulation = setting.triangulation;
-  while(triangulation.clockwise(triangulation.outgoing(0)) != triangulation.outgoing(0))
-    triangulation.flip(triangulation.outgoing(0));
+  while(triangulation.clockwise(triangulation.outgoing(0_v)) != triangulation.outgoing(0_v))
+    triangulation.flip(triangulation.outgoing(0_v));
   std::vector<std::string> lines = log_lines(saved(setting));
   BOOST_TEST(lines.size() == 2u);
-  for(Index side : {triangulation.outgoing(0), triangulation.outgoing(0) ^ 1}) {
-    lines.push_back("f " + std::to_string(side));
+  for(Halfedge_index side : {triangulation.outgoing(0_v), triangulation.twin(triangulation.outgoing(0_v))}) {
+    lines.push_back("f " + std::to_string(side.idx()));
     check_throws<FG::File_format_error>(spike, with_log(saved(setting), lines));
     lines.pop_back();
   }
@@ -362,7 +383,7 @@ BOOST_AUTO_TEST_CASE(forged_states)
   using Access = FG::internal::Network_access<Curve_setting::Network>;
   using State = FG::internal::Network_state;
   Curve_setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
-  const auto vertex = [](int i, int j) { return grid_vertex(4, i, j); };
+  const auto vertex = [](int i, int j) { return Vertex_index(grid_vertex(4, i, j)); };
   setting.add({vertex(0, 2), vertex(1, 2), vertex(2, 2), vertex(3, 2)}, false);
   setting.add({vertex(1, 1), vertex(1, 2), vertex(2, 2), vertex(2, 1)}, false); // on the right of the first one
   setting.add({vertex(3, 3), vertex(4, 3), vertex(4, 4)}, true);
@@ -373,15 +394,15 @@ BOOST_AUTO_TEST_CASE(forged_states)
   const std::vector<std::function<void(State&)>> forgeries = {
       [](State& s) { s.curves[0].segments[1].id = s.curves[0].segments[0].id; },
       [](State& s) { s.curves[2].segments[2].id = s.curves[0].segments[0].id; },
-      [](State& s) { s.curves[2].segments[2].id = 0; },
-      [](State& s) { s.curves[2].segments[2].id = -1; },
-      [](State& s) { s.curves[2].segments[2].id = s.end_of_segment_ids; },
-      [halfedges](State& s) { s.curves[0].segments[0].halfedge = halfedges; },
-      [](State& s) { s.curves[0].segments[0].halfedge = -1; },
+      [](State& s) { s.curves[2].segments[2].id = 0_s; },
+      [](State& s) { s.curves[2].segments[2].id = FG::null_index; },
+      [](State& s) { s.curves[2].segments[2].id = Segment_index(s.end_of_segment_ids); },
+      [halfedges](State& s) { s.curves[0].segments[0].halfedge = Halfedge_index(halfedges); },
+      [](State& s) { s.curves[0].segments[0].halfedge = FG::null_index; },
       [](State& s) { s.curves[0].segments[1].halfedge = s.curves[2].segments[1].halfedge; },
       [](State& s) { s.curves[0].is_closed = true; },
-      [halfedges](State& s) { s.stacks[0].edge = halfedges / 2; },
-      [](State& s) { s.stacks[0].edge = -1; },
+      [halfedges](State& s) { s.stacks[0].edge = Edge_index(halfedges / 2); },
+      [](State& s) { s.stacks[0].edge = FG::null_index; },
       [](State& s) { s.stacks[0].segments[0] = s.curves[2].segments[0].id; },
       [](State& s) { s.stacks[0].segments.pop_back(); },
       [](State& s) { std::swap(s.stacks[0].segments[0], s.stacks[0].segments[1]); }}; // so that they cross
@@ -392,7 +413,7 @@ BOOST_AUTO_TEST_CASE(forged_states)
     BOOST_TEST(!Access::restore(setting.network, forged), "forgery " << i);
     BOOST_TEST(setting.network.number_of_curves() == 0);
     BOOST_TEST(!setting.triangulation.has_curves());
-    for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
+    for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
       BOOST_REQUIRE(setting.network.stack(e).empty());
   }
   BOOST_REQUIRE(Access::restore(setting.network, state));

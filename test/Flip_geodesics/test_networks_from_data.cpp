@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "Topological_signature.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/networks_from_data.h>
@@ -18,8 +19,10 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Curve_index;
 using FG::Index;
 using FG::Junctions;
+using FG::internal::descriptors;
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -50,7 +53,7 @@ std::size_t count_boundary_edges(const Surface& mesh, const Region_map& regions)
 std::size_t count_segments(const Setting& setting)
 {
   std::size_t count = 0;
-  for(Index c = 0; c < setting.network.number_of_curves(); ++c)
+  for(Curve_index c : descriptors<Curve_index>(setting.network.number_of_curves()))
     count += setting.network.halfedges(c).size();
   return count;
 }
@@ -58,9 +61,9 @@ std::size_t count_segments(const Setting& setting)
 std::set<int> contracted(const Setting& setting)
 {
   std::set<int> result;
-  for(Index c = 0; c < setting.network.number_of_curves(); ++c)
+  for(Curve_index c : descriptors<Curve_index>(setting.network.number_of_curves()))
     if(setting.network.is_contracted(c))
-      result.insert(c);
+      result.insert(c.idx());
   return result;
 }
 
@@ -112,16 +115,17 @@ BOOST_AUTO_TEST_CASE(boundaries_with_free_junctions)
     const Region_map regions = label(setting.mesh, octant);
     FG::add_region_boundaries(setting.network, setting.mesh, regions, Junctions::FREE);
     BOOST_TEST(count_segments(setting) == 2 * count_boundary_edges(setting.mesh, regions));
-    for(Index c = 0; c < setting.network.number_of_curves(); ++c) {
+    for(Curve_index c : descriptors<Curve_index>(setting.network.number_of_curves())) {
       std::set<int> on_left;
-      for(Index h : setting.network.halfedges(c)) {
+      for(FG::Halfedge_index h : setting.network.halfedges(c)) {
         on_left.insert(regions[setting.mesh.face(setting.triangulation.input_halfedge(h))]);
-        const std::vector<Index> stack = setting.network.stack(h >> 1);
+        const FG::Edge_index e = setting.triangulation.edge(h);
+        const std::vector<FG::Segment_index> stack = setting.network.stack(e);
         BOOST_TEST(stack.size() == 2u);
-        BOOST_TEST(setting.network.halfedge(stack.front()) == (h & ~1));
+        BOOST_TEST(setting.network.halfedge(stack.front()) == FG::internal::first_side(e));
       }
       BOOST_TEST(on_left.size() == 1u);
-      const Index first = setting.network.halfedges(c).front();
+      const FG::Halfedge_index first = setting.network.halfedges(c).front();
       const auto start = setting.mesh.source(setting.triangulation.input_halfedge(first));
       BOOST_TEST(setting.network.is_closed(c) != setting.mesh.is_border(start));
     }
@@ -197,8 +201,8 @@ BOOST_AUTO_TEST_CASE(seams_of_an_unrolled_torus)
   const Index count = FG::add_seams(setting.network, setting.mesh, texture);
   BOOST_TEST(count == 2);
   BOOST_TEST(count_segments(setting) == static_cast<std::size_t>(n + m));
-  BOOST_TEST(!setting.network.is_closed(0));
-  BOOST_TEST(!setting.network.is_closed(1));
+  BOOST_TEST(!setting.network.is_closed(0_c));
+  BOOST_TEST(!setting.network.is_closed(1_c));
   BOOST_TEST(check_pull(setting, FG::Never_stop_predicate()).is_complete());
 }
 
@@ -215,8 +219,8 @@ BOOST_AUTO_TEST_CASE(spokes_start_at_the_first_halfedge_or_the_border)
 {
   const Setting setting(flat_grid(3, 3, Diagonal_rule::RISING));
   const auto& triangulation = setting.triangulation;
-  for(Index v = 0; v < triangulation.number_of_vertices(); ++v) {
-    const std::vector<Index> spokes = FG::internal::spokes(triangulation, v);
+  for(FG::Vertex_index v : descriptors<FG::Vertex_index>(triangulation.number_of_vertices())) {
+    const std::vector<FG::Halfedge_index> spokes = FG::internal::spokes(triangulation, v);
     BOOST_REQUIRE(!spokes.empty());
     const bool is_at_border = triangulation.counterclockwise(spokes.front()) == FG::null_index;
     BOOST_TEST((is_at_border || spokes.front() == triangulation.outgoing(v)));
@@ -235,14 +239,14 @@ BOOST_AUTO_TEST_CASE(of_equally_long_edges_the_first_is_taken)
       std::rotate(pillow.triangles.begin(), pillow.triangles.begin() + 2, pillow.triangles.end());
     Setting setting(pillow);
     auto& triangulation = setting.triangulation;
-    triangulation.flip(FG::internal::halfedge_between(triangulation, 1, 3));
-    std::vector<Index> diagonals;
-    for(Index h : FG::internal::spokes(triangulation, 0))
-      if(triangulation.head(h) == 2)
+    triangulation.flip(FG::internal::halfedge_between(triangulation, 1_v, 3_v));
+    std::vector<FG::Halfedge_index> diagonals;
+    for(FG::Halfedge_index h : FG::internal::spokes(triangulation, 0_v))
+      if(triangulation.head(h) == 2_v)
         diagonals.push_back(h);
     BOOST_REQUIRE(diagonals.size() == 2u);
     BOOST_REQUIRE(triangulation.length(diagonals[0]) == triangulation.length(diagonals[1]));
-    BOOST_TEST(FG::internal::halfedge_between(triangulation, 0, 2) == (std::min)(diagonals[0], diagonals[1]));
+    BOOST_TEST(FG::internal::halfedge_between(triangulation, 0_v, 2_v) == (std::min)(diagonals[0], diagonals[1]));
   }
 }
 
@@ -258,6 +262,6 @@ BOOST_AUTO_TEST_CASE(marked_edges_that_end_inside)
     is_marked[setting.mesh.edge(h)] = true;
   }
   BOOST_TEST(FG::add_marked_edges(setting.network, setting.mesh, is_marked) == 1);
-  BOOST_TEST(setting.network.halfedges(0).size() == 2u);
-  BOOST_TEST(!setting.network.is_closed(0));
+  BOOST_TEST(setting.network.halfedges(0_c).size() == 2u);
+  BOOST_TEST(!setting.network.is_closed(0_c));
 }

@@ -3,6 +3,7 @@
 // Finite elements on intrinsic triangulations: identities between the operators, and problems with known solutions,
 // each also after random flips, which must not change what the operators mean. Without Eigen there is nothing to test.
 
+#include "descriptors.h"
 #include "generated_meshes.h"
 #include "mesh_soup.h"
 
@@ -45,7 +46,8 @@ void flip_at_random(Triangulation& triangulation, int flips, unsigned seed)
 {
   std::mt19937 random(seed);
   for(int i = 0; i < flips; ++i) {
-    const FG::Index h = static_cast<FG::Index>(random() % static_cast<unsigned>(triangulation.number_of_halfedges()));
+    const FG::Halfedge_index h(
+        static_cast<FG::Index>(random() % static_cast<unsigned>(triangulation.number_of_halfedges())));
     if(triangulation.is_flippable(h))
       triangulation.flip(h);
   }
@@ -59,12 +61,12 @@ Vector sampled(const Mesh& mesh, const Function& f)
   return result;
 }
 
-std::vector<FG::Index> border_vertices(const Mesh& mesh)
+std::vector<FG::Vertex_index> border_vertices(const Mesh& mesh)
 {
-  std::vector<FG::Index> result;
+  std::vector<FG::Vertex_index> result;
   for(Mesh::Vertex_index v : mesh.vertices())
     if(mesh.is_border(v))
-      result.push_back(static_cast<FG::Index>(v));
+      result.emplace_back(static_cast<FG::Index>(v));
   return result;
 }
 
@@ -146,8 +148,8 @@ BOOST_AUTO_TEST_CASE(linear_functions_in_the_plane_are_differentiated_exactly)
   const Vector g = operators.gradient() * u;
   for(std::size_t f = 0; f < operators.faces().size(); ++f) {
     const FG::Intrinsic_face& face = operators.faces()[f];
-    const Point p = mesh.point(Mesh::Vertex_index(static_cast<unsigned>(face.vertices[0])));
-    const Point q = mesh.point(Mesh::Vertex_index(static_cast<unsigned>(face.vertices[1])));
+    const Point p = mesh.point(triangulation.vertex(face.vertices[0]));
+    const Point q = mesh.point(triangulation.vertex(face.vertices[1]));
     // In a plane an intrinsic edge is straight in space, so that the frame is known.
     const double x = (q.x() - p.x()) / face.lengths[0], y = (q.y() - p.y()) / face.lengths[0];
     const double a = g[static_cast<Eigen::Index>(2 * f)], b = g[static_cast<Eigen::Index>(2 * f + 1)];
@@ -198,12 +200,12 @@ BOOST_AUTO_TEST_CASE(problems_without_a_solution_and_bad_input_are_refused)
   const Triangulation triangulation(two);
   const Operators operators(triangulation);
   using Problem = FG::Dirichlet_problem<Operators>;
-  BOOST_CHECK_THROW(Problem(operators, {0}), FG::Singular_problem_error);
-  BOOST_CHECK_THROW(Problem(operators, {0, -1}), FG::Vertex_out_of_range_error);
-  BOOST_CHECK_THROW(Problem(operators, {0, 1000}), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(Problem(operators, {0_v}), FG::Singular_problem_error);
+  BOOST_CHECK_THROW(Problem(operators, {0_v, FG::null_index}), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(Problem(operators, {0_v, 1000_v}), FG::Vertex_out_of_range_error);
 
   const FG::Index last = triangulation.number_of_vertices() - 1, other = last - 1;
-  const Problem problem(operators, {0, other});
+  const Problem problem(operators, {0_v, FG::Vertex_index(other)});
   Vector values = Vector::Constant(triangulation.number_of_vertices(), 4.0);
   const Vector solution = problem.solve(Vector(), values);
   for(FG::Index v = 0; v < last; ++v)

@@ -23,6 +23,8 @@ namespace {
 
 using namespace CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
+using CGAL::Flip_geodesics::internal::descriptors;
+using Halfedge_list = std::vector<Halfedge_index>;
 
 /// Random curves on a tiny triangulation, which after random flips has loops, double edges and vertices of degree 1.
 class Tiny_network
@@ -40,7 +42,7 @@ public:
     , m_world(soup)
   {
     for(int i = 0; i < below(8); ++i) {
-      const Index h = below(m_world.triangulation.number_of_halfedges());
+      const Halfedge_index h(below(m_world.triangulation.number_of_halfedges()));
       if(m_world.triangulation.is_flippable(h))
         m_world.triangulation.flip(h);
     }
@@ -48,7 +50,7 @@ public:
     for(int i = 0; i < number_of_curves; ++i)
       add_walk();
     for(int i = 0; i < below(3); ++i)
-      m_world.network.fix_nodes_at(below(m_world.triangulation.number_of_vertices()));
+      m_world.network.fix_nodes_at(Vertex_index(below(m_world.triangulation.number_of_vertices())));
   }
 
   Network& network() { return m_world.network; }
@@ -57,21 +59,22 @@ public:
   bool has_few_orders() const
   {
     double count = 1;
-    for(Index e = 0; e < m_world.triangulation.number_of_edges(); ++e)
+    for(Edge_index e : descriptors<Edge_index>(m_world.triangulation.number_of_edges()))
       for(std::size_t k = m_world.network.stack(e).size(); k > 1; --k)
         count *= static_cast<double>(k);
     return count <= 2000;
   }
 
-  bool has_order(Index e = 0)
+  bool has_order(Index first = 0)
   {
-    if(e == m_world.triangulation.number_of_edges())
+    if(first == m_world.triangulation.number_of_edges())
       return network().is_valid();
-    Indices stack = network().stack(e);
+    const Edge_index e(first);
+    Segment_list stack = network().stack(e);
     std::sort(stack.begin(), stack.end());
     do {
       network().set_stack(e, stack);
-      if(has_order(e + 1))
+      if(has_order(first + 1))
         return true;
     } while(std::next_permutation(stack.begin(), stack.end()));
     return false;
@@ -84,10 +87,11 @@ private:
   {
     const Triangulation& triangulation = m_world.triangulation;
     const int length = 1 + below(m_walks.most_steps);
-    Indices walk = {below(triangulation.number_of_halfedges())};
+    Halfedge_list walk = {Halfedge_index(below(triangulation.number_of_halfedges()))};
     while(static_cast<int>(walk.size()) < length) {
-      const Indices spokes = CGAL::Flip_geodesics::internal::spokes(triangulation, triangulation.head(walk.back()));
-      const Index h = spokes[below(static_cast<int>(spokes.size()))];
+      const Halfedge_list spokes =
+          CGAL::Flip_geodesics::internal::spokes(triangulation, triangulation.head(walk.back()));
+      const Halfedge_index h = spokes[below(static_cast<int>(spokes.size()))];
       const bool is_kept = h != Triangulation::twin(walk.back()) || below(m_walks.kept_turns) == 0;
       if(is_kept)
         walk.push_back(h);
@@ -180,7 +184,7 @@ namespace {
 /// A segment, and whether it is followed from its head to its tail.
 struct Strand
 {
-  Index segment;
+  Segment_index segment;
   bool is_reversed;
 };
 
@@ -195,7 +199,7 @@ public:
   }
 
   /// 1 if s is left of t as seen along s, -1 if right, 0 if where they part does not say.
-  int side(Index s, Index t) const
+  int side(Segment_index s, Segment_index t) const
   {
     const bool is_opposite = m_network.halfedge(s) != m_network.halfedge(t);
     const int forward = side_ahead({s, false}, {t, is_opposite});
@@ -205,16 +209,16 @@ public:
   }
 
 private:
-  Index halfedge(const Strand& strand) const
+  Halfedge_index halfedge(const Strand& strand) const
   {
-    const Index h = m_network.halfedge(strand.segment);
+    const Halfedge_index h = m_network.halfedge(strand.segment);
     return strand.is_reversed ? Triangulation::twin(h) : h;
   }
 
   bool advance(Strand& strand) const
   {
-    const Index previous = m_network.previous(strand.segment);
-    const Index incoming = strand.is_reversed ? previous : strand.segment;
+    const Segment_index previous = m_network.previous(strand.segment);
+    const Segment_index incoming = strand.is_reversed ? previous : strand.segment;
     if(incoming == null_index || m_network.is_head_fixed(incoming))
       return false;
     strand.segment = strand.is_reversed ? previous : m_network.next(strand.segment);
@@ -224,7 +228,7 @@ private:
   int side_ahead(Strand s, Strand t) const
   {
     for(Index i = 0; i < m_network.end_of_segment_ids(); ++i) {
-      const Index back = Triangulation::twin(halfedge(s));
+      const Halfedge_index back = Triangulation::twin(halfedge(s));
       if(!advance(s) || !advance(t) || halfedge(s) == back || halfedge(t) == back)
         return 0;
       if(halfedge(s) != halfedge(t))
@@ -233,10 +237,10 @@ private:
     return 0;
   }
 
-  std::ptrdiff_t clockwise_distance(Index from, Index to) const
+  std::ptrdiff_t clockwise_distance(Halfedge_index from, Halfedge_index to) const
   {
-    const Indices spokes = CGAL::Flip_geodesics::internal::spokes(m_triangulation, m_triangulation.tail(from));
-    const auto position = [&](Index h) { return std::find(spokes.begin(), spokes.end(), h) - spokes.begin(); };
+    const Halfedge_list spokes = CGAL::Flip_geodesics::internal::spokes(m_triangulation, m_triangulation.tail(from));
+    const auto position = [&](Halfedge_index h) { return std::find(spokes.begin(), spokes.end(), h) - spokes.begin(); };
     const auto size = static_cast<std::ptrdiff_t>(spokes.size());
     return (position(to) - position(from) + size) % size;
   }
@@ -250,12 +254,12 @@ int check_decided_pairs(const Network& network)
 {
   const Walker walker(network);
   int decided = 0;
-  for(Index e = 0; e < network.triangulation().number_of_edges(); ++e) {
-    const Indices stack = network.stack(e);
+  for(Edge_index e : descriptors<Edge_index>(network.triangulation().number_of_edges())) {
+    const Segment_list stack = network.stack(e);
     for(std::size_t i = 0; i < stack.size(); ++i)
       for(std::size_t j = i + 1; j < stack.size(); ++j) {
         const int side = walker.side(stack[i], stack[j]);
-        const bool is_along = network.halfedge(stack[i]) == 2 * e;
+        const bool is_along = network.halfedge(stack[i]) == CGAL::Flip_geodesics::internal::first_side(e);
         BOOST_TEST(side != (is_along ? -1 : 1));
         decided += side != 0 ? 1 : 0;
       }
@@ -265,7 +269,7 @@ int check_decided_pairs(const Network& network)
 
 struct Saved_curve
 {
-  Indices halfedges;
+  Halfedge_list halfedges;
   bool is_closed;
 };
 
@@ -273,7 +277,7 @@ struct Saved_curve
 void rebuild(Network& network)
 {
   std::vector<Saved_curve> curves;
-  for(Index c = 0; c < network.number_of_curves(); ++c)
+  for(Curve_index c : descriptors<Curve_index>(network.number_of_curves()))
     if(!network.is_contracted(c))
       curves.push_back({network.halfedges(c), network.is_closed(c)});
   network.clear();
@@ -289,7 +293,8 @@ void add_random_curves(Overlapping_world& world, std::mt19937& engine, int candi
   std::vector<Saved_curve> accepted;
   for(int i = 0; i < candidates; ++i) {
     const bool is_closed = engine() % 3 == 0;
-    const Indices points = {Index(engine() % n), Index(engine() % n), Index(engine() % n)};
+    const auto vertex = [&] { return Vertex_index(static_cast<Index>(engine() % n)); };
+    const Vertex_sequence points = {vertex(), vertex(), vertex()};
     if(points[0] == points[1] || points[1] == points[2] || points[2] == points[0])
       continue;
     accepted.push_back({shortest_halfedges_through(search, points, is_closed), is_closed});
@@ -341,7 +346,7 @@ BOOST_AUTO_TEST_CASE(parallel_torus_loops)
     Overlapping_world world(torus(9, 7, 2, 1));
     const Vertex_sequence loop = torus_loop(9, 7, p, q);
     for(int i = 0; i < 4; ++i) {
-      Indices copy(loop.begin(), loop.end());
+      Vertex_sequence copy = loop;
       std::rotate(copy.begin(), copy.begin() + 2 * i, copy.end());
       if(i % 2 == 1)
         std::reverse(copy.begin(), copy.end());

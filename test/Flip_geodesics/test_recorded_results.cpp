@@ -9,6 +9,7 @@
 #include "Curve_setting.h"
 #include "Hostile_traits.h"
 #include "Recorded_results.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
 
@@ -30,7 +31,6 @@
 
 namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
-using FG::Index;
 
 namespace {
 
@@ -124,11 +124,11 @@ struct Setting
   {
   }
 
-  int random_vertex()
+  FG::Vertex_index random_vertex()
   {
-    int v = 0;
+    FG::Vertex_index v;
     do
-      v = random.below(triangulation.input().number_of_vertices());
+      v = FG::Vertex_index(random.below(triangulation.input().number_of_vertices()));
     while(triangulation.input().outgoing(v) == FG::null_index);
     return v;
   }
@@ -136,14 +136,14 @@ struct Setting
   // In a face, on an edge, at a vertex; of two pieces, in one of them.
   FG::Surface_location random_location(bool is_far)
   {
-    const auto is_unwanted = [&](int h) {
+    const auto is_unwanted = [&](FG::Input_halfedge_index h) {
       return triangulation.input().is_border(h) ||
              (has_two_pieces &&
-              is_far != (triangulation.input().tail(h) > triangulation.input().number_of_vertices() / 2));
+              is_far != (triangulation.input().tail(h).idx() > triangulation.input().number_of_vertices() / 2));
     };
-    int h = 0;
+    FG::Input_halfedge_index h;
     do
-      h = random.below(triangulation.input().number_of_halfedges());
+      h = FG::Input_halfedge_index(random.below(triangulation.input().number_of_halfedges()));
     while(is_unwanted(h));
     const int kind = random.below(6);
     return {h,
@@ -176,7 +176,7 @@ struct Summary
   void add_curves(const Network& network)
   {
     const auto& triangulation = network.triangulation();
-    for(Index c = 0; c < network.number_of_curves(); ++c) {
+    for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(network.number_of_curves())) {
       const auto halfedges = network.halfedges(c);
       words.add(static_cast<long long>(halfedges.size()));
       for(const auto h : halfedges) {
@@ -191,7 +191,7 @@ struct Summary
 
   void add(const FG::Crossing_word& word)
   {
-    for(long long i : {word.along, word.face, word.tail, word.head})
+    for(long long i : {word.along.idx(), word.face.idx(), word.tail.idx(), word.head.idx()})
       words.add(i);
     words.add_all(word.crossed);
   }
@@ -228,7 +228,7 @@ struct Summary
 
   void add(const FG::Surface_point& p)
   {
-    for(long long i : {p.a, p.b, p.c, p.halfedge, p.vertex})
+    for(long long i : {p.a.idx(), p.b.idx(), p.c.idx(), p.halfedge.idx(), p.vertex.idx()})
       words.add(i);
     lengths.add(p.t);
     lengths.add(p.u);
@@ -333,7 +333,7 @@ struct Add_paths
     std::size_t settled = 0, beforehand = 0;
     for(int i = 0; i < n; ++i) {
       typename Setting<Triangulation>::Network network(s.triangulation);
-      const int v = s.random_vertex(), w = s.random_vertex();
+      const FG::Vertex_index v = s.random_vertex(), w = s.random_vertex();
       summary.attempt([&] {
         const auto path = search(v, w);
         settled += search.settled_vertices();
@@ -357,7 +357,7 @@ template <class Triangulation>
 void add_star(Setting<Triangulation>& s, typename Setting<Triangulation>::Network& network, int n)
 {
   FG::Shortest_edge_path<Triangulation> search(s.triangulation, FG::Search_method::DIJKSTRA);
-  const int v = s.random_vertex();
+  const FG::Vertex_index v = s.random_vertex();
   for(int i = 0; i < n; ++i) {
     const auto path = search(v, s.random_vertex());
     if(!path.empty())
@@ -379,10 +379,10 @@ struct Add_networks
           network.fix_nodes_at(s.random_vertex());
         shorten_and_add(network, summary);
         FG::Straightness_meter<typename Setting<Triangulation>::Network> meter(network);
-        for(Index c = 0; c < network.number_of_curves(); ++c)
+        for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(network.number_of_curves()))
           summary.lengths.add(meter(c).smallest_angle);
         if(i % 2 == 1) {
-          for(Index c = 0; c < network.number_of_curves(); ++c)
+          for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(network.number_of_curves()))
             network.free_nodes(c);
           shorten_and_add(network, summary);
         }
@@ -400,21 +400,20 @@ using Stop = std::function<FG::Stop_decision(const FG::Shortening_step&)>;
 // Some never stop, some hold up a curve that others then come close to.
 const std::vector<Stop>& stops()
 {
-  static const std::vector<Stop> result = {FG::Never_stop_predicate(),
-                                           FG::Length_ratio_stop_predicate(0.97),
-                                           FG::Curve_length_ratio_stop_predicate(0.95),
-                                           FG::Angle_stop_predicate(2.5),
-                                           FG::Iteration_stop_predicate(4),
-                                           FG::Memory_stop_predicate(6000),
-                                           [](const FG::Shortening_step& step) {
-                                             return step.curve % 2 == 1 ? FG::Stop_decision::CURVE_LENGTH_LIMIT
-                                                                        : FG::Stop_decision::CONTINUE;
-                                           },
-                                           [](const FG::Shortening_step& step) {
-                                             return (3 * static_cast<std::size_t>(step.curve) + step.steps) % 4 == 0
-                                                        ? FG::Stop_decision::CURVE_LENGTH_LIMIT
-                                                        : FG::Stop_decision::CONTINUE;
-                                           }};
+  static const std::vector<Stop> result = {
+      FG::Never_stop_predicate(),
+      FG::Length_ratio_stop_predicate(0.97),
+      FG::Curve_length_ratio_stop_predicate(0.95),
+      FG::Angle_stop_predicate(2.5),
+      FG::Iteration_stop_predicate(4),
+      FG::Memory_stop_predicate(6000),
+      [](const FG::Shortening_step& step) {
+        return step.curve.idx() % 2 == 1 ? FG::Stop_decision::CURVE_LENGTH_LIMIT : FG::Stop_decision::CONTINUE;
+      },
+      [](const FG::Shortening_step& step) {
+        const auto curve = static_cast<std::size_t>(step.curve.idx());
+        return (3 * curve + step.steps) % 4 == 0 ? FG::Stop_decision::CURVE_LENGTH_LIMIT : FG::Stop_decision::CONTINUE;
+      }};
   return result;
 }
 
@@ -431,10 +430,10 @@ struct Add_stopped_curves
     std::size_t settled = 0;
     for(std::size_t i = 0; i < 2 * stops().size(); ++i) {
       Network network(s.triangulation);
-      const int v = s.random_vertex();
+      const FG::Vertex_index v = s.random_vertex();
       summary.attempt([&] {
         for(std::size_t j = 0; j < 2 + i % 3; ++j) {
-          const int w = s.random_vertex();
+          const FG::Vertex_index w = s.random_vertex();
           summary.lengths.add(landmarks.distance_lower_bound(v, w));
           if(const auto path = search(v, w); !path.empty())
             network.add_curve(path, false);
@@ -466,7 +465,7 @@ struct Add_shortest_paths
     std::size_t windows = 0, confirmed = 0;
     for(int i = 0; i < n; ++i) {
       typename Setting<Triangulation>::Network network(s.triangulation);
-      const int v = s.random_vertex(), w = s.random_vertex();
+      const FG::Vertex_index v = s.random_vertex(), w = s.random_vertex();
       summary.attempt([&] {
         const auto report = FG::add_shortest_path(network, search, v, w, i % 10 == 5 ? 100 : 0);
         BOOST_TEST(report.gap() >= 0);
@@ -491,7 +490,7 @@ template <class Triangulation>
 void add_tree(const FG::Geodesic_tree<Triangulation>& tree, Summary& summary)
 {
   const auto& triangulation = tree.triangulation();
-  for(Index v = 0; v < triangulation.number_of_vertices(); ++v) {
+  for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(triangulation.number_of_vertices())) {
     summary.words.add(tree.incoming(v));
     if(tree.is_reached(v))
       summary.lengths.add(tree.distance(v));
@@ -560,9 +559,10 @@ void add(const FG::Refinement_report& report, Summary& summary, Result& extra)
 template <class Triangulation>
 void add_places(const Triangulation& triangulation, Summary& summary)
 {
-  for(Index v = triangulation.input().number_of_vertices(); v < triangulation.number_of_vertices(); ++v)
+  for(FG::Vertex_index v(triangulation.input().number_of_vertices()); v.idx() < triangulation.number_of_vertices(); ++v)
     summary.add(triangulation.location(v));
-  for(Index h = 0; h < triangulation.number_of_halfedges(); h += 2) {
+  for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(triangulation.number_of_edges())) {
+    const FG::Halfedge_index h = FG::internal::first_side(e);
     summary.add(triangulation.crossing_word(h));
     summary.lengths.add(triangulation.length(h));
   }
@@ -642,7 +642,7 @@ BOOST_AUTO_TEST_CASE(loops)
     FG::Shortest_edge_path<Certified> search(s.triangulation);
     for(int i = 0; i < 16; ++i) {
       Setting<Certified>::Network network(s.triangulation);
-      const std::vector<int> way = {s.random_vertex(), s.random_vertex(), s.random_vertex()};
+      const Vertex_sequence way = {s.random_vertex(), s.random_vertex(), s.random_vertex()};
       summary.attempt([&] {
         network.add_curve(FG::shortest_halfedges_through(search, way, true), true);
         FG::order_overlapping_curves(network);
@@ -652,7 +652,7 @@ BOOST_AUTO_TEST_CASE(loops)
         const FG::Network_certificate certificate = FG::certify(network);
         summary.statuses.add(static_cast<long long>(certificate.curves[0].verdict));
         FG::Curve_extractor<Setting<Certified>::Network> extractor(network);
-        summary.add(extractor.surface_points(0));
+        summary.add(extractor.surface_points(0_c));
       });
       network.clear();
       s.triangulation.rollback();
@@ -692,13 +692,13 @@ BOOST_AUTO_TEST_CASE(curves_through_points)
                            shorten_and_add(network, summary);
                            std::vector<std::pair<Surface::Face_index, std::array<double, 3>>> in_faces;
                            FG::Curve_extractor<Setting<Certified>::Network>(network).face_locations(
-                               0, s.mesh, std::back_inserter(in_faces));
+                               0_c, s.mesh, std::back_inserter(in_faces));
                            for(const auto& [face, weights] : in_faces) {
                              summary.words.add(static_cast<long long>(face));
                              for(double weight : weights)
                                summary.lengths.add(weight);
                            }
-                           network.free_nodes(0);
+                           network.free_nodes(0_c);
                            shorten_and_add(network, summary);
                          });
                          network.clear();
@@ -725,7 +725,7 @@ BOOST_AUTO_TEST_CASE(polylines)
         FG::order_overlapping_curves(network);
         summary.add_curves(network);
         shorten_and_add(network, summary);
-        network.free_nodes(0);
+        network.free_nodes(0_c);
         shorten_and_add(network, summary);
       });
       network.clear();
@@ -742,7 +742,7 @@ BOOST_AUTO_TEST_CASE(splines)
       const auto points = s.random_locations(4);
       Setting<Certified>::Network network(s.triangulation);
       summary.attempt([&] {
-        const Index curve = FG::add_curve_through(network, points);
+        const FG::Curve_index curve = FG::add_curve_through(network, points);
         FG::order_overlapping_curves(network);
         auto spline = i == 0 ? FG::Geodesic_spline<Setting<Certified>::Network>(network, curve)
                              : FG::Geodesic_spline<Setting<Certified>::Network>::cubic_b_spline(network, curve);
@@ -821,7 +821,7 @@ BOOST_AUTO_TEST_CASE(delaunay)
     summary.flips += FG::flip_to_delaunay(s.triangulation).flips;
     add_places(s.triangulation, summary);
     for(int i = 0; i < 20; ++i) {
-      const int v = s.random_vertex(), w = s.random_vertex();
+      const FG::Vertex_index v = s.random_vertex(), w = s.random_vertex();
       summary.words.add_all(FG::shortest_intrinsic_edge_path(s.triangulation, v, w));
     }
     add_subdivision(FG::common_subdivision(s.triangulation, s.mesh), summary, extra);

@@ -4,6 +4,7 @@
 // topology, no two vertices are in one place, and the process ends where it cannot reach a bound.
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -23,6 +24,10 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Halfedge_index;
+using FG::Vertex_index;
+using FG::internal::descriptors;
+using FG::internal::first_side;
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -66,7 +71,7 @@ void check_refined(Setting& s, double area_before, const std::vector<double>& le
   BOOST_CHECK(FG::is_delaunay(s.triangulation));
   BOOST_CHECK_CLOSE_FRACTION(area(s.triangulation), area_before, 1e-9);
   for(std::size_t c = 0; c < lengths.size(); ++c)
-    BOOST_CHECK_CLOSE_FRACTION(s.network.length(static_cast<int>(c)), lengths[c], 1e-11);
+    BOOST_CHECK_CLOSE_FRACTION(s.network.length(FG::Curve_index(static_cast<FG::Index>(c))), lengths[c], 1e-11);
   const int characteristic = static_cast<int>(s.mesh.number_of_vertices()) -
                              static_cast<int>(s.mesh.number_of_edges()) + static_cast<int>(s.mesh.number_of_faces());
   std::vector<FG::Intrinsic_face> faces;
@@ -74,9 +79,9 @@ void check_refined(Setting& s, double area_before, const std::vector<double>& le
   BOOST_CHECK_EQUAL(s.triangulation.number_of_vertices() - s.triangulation.number_of_edges() +
                         static_cast<int>(faces.size()),
                     characteristic);
-  std::set<std::tuple<int, double, double, double>> places;
+  std::set<std::tuple<FG::Input_halfedge_index, double, double, double>> places;
   for(int v = static_cast<int>(s.mesh.number_of_vertices()); v < s.triangulation.number_of_vertices(); ++v) {
-    const FG::Surface_location at = s.triangulation.location(v);
+    const FG::Surface_location at = s.triangulation.location(Vertex_index(v));
     BOOST_CHECK(places.emplace(at.halfedge, at.weights[0], at.weights[1], at.weights[2]).second);
   }
 }
@@ -85,7 +90,7 @@ template <class Setting>
 std::vector<double> lengths_of_curves(const Setting& s)
 {
   std::vector<double> lengths;
-  for(int c = 0; c < s.network.number_of_curves(); ++c)
+  for(FG::Curve_index c : descriptors<FG::Curve_index>(s.network.number_of_curves()))
     lengths.push_back(s.network.length(c));
   return lengths;
 }
@@ -114,9 +119,9 @@ BOOST_AUTO_TEST_CASE(curves_are_split_and_stay)
 {
   const int n = 10;
   Curve_setting s(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 3));
-  s.add_path(grid_vertex(n, 0, 1), grid_vertex(n, n, 3));
-  s.add_path(grid_vertex(n, 1, 9), grid_vertex(n, 9, 4));
-  s.add_path(grid_vertex(n, 1, 9), grid_vertex(n, 9, 4));
+  s.add_path(Vertex_index(grid_vertex(n, 0, 1)), Vertex_index(grid_vertex(n, n, 3)));
+  s.add_path(Vertex_index(grid_vertex(n, 1, 9)), Vertex_index(grid_vertex(n, 9, 4)));
+  s.add_path(Vertex_index(grid_vertex(n, 1, 9)), Vertex_index(grid_vertex(n, 9, 4)));
   FG::order_overlapping_curves(s.network);
   s.pull();
   const double before = area(s.triangulation);
@@ -130,7 +135,7 @@ BOOST_AUTO_TEST_CASE(curves_are_split_and_stay)
   // The curves are the same lines on the mesh: no point of them has left its line, and the mesh with them is sound.
   FG::Curve_extractor<Curve_setting::Network> extractor(s.network);
   std::vector<Surface::Point> points;
-  extractor.points(0, std::back_inserter(points));
+  extractor.points(0_c, std::back_inserter(points));
   const Surface::Point a = points.front(), b = points.back();
   for(const Surface::Point& p : points)
     BOOST_CHECK_SMALL((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()), 1e-10);
@@ -150,7 +155,7 @@ BOOST_AUTO_TEST_CASE(small_angles_between_curves_end)
   const int n = 16;
   Curve_setting s(flat_grid(n, n, Diagonal_rule::RISING));
   for(int j : {0, 1, 2, 5}) // angles of a few degrees at one vertex
-    s.add_path(grid_vertex(n, 0, 0), grid_vertex(n, n, j));
+    s.add_path(Vertex_index(grid_vertex(n, 0, 0)), Vertex_index(grid_vertex(n, n, j)));
   FG::order_overlapping_curves(s.network);
   s.pull();
   const double before = area(s.triangulation);
@@ -197,7 +202,7 @@ struct Flip_counter : FG::Default_shortening_visitor
   std::size_t* flips;
 
   template <class Triangulation>
-  void on_flip(const Triangulation&, FG::Index)
+  void on_flip(const Triangulation&, Halfedge_index)
   {
     ++*flips;
   }
@@ -252,7 +257,7 @@ BOOST_AUTO_TEST_CASE(a_point_that_hits_a_constrained_edge_stays)
   BOOST_CHECK(report.is_complete());
   BOOST_CHECK_EQUAL(report.insertions, 1u);
   BOOST_CHECK_EQUAL(s.triangulation.number_of_vertices(), 4);
-  const FG::Surface_location at = s.triangulation.location(3);
+  const FG::Surface_location at = s.triangulation.location(3_v);
   BOOST_CHECK(kind(at) == FG::Location_kind::EDGE && at.weights[0] == at.weights[1]);
 }
 
@@ -277,8 +282,8 @@ BOOST_AUTO_TEST_CASE(segments_are_split_on_rings_about_their_ends)
   options.longest_edge = 0.4;
   BOOST_CHECK(FG::refine(s.triangulation, options).is_complete());
   int segments = 0;
-  for(FG::Index h = s.triangulation.outgoing(0); h != FG::null_index; h = s.triangulation.clockwise(h))
-    if(s.triangulation.is_border(h) || s.triangulation.is_border(h ^ 1)) {
+  for(Halfedge_index h = s.triangulation.outgoing(0_v); h != FG::null_index; h = s.triangulation.clockwise(h))
+    if(s.triangulation.is_border(h) || s.triangulation.is_border(s.triangulation.twin(h))) {
       const double exponent = std::log2(s.triangulation.length(h));
       BOOST_CHECK_SMALL(exponent - std::round(exponent), 1e-9);
       ++segments;
@@ -293,7 +298,7 @@ BOOST_AUTO_TEST_CASE(a_line_beside_the_border_makes_no_small_angles)
     return Coordinates{p[0], p[1] == 1 ? 0.03 : p[1] / 2, 0};
   });
   Curve_setting s(soup);
-  s.add({grid_vertex(1, 0, 1), grid_vertex(1, 1, 1)}, false);
+  s.add({Vertex_index(grid_vertex(1, 0, 1)), Vertex_index(grid_vertex(1, 1, 1))}, false);
   const FG::Refinement_report report = FG::refine(s.network);
   BOOST_CHECK(report.is_complete());
   BOOST_CHECK_EQUAL(report.exempt, 0u);
@@ -304,15 +309,15 @@ BOOST_AUTO_TEST_CASE(a_line_beside_the_border_makes_no_small_angles)
 BOOST_AUTO_TEST_CASE(edges_have_the_wanted_length)
 {
   Curve_setting s(cube(2));
-  s.add_path(0, 5);
+  s.add_path(0_v, 5_v);
   s.pull();
   const double before = area(s.triangulation);
   const std::vector<double> lengths = lengths_of_curves(s);
   FG::Refinement_options options;
   options.longest_edge = 0.4;
   BOOST_CHECK(FG::refine(s.network, options).is_complete());
-  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
-    BOOST_CHECK_LE(s.triangulation.length(2 * e), 0.4);
+  for(FG::Edge_index e : descriptors<FG::Edge_index>(s.triangulation.number_of_edges()))
+    BOOST_CHECK_LE(s.triangulation.length(first_side(e)), 0.4);
   check_refined(s, before, lengths);
 }
 
@@ -380,20 +385,20 @@ struct Counting_triangulation
 {
   using Triangulation = Curve_setting::Triangulation;
 
-  static FG::Index edge(FG::Index h) { return Triangulation::edge(h); }
-  static FG::Index twin(FG::Index h) { return Triangulation::twin(h); }
-  FG::Index next(FG::Index h) const { return triangulation.next(h); }
-  FG::Index label(FG::Index e) const { return triangulation.label(e); }
-  FG::Index version(FG::Index e) const { return triangulation.version(e); }
-  bool is_border(FG::Index h) const { return triangulation.is_border(h); }
-  double length(FG::Index h) const { return triangulation.length(h); }
+  static FG::Edge_index edge(Halfedge_index h) { return Triangulation::edge(h); }
+  static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
+  Halfedge_index next(Halfedge_index h) const { return triangulation.next(h); }
+  FG::Index label(FG::Edge_index e) const { return triangulation.label(e); }
+  FG::Index version(FG::Edge_index e) const { return triangulation.version(e); }
+  bool is_border(Halfedge_index h) const { return triangulation.is_border(h); }
+  double length(Halfedge_index h) const { return triangulation.length(h); }
   FG::Index number_of_halfedges() const { return triangulation.number_of_halfedges(); }
-  FG::Index clockwise(FG::Index h) const
+  Halfedge_index clockwise(Halfedge_index h) const
   {
     ++steps;
     return triangulation.clockwise(h);
   }
-  FG::Index counterclockwise(FG::Index h) const
+  Halfedge_index counterclockwise(Halfedge_index h) const
   {
     ++steps;
     return triangulation.counterclockwise(h);
@@ -411,14 +416,14 @@ BOOST_AUTO_TEST_CASE(sharp_vertices_of_high_degree_are_walked_around_once)
   const int n = 1000;
   for(const double angle : {0.5, 1.0, 1.1, 3.0}) { // below and above 60 degrees
     Curve_setting s(cone_disk(n, 1, angle));
-    s.add_path(0, 1); // now the sector ends at an edge
+    s.add_path(0_v, 1_v); // now the sector ends at an edge
     for(const bool has_curve : {true, false}) {
       if(!has_curve)
         s.network.clear();
       const Counting_triangulation counting = {s.triangulation};
       FG::internal::Sharp_sectors<Counting_triangulation> is_in_sharp_sector(counting);
-      const FG::Index start = s.triangulation.outgoing(0);
-      FG::Index h = start;
+      const Halfedge_index start = s.triangulation.outgoing(0_v);
+      Halfedge_index h = start;
       do {
         BOOST_CHECK_EQUAL(is_in_sharp_sector(h), angle < std::acos(0.5));
         h = s.triangulation.clockwise(h);
@@ -477,7 +482,8 @@ BOOST_AUTO_TEST_CASE(faces_are_given_up_alone)
   for(const FG::Intrinsic_face& f : faces) {
     const FG::internal::Face_shape<Curve_setting::Triangulation> shape(s.triangulation, f.halfedges[0]);
     const FG::Surface_location at = s.triangulation.location(s.triangulation.tail(f.halfedges[0]));
-    const bool is_in_fair = s.triangulation.input().tail(at.halfedge) < static_cast<FG::Index>(fair.points.size());
+    const Vertex_index corner = s.triangulation.input().tail(at.halfedge);
+    const bool is_in_fair = corner.idx() < static_cast<FG::Index>(fair.points.size());
     bad += is_in_fair && shape.smallest_angle() < 24.9 * std::acos(-1.0) / 180 ? 1 : 0;
   }
   BOOST_CHECK_EQUAL(bad, 0u);
@@ -493,7 +499,7 @@ struct Counting_visitor : FG::Default_shortening_visitor
   }
 
   template <class Triangulation>
-  void on_insertion(const Triangulation& triangulation, FG::Index v)
+  void on_insertion(const Triangulation& triangulation, Vertex_index v)
   {
     BOOST_CHECK(triangulation.is_inserted(v));
     ++insertions;
@@ -510,7 +516,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_told_of_each_vertex)
   for(const std::size_t patience : {0u, 1u, 5u, 1000000u}) {
     const int n = 10;
     Curve_setting s(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 3));
-    s.add_path(grid_vertex(n, 0, 1), grid_vertex(n, n, 3));
+    s.add_path(Vertex_index(grid_vertex(n, 0, 1)), Vertex_index(grid_vertex(n, n, 3)));
     s.pull();
     Counting_visitor visitor(patience);
     const FG::Refinement_report report = FG::refine(s.network, FG::Refinement_options(), visitor);
@@ -525,23 +531,23 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_told_of_each_vertex)
 BOOST_AUTO_TEST_CASE(wrong_flips_between_points_of_one_edge_are_told)
 {
   Curve_setting s(flat_grid(2, 2, Diagonal_rule::RISING));
-  FG::Index e = 0;
-  while(s.triangulation.is_border(2 * e) || s.triangulation.is_border(2 * e + 1))
-    ++e;
-  std::vector<FG::Index> points;
+  FG::Input_halfedge_index inner = 0_input_h;
+  while(s.triangulation.input().is_border(inner) || s.triangulation.input().is_border(FG::internal::twin_index(inner)))
+    ++inner;
+  std::vector<Vertex_index> points;
   for(const double t : {0.2, 0.4, 0.6, 0.8})
-    points.push_back(s.triangulation.insert(FG::Surface_location{2 * e, {{1 - t, t, 0}}}));
-  const auto halfedge = [&](FG::Index v, FG::Index w) {
-    FG::Index h = s.triangulation.outgoing(v);
+    points.push_back(s.triangulation.insert(FG::Surface_location{inner, {{1 - t, t, 0}}}));
+  const auto halfedge = [&](Vertex_index v, Vertex_index w) {
+    Halfedge_index h = s.triangulation.outgoing(v);
     for(int i = 0; i < 20 && s.triangulation.head(h) != w; ++i)
       h = s.triangulation.clockwise(h);
     BOOST_REQUIRE_EQUAL(s.triangulation.head(h), w);
     return h;
   };
-  const FG::Index middle = halfedge(points[1], points[2]);
+  const Halfedge_index middle = halfedge(points[1], points[2]);
   const auto check_words = [&] {
-    for(FG::Index f = 0; f < s.triangulation.number_of_edges(); ++f)
-      BOOST_CHECK_EQUAL(s.triangulation.crossing_word(2 * f).crossed.size(),
+    for(FG::Edge_index f : descriptors<FG::Edge_index>(s.triangulation.number_of_edges()))
+      BOOST_CHECK_EQUAL(s.triangulation.crossing_word(first_side(f)).crossed.size(),
                         static_cast<std::size_t>((std::max)(s.triangulation.crossings(f), 0)));
   };
   const std::size_t before = s.triangulation.log_position();
@@ -550,7 +556,7 @@ BOOST_AUTO_TEST_CASE(wrong_flips_between_points_of_one_edge_are_told)
   s.triangulation.flip(s.triangulation.next(halfedge(points[3], points[2])));
   check_words();
   s.triangulation.flip(middle); // from the first to the last, across the edge between the others
-  BOOST_CHECK_EQUAL(s.triangulation.crossings(middle >> 1), 1);
+  BOOST_CHECK_EQUAL(s.triangulation.crossings(s.triangulation.edge(middle)), 1);
   BOOST_CHECK_THROW(s.triangulation.crossing_word(middle), FG::Insertion_error);
   s.triangulation.rollback(before);
   check_words();
@@ -583,7 +589,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
   for(const int patience : {0, 10, 400, 500}) // before the first flip, among the flips, among the insertions
     for(const bool throws : {false, true}) {
       Curve_setting s(needle_strip(6, 6, 100));
-      s.add_path(0, 20);
+      s.add_path(0_v, 20_v);
       s.pull();
       const double before = area(s.triangulation);
       const std::vector<double> lengths = lengths_of_curves(s);
@@ -605,7 +611,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_interrupts)
 BOOST_AUTO_TEST_CASE(exact_decisions)
 {
   Certified_setting s(shaken(torus(10, 4, 3, 1), 0.1, 3));
-  s.add_path(0, 23);
+  s.add_path(0_v, 23_v);
   s.pull();
   const double before = area(s.triangulation);
   const std::vector<double> lengths = lengths_of_curves(s);

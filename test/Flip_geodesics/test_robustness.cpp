@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE robustness
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -21,6 +22,9 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Halfedge_index;
+using FG::Vertex_index;
+using FG::internal::descriptors;
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -47,7 +51,7 @@ std::vector<Mesh_soup> exact_soups()
 // Everything that a run over a mesh gives, to be compared bit for bit.
 struct Run
 {
-  std::vector<int> flips, halfedges;
+  Halfedge_sequence flips, halfedges;
   std::vector<double> lengths;
   std::vector<std::string> states;
 
@@ -67,8 +71,8 @@ Run run(const Mesh_soup& soup, double unit)
   for(int i = 0; i < 100 * scale; ++i) {
     const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
     if(i % 2 == 0)
-      setting.add_path(u, v);
-    const std::vector<int> walk = random_walk(setting.triangulation, 15, true, random);
+      setting.add_path(Vertex_index(u), Vertex_index(v));
+    const Halfedge_sequence walk = random_walk(setting.triangulation, 15, true, random);
     if(i % 2 == 1 && !walk.empty()) {
       setting.network.add_curve(walk, true);
       if(!order_at_random(setting.network, walk, 5, random))
@@ -79,10 +83,10 @@ Run run(const Mesh_soup& soup, double unit)
       result.lengths.insert(result.lengths.end(), {curve.initial_length / unit, curve.length / unit});
       result.states.push_back(FG::to_string(curve.status));
     }
-    for(int c = 0; c < setting.network.number_of_curves(); ++c)
-      for(int h : setting.network.halfedges(c))
+    for(FG::Curve_index c : descriptors<FG::Curve_index>(setting.network.number_of_curves()))
+      for(Halfedge_index h : setting.network.halfedges(c))
         result.halfedges.push_back(h);
-    const std::vector<int> flips = setting.flips();
+    const Halfedge_sequence flips = setting.flips();
     result.flips.insert(result.flips.end(), flips.begin(), flips.end());
     setting.network.clear();
     setting.triangulation.rollback();
@@ -112,7 +116,7 @@ BOOST_AUTO_TEST_CASE(earlier_queries_do_not_matter)
     Random_numbers random(5);
     const int n = used.triangulation.number_of_vertices();
     for(int i = 0; i < 20; ++i) {
-      const int u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
+      const Vertex_index u(random.below(n)), v((u.idx() + 1 + random.below(n - 1)) % n);
       const FG::Curve_report later = used.pulled_path(u, v);
       Curve_setting fresh(soup);
       const FG::Curve_report first = fresh.pulled_path(u, v);
@@ -152,7 +156,7 @@ BOOST_AUTO_TEST_CASE(grids_far_away_and_of_any_size)
     Random_numbers random(4);
     for(int i = 0; i < 50 * scale; ++i) {
       const int n = static_cast<int>(soup.points.size()), u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
-      const FG::Curve_report report = setting.pulled_path(u, v);
+      const FG::Curve_report report = setting.pulled_path(Vertex_index(u), Vertex_index(v));
       const double expected = distance(soup.points[u], soup.points[v]);
       BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
       BOOST_TEST(std::abs(report.length - expected) < 1e-12 * expected);
@@ -168,7 +172,7 @@ BOOST_AUTO_TEST_CASE(needles)
     Random_numbers random(6);
     for(int i = 0; i < 50 * scale; ++i) {
       const int n = static_cast<int>(soup.points.size()), u = random.below(n), v = (u + 1 + random.below(n - 1)) % n;
-      const FG::Curve_report report = setting.pulled_path(u, v);
+      const FG::Curve_report report = setting.pulled_path(Vertex_index(u), Vertex_index(v));
       const double expected = distance(soup.points[u], soup.points[v]);
       BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
       BOOST_TEST(std::abs(report.length - expected) < 1e-9 * expected, aspect << ": " << u << " to " << v);
@@ -182,8 +186,8 @@ BOOST_AUTO_TEST_CASE(out_and_back_contracts)
 {
   const Mesh_soup soup = bumpy_sphere(4, 0.2, 7);
   Curve_setting setting(soup);
-  Vertex_sequence path = {0};
-  for(int h : FG::Shortest_edge_path<Curve_setting::Triangulation>(setting.triangulation)(0, 50))
+  Vertex_sequence path = {0_v};
+  for(Halfedge_index h : Curve_setting::Search(setting.triangulation)(0_v, 50_v))
     path.push_back(setting.triangulation.head(h));
   setting.add(out_and_back(path), false);
   BOOST_TEST(setting.network.is_valid());
@@ -196,12 +200,12 @@ BOOST_AUTO_TEST_CASE(out_and_back_to_a_fixed_point_stays)
 {
   const Mesh_soup soup = bumpy_sphere(4, 0.2, 7);
   Curve_setting setting(soup);
-  setting.add_path_through({0, 50, 0});
-  setting.network.fix_nodes_at(50);
+  setting.add_path_through({0_v, 50_v, 0_v});
+  setting.network.fix_nodes_at(50_v);
   const FG::Shortening_report report = setting.pull();
   BOOST_TEST(FG::to_string(report.curves[0].status) == "LOCALLY_SHORTEST");
   BOOST_TEST(report.curves[0].length > 0);
-  BOOST_TEST(report.curves[0].length == 2 * setting.pulled_path(0, 50).length, boost::test_tools::tolerance(1e-2));
+  BOOST_TEST(report.curves[0].length == 2 * setting.pulled_path(0_v, 50_v).length, boost::test_tools::tolerance(1e-2));
 }
 
 BOOST_AUTO_TEST_CASE(sources_on_a_border)
@@ -213,7 +217,7 @@ BOOST_AUTO_TEST_CASE(sources_on_a_border)
     for(int v : {grid_vertex(n, u, n), grid_vertex(n, 0, (u + 1) % n), grid_vertex(n, n, u)}) {
       if(u == v)
         continue;
-      const FG::Curve_report report = setting.pulled_path(u, v);
+      const FG::Curve_report report = setting.pulled_path(Vertex_index(u), Vertex_index(v));
       BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
       BOOST_TEST(report.length == distance(soup.points[u], soup.points[v]), boost::test_tools::tolerance(1e-12));
     }
@@ -224,7 +228,7 @@ BOOST_AUTO_TEST_CASE(paths_bend_at_the_corners_of_a_hole)
   const Mesh_soup soup = grid_with_hole(6, 6, 2, 4, 2, 4);
   Curve_setting setting(soup);
   const int u = index_of(soup, {1, 3, 0}), v = index_of(soup, {5, 3, 0});
-  const FG::Curve_report report = setting.pulled_path(u, v);
+  const FG::Curve_report report = setting.pulled_path(Vertex_index(u), Vertex_index(v));
   BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
   BOOST_TEST(report.length == 2 + 2 * std::sqrt(2.0), boost::test_tools::tolerance(1e-12));
 }
@@ -233,40 +237,42 @@ BOOST_AUTO_TEST_CASE(isolated_vertices_are_no_obstacle)
 {
   const Mesh_soup plain = bumpy_sphere(3, 0.2, 9), soup = with_isolated_vertices(plain, 3, 2);
   Curve_setting setting(soup), expected(plain);
-  for(int v = 1; v < 30; ++v)
-    BOOST_TEST(setting.pulled_path(3, v + 3).length == expected.pulled_path(0, v).length);
+  for(int i = 1; i < 30; ++i) {
+    const Vertex_index shifted(i + 3), target(i);
+    BOOST_TEST(setting.pulled_path(3_v, shifted).length == expected.pulled_path(0_v, target).length);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(endpoints_that_cannot_be_joined)
 {
   const Mesh_soup soup = with_isolated_vertices(disjoint_union(octahedron(1), octahedron(1)), 0, 1);
   Curve_setting setting(soup);
-  BOOST_CHECK_THROW(setting.add_path(0, 7), FG::Disconnected_endpoints_error);
-  BOOST_CHECK_THROW(setting.add_path(0, 12), FG::Disconnected_endpoints_error);
-  BOOST_CHECK_THROW(setting.add_path(12, 0), FG::Disconnected_endpoints_error);
+  BOOST_CHECK_THROW(setting.add_path(0_v, 7_v), FG::Disconnected_endpoints_error);
+  BOOST_CHECK_THROW(setting.add_path(0_v, 12_v), FG::Disconnected_endpoints_error);
+  BOOST_CHECK_THROW(setting.add_path(12_v, 0_v), FG::Disconnected_endpoints_error);
   const auto names_it = [](const FG::Error& error) {
     return error.what() == std::string("vertex 13 is not one of the 13 vertices") && error.elements().front() == 13;
   };
-  BOOST_CHECK_EXCEPTION(setting.add_path(0, 13), FG::Vertex_out_of_range_error, names_it);
+  BOOST_CHECK_EXCEPTION(setting.add_path(0_v, 13_v), FG::Vertex_out_of_range_error, names_it);
   const auto names_none = [](const FG::Error& error) {
     return error.what() == std::string("a given vertex is not one of the 13 vertices") && error.elements().empty();
   };
-  BOOST_CHECK_EXCEPTION(setting.add_path(-1, 0), FG::Vertex_out_of_range_error, names_none);
-  BOOST_CHECK_THROW(setting.add_path(3, 3), FG::Invalid_curve_error);
+  BOOST_CHECK_EXCEPTION(setting.add_path(FG::null_index, 0_v), FG::Vertex_out_of_range_error, names_none);
+  BOOST_CHECK_THROW(setting.add_path(3_v, 3_v), FG::Invalid_curve_error);
   BOOST_TEST(setting.network.number_of_curves() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(sequences_that_are_no_curves)
 {
   Curve_setting setting(octahedron(1));
-  BOOST_CHECK_THROW(setting.add({0, 1}, false), FG::Invalid_curve_error); // opposite vertices
-  BOOST_CHECK_THROW(setting.add({0}, false), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(setting.add({0, 2, 9}, false), FG::Vertex_out_of_range_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(std::vector<int>(), false), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(std::vector<int>{0, 0}, false), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(std::vector<int>{0}, true), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(setting.network.add_curve(std::vector<int>{1000}, false), FG::Invalid_curve_error);
-  const auto chain = FG::halfedges_through(setting.triangulation, std::vector<int>{0, 2, 1}, false);
+  BOOST_CHECK_THROW(setting.add({0_v, 1_v}, false), FG::Invalid_curve_error); // opposite vertices
+  BOOST_CHECK_THROW(setting.add({0_v}, false), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(setting.add({0_v, 2_v, 9_v}, false), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence(), false), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{0_h, 0_h}, false), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{0_h}, true), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(setting.network.add_curve(Halfedge_sequence{1000_h}, false), FG::Invalid_curve_error);
+  const auto chain = FG::halfedges_through(setting.triangulation, Vertex_sequence{0_v, 2_v, 1_v}, false);
   BOOST_CHECK_THROW(setting.network.add_curve(chain, true), FG::Invalid_curve_error); // its ends are apart
   BOOST_TEST(setting.network.number_of_curves() == 0);
   BOOST_TEST(setting.network.is_valid());
@@ -276,15 +282,15 @@ BOOST_AUTO_TEST_CASE(sequences_that_are_no_curves)
 BOOST_AUTO_TEST_CASE(nodes_that_are_fixed_and_freed)
 {
   Curve_setting setting(octahedron(1));
-  const int curve = setting.add({0, 2, 1}, false);
-  std::vector<FG::Index> segments;
-  setting.network.for_each_segment(curve, [&](FG::Index s) { segments.push_back(s); });
+  const FG::Curve_index curve = setting.add({0_v, 2_v, 1_v}, false);
+  std::vector<FG::Segment_index> segments;
+  setting.network.for_each_segment(curve, [&](FG::Segment_index s) { segments.push_back(s); });
   BOOST_REQUIRE(segments.size() == 2u);
   const auto state = [&](FG::Side side) { return setting.network.wedge({segments.front(), side}).state; };
   for(FG::Side side : {FG::Side::LEFT, FG::Side::RIGHT})
     BOOST_TEST((state(side) != FG::Wedge_state::FIXED));
-  setting.network.fix_nodes_at(2);
-  setting.network.fix_nodes_at(1);
+  setting.network.fix_nodes_at(2_v);
+  setting.network.fix_nodes_at(1_v);
   for(FG::Side side : {FG::Side::LEFT, FG::Side::RIGHT})
     BOOST_TEST((state(side) == FG::Wedge_state::FIXED));
   setting.network.free_nodes(curve);
@@ -303,10 +309,10 @@ BOOST_AUTO_TEST_CASE(a_bad_face_in_the_way)
   setting.add(around, false);
   BOOST_CHECK_THROW(setting.pull(), FG::Invalid_coordinate_error);
   BOOST_TEST(setting.triangulation.is_valid());
-  BOOST_TEST(setting.network.length(0) <= setting.network.initial_length(0));
+  BOOST_TEST(setting.network.length(0_c) <= setting.network.initial_length(0_c));
   setting.network.clear();
   setting.triangulation.rollback();
-  for(int e = 0; e < setting.triangulation.number_of_edges(); ++e)
+  for(FG::Edge_index e : descriptors<FG::Edge_index>(setting.triangulation.number_of_edges()))
     BOOST_TEST(setting.triangulation.label(e) == 0);
 }
 
@@ -315,9 +321,10 @@ BOOST_AUTO_TEST_CASE(a_curve_along_a_bad_face_is_not_added)
   Mesh_soup soup = flat_grid(2, 2, Diagonal_rule::RISING);
   soup.points[4][2] = std::nan("");
   Curve_setting setting(soup);
-  for(int h = 0; h < setting.triangulation.number_of_halfedges(); ++h) // each edge is at a bad face, or on the border
+  // Each edge is at a bad face, or on the border.
+  for(Halfedge_index h : descriptors<Halfedge_index>(setting.triangulation.number_of_halfedges()))
     try {
-      setting.network.add_curve(std::vector<int>{h}, false);
+      setting.network.add_curve(Halfedge_sequence{h}, false);
       setting.network.clear();
     } catch(const FG::Invalid_coordinate_error&) {
       BOOST_TEST(setting.network.number_of_curves() == 0);
@@ -332,7 +339,7 @@ namespace {
 template <class T>
 void touch_everything(const T& t)
 {
-  for(int h = 0; h < t.number_of_halfedges(); ++h)
+  for(Halfedge_index h : descriptors<Halfedge_index>(t.number_of_halfedges()))
     t.is_border(h);
 }
 
@@ -380,7 +387,7 @@ BOOST_AUTO_TEST_CASE(edges_of_infinite_length_are_no_detour)
   mesh.point(Surface::Vertex_index(0)) = Surface::Point(0, 0, 1e200);
   const Curve_setting::Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Curve_setting::Triangulation> search(triangulation);
-  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, Vertex_sequence{2, 4}), FG::Invalid_coordinate_error);
+  BOOST_CHECK_THROW(FG::shortest_halfedges_through(search, Vertex_sequence{2_v, 4_v}), FG::Invalid_coordinate_error);
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_the_place)
@@ -410,6 +417,6 @@ BOOST_AUTO_TEST_CASE(bad_faces_far_away_do_not_matter)
   Surface mesh = to_mesh<Surface>(disjoint_union(octahedron(1), octahedron(1)));
   mesh.point(Surface::Vertex_index(8)) = Surface::Point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
   const Curve_setting::Triangulation t(mesh);
-  BOOST_CHECK_NO_THROW(t.is_flippable(t.outgoing(0)));
-  BOOST_CHECK_THROW(t.length(t.outgoing(8)), FG::Invalid_coordinate_error);
+  BOOST_CHECK_NO_THROW(t.is_flippable(t.outgoing(0_v)));
+  BOOST_CHECK_THROW(t.length(t.outgoing(8_v)), FG::Invalid_coordinate_error);
 }

@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "closed_forms.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
@@ -17,7 +18,9 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
-using FG::Index;
+using FG::Edge_index;
+using FG::Vertex_index;
+using FG::internal::descriptors;
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -26,16 +29,17 @@ constexpr double tolerance = 1e-9;
 
 using Setting = Curve_setting;
 using Tree = FG::Geodesic_tree<Setting::Triangulation>;
+using Distances = FG::internal::Indexed_by<Vertex_index, std::vector<double>>;
 
-FG::Shortest_path_report shortest(Setting& setting, Index s, Index t, std::size_t most_windows = 0)
+FG::Shortest_path_report shortest(Setting& setting, Vertex_index s, Vertex_index t, std::size_t most_windows = 0)
 {
   Setting::Search search(setting.triangulation);
   const auto report = FG::add_shortest_path(setting.network, search, s, t, most_windows);
   BOOST_TEST(setting.triangulation.is_valid());
   BOOST_TEST(setting.network.is_valid());
-  BOOST_TEST(setting.triangulation.tail(setting.network.halfedges(0).front()) == s);
-  BOOST_TEST(setting.triangulation.head(setting.network.halfedges(0).back()) == t);
-  BOOST_TEST(std::abs(setting.network.length(0) - report.length) <= tolerance * report.length);
+  BOOST_TEST(setting.triangulation.tail(setting.network.halfedges(0_c).front()) == s);
+  BOOST_TEST(setting.triangulation.head(setting.network.halfedges(0_c).back()) == t);
+  BOOST_TEST(std::abs(setting.network.length(0_c) - report.length) <= tolerance * report.length);
   BOOST_TEST(report.length <= report.first_length * (1 + tolerance));
   BOOST_TEST(FG::to_string(report.shortening.curves[0].status) == "LOCALLY_SHORTEST");
   setting.network.clear();
@@ -55,7 +59,7 @@ void check_against(const char* name, const Mesh_soup& soup, const Distance& dist
     int improved = 0;
     for(int i = 0; i < 60; ++i) {
       const int s = random.below(n), t = (s + 1 + random.below(n - 1)) % n;
-      const auto report = shortest(setting, s, t);
+      const auto report = shortest(setting, Vertex_index(s), Vertex_index(t));
       BOOST_TEST(report.is_confirmed, s << " to " << t);
       BOOST_TEST(std::abs(report.length - distance(s, t)) <= tolerance * distance(s, t), s << " to " << t);
       BOOST_TEST(report.gap() <= tolerance * report.length);
@@ -63,7 +67,7 @@ void check_against(const char* name, const Mesh_soup& soup, const Distance& dist
     }
     BOOST_TEST_MESSAGE(name << ": " << improved << " of 60 paths improved");
 
-    for(int source : {0, n / 2, n - 1}) {
+    for(Vertex_index source : {0_v, Vertex_index(n / 2), Vertex_index(n - 1)}) {
       Tree tree(setting.triangulation);
       tree.grow(source);
       const FG::Shortest_tree_report report = FG::make_shortest(tree);
@@ -74,10 +78,12 @@ void check_against(const char* name, const Mesh_soup& soup, const Distance& dist
       BOOST_TEST(report.vertices == static_cast<std::size_t>(n - 1));
       BOOST_TEST(tree.is_valid(tolerance));
       BOOST_TEST(setting.triangulation.is_valid());
-      for(int v = 0; v < n; ++v)
-        BOOST_TEST(std::abs(tree.distance(v) - distance(source, v)) <= tolerance * (1 + distance(source, v)),
-                   source << " to " << v);
-      for(int v = 0; v < n; ++v)
+      for(Vertex_index v : descriptors<Vertex_index>(n)) {
+        const double expected = distance(source.idx(), v.idx());
+        BOOST_TEST(std::abs(tree.distance(v) - expected) <= tolerance * (1 + expected), source.idx()
+                                                                                            << " to " << v.idx());
+      }
+      for(Vertex_index v : descriptors<Vertex_index>(n))
         if(v != source)
           setting.network.add_curve(tree.path(v), false);
       BOOST_TEST(setting.pull().flip_outs == 0u);
@@ -123,20 +129,21 @@ BOOST_AUTO_TEST_CASE(curved_meshes)
   {
     Setting setting(soup);
     Tree tree(setting.triangulation);
-    tree.grow(3);
+    tree.grow(3_v);
     const FG::Shortest_tree_report report = FG::make_shortest(tree);
     BOOST_TEST(report.is_confirmed);
     BOOST_TEST(report.longer == 0u);
     BOOST_TEST(tree.is_valid(tolerance));
     longer += report.longer_before;
-    std::vector<double> distances;
-    for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+    Distances distances;
+    for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
       distances.push_back(tree.distance(v));
     setting.triangulation.rollback();
-    for(Index v = 0; v < setting.triangulation.number_of_vertices(); v += 7) {
-      if(v == 3)
+    for(int i = 0; i < setting.triangulation.number_of_vertices(); i += 7) {
+      const Vertex_index v(i);
+      if(v == 3_v)
         continue;
-      const auto path = shortest(setting, v, 3);
+      const auto path = shortest(setting, v, 3_v);
       BOOST_TEST(path.is_confirmed);
       BOOST_TEST(std::abs(path.length - distances[v]) <= tolerance * path.length);
     }
@@ -153,21 +160,22 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
       return Coordinates{p[0], p[1], random.uniform(0, 100)};
     }));
     Tree tree(setting.triangulation);
-    tree.grow(3);
+    tree.grow(3_v);
     const FG::Shortest_tree_report report = FG::make_shortest(tree);
     BOOST_TEST(report.is_confirmed);
     BOOST_TEST(report.longer_before > 200u);
     BOOST_TEST(report.longer == 0u);
     BOOST_TEST(tree.is_valid(tolerance));
     BOOST_TEST(setting.triangulation.is_valid());
-    for(Index e = 0; e < setting.triangulation.number_of_edges(); ++e)
+    for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
       BOOST_TEST(setting.triangulation.label(e) == 0);
-    std::vector<double> distances;
-    for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+    Distances distances;
+    for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
       distances.push_back(tree.distance(v));
     setting.triangulation.rollback();
-    for(Index v = 0; v < setting.triangulation.number_of_vertices(); v += 7) {
-      const auto path = shortest(setting, v, 3); // of some, legs are in each other's way
+    for(int i = 0; i < setting.triangulation.number_of_vertices(); i += 7) {
+      const Vertex_index v(i);
+      const auto path = shortest(setting, v, 3_v); // of some, legs are in each other's way
       BOOST_TEST(path.is_confirmed);
       BOOST_TEST(std::abs(path.length - distances[v]) <= tolerance * path.length);
     }
@@ -180,20 +188,21 @@ BOOST_AUTO_TEST_CASE(no_geodesic_is_shorter_than_a_confirmed_path)
 {
   for(const Mesh_soup& soup : {cylinder(12, 8, 1, 2), genus_3_plate(2), grid_with_hole(10, 10, 2, 3, 2, 9)}) {
     Setting setting(soup);
-    for(Index source = 0; source < 12; ++source) {
+    for(Vertex_index source : descriptors<Vertex_index>(12)) {
       Tree tree(setting.triangulation);
       tree.grow(source);
-      std::vector<double> distances;
-      for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+      Distances distances;
+      for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
         distances.push_back(tree.distance(v));
       const FG::Shortest_tree_report report = FG::make_shortest(tree);
-      BOOST_TEST(report.is_confirmed, "source " << source);
+      BOOST_TEST(report.is_confirmed, "source " << source.idx());
       BOOST_TEST(report.longer == 0u);
       setting.triangulation.rollback();
-      for(Index v = source + 5; v < setting.triangulation.number_of_vertices(); v += 20) {
+      for(int i = source.idx() + 5; i < setting.triangulation.number_of_vertices(); i += 20) {
+        const Vertex_index v(i);
         const auto path = shortest(setting, source, v);
         BOOST_TEST(path.is_confirmed);
-        BOOST_TEST(path.length <= distances[v] * (1 + tolerance), source << " to " << v);
+        BOOST_TEST(path.length <= distances[v] * (1 + tolerance), source.idx() << " to " << v.idx());
       }
     }
   }
@@ -206,7 +215,7 @@ BOOST_AUTO_TEST_CASE(limited_effort)
   Random_numbers random(3);
   int unconfirmed = 0;
   for(int i = 0; i < 40; ++i) {
-    const int s = random.below(360), t = 360 + i;
+    const Vertex_index s(random.below(360)), t(360 + i);
     const auto exact = shortest(setting, s, t), limited = shortest(setting, s, t, 30);
     BOOST_TEST(exact.is_confirmed);
     BOOST_TEST(limited.lower_bound <= exact.length * (1 + tolerance));
@@ -226,18 +235,18 @@ BOOST_AUTO_TEST_CASE(limited_distance)
   const Mesh_soup soup = bumpy_sphere(10, 0.3, 1);
   Setting setting(soup);
   Tree whole(setting.triangulation);
-  whole.grow(11);
+  whole.grow(11_v);
   FG::make_shortest(whole);
-  std::vector<double> distances;
-  for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+  Distances distances;
+  for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
     distances.push_back(whole.distance(v));
   setting.triangulation.rollback();
   Tree part(setting.triangulation);
-  part.grow(11, 0.8);
+  part.grow(11_v, 0.8);
   const auto report = FG::make_shortest(part);
   BOOST_TEST(report.longer == 0u);
   std::size_t reached = 0;
-  for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v) {
+  for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices())) {
     BOOST_TEST(part.is_reached(v) == (distances[v] <= 0.8));
     if(!part.is_reached(v))
       continue;
@@ -255,7 +264,8 @@ BOOST_AUTO_TEST_CASE(degenerate_face_on_the_way)
   soup = mapped(soup, [](const Coordinates& p) { return Coordinates{p[0], p[1], p[1] > 1.5 ? 0.5 : 0}; });
   Setting setting(soup);
   Setting::Search search(setting.triangulation);
-  const auto report = FG::add_shortest_path(setting.network, search, grid_vertex(6, 0, 0), grid_vertex(6, 6, 3));
+  const Vertex_index source(grid_vertex(6, 0, 0)), target(grid_vertex(6, 6, 3));
+  const auto report = FG::add_shortest_path(setting.network, search, source, target);
   BOOST_TEST(!report.is_confirmed);
   BOOST_TEST(report.lower_bound <= report.length);
   BOOST_TEST(report.lower_bound > 0);
@@ -287,7 +297,7 @@ BOOST_AUTO_TEST_CASE(tree_with_limited_effort)
 {
   Setting setting(bumpy_sphere(8, 0.3, 1));
   Tree tree(setting.triangulation);
-  const auto grown = tree.grow(0);
+  const auto grown = tree.grow(0_v);
   const auto position = setting.triangulation.log_position();
   const FG::Shortest_tree_report report = FG::make_shortest(tree, 100);
   BOOST_TEST(!report.is_confirmed);
@@ -303,16 +313,17 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
   Setting setting(bumpy_sphere(8, 0.3, 1));
   Random_numbers random(4);
   for(int i = 0; i < 60; ++i)
-    setting.triangulation.insert({random.below(setting.triangulation.input().number_of_halfedges()), {{1, 1, 1}}});
+    setting.triangulation.insert(
+        {FG::Input_halfedge_index(random.below(setting.triangulation.input().number_of_halfedges())), {{1, 1, 1}}});
   Tree tree(setting.triangulation);
-  tree.grow(0);
+  tree.grow(0_v);
   const FG::Shortest_tree_report report = FG::make_shortest(tree);
   BOOST_TEST(report.longer == 0u);
   BOOST_TEST(report.longer_before > 0u);
   BOOST_TEST(tree.is_valid(tolerance));
-  for(Index v = 0; v < setting.triangulation.number_of_vertices(); ++v)
+  for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
     BOOST_TEST(tree.is_reached(v));
-  tree.grow(setting.triangulation.number_of_vertices() - 1);
+  tree.grow(Vertex_index(setting.triangulation.number_of_vertices() - 1));
   BOOST_CHECK_THROW(FG::make_shortest(tree), FG::Vertex_out_of_range_error);
 }
 
@@ -322,7 +333,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_confirmed_beside_a_flat_face)
   for(double height : {1e-11, 1e-3}) {
     Setting setting(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}, {1, height, 0}},
                               {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
-    BOOST_TEST(shortest(setting, 0, 2).is_confirmed == (height > 1e-10));
+    BOOST_TEST(shortest(setting, 0_v, 2_v).is_confirmed == (height > 1e-10));
   }
 }
 
@@ -333,20 +344,21 @@ BOOST_AUTO_TEST_CASE(paths_that_go_on_from_one_too_long_are_replaced_with_it)
   Setting setting(bumpy_sphere(7, 0.3, 5));
   const auto& t = setting.triangulation;
   Tree tree(setting.triangulation);
-  tree.grow(0);
-  FG::internal::Window_search<Setting::Triangulation> search(t, 0);
+  tree.grow(0_v);
+  FG::internal::Window_search<Setting::Triangulation> search(t, 0_v);
   search.run(std::numeric_limits<double>::infinity());
   int followers = 0;
-  for(Index v = 1; v < t.number_of_vertices(); ++v) {
+  for(Vertex_index v = 1_v; v.idx() < t.number_of_vertices(); ++v) {
     const double excess = tree.distance(v) / search.distance(v) - 1;
     if(excess < 1e-6)
       continue;
     FG::internal::Shortest_tree_repair<Tree> repair(tree, search, 0.999 * excess);
-    std::vector<char> is_longer(static_cast<std::size_t>(t.number_of_vertices()), 0);
-    for(Index w : repair.longer())
+    FG::internal::Indexed_by<Vertex_index, std::vector<char>> is_longer(
+        static_cast<std::size_t>(t.number_of_vertices()), 0);
+    for(Vertex_index w : repair.longer())
       is_longer[w] = 1;
     BOOST_TEST(is_longer[v] != 0);
-    for(Index w = 1; w < t.number_of_vertices(); ++w) {
+    for(Vertex_index w = 1_v; w.idx() < t.number_of_vertices(); ++w) {
       const bool has_longer_parent = is_longer[t.tail(tree.incoming(w))] != 0;
       BOOST_TEST((!has_longer_parent || is_longer[w] != 0));
       followers += has_longer_parent && tree.distance(w) / search.distance(w) - 1 < 0.999 * excess ? 1 : 0;

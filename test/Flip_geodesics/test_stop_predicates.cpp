@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE stop_predicates
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -23,7 +24,10 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Curve_index;
 using FG::Shortening_status;
+using FG::Vertex_index;
+using FG::internal::descriptors;
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -45,7 +49,7 @@ void for_random_networks(int number, unsigned seed, const Function& function)
     for(int i = 0; i < number * scale; ++i) {
       flip_at_random(setting.triangulation, random.below(40), random);
       for(int k = 0; k < 6; ++k) {
-        const std::vector<int> walk = random_walk(setting.triangulation, 12, random.below(2) == 0, random);
+        const Halfedge_sequence walk = random_walk(setting.triangulation, 12, random.below(2) == 0, random);
         if(walk.empty())
           continue;
         const bool is_closed = setting.triangulation.head(walk.back()) == setting.triangulation.tail(walk.front());
@@ -75,8 +79,8 @@ void check_consistency(const Curve_setting& setting, const FG::Shortening_report
 {
   BOOST_TEST(report.curves.size() == static_cast<std::size_t>(setting.network.number_of_curves()));
   bool is_complete = true;
-  for(int c = 0; c < setting.network.number_of_curves(); ++c) {
-    const FG::Curve_report& curve = report.curves[c];
+  for(Curve_index c : descriptors<Curve_index>(setting.network.number_of_curves())) {
+    const FG::Curve_report& curve = report.curves[c.idx()];
     BOOST_TEST(curve.initial_length == setting.network.initial_length(c));
     BOOST_TEST(curve.length == setting.network.length(c));
     BOOST_TEST(curve.length <= curve.initial_length * (1 + rounding));
@@ -249,18 +253,18 @@ namespace {
 struct Counting_visitor : FG::Default_shortening_visitor
 {
   template <class Triangulation>
-  void on_flip(const Triangulation& triangulation, int h)
+  void on_flip(const Triangulation& triangulation, FG::Halfedge_index h)
   {
     ++flips;
-    BOOST_TEST(triangulation.label(h / 2) == 0);
+    BOOST_TEST(triangulation.label(triangulation.edge(h)) == 0);
   }
 
   template <class Network>
-  void after_flip_out(const Network& network, int curve)
+  void after_flip_out(const Network& network, Curve_index curve)
   {
     ++steps;
     BOOST_TEST(network.is_valid());
-    BOOST_TEST(curve < network.number_of_curves());
+    BOOST_TEST(curve.idx() < network.number_of_curves());
   }
 
   bool go_further()
@@ -312,7 +316,7 @@ namespace {
 struct Throwing_visitor : FG::Default_shortening_visitor
 {
   template <class Triangulation>
-  void on_flip(const Triangulation&, int)
+  void on_flip(const Triangulation&, FG::Halfedge_index)
   {
     if(limit-- == 0)
       throw 1;
@@ -328,8 +332,8 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_no_curve_longer)
 {
   int thrown = 0;
   const auto throw_at = [&](Curve_setting& setting, int limit) {
-    std::vector<double> lengths;
-    for(int c = 0; c < setting.network.number_of_curves(); ++c)
+    FG::internal::Indexed_by<Curve_index, std::vector<double>> lengths;
+    for(Curve_index c : descriptors<Curve_index>(setting.network.number_of_curves()))
       lengths.push_back(setting.network.length(c));
     Throwing_visitor visitor;
     visitor.limit = limit;
@@ -340,8 +344,8 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_no_curve_longer)
     }
     BOOST_TEST(setting.network.is_valid());
     BOOST_TEST(setting.triangulation.is_valid());
-    for(int c = 0; c < setting.network.number_of_curves(); ++c)
-      BOOST_TEST(setting.network.length(c) <= lengths[static_cast<std::size_t>(c)] * (1 + rounding));
+    for(Curve_index c : descriptors<Curve_index>(setting.network.number_of_curves()))
+      BOOST_TEST(setting.network.length(c) <= lengths[c] * (1 + rounding));
   };
   for_random_networks(100, 11, [&](Curve_setting& setting, Random_numbers& random) {
     throw_at(setting, random.below(20));
@@ -353,7 +357,7 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_no_curve_longer)
       Random_numbers random(seed);
       Curve_setting setting(soup);
       flip_at_random(setting.triangulation, random.below(60), random);
-      const std::vector<int> loop = random_loop_edge(setting.triangulation, random);
+      const Halfedge_sequence loop = random_loop_edge(setting.triangulation, random);
       if(loop.empty())
         continue;
       setting.network.add_curve(loop, true);
@@ -382,13 +386,13 @@ public:
   }
 
   template <class Function>
-  void for_each_segment(int curve, Function function) const
+  void for_each_segment(Curve_index curve, Function function) const
   {
     ++traversals;
     Base::for_each_segment(curve, function);
   }
 
-  double length(int curve) const
+  double length(Curve_index curve) const
   {
     ++sums;
     return Base::length(curve);
@@ -470,7 +474,7 @@ BOOST_AUTO_TEST_CASE(runs_look_at_nothing_twice)
   for(bool is_at_once : {true, false}) {
     Network network(triangulation);
     for(int v = 0; v < 200; v += 10)
-      network.add_curve(search(v, 479 - v), false);
+      network.add_curve(search(Vertex_index(v), Vertex_index(479 - v)), false);
     FG::Shortener<Network> shortener(network);
     const std::size_t looked_at_first = network.wedges, traversals = network.traversals, sums = network.sums;
     while(!shortener.run(FG::Iteration_stop_predicate(is_at_once ? static_cast<std::size_t>(-1) : 1))) {
@@ -498,13 +502,13 @@ BOOST_AUTO_TEST_CASE(specks_survive_a_limit_per_curve)
   const int n = 40;
   Curve_setting setting(cylinder(n, 6, 1, 3));
   const Vertex_sequence ring = cylinder_ring(n, 4);
-  const Vertex_sequence speck = {n * 2, n * 2 + 1, n * 3 + 1}; // a triangle
+  const Vertex_sequence speck = {Vertex_index(n * 2), Vertex_index(n * 2 + 1), Vertex_index(n * 3 + 1)}; // a triangle
   for(bool is_per_curve : {false, true}) {
     setting.add(ring, true);
     setting.add(speck, true);
     const FG::Shortening_report report = is_per_curve ? setting.pull(FG::Curve_length_ratio_stop_predicate(0.9))
                                                       : setting.pull(FG::Length_ratio_stop_predicate(0.5));
-    BOOST_TEST(setting.network.is_contracted(1) == !is_per_curve);
+    BOOST_TEST(setting.network.is_contracted(1_c) == !is_per_curve);
     BOOST_TEST((FG::to_string(report.curves[1].status) == std::string(is_per_curve ? "LENGTH_LIMIT" : "CONTRACTED")));
     setting.network.clear();
     setting.triangulation.rollback();
@@ -532,18 +536,18 @@ BOOST_AUTO_TEST_CASE(a_shortener_starts_where_another_one_has_ended)
 {
   const int n = 8;
   Curve_setting setting(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 1));
-  setting.add({grid_vertex(n, 0, 0), grid_vertex(n, 1, 0)}, false); // of one segment
-  setting.add_path(grid_vertex(n, 0, 1), grid_vertex(n, n, n));
+  setting.add({Vertex_index(grid_vertex(n, 0, 0)), Vertex_index(grid_vertex(n, 1, 0))}, false); // of one segment
+  setting.add_path(Vertex_index(grid_vertex(n, 0, 1)), Vertex_index(grid_vertex(n, n, n)));
   setting.pull(FG::Iteration_stop_predicate(2));
   const auto& network = setting.network;
-  BOOST_REQUIRE_LT(network.length(1), network.initial_length(1) * (1 - 1e-6));
+  BOOST_REQUIRE_LT(network.length(1_c), network.initial_length(1_c) * (1 - 1e-6));
   FG::Shortener<Curve_setting::Network> shortener(setting.network);
-  BOOST_TEST(std::abs(shortener.length(1) - network.length(1)) < rounding * network.length(1));
+  BOOST_TEST(std::abs(shortener.length(1_c) - network.length(1_c)) < rounding * network.length(1_c));
   FG::Shortening_step asked = {};
   BOOST_TEST(!shortener.run(Asked_predicate{&asked}));
-  const double initial = network.initial_length(0) + network.initial_length(1);
+  const double initial = network.initial_length(0_c) + network.initial_length(1_c);
   BOOST_TEST(std::abs(asked.initial_length - initial) < rounding * initial);
-  BOOST_TEST(asked.curve_initial_length == network.initial_length(1));
+  BOOST_TEST(asked.curve_initial_length == network.initial_length(1_c));
   const FG::Shortening_report report = shortener.report();
   BOOST_TEST((report.curves[0].status == Shortening_status::LOCALLY_SHORTEST));
   BOOST_TEST((report.curves[1].status == Shortening_status::ITERATION_LIMIT));

@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "closed_forms.h"
+#include "descriptors.h"
 #include "generated_meshes.h"
 #include "invalid_meshes.h"
 #include "random_curves.h"
@@ -27,6 +28,9 @@
 namespace {
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Halfedge_index;
+using FG::Vertex_index;
+using FG::internal::descriptors;
 using namespace Flip_geodesics_test;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -43,14 +47,14 @@ struct Outcome
 
 /// Pulls a path tight from its straightened form, checks what holds for any, and takes everything back.
 template <class Setting>
-Outcome pulled_from_straightened(Setting& setting, const std::vector<FG::Index>& path)
+Outcome pulled_from_straightened(Setting& setting, const std::vector<Halfedge_index>& path)
 {
   double path_length = 0;
-  for(FG::Index h : path)
+  for(Halfedge_index h : path)
     path_length += setting.triangulation.length(h);
   Outcome outcome;
   outcome.first_flips = FG::add_straightened_path(setting.network, path);
-  outcome.first_length = setting.network.length(0);
+  outcome.first_length = setting.network.length(0_c);
   BOOST_TEST(setting.network.is_valid());
   BOOST_TEST(setting.triangulation.is_valid());
   BOOST_TEST(outcome.first_length <= path_length * (1 + 1e-12));
@@ -66,7 +70,7 @@ Outcome pulled_from_straightened(Setting& setting, const std::vector<FG::Index>&
 }
 
 template <class Setting>
-Outcome pulled_from_straightened(Setting& setting, int source, int target)
+Outcome pulled_from_straightened(Setting& setting, Vertex_index source, Vertex_index target)
 {
   typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
   return pulled_from_straightened(setting, search(source, target));
@@ -78,7 +82,7 @@ void for_random_pairs(const Surface& mesh, int pairs, const Visit& visit)
   std::mt19937 random(1);
   const int n = static_cast<int>(mesh.number_of_vertices());
   for(int i = 0; i < pairs;) {
-    const int source = static_cast<int>(random() % n), target = static_cast<int>(random() % n);
+    const Vertex_index source(static_cast<int>(random() % n)), target(static_cast<int>(random() % n));
     if(source == target)
       continue;
     visit(source, target);
@@ -99,9 +103,11 @@ Mesh_soup zigzag_disk(int n)
   return soup;
 }
 
-double distance_in_space(const Surface& mesh, int u, int v)
+double distance_in_space(const Surface& mesh, Vertex_index u, Vertex_index v)
 {
-  const auto point = [&](int w) { return mesh.point(Surface::Vertex_index(static_cast<std::uint32_t>(w))); };
+  const auto point = [&](Vertex_index w) {
+    return mesh.point(Surface::Vertex_index(static_cast<std::uint32_t>(w.idx())));
+  };
   return std::sqrt(CGAL::squared_distance(point(u), point(v)));
 }
 
@@ -112,7 +118,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_path_in_the_plane_is_straight_at_once, Setting, 
   for(bool is_jittered : {false, true}) {
     Setting setting(is_jittered ? jittered_grid(20, 20, Diagonal_rule::ALTERNATING, 0.2, 7)
                                 : flat_grid(20, 20, Diagonal_rule::RISING));
-    for_random_pairs(setting.mesh, 40, [&](int u, int v) {
+    for_random_pairs(setting.mesh, 40, [&](Vertex_index u, Vertex_index v) {
       const Outcome outcome = pulled_from_straightened(setting, u, v);
       const double distance = distance_in_space(setting.mesh, u, v);
       BOOST_TEST(outcome.first_length == distance, boost::test_tools::tolerance(1e-12));
@@ -127,7 +133,8 @@ BOOST_AUTO_TEST_CASE(paths_on_cones_pass_the_apex_on_either_side)
   for(double total : {pi, 1.5 * pi, 2.6 * pi}) {
     Curve_setting setting(total < 2 * pi ? cone_disk(n, m, total) : saddle_disk(n, m, total));
     for(int i = 1; i <= n / 2; ++i) {
-      const Outcome outcome = pulled_from_straightened(setting, disk_vertex(n, 6, 0), disk_vertex(n, 7, i));
+      const Vertex_index source(disk_vertex(n, 6, 0)), target(disk_vertex(n, 7, i));
+      const Outcome outcome = pulled_from_straightened(setting, source, target);
       const double angle = i * total / n;
       const double length = outcome.report.curves[0].length;
       const double error = (std::min)(std::abs(length - cone_distance(6, 7, angle)),
@@ -141,7 +148,7 @@ BOOST_AUTO_TEST_CASE(a_path_over_the_corner_of_a_cube_leaves_it)
 {
   const int n = 6;
   Curve_setting setting(cube(n));
-  for_random_pairs(setting.mesh, 60, [&](int u, int v) {
+  for_random_pairs(setting.mesh, 60, [&](Vertex_index u, Vertex_index v) {
     const Outcome outcome = pulled_from_straightened(setting, u, v);
     BOOST_TEST(outcome.report.curves[0].length >= distance_in_space(setting.mesh, u, v) * (1 - 1e-12));
   });
@@ -150,10 +157,10 @@ BOOST_AUTO_TEST_CASE(a_path_over_the_corner_of_a_cube_leaves_it)
 BOOST_AUTO_TEST_CASE(paths_turn_at_borders)
 {
   Curve_setting setting(grid_with_hole(16, 16, 4, 12, 6, 10));
-  for_random_pairs(setting.mesh, 60, [&](int u, int v) { pulled_from_straightened(setting, u, v); });
+  for_random_pairs(setting.mesh, 60, [&](Vertex_index u, Vertex_index v) { pulled_from_straightened(setting, u, v); });
   // Across, past two corners of the hole.
   const Mesh_soup soup = grid_with_hole(16, 16, 4, 12, 6, 10);
-  const int u = index_of(soup, {2, 8, 0}), v = index_of(soup, {14, 8, 0});
+  const Vertex_index u(index_of(soup, {2, 8, 0})), v(index_of(soup, {14, 8, 0}));
   const Outcome outcome = pulled_from_straightened(setting, u, v);
   BOOST_TEST(outcome.report.curves[0].length == 2 * std::hypot(2, 2) + 8, boost::test_tools::tolerance(1e-12));
 }
@@ -163,9 +170,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lengths_are_those_without_and_flips_are_fewer, Set
   Setting setting(torus(160, 80, 3, 1));
   double sum = 0, plain_sum = 0;
   std::size_t flips = 0, plain_flips = 0, segments = 0;
-  for_random_pairs(setting.mesh, 20, [&](int u, int v) {
+  for_random_pairs(setting.mesh, 20, [&](Vertex_index u, Vertex_index v) {
     typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
-    const std::vector<FG::Index> path = search(u, v);
+    const std::vector<Halfedge_index> path = search(u, v);
     const Outcome outcome = pulled_from_straightened(setting, path);
     sum += outcome.report.curves[0].length;
     flips += outcome.first_flips + outcome.report.flips;
@@ -184,12 +191,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lengths_are_those_without_and_flips_are_fewer, Set
 
 // Flips that straighten a path and crossings of the straight one, from vertex to vertex.
 template <class Setting>
-std::pair<std::size_t, std::size_t> flips_and_crossings(Setting& setting, int source, int target)
+std::pair<std::size_t, std::size_t> flips_and_crossings(Setting& setting, Vertex_index source, Vertex_index target)
 {
   typename Setting::Search search(setting.triangulation, FG::Search_method::LOOK_BACK);
   const std::size_t flips = FG::add_straightened_path(setting.network, search(source, target));
   std::size_t crossings = 0;
-  for(FG::Index h : setting.network.halfedges(0))
+  for(Halfedge_index h : setting.network.halfedges(0_c))
     crossings += setting.triangulation.crossing_word(h).crossed.size();
   setting.network.clear();
   setting.triangulation.rollback();
@@ -200,7 +207,7 @@ BOOST_AUTO_TEST_CASE(legs_are_inserted_by_few_flips)
 {
   Curve_setting setting(jittered_grid(60, 60, Diagonal_rule::ALTERNATING, 0.2, 5));
   std::size_t flips = 0, crossings = 0;
-  for_random_pairs(setting.mesh, 20, [&](int u, int v) {
+  for_random_pairs(setting.mesh, 20, [&](Vertex_index u, Vertex_index v) {
     const auto numbers = flips_and_crossings(setting, u, v);
     flips += numbers.first;
     crossings += numbers.second;
@@ -214,7 +221,7 @@ BOOST_AUTO_TEST_CASE(a_leg_across_needles_is_inserted_by_a_flip_for_each)
 {
   const int n = 400;
   Curve_setting setting(zigzag_disk(n));
-  const auto [flips, crossings] = flips_and_crossings(setting, 0, n / 2);
+  const auto [flips, crossings] = flips_and_crossings(setting, 0_v, Vertex_index(n / 2));
   BOOST_TEST(crossings == std::size_t(n - 3));
   BOOST_TEST(flips < 2 * crossings);
 }
@@ -225,7 +232,8 @@ BOOST_AUTO_TEST_CASE(rough_and_needle_meshes_are_no_worse)
                                genus_3_plate(3), tetrahedron(5)})
   {
     Curve_setting setting(soup);
-    for_random_pairs(setting.mesh, 30, [&](int u, int v) { pulled_from_straightened(setting, u, v); });
+    for_random_pairs(setting.mesh, 30,
+                     [&](Vertex_index u, Vertex_index v) { pulled_from_straightened(setting, u, v); });
   }
 }
 
@@ -239,9 +247,9 @@ BOOST_AUTO_TEST_CASE(a_metric_of_lengths_does)
   Surface mesh = setting.mesh;
   const Length_metric metric(mesh, Length_map(lengths));
   Length_triangulation triangulation(mesh, metric);
-  for_random_pairs(mesh, 20, [&](int u, int v) {
+  for_random_pairs(mesh, 20, [&](Vertex_index u, Vertex_index v) {
     Curve_setting::Search search(setting.triangulation);
-    const std::vector<FG::Index> path = search(u, v);
+    const std::vector<Halfedge_index> path = search(u, v);
     FG::Edge_path_network<Length_triangulation> network(triangulation);
     FG::add_straightened_path(network, path);
     const double length = FG::shorten(network).curves[0].length;
@@ -263,17 +271,17 @@ BOOST_AUTO_TEST_CASE(paths_that_wind_about_a_tube)
         for(int round = 0; round < 4; ++round) {
           const Mesh_soup tube = cylinder(n, m, 1, 0.5 * m);
           Curve_setting setting(amplitude > 0 ? shaken(tube, amplitude, static_cast<unsigned>(random())) : tube);
-          Vertex_sequence way = {0};
+          Vertex_sequence way = {0_v};
           for(int row = 0, column = 0; row <= m; ++row) { // no vertex twice
             const int steps = 1 + static_cast<int>(random() % static_cast<unsigned>(n - 1));
             for(int i = 0; i < steps; ++i) {
               column = (column + 1) % n;
-              way.push_back(column + n * row);
+              way.emplace_back(column + n * row);
             }
             if(row < m)
-              way.push_back(column + n * (row + 1));
+              way.emplace_back(column + n * (row + 1));
           }
-          const std::vector<FG::Index> path = FG::halfedges_through(setting.triangulation, way, false);
+          const std::vector<Halfedge_index> path = FG::halfedges_through(setting.triangulation, way, false);
           const Outcome outcome = pulled_from_straightened(setting, path);
           (outcome.first_length < outcome.report.curves[0].initial_length * (1 - 1e-9) ? inserted : given_up) += 1;
         }
@@ -289,9 +297,9 @@ BOOST_AUTO_TEST_CASE(a_leg_along_an_edge_that_another_leg_crosses)
   for(const std::array<int, 2>& p : std::vector<std::array<int, 2>>{
           {1, 6}, {2, 6}, {2, 5}, {3, 5}, {3, 4}, {4, 4}, {5, 4}, {6, 4}, {7, 4}, {8, 4}, {8, 5}, {8, 6},
           {8, 7}, {8, 8}, {7, 8}, {6, 8}, {5, 8}, {4, 8}, {3, 8}, {2, 8}, {1, 7}, {0, 6}, {0, 5}, {1, 5}})
-    way.push_back(index_of(soup, {double(p[0]), double(p[1]), 0}));
+    way.emplace_back(index_of(soup, {double(p[0]), double(p[1]), 0}));
   Curve_setting setting(soup);
-  const std::vector<FG::Index> path = FG::halfedges_through(setting.triangulation, way, false);
+  const std::vector<Halfedge_index> path = FG::halfedges_through(setting.triangulation, way, false);
   const Outcome outcome = pulled_from_straightened(setting, path);
   BOOST_TEST(outcome.first_length == outcome.report.curves[0].initial_length);
   BOOST_TEST(outcome.first_flips > 0u); // which were taken back
@@ -300,10 +308,10 @@ BOOST_AUTO_TEST_CASE(a_leg_along_an_edge_that_another_leg_crosses)
 BOOST_AUTO_TEST_CASE(a_path_is_straightened_on_the_input_alone)
 {
   Curve_setting setting(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 1));
-  const std::vector<FG::Index> path = Curve_setting::Search(setting.triangulation)(0, 40);
-  FG::Index h = 0;
+  const std::vector<Halfedge_index> path = Curve_setting::Search(setting.triangulation)(0_v, 40_v);
+  Halfedge_index h = 0_h;
   while(!setting.triangulation.is_flippable(h))
-    h += 2;
+    ++h;
   setting.triangulation.flip(h);
   BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Precondition_exception);
   setting.triangulation.rollback();
@@ -315,9 +323,9 @@ BOOST_AUTO_TEST_CASE(beside_a_face_without_area_the_path_itself_is_added)
 {
   for(const Mesh_soup& soup : {with_zero_area_face(), with_zero_length_edge(), single_triangle()}) {
     Curve_setting setting(soup);
-    const std::vector<FG::Index> path = {0};
+    const std::vector<Halfedge_index> path = {0_h};
     BOOST_TEST(FG::add_straightened_path(setting.network, path) == 0u);
-    BOOST_TEST(setting.network.halfedges(0) == path, boost::test_tools::per_element());
+    BOOST_TEST(setting.network.halfedges(0_c) == path, boost::test_tools::per_element());
   }
 }
 
@@ -344,12 +352,13 @@ BOOST_AUTO_TEST_CASE(shortest_edge_paths_are_as_long_as_edges_relaxed_again_and_
   {
     const Curve_setting setting(soup);
     const auto& t = setting.triangulation;
-    for(FG::Index source : {0, 7, 20}) {
-      std::vector<double> distances(t.number_of_vertices(), std::numeric_limits<double>::infinity());
+    for(Vertex_index source : {0_v, 7_v, 20_v}) {
+      FG::internal::Indexed_by<Vertex_index, std::vector<double>> distances(t.number_of_vertices(),
+                                                                            std::numeric_limits<double>::infinity());
       distances[source] = 0;
       for(bool is_done = false; !is_done;) {
         is_done = true;
-        for(FG::Index h = 0; h < t.number_of_halfedges(); ++h)
+        for(Halfedge_index h : descriptors<Halfedge_index>(t.number_of_halfedges()))
           if(distances[t.tail(h)] + t.length(h) < distances[t.head(h)]) {
             distances[t.head(h)] = distances[t.tail(h)] + t.length(h);
             is_done = false;
@@ -357,10 +366,10 @@ BOOST_AUTO_TEST_CASE(shortest_edge_paths_are_as_long_as_edges_relaxed_again_and_
       }
       for(FG::Search_method method : {FG::Search_method::A_STAR, FG::Search_method::DIJKSTRA}) {
         FG::Shortest_edge_path<Curve_setting::Triangulation> search(t, method);
-        for(FG::Index target = 0; target < t.number_of_vertices(); ++target) {
+        for(Vertex_index target : descriptors<Vertex_index>(t.number_of_vertices())) {
           double length = 0;
-          FG::Index at = source;
-          for(FG::Index h : search(source, target)) {
+          Vertex_index at = source;
+          for(Halfedge_index h : search(source, target)) {
             BOOST_REQUIRE_EQUAL(t.tail(h), at);
             at = t.head(h);
             length += t.length(h);
@@ -379,14 +388,14 @@ BOOST_AUTO_TEST_CASE(paths_over_a_vertex_of_large_angle_stay)
   constexpr int k = 16;
   Curve_setting setting(saddle_disk(k, 5, 14));
   for(int i = 0; i < k; ++i) {
-    std::vector<int> way;
+    Vertex_sequence way;
     for(int r = 5; r >= 0; --r)
-      way.push_back(disk_vertex(k, r, i));
+      way.emplace_back(disk_vertex(k, r, i));
     for(int r = 1; r <= 5; ++r)
-      way.push_back(disk_vertex(k, r, i + k / 2));
+      way.emplace_back(disk_vertex(k, r, i + k / 2));
     const auto path = FG::halfedges_through(setting.triangulation, way, false);
     BOOST_TEST(FG::add_straightened_path(setting.network, path) == 0u);
-    BOOST_TEST(setting.network.length(0) == 10, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(setting.network.length(0_c) == 10, boost::test_tools::tolerance(1e-12));
     setting.network.clear();
     setting.triangulation.rollback();
   }
@@ -397,8 +406,8 @@ BOOST_AUTO_TEST_CASE(a_triangulation_that_was_flipped_is_refused)
 {
   Curve_setting setting(jittered_grid(5, 5, Diagonal_rule::RANDOM, 0.2, 1));
   Curve_setting::Search search(setting.triangulation);
-  const auto path = search(0, 30);
-  int h = 0;
+  const auto path = search(0_v, 30_v);
+  Halfedge_index h = 0_h;
   while(!setting.triangulation.is_flippable(h))
     ++h;
   setting.triangulation.flip(h);
@@ -413,5 +422,5 @@ BOOST_AUTO_TEST_CASE(an_edge_of_infinite_length_is_refused)
   lengths.begin()->second = std::numeric_limits<double>::infinity();
   const Length_triangulation triangulation(mesh, Length_metric(mesh, Length_map(lengths)));
   FG::Shortest_edge_path<Length_triangulation> search(triangulation);
-  BOOST_CHECK_THROW(search.visit_all(0, [](int, double) {}), FG::Invalid_coordinate_error);
+  BOOST_CHECK_THROW(search.visit_all(0_v, [](Vertex_index, double) {}), FG::Invalid_coordinate_error);
 }

@@ -47,10 +47,10 @@ double length(const Mesh& mesh, const Path& path)
   return sum + std::sqrt(CGAL::squared_distance(previous, mesh.point(path.target())));
 }
 
-double length(const Triangulation& triangulation, const std::vector<FG::Index>& path)
+double length(const Triangulation& triangulation, const std::vector<FG::Halfedge_index>& path)
 {
   double sum = 0;
-  for(FG::Index h : path)
+  for(FG::Halfedge_index h : path)
     sum += triangulation.length(h);
   return sum;
 }
@@ -69,11 +69,13 @@ void compare_on(const Mesh& mesh, int pairs, double tolerance)
     const std::vector<Mesh::Halfedge_index> edges = dijkstra(source, target);
     if(edges.size() < 2)
       continue;
-    const std::vector<FG::Index> start(edges.begin(), edges.end());
-    const auto s = static_cast<FG::Index>(source), t = static_cast<FG::Index>(target);
+    std::vector<FG::Halfedge_index> start;
+    for(Mesh::Halfedge_index h : edges)
+      start.push_back(triangulation.index(h));
+    const FG::Vertex_index s = triangulation.index(source), t = triangulation.index(target);
     BOOST_TEST(length(triangulation, astar(s, t)) == dijkstra.length(), boost::test_tools::tolerance(1e-12));
 
-    const std::vector<FG::Index> straighter = look_back(s, t);
+    const std::vector<FG::Halfedge_index> straighter = look_back(s, t);
     BOOST_TEST(triangulation.tail(straighter.front()) == s);
     BOOST_TEST(triangulation.head(straighter.back()) == t);
     for(std::size_t j = 1; j < straighter.size(); ++j)

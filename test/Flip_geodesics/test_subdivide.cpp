@@ -4,6 +4,7 @@
 // and lengths against the two meshes that were laid over each other, data carried across against linear functions.
 
 #include "Curve_setting.h"
+#include "descriptors.h"
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -23,6 +24,14 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::Edge_index;
+using FG::Halfedge_index;
+using FG::Input_halfedge_index;
+using FG::Vertex_index;
+using FG::internal::as_input;
+using FG::internal::descriptors;
+using FG::internal::first_side;
+using FG::internal::Indexed_by;
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -30,6 +39,18 @@ namespace {
 using Triangulation = Curve_setting::Triangulation;
 using Subdivision = FG::Surface_subdivision<Triangulation, Surface>;
 using Input_values = std::vector<double>;
+
+// The numbers of vertices or halfedges, as places in an array.
+template <class Descriptor>
+struct Number_map
+{
+  using key_type = Descriptor;
+  using value_type = FG::Index;
+  using reference = FG::Index;
+  using category = boost::readable_property_map_tag;
+
+  friend FG::Index get(Number_map, Descriptor d) { return d.idx(); }
+};
 
 template <class Mesh>
 int euler_characteristic(const Mesh& mesh)
@@ -106,7 +127,8 @@ void check_against_both(const Subdivision& subdivision, const Surface& input, co
   BOOST_CHECK_EQUAL(number_of_borders(mesh), number_of_borders(input));
 
   const std::size_t halfedges = static_cast<std::size_t>(triangulation.number_of_halfedges());
-  std::vector<double> input_area(halfedges, 0), intrinsic_area(halfedges, 0);
+  Indexed_by<Input_halfedge_index, std::vector<double>> input_area(halfedges, 0);
+  Indexed_by<Halfedge_index, std::vector<double>> intrinsic_area(halfedges, 0);
   for(auto f : mesh.faces()) {
     BOOST_CHECK_GT(subdivision.area(f), -1e-12);
     input_area[subdivision.input_face(f)] += subdivision.area(f);
@@ -120,7 +142,7 @@ void check_against_both(const Subdivision& subdivision, const Surface& input, co
     return std::sqrt((std::max)((a + b + c) * (b + c - a) * (c + a - b) * (a + b - c), 0.0)) / 4;
   };
   for(const FG::Intrinsic_face& f : faces)
-    BOOST_CHECK_SMALL(area(f) - input_area[f.halfedges[0]], 1e-6 * f.lengths[0]);
+    BOOST_CHECK_SMALL(area(f) - input_area[as_input(f.halfedges[0])], 1e-6 * f.lengths[0]);
   faces.clear();
   FG::intrinsic_faces(triangulation, std::back_inserter(faces));
   for(const FG::Intrinsic_face& f : faces)
@@ -129,19 +151,19 @@ void check_against_both(const Subdivision& subdivision, const Surface& input, co
   std::vector<double> input_length(input.number_of_halfedges(), 0);
   for(auto h : mesh.halfedges())
     if(subdivision.input_halfedge(h) != FG::null_index)
-      input_length[subdivision.input_halfedge(h)] += distance(mesh, h);
+      input_length[subdivision.input_halfedge(h).idx()] += distance(mesh, h);
   for(auto h : input.halfedges())
     BOOST_CHECK_CLOSE_FRACTION(input_length[h], distance(input, h), 1e-10);
-  for(FG::Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
+  for(Halfedge_index h : descriptors<Halfedge_index>(triangulation.number_of_halfedges())) {
     double length = 0;
-    Surface::Vertex_index reached(static_cast<unsigned>(triangulation.tail(h)));
+    Surface::Vertex_index reached(static_cast<unsigned>(triangulation.tail(h).idx()));
     for(auto along : subdivision.halfedges_along(h)) {
       BOOST_CHECK_EQUAL(mesh.source(along), reached);
       BOOST_CHECK_EQUAL(subdivision.intrinsic_halfedge(along), h);
       reached = mesh.target(along);
       length += distance(mesh, along);
     }
-    BOOST_CHECK_EQUAL(reached, Surface::Vertex_index(triangulation.head(h)));
+    BOOST_CHECK_EQUAL(reached, Surface::Vertex_index(static_cast<unsigned>(triangulation.head(h).idx())));
     BOOST_CHECK_CLOSE_FRACTION(length, triangulation.length(h), 1e-9);
   }
 }
@@ -190,7 +212,7 @@ namespace {
 void insert_points(Curve_setting& s, int count, Random_numbers& random)
 {
   for(int i = 0; i < count; ++i) {
-    const int h = random.below(static_cast<int>(s.mesh.number_of_halfedges()));
+    const Input_halfedge_index h(random.below(static_cast<int>(s.mesh.number_of_halfedges())));
     const double t = random.uniform(0.1, 0.9), u = i % 3 == 0 ? 0 : random.uniform(0.1, 0.9);
     if(!s.triangulation.input().is_border(h))
       s.network.insert(FG::Surface_location{h, {{3 * t, 3 * (1 - t), 3 * u}}});
@@ -233,17 +255,16 @@ BOOST_AUTO_TEST_CASE(data_is_carried_across)
   for(auto v : mesh.vertices())
     BOOST_CHECK_SMALL(result[v] - linear(mesh.point(v)), 1e-12);
   for(auto v : mesh.vertices()) // at inserted vertices as well
-    if(subdivision.vertex_origin(v).intrinsic_vertex >= static_cast<int>(at_input.size()))
+    if(subdivision.vertex_origin(v).intrinsic_vertex.idx() >= static_cast<int>(at_input.size()))
       at_intrinsic.push_back(result[v]);
   std::fill(result.begin(), result.end(), 0);
   subdivision.interpolate_from_intrinsic(
-      boost::make_iterator_property_map(at_intrinsic.begin(), boost::typed_identity_property_map<FG::Index>()),
-      on_mesh);
+      boost::make_iterator_property_map(at_intrinsic.begin(), Number_map<Vertex_index>()), on_mesh);
   for(auto v : mesh.vertices())
     BOOST_CHECK_SMALL(result[v] - linear(mesh.point(v)), 1e-12);
   Input_values back(at_intrinsic.size(), 0);
-  subdivision.restrict_to_intrinsic(
-      on_mesh, boost::make_iterator_property_map(back.begin(), boost::typed_identity_property_map<FG::Index>()));
+  subdivision.restrict_to_intrinsic(on_mesh,
+                                    boost::make_iterator_property_map(back.begin(), Number_map<Vertex_index>()));
   BOOST_CHECK(back == at_intrinsic);
 
   // The integral of a face function is kept on the way from the input to the subdivision and to the intrinsic faces.
@@ -252,8 +273,7 @@ BOOST_AUTO_TEST_CASE(data_is_carried_across)
   for(double& value : of_input)
     value = random.uniform(0, 1);
   const auto face_map = boost::make_iterator_property_map(of_mesh.begin(), get(boost::face_index, mesh));
-  const auto intrinsic_map =
-      boost::make_iterator_property_map(of_intrinsic.begin(), boost::typed_identity_property_map<FG::Index>());
+  const auto intrinsic_map = boost::make_iterator_property_map(of_intrinsic.begin(), Number_map<Halfedge_index>());
   subdivision.spread_from_input(boost::make_iterator_property_map(of_input.begin(), get(boost::face_index, flat.mesh)),
                                 face_map);
   double integral = 0, after = 0;
@@ -274,11 +294,11 @@ BOOST_AUTO_TEST_CASE(data_is_carried_across)
 namespace {
 
 // The last spoke counterclockwise, or any if there is no border.
-int first_spoke(const Curve_setting& s, int v)
+Halfedge_index first_spoke(const Curve_setting& s, Vertex_index v)
 {
-  const int start = s.triangulation.outgoing(v);
-  int first = start;
-  for(int h = start; h != FG::null_index; h = s.triangulation.counterclockwise(h)) {
+  const Halfedge_index start = s.triangulation.outgoing(v);
+  Halfedge_index first = start;
+  for(Halfedge_index h = start; h != FG::null_index; h = s.triangulation.counterclockwise(h)) {
     first = h;
     if(s.triangulation.counterclockwise(h) == start)
       break;
@@ -291,17 +311,18 @@ int first_spoke(const Curve_setting& s, int v)
 int euler_characteristic_after_cut(Curve_setting& s)
 {
   int result = euler_characteristic(s.mesh);
-  std::vector<int> degree(static_cast<std::size_t>(s.triangulation.number_of_vertices()), 0);
-  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e) {
-    const bool is_border = s.triangulation.is_border(2 * e) || s.triangulation.is_border(2 * e + 1);
-    if(!s.network.is_occupied(2 * e) || is_border)
+  Indexed_by<Vertex_index, std::vector<int>> degree(static_cast<std::size_t>(s.triangulation.number_of_vertices()), 0);
+  for(Edge_index e : descriptors<Edge_index>(s.triangulation.number_of_edges())) {
+    const Halfedge_index h = first_side(e);
+    const bool is_border = s.triangulation.is_border(h) || s.triangulation.is_border(Triangulation::twin(h));
+    if(!s.network.is_occupied(h) || is_border)
       continue;
     --result;
-    ++degree[s.triangulation.tail(2 * e)];
-    ++degree[s.triangulation.head(2 * e)];
+    ++degree[s.triangulation.tail(h)];
+    ++degree[s.triangulation.head(h)];
   }
-  for(std::size_t v = 0; v < degree.size(); ++v) {
-    const bool is_on_border = s.triangulation.counterclockwise(first_spoke(s, static_cast<int>(v))) == FG::null_index;
+  for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices())) {
+    const bool is_on_border = s.triangulation.counterclockwise(first_spoke(s, v)) == FG::null_index;
     result += (std::max)(degree[v] - (is_on_border ? 0 : 1), 0);
   }
   return result;
@@ -311,14 +332,16 @@ int euler_characteristic_after_cut(Curve_setting& s)
 int number_of_borders_after_cut(const Curve_setting& s)
 {
   const Triangulation& t = s.triangulation;
-  const auto is_wall = [&](FG::Index h) { return t.is_border(Triangulation::twin(h)) || s.network.is_occupied(h); };
-  std::vector<bool> is_seen(static_cast<std::size_t>(t.number_of_halfedges()), false);
+  const auto is_wall = [&](Halfedge_index h) {
+    return t.is_border(Triangulation::twin(h)) || s.network.is_occupied(h);
+  };
+  Indexed_by<Halfedge_index, std::vector<bool>> is_seen(static_cast<std::size_t>(t.number_of_halfedges()), false);
   int count = 0;
-  for(FG::Index start = 0; start < t.number_of_halfedges(); ++start) {
+  for(Halfedge_index start : descriptors<Halfedge_index>(t.number_of_halfedges())) {
     if(t.is_border(start) || !is_wall(start) || is_seen[start])
       continue;
     ++count;
-    for(FG::Index h = start; !is_seen[h];) {
+    for(Halfedge_index h = start; !is_seen[h];) {
       is_seen[h] = true;
       for(h = t.next(h); !is_wall(h);)
         h = t.next(Triangulation::twin(h));
@@ -331,13 +354,13 @@ int number_of_borders_after_cut(const Curve_setting& s)
 int number_of_parts_after_cut(const Curve_setting& s)
 {
   const Triangulation& t = s.triangulation;
-  std::vector<bool> is_seen(static_cast<std::size_t>(t.number_of_halfedges()), false);
+  Indexed_by<Halfedge_index, std::vector<bool>> is_seen(static_cast<std::size_t>(t.number_of_halfedges()), false);
   int count = 0;
-  for(FG::Index start = 0; start < t.number_of_halfedges(); ++start) {
-    std::vector<FG::Index> pending = {start};
+  for(Halfedge_index start : descriptors<Halfedge_index>(t.number_of_halfedges())) {
+    std::vector<Halfedge_index> pending = {start};
     count += is_seen[start] || t.is_border(start) ? 0 : 1;
     while(!pending.empty()) {
-      const FG::Index h = pending.back();
+      const Halfedge_index h = pending.back();
       pending.pop_back();
       if(is_seen[h] || t.is_border(h))
         continue;
@@ -405,13 +428,14 @@ void check_inserted(Curve_setting& s, std::size_t middles = 0)
   for(auto e : mesh.edges())
     if(get(subdivision.edge_is_constrained_map(), e))
       marked += distance(mesh, mesh.halfedge(e));
-  std::vector<bool> is_split(s.mesh.number_of_halfedges(), false); // by smallest halfedge of the face
-  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e) {
-    if(!s.network.is_occupied(2 * e))
+  // By the smallest halfedge of the face.
+  Indexed_by<Input_halfedge_index, std::vector<bool>> is_split(s.mesh.number_of_halfedges(), false);
+  for(Edge_index e : descriptors<Edge_index>(s.triangulation.number_of_edges())) {
+    if(!s.network.is_occupied(first_side(e)))
       continue;
-    occupied += s.triangulation.length(2 * e);
+    occupied += s.triangulation.length(first_side(e));
     crossings += static_cast<std::size_t>((std::max)(s.triangulation.crossings(e), 0));
-    for(auto h : subdivision.halfedges_along(2 * e))
+    for(auto h : subdivision.halfedges_along(first_side(e)))
       if(!mesh.is_border(h))
         is_split[subdivision.input_face(mesh.face(h))] = true;
   }
@@ -419,11 +443,12 @@ void check_inserted(Curve_setting& s, std::size_t middles = 0)
   const bool has_inserted = s.triangulation.number_of_vertices() > static_cast<int>(s.mesh.number_of_vertices());
   if(!has_inserted)
     BOOST_CHECK_EQUAL(mesh.number_of_vertices(), s.mesh.number_of_vertices() + crossings + middles);
-  std::vector<int> parts(s.mesh.number_of_halfedges(), 0);
+  Indexed_by<Input_halfedge_index, std::vector<int>> parts(s.mesh.number_of_halfedges(), 0);
   for(auto f : mesh.faces())
     ++parts[subdivision.input_face(f)];
-  for(std::size_t h = 0; h < parts.size() && !has_inserted; ++h)
-    BOOST_CHECK(parts[h] <= 1 || is_split[h]);
+  if(!has_inserted)
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(static_cast<FG::Index>(parts.size())))
+      BOOST_CHECK(parts[h] <= 1 || is_split[h]);
 }
 
 Subdivision cut_open(Curve_setting& s)
@@ -441,7 +466,8 @@ Subdivision cut_open(Curve_setting& s)
     BOOST_CHECK(!is_marked || subdivision.mesh().is_border(e));
     marked += is_marked ? distance(subdivision.mesh(), subdivision.mesh().halfedge(e)) : 0;
   }
-  for(FG::Index h = 0; h < s.triangulation.number_of_halfedges(); ++h) { // chains from end to end on either side
+  // Chains from end to end on either side.
+  for(Halfedge_index h : descriptors<Halfedge_index>(s.triangulation.number_of_halfedges())) {
     if(!s.network.is_occupied(h) || s.triangulation.is_border(h))
       continue;
     const auto along = subdivision.halfedges_along(h);
@@ -465,7 +491,7 @@ Subdivision cut_open(Curve_setting& s)
 BOOST_AUTO_TEST_CASE(a_path_cuts_a_slit)
 {
   Curve_setting s(sphere(6));
-  s.add_path(0, static_cast<int>(s.mesh.number_of_vertices()) - 1);
+  s.add_path(0_v, Vertex_index(static_cast<int>(s.mesh.number_of_vertices()) - 1));
   s.pull();
   check_inserted(s);
   const Subdivision slit = cut_open(s);
@@ -479,26 +505,25 @@ BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_opens)
   for(const Mesh_soup& soup : {sphere(4), tetrahedron(1), jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 4)}) {
     const Surface plain = to_mesh<Surface>(soup);
     int slits = 0;
-    for(FG::Index e = 0; e < static_cast<FG::Index>(plain.number_of_edges()); e += 3) {
+    for(FG::Index i = 0; i < static_cast<FG::Index>(plain.number_of_edges()); i += 3) {
+      const Halfedge_index first = first_side(Edge_index(i));
       Curve_setting s(soup);
-      s.network.add_curve(std::vector<int>{2 * e}, false);
+      s.network.add_curve(Halfedge_sequence{first}, false);
       check_inserted(s);
       const Subdivision slit = cut_open(s);
-      const auto is_at_border = [&](FG::Index v) {
-        return plain.is_border(Surface::Vertex_index(static_cast<unsigned>(v)));
-      };
-      if(is_at_border(s.triangulation.tail(2 * e)) || is_at_border(s.triangulation.head(2 * e)))
+      const auto is_at_border = [&](Vertex_index v) { return plain.is_border(s.triangulation.vertex(v)); };
+      if(is_at_border(s.triangulation.tail(first)) || is_at_border(s.triangulation.head(first)))
         continue;
       ++slits;
       BOOST_CHECK_EQUAL(slit.mesh().number_of_vertices(), plain.number_of_vertices() + 2);
       BOOST_CHECK_EQUAL(slit.mesh().number_of_faces(), plain.number_of_faces() + 2);
       BOOST_CHECK_EQUAL(number_of_borders(slit.mesh()), number_of_borders(plain) + 1);
-      for(FG::Index h : {2 * e, 2 * e + 1}) {
+      for(Halfedge_index h : {first, Triangulation::twin(first)}) {
         const auto along = slit.halfedges_along(h);
         BOOST_REQUIRE_EQUAL(along.size(), 2u);
         const FG::Subdivision_vertex middle = slit.vertex_origin(slit.mesh().target(along[0]));
         BOOST_CHECK_EQUAL(middle.intrinsic_vertex, FG::null_index);
-        BOOST_CHECK_EQUAL(middle.intrinsic_halfedge, 2 * e);
+        BOOST_CHECK_EQUAL(middle.intrinsic_halfedge, first);
         BOOST_CHECK_EQUAL(middle.intrinsic_t, 0.5);
         BOOST_CHECK_EQUAL(middle.on_input.t, 0.5);
         BOOST_CHECK(!middle.on_input.is_inside_face());
@@ -512,15 +537,16 @@ BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_opens)
 BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_inside_a_face_opens)
 {
   Curve_setting s(flat_grid(5, 5, Diagonal_rule::RISING));
-  const FG::Index h = s.triangulation.outgoing(grid_vertex(5, 2, 2));
-  const FG::Index x = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 1}}});
-  const FG::Index y = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 4}}});
-  for(const FG::Index to : {y, static_cast<FG::Index>(grid_vertex(5, 2, 2))}) {
-    FG::Index g = s.triangulation.outgoing(x);
+  const Vertex_index corner(grid_vertex(5, 2, 2));
+  const Input_halfedge_index h = as_input(s.triangulation.outgoing(corner));
+  const Vertex_index x = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 1}}});
+  const Vertex_index y = s.triangulation.insert(FG::Surface_location{h, {{1, 1, 4}}});
+  for(const Vertex_index to : {y, corner}) {
+    Halfedge_index g = s.triangulation.outgoing(x);
     for(int i = 0; i < 10 && s.triangulation.head(g) != to; ++i)
       g = s.triangulation.clockwise(g);
     BOOST_REQUIRE_EQUAL(s.triangulation.head(g), to);
-    s.network.add_curve(std::vector<int>{g}, false);
+    s.network.add_curve(Halfedge_sequence{g}, false);
     check_inserted(s);
     const Subdivision slit = cut_open(s);
     BOOST_CHECK_EQUAL(number_of_borders(slit.mesh()), 2);
@@ -531,7 +557,7 @@ BOOST_AUTO_TEST_CASE(a_slit_of_one_edge_inside_a_face_opens)
 BOOST_AUTO_TEST_CASE(cuts_that_meet_and_cuts_that_do_not)
 {
   const int n = 6;
-  const auto v = [](int i, int j) { return grid_vertex(n, i, j); };
+  const auto v = [](int i, int j) { return Vertex_index(grid_vertex(n, i, j)); };
   const std::vector<std::vector<Vertex_sequence>> worlds = {
       {{v(2, 2), v(3, 2)}, {v(2, 4), v(3, 4)}}, // two slits of one edge
       {{v(2, 2), v(3, 2)}, {v(3, 2), v(3, 3)}}, // that share a vertex
@@ -558,7 +584,7 @@ BOOST_AUTO_TEST_CASE(cuts_that_meet_and_cuts_that_do_not)
     cut_open(s);
   }
   Curve_setting corner(flat_grid(1, 1, Diagonal_rule::RISING)); // an edge inside with both ends on the border
-  corner.add({grid_vertex(1, 0, 0), grid_vertex(1, 1, 1)}, false);
+  corner.add({Vertex_index(grid_vertex(1, 0, 0)), Vertex_index(grid_vertex(1, 1, 1))}, false);
   check_inserted(corner);
   BOOST_CHECK_EQUAL(number_of_parts(cut_open(corner).mesh()), 2);
 }
@@ -567,7 +593,7 @@ BOOST_AUTO_TEST_CASE(cuts_that_meet_and_cuts_that_do_not)
 BOOST_AUTO_TEST_CASE(slits_that_open_by_themselves)
 {
   const int n = 6;
-  const auto v = [](int i, int j) { return grid_vertex(n, i, j); };
+  const auto v = [](int i, int j) { return Vertex_index(grid_vertex(n, i, j)); };
   for(const Vertex_sequence& slit : std::vector<Vertex_sequence>{{v(2, 2), v(3, 2), v(4, 2)},
                                                                  {v(2, 2), v(2, 3), v(2, 4)},
                                                                  {v(2, 2), v(3, 3), v(4, 4)},
@@ -606,13 +632,14 @@ BOOST_AUTO_TEST_CASE(short_loops_are_cut)
   Mesh_soup pillow;
   pillow.points = {{0, 0, 0}, {1, 0, 0}, {0.4, 1, 0}};
   pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
-  for(FG::Index e = 0; e < 3; ++e) {
+  for(Edge_index e : descriptors<Edge_index>(3)) {
+    const Halfedge_index h = first_side(e);
     Curve_setting s(pillow);
-    if(!s.triangulation.is_flippable(2 * e))
+    if(!s.triangulation.is_flippable(h))
       continue;
-    s.triangulation.flip(2 * e);
-    BOOST_CHECK_EQUAL(s.triangulation.tail(2 * e), s.triangulation.head(2 * e));
-    s.network.add_curve(std::vector<int>{2 * e}, true);
+    s.triangulation.flip(h);
+    BOOST_CHECK_EQUAL(s.triangulation.tail(h), s.triangulation.head(h));
+    s.network.add_curve(Halfedge_sequence{h}, true);
     check_inserted(s, 2);
     BOOST_CHECK_EQUAL(number_of_parts(cut_open(s).mesh()), 2);
   }
@@ -624,9 +651,9 @@ BOOST_AUTO_TEST_CASE(loops_cut_a_torus_into_a_cylinder_and_a_square)
   Curve_setting s(shaken(torus(n, m, 3, 1), 0.02, 1));
   Vertex_sequence around, along;
   for(int j = 0; j <= m; ++j)
-    around.push_back(n * (j % m));
+    around.emplace_back(n * (j % m));
   for(int i = 0; i <= n; ++i)
-    along.push_back(i % n);
+    along.emplace_back(i % n);
   s.add(around, false);
   s.pull();
   check_inserted(s);
@@ -649,7 +676,7 @@ BOOST_AUTO_TEST_CASE(a_path_from_border_to_border_separates)
 {
   const int n = 9;
   Curve_setting s(jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 9));
-  s.add_path(grid_vertex(n, 0, 2), grid_vertex(n, n, 7));
+  s.add_path(Vertex_index(grid_vertex(n, 0, 2)), Vertex_index(grid_vertex(n, n, 7)));
   s.pull();
   check_inserted(s);
   const Subdivision halves = cut_open(s);
@@ -660,7 +687,7 @@ BOOST_AUTO_TEST_CASE(a_path_from_border_to_border_separates)
 BOOST_AUTO_TEST_CASE(stacked_curves_are_cut_once)
 {
   const Mesh_soup soup = grid_with_hole(12, 12, 4, 8, 4, 8); // paths round the hole's corner run along one another
-  const auto vertex = [&](double x, double y) { return index_of(soup, {x, y, 0}); };
+  const auto vertex = [&](double x, double y) { return Vertex_index(index_of(soup, {x, y, 0})); };
   Curve_setting s(soup);
   s.add_path_through({vertex(0, 6), vertex(6, 12)});
   s.add_path_through({vertex(0, 6), vertex(6, 12)});
@@ -670,7 +697,7 @@ BOOST_AUTO_TEST_CASE(stacked_curves_are_cut_once)
   FG::order_overlapping_curves(s.network);
   s.pull();
   std::size_t highest = 0;
-  for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
+  for(Edge_index e : descriptors<Edge_index>(s.triangulation.number_of_edges()))
     highest = (std::max)(highest, s.network.stack(e).size());
   BOOST_CHECK_EQUAL(highest, 2u);
   check_inserted(s);
@@ -685,9 +712,9 @@ BOOST_AUTO_TEST_CASE(many_curves_on_meshes_with_ties_and_without)
                                grid_with_hole(9, 9, 3, 5, 3, 6)})
     for(int round = 0; round < 4; ++round) {
       Curve_setting s(soup);
-      const int source = random.below(static_cast<int>(s.mesh.number_of_vertices()));
+      const Vertex_index source(random.below(static_cast<int>(s.mesh.number_of_vertices())));
       for(int i = 0; i < 8; ++i) {
-        const int target = random.below(static_cast<int>(s.mesh.number_of_vertices()));
+        const Vertex_index target(random.below(static_cast<int>(s.mesh.number_of_vertices())));
         if(target != source)
           s.add_path(source, target);
       }
@@ -720,8 +747,9 @@ BOOST_AUTO_TEST_CASE(curves_between_inserted_points)
       check_inserted(s);
       cut_open(s);
       s.network.clear();
-      const auto spokes = spokes_at_tail(s.triangulation, s.triangulation.outgoing(first + random.below(count)));
-      s.network.add_curve(std::vector<int>{spokes.front()}, false);
+      const Vertex_index start(first + random.below(count));
+      const auto spokes = spokes_at_tail(s.triangulation, s.triangulation.outgoing(start));
+      s.network.add_curve(Halfedge_sequence{spokes.front()}, false);
       s.pull();
       check_inserted(s);
       const Subdivision slit = cut_open(s);
@@ -755,7 +783,7 @@ BOOST_AUTO_TEST_CASE(crossings_closer_than_rounding_do_no_harm)
     });
     Curve_setting s(soup);
     for(int i : {1, 4, 9})
-      s.add_path(grid_vertex(n, 0, 0), grid_vertex(n, n, i));
+      s.add_path(Vertex_index(grid_vertex(n, 0, 0)), Vertex_index(grid_vertex(n, n, i)));
     FG::order_overlapping_curves(s.network);
     s.pull();
     check_inserted(s);
@@ -795,18 +823,18 @@ BOOST_AUTO_TEST_CASE(positions_of_crossings_are_in_order)
     constexpr int lines = 8;
     Curve_setting s(bundle_of_edges(columns, lines));
     for(int left = 2 * columns; left < 2 * (columns + lines); left += 2)
-      s.add_path(left, left + 1);
+      s.add_path(Vertex_index(left), Vertex_index(left + 1));
     FG::order_overlapping_curves(s.network);
     s.pull();
     const FG::internal::Overlay<Triangulation> overlay(s.triangulation);
     const FG::internal::Overlay_layout<Triangulation> layout(overlay);
-    for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
+    for(Edge_index e : descriptors<Edge_index>(s.triangulation.number_of_edges()))
       for(FG::Index i = 0; i + 1 < overlay.crossings(e); ++i, ++compared)
         BOOST_CHECK_LE(layout.on_intrinsic(overlay.crossing_vertex(e, i)),
                        layout.on_intrinsic(overlay.crossing_vertex(e, i + 1)));
     for(FG::Index h = 0; h < overlay.number_of_halfedges(); ++h) {
-      const FG::Index c = overlay.input_halfedge(h);
-      if(c == FG::null_index || (c & 1) != 0 || overlay.is_crossing(overlay.origin(h)))
+      const Input_halfedge_index c = overlay.input_halfedge(h);
+      if(c == FG::null_index || !FG::internal::is_first_side(c) || overlay.is_crossing(overlay.origin(h)))
         continue;
       double reached = 0;
       for(FG::Index arc = h; overlay.is_crossing(overlay.target(arc)); arc = overlay.next_arc(arc), ++compared) {

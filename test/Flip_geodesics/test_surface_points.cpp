@@ -4,6 +4,7 @@
 
 #define BOOST_TEST_MODULE surface_points
 
+#include "descriptors.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
 #include "test_scale.h"
@@ -37,6 +38,8 @@
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
+using FG::internal::descriptors;
+using FG::internal::twin_index;
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -65,7 +68,7 @@ FG::Surface_location random_location(const Mesh& mesh, Random_numbers& random)
 {
   const auto faces = static_cast<int>(mesh.number_of_faces());
   const auto h = mesh.halfedge(Mesh::Face_index(static_cast<unsigned>(random.below(faces))));
-  FG::Surface_location result{static_cast<FG::Index>(h), {{0, 0, 0}}};
+  FG::Surface_location result{FG::Input_halfedge_index(static_cast<FG::Index>(h)), {{0, 0, 0}}};
   const bool is_special = random.below(2) == 0;
   for(double& weight : result.weights)
     weight = is_special ? random.below(4) : random.uniform(0.01, 1);
@@ -96,19 +99,20 @@ public:
 
   Result operator()(const FG::Crossing_word& word) const
   {
-    const int first = word.along >= 0 ? word.along : (word.crossed.empty() ? word.face : word.crossed.front());
+    const FG::Input_halfedge_index first =
+        word.along.is_valid() ? word.along : (word.crossed.empty() ? word.face : word.crossed.front());
     Corners corners = {first, 0, length(first), 0};
     corners.apex = apex(first, corners.tail, corners.head);
     const Vector start = position(word.tail, corners);
     std::vector<std::pair<Vector, Vector>> gates;
-    for(int crossed : word.crossed) {
+    for(FG::Input_halfedge_index crossed : word.crossed) {
       const Vector ends[3] = {corners.tail, corners.head, corners.apex};
       int side = 0;
       while(turned(corners.halfedge, side) != crossed)
         BOOST_REQUIRE(++side < 3);
       gates.emplace_back(ends[side], ends[(side + 1) % 3]);
-      corners = {crossed ^ 1, ends[(side + 1) % 3], ends[side], 0};
-      corners.apex = apex(crossed ^ 1, corners.tail, corners.head);
+      corners = {twin_index(crossed), ends[(side + 1) % 3], ends[side], 0};
+      corners.apex = apex(twin_index(crossed), corners.tail, corners.head);
     }
     const Vector end = position(word.head, corners), direction = (end - start) / std::abs(end - start);
     Result result = {std::abs(end - start), 0};
@@ -121,28 +125,32 @@ public:
 private:
   struct Corners // of a face, unfolded
   {
-    int halfedge;
+    FG::Input_halfedge_index halfedge;
     Vector tail, head, apex;
   };
 
-  int turned(int h, int times) const
+  static Mesh::Halfedge_index halfedge(FG::Input_halfedge_index h)
+  {
+    return Mesh::Halfedge_index(static_cast<unsigned>(h.idx()));
+  }
+
+  FG::Input_halfedge_index turned(FG::Input_halfedge_index h, int times) const
   {
     for(; times > 0; --times)
-      h = static_cast<int>(m_mesh.next(Mesh::Halfedge_index(static_cast<unsigned>(h))));
+      h = FG::Input_halfedge_index(static_cast<FG::Index>(m_mesh.next(halfedge(h))));
     return h;
   }
 
-  int vertex(int h) const { return static_cast<int>(m_mesh.source(Mesh::Halfedge_index(static_cast<unsigned>(h)))); }
+  Mesh::Vertex_index vertex(FG::Input_halfedge_index h) const { return m_mesh.source(halfedge(h)); }
 
-  long double length(int h) const
+  long double length(FG::Input_halfedge_index h) const
   {
-    const auto v = m_mesh.point(Mesh::Vertex_index(static_cast<unsigned>(vertex(h ^ 1)))) -
-                   m_mesh.point(Mesh::Vertex_index(static_cast<unsigned>(vertex(h))));
+    const auto v = m_mesh.point(vertex(twin_index(h))) - m_mesh.point(vertex(h));
     const long double x = v.x(), y = v.y(), z = v.z();
     return std::sqrt(x * x + y * y + z * z);
   }
 
-  Vector apex(int h, Vector a, Vector b) const
+  Vector apex(FG::Input_halfedge_index h, Vector a, Vector b) const
   {
     const long double c = length(h), l = length(turned(h, 1)), r = length(turned(h, 2));
     const long double x = (c * c + r * r - l * l) / (2 * c), y = std::sqrt((std::max)(r * r - x * x, 0.0L));
@@ -150,7 +158,7 @@ private:
   }
 
   // By the vertices of the face alone.
-  Vector position(int v, const Corners& c) const
+  Vector position(FG::Vertex_index v, const Corners& c) const
   {
     const Vector places[3] = {c.tail, c.head, c.apex};
     const FG::Surface_location at = m_triangulation.location(v);
@@ -178,11 +186,11 @@ template <class Triangulation>
 void check_words(const Mesh& mesh, const Triangulation& t)
 {
   const Unfolding<Triangulation> unfold(mesh, t);
-  for(int h = 0; h < t.number_of_halfedges(); ++h) {
-    const FG::Crossing_word word = t.crossing_word(h), back = t.crossing_word(h ^ 1).reversed();
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+    const FG::Crossing_word word = t.crossing_word(h), back = t.crossing_word(t.twin(h)).reversed();
     BOOST_TEST((word.crossed == back.crossed && word.along == back.along && word.face == back.face));
     BOOST_TEST((word.tail == t.tail(h) && word.head == t.head(h)));
-    BOOST_TEST(t.crossings(h / 2) == (word.along >= 0 ? -1 : static_cast<int>(word.crossed.size())));
+    BOOST_TEST(t.crossings(t.edge(h)) == (word.along.is_valid() ? -1 : static_cast<int>(word.crossed.size())));
     const auto unfolded = unfold(word);
     BOOST_TEST(std::abs(unfolded.length - t.length(h)) <= 1e-9 * unfolded.length);
     BOOST_TEST(unfolded.bend <= 1e-9);
@@ -193,10 +201,11 @@ void check_words(const Mesh& mesh, const Triangulation& t)
 template <class Triangulation>
 void check_measures(const Triangulation& t, double area)
 {
-  std::vector<double> angles(static_cast<std::size_t>(t.number_of_vertices()), 0.0);
-  std::vector<char> is_on_border(angles.size(), 0);
+  FG::internal::Indexed_by<FG::Vertex_index, std::vector<double>> angles(
+      static_cast<std::size_t>(t.number_of_vertices()), 0.0);
+  FG::internal::Indexed_by<FG::Vertex_index, std::vector<char>> is_on_border(angles.size(), 0);
   double sum = 0;
-  for(int h = 0; h < t.number_of_halfedges(); ++h) {
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
     if(t.is_border(h)) {
       is_on_border[t.tail(h)] = 1;
       continue;
@@ -208,7 +217,7 @@ void check_measures(const Triangulation& t, double area)
     angles[t.tail(h)] += std::atan2(cross, -(in.x * out.x + in.y * out.y));
   }
   BOOST_TEST(std::abs(sum - area) < 1e-9 * area);
-  for(int v = 0; v < t.number_of_vertices(); ++v)
+  for(FG::Vertex_index v : descriptors<FG::Vertex_index>(t.number_of_vertices()))
     if(t.is_inserted(v))
       BOOST_TEST(std::abs(angles[v] - (is_on_border[v] ? pi : 2 * pi)) < 1e-7);
 }
@@ -217,7 +226,7 @@ template <class Triangulation>
 double area(const Triangulation& t)
 {
   double sum = 0;
-  for(int h = 0; h < t.number_of_halfedges(); ++h)
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
     if(!t.is_border(h)) {
       const auto out = t.geometry(h), in = t.geometry(t.previous(h));
       sum += (in.x * out.y - in.y * out.x) / 6;
@@ -233,15 +242,15 @@ struct Snapshot
   template <class Triangulation>
   explicit Snapshot(const Triangulation& t)
   {
-    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
       const bool is_border = t.is_border(h);
-      for(int i : {is_border ? -1 : int(t.next(h)), int(t.tail(h)), int(t.crossings(h / 2)), int(t.version(h / 2))})
+      for(int i : {is_border ? -1 : t.next(h).idx(), t.tail(h).idx(), t.crossings(t.edge(h)), t.version(t.edge(h))})
         links.push_back(i);
       if(!is_border)
         vectors.insert(vectors.end(), {t.geometry(h).x, t.geometry(h).y});
     }
-    for(int v = 0; v < t.number_of_vertices(); ++v)
-      BOOST_TEST((t.outgoing(v) < t.number_of_halfedges() && t.tail(t.outgoing(v)) == v));
+    for(FG::Vertex_index v : descriptors<FG::Vertex_index>(t.number_of_vertices()))
+      BOOST_TEST((t.outgoing(v).idx() < t.number_of_halfedges() && t.tail(t.outgoing(v)) == v));
   }
 
   bool operator==(const Snapshot& other) const
@@ -270,10 +279,10 @@ void insert_flip_and_roll_back(const Mesh_soup& soup, int flips, int operations,
   for(int i = 0; i < operations; ++i) {
     const int vertices = t.number_of_vertices(), edges = t.number_of_edges();
     bool is_split = false;
-    const FG::Index v = t.insert(random_location(mesh, random), [&](const auto&) { is_split = true; });
-    BOOST_TEST((v == vertices || t.number_of_vertices() == vertices));
+    const FG::Vertex_index v = t.insert(random_location(mesh, random), [&](const auto&) { is_split = true; });
+    BOOST_TEST((v.idx() == vertices || t.number_of_vertices() == vertices));
     BOOST_TEST(t.is_valid());
-    counts.vertices += v == vertices ? 0 : 1;
+    counts.vertices += v.idx() == vertices ? 0 : 1;
     counts.edges += is_split ? 1 : 0;
     counts.faces += t.number_of_edges() - edges == 3 && !is_split ? 1 : 0;
     check_words(mesh, t);
@@ -320,12 +329,12 @@ BOOST_AUTO_TEST_CASE(a_point_on_the_edge_to_a_vertex_of_degree_one)
     Certified t(mesh);
     const double whole = area(t);
     for(int i = 0; i < 30; ++i) {
-      const int h = t.outgoing(0);
-      if(t.next(h ^ 1) == h && t.crossings(h / 2) < 0) {
+      const FG::Halfedge_index h = t.outgoing(0_v);
+      if(t.next(t.twin(h)) == h && t.crossings(t.edge(h)) < 0) {
         const bool is_first = random.below(2) == 0;
-        const auto word = t.crossing_word(is_first ? h : h ^ 1);
-        const FG::Index v = t.insert({word.along, {{1, 2, 0}}});
-        BOOST_TEST(v == mesh.number_of_vertices());
+        const auto word = t.crossing_word(is_first ? h : t.twin(h));
+        const FG::Vertex_index v = t.insert({word.along, {{1, 2, 0}}});
+        BOOST_TEST(v.idx() == static_cast<int>(mesh.number_of_vertices()));
         BOOST_TEST(t.is_valid());
         check_words(mesh, t);
         check_measures(t, whole);
@@ -333,7 +342,7 @@ BOOST_AUTO_TEST_CASE(a_point_on_the_edge_to_a_vertex_of_degree_one)
         break;
       }
       const auto spokes = spokes_at_tail(t, h);
-      const int g = spokes[random.below(static_cast<int>(spokes.size()))];
+      const FG::Halfedge_index g = spokes[random.below(static_cast<int>(spokes.size()))];
       if(t.is_flippable(g))
         t.flip(g);
     }
@@ -345,20 +354,20 @@ BOOST_AUTO_TEST_CASE(locations_told_in_other_words_are_one_vertex)
 {
   const Mesh mesh = to_mesh<Mesh>(octahedron(1));
   Plain t(mesh);
-  const int h = 0, hn = t.input().next(h), hp = t.input().next(hn);
-  const FG::Index inside = t.insert({h, {{1, 2, 4}}});
-  BOOST_TEST(inside == 6);
+  const FG::Input_halfedge_index h = 0_input_h, hn = t.input().next(h), hp = t.input().next(hn);
+  const FG::Vertex_index inside = t.insert({h, {{1, 2, 4}}});
+  BOOST_TEST(inside == 6_v);
   BOOST_TEST(t.insert({hn, {{2, 4, 1}}}) == inside);
   BOOST_TEST(t.insert({hp, {{0.5, 0.125, 0.25}}}) == inside);
-  BOOST_TEST(t.insert({hp, {{0.125, 0.25, 0.5}}}) == 7); // a different point
-  const FG::Index on_edge = t.insert({h, {{1, 3, 0}}});
-  BOOST_TEST(on_edge == 8);
-  BOOST_TEST(t.insert({h ^ 1, {{3, 1, 0}}}) == on_edge);
+  BOOST_TEST(t.insert({hp, {{0.125, 0.25, 0.5}}}) == 7_v); // a different point
+  const FG::Vertex_index on_edge = t.insert({h, {{1, 3, 0}}});
+  BOOST_TEST(on_edge == 8_v);
+  BOOST_TEST(t.insert({twin_index(h), {{3, 1, 0}}}) == on_edge);
   BOOST_TEST(t.insert({hn, {{3, 0, 1}}}) == on_edge);
   BOOST_TEST(t.insert({hn, {{0, 7, 0}}}) == t.input().tail(hp));
   BOOST_TEST((kind(t.location(inside)) == FG::Location_kind::FACE));
   BOOST_TEST((kind(t.location(on_edge)) == FG::Location_kind::EDGE));
-  BOOST_TEST((kind(t.location(2)) == FG::Location_kind::VERTEX));
+  BOOST_TEST((kind(t.location(2_v)) == FG::Location_kind::VERTEX));
 }
 
 BOOST_AUTO_TEST_CASE(bad_locations_are_refused_and_change_nothing)
@@ -367,12 +376,12 @@ BOOST_AUTO_TEST_CASE(bad_locations_are_refused_and_change_nothing)
   Plain t(mesh);
   const Snapshot before(t);
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  int border = 0;
+  FG::Input_halfedge_index border = 0_input_h;
   while(!t.input().is_border(border))
     ++border;
-  const int h = border ^ 1;
-  for(const FG::Surface_location& bad : std::vector<FG::Surface_location>{{-1, {{1, 1, 1}}},
-                                                                          {6, {{1, 1, 1}}},
+  const FG::Input_halfedge_index h = twin_index(border);
+  for(const FG::Surface_location& bad : std::vector<FG::Surface_location>{{FG::null_index, {{1, 1, 1}}},
+                                                                          {6_input_h, {{1, 1, 1}}},
                                                                           {h, {{nan, 1, 1}}},
                                                                           {h, {{1, -1e-17, 1}}},
                                                                           {h, {{1, infinity, 1}}},
@@ -381,7 +390,7 @@ BOOST_AUTO_TEST_CASE(bad_locations_are_refused_and_change_nothing)
                                                                           {border, {{1, 1, 1}}}})
     BOOST_CHECK_THROW(t.insert(bad), FG::Invalid_location_error);
   BOOST_TEST((Snapshot(t) == before));
-  BOOST_TEST(t.insert({border, {{1, 1, 0}}}) == 3); // on the border edge
+  BOOST_TEST(t.insert({border, {{1, 1, 0}}}) == 3_v); // on the border edge
 }
 
 BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
@@ -393,7 +402,7 @@ BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
     Certified t(mesh);
     flip_at_random(t, 10, random);
     FG::Edge_path_network<Certified> network(t);
-    std::vector<int> all;
+    std::vector<FG::Halfedge_index> all;
     for(int i = 0; i < 3; ++i) {
       const bool is_closed = random.below(2) == 0;
       const auto walk = random_walk(t, 12, is_closed, random);
@@ -404,8 +413,8 @@ BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
     }
     if(all.empty() || !order_at_random(network, all, 20, random))
       continue;
-    std::vector<double> lengths;
-    for(int c = 0; c < network.number_of_curves(); ++c)
+    FG::internal::Indexed_by<FG::Curve_index, std::vector<double>> lengths;
+    for(FG::Curve_index c : descriptors<FG::Curve_index>(network.number_of_curves()))
       lengths.push_back(network.length(c));
     for(int i = 0; i < 10; ++i) {
       const int segments = network.end_of_segment_ids();
@@ -414,7 +423,7 @@ BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
       BOOST_TEST(network.is_valid());
       BOOST_TEST(t.is_valid());
     }
-    for(int c = 0; c < network.number_of_curves(); ++c)
+    for(FG::Curve_index c : descriptors<FG::Curve_index>(network.number_of_curves()))
       BOOST_TEST(std::abs(network.length(c) - lengths[c]) < 1e-12 * lengths[c]);
     const FG::Shortening_report report = FG::shorten(network);
     BOOST_TEST(report.is_complete());
@@ -428,17 +437,19 @@ namespace {
 
 // With as few edges as possible.
 template <class Triangulation>
-std::vector<int> some_path(const Triangulation& t, int from, int to)
+std::vector<FG::Halfedge_index> some_path(const Triangulation& t, FG::Vertex_index from, FG::Vertex_index to)
 {
-  std::vector<int> arriving(static_cast<std::size_t>(t.number_of_vertices()), -1), reached = {from};
+  FG::internal::Indexed_by<FG::Vertex_index, std::vector<FG::Halfedge_index>> arriving(
+      static_cast<std::size_t>(t.number_of_vertices()));
+  std::vector<FG::Vertex_index> reached = {from};
   for(std::size_t i = 0; i < reached.size(); ++i)
-    for(int h : spokes_at_tail(t, t.outgoing(reached[i])))
-      if(t.head(h) != from && arriving[t.head(h)] == -1) {
+    for(FG::Halfedge_index h : spokes_at_tail(t, t.outgoing(reached[i])))
+      if(t.head(h) != from && arriving[t.head(h)] == FG::null_index) {
         arriving[t.head(h)] = h;
         reached.push_back(t.head(h));
       }
-  std::vector<int> result;
-  for(int v = to; v != from; v = t.tail(result.back()))
+  std::vector<FG::Halfedge_index> result;
+  for(FG::Vertex_index v = to; v != from; v = t.tail(result.back()))
     result.push_back(arriving[v]);
   std::reverse(result.begin(), result.end());
   return result;
@@ -454,7 +465,7 @@ BOOST_AUTO_TEST_CASE(curves_between_inserted_points_are_read_off)
   int crossings = 0;
   for(int i = 0; i < 20; ++i) {
     Certified t(mesh);
-    const FG::Index a = t.insert(random_location(mesh, random)), b = t.insert(random_location(mesh, random));
+    const FG::Vertex_index a = t.insert(random_location(mesh, random)), b = t.insert(random_location(mesh, random));
     if(a == b)
       continue;
     FG::Edge_path_network<Certified> network(t);
@@ -462,15 +473,15 @@ BOOST_AUTO_TEST_CASE(curves_between_inserted_points_are_read_off)
     FG::shorten(network);
     BOOST_TEST(FG::certify(network).is_locally_shortest());
     FG::Curve_extractor<FG::Edge_path_network<Certified>> extractor(network);
-    const auto points = extractor.surface_points(0);
+    const auto points = extractor.surface_points(0_c);
     BOOST_TEST(points.front().vertex == a);
     BOOST_TEST(points.back().vertex == b);
     double length = 0;
     for(std::size_t k = 0; k + 1 < points.size(); ++k)
       length += std::sqrt(CGAL::squared_distance(extractor.point(points[k]), extractor.point(points[k + 1])));
-    BOOST_TEST(std::abs(length - network.length(0)) < 1e-12 * length);
+    BOOST_TEST(std::abs(length - network.length(0_c)) < 1e-12 * length);
     std::vector<std::pair<Mesh::Face_index, std::array<double, 3>>> locations;
-    extractor.face_locations(0, mesh, std::back_inserter(locations));
+    extractor.face_locations(0_c, mesh, std::back_inserter(locations));
     for(std::size_t k = 0; k < points.size(); ++k) {
       Point sum(0, 0, 0);
       auto h = mesh.halfedge(locations[k].first);
@@ -500,11 +511,11 @@ BOOST_AUTO_TEST_CASE(points_in_rational_numbers)
     const FG::Surface_location location = random_location(mesh, random);
     BOOST_TEST(t.insert(location) == other.insert(location));
   }
-  for(int h = 0; h < t.number_of_halfedges(); ++h)
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
     BOOST_TEST(std::abs(t.length(h) - other.length(h)) < 1e-12);
-  const FG::Index a = t.insert({0, {{1, 1, 1}}}), b = t.insert({50, {{1, 2, 3}}});
-  other.insert({0, {{1, 1, 1}}});
-  other.insert({50, {{1, 2, 3}}});
+  const FG::Vertex_index a = t.insert({0_input_h, {{1, 1, 1}}}), b = t.insert({50_input_h, {{1, 2, 3}}});
+  other.insert({0_input_h, {{1, 1, 1}}});
+  other.insert({50_input_h, {{1, 2, 3}}});
   FG::Edge_path_network<Triangulation> network(t);
   network.add_curve(some_path(t, a, b), false);
   FG::Edge_path_network<Certified> other_network(other);
@@ -512,7 +523,7 @@ BOOST_AUTO_TEST_CASE(points_in_rational_numbers)
   BOOST_TEST(FG::shorten(network).is_complete());
   BOOST_TEST(FG::shorten(other_network).is_complete());
   BOOST_TEST(FG::certify(network).is_locally_shortest());
-  BOOST_TEST(std::abs(network.length(0) - other_network.length(0)) < 1e-12);
+  BOOST_TEST(std::abs(network.length(0_c) - other_network.length(0_c)) < 1e-12);
 
   int refused = 0;
   for(int i = 0; i < 40; ++i) {
@@ -540,17 +551,18 @@ BOOST_AUTO_TEST_CASE(points_of_faces_and_edges_are_told)
     const auto place = [&](const FG::Surface_location& at) {
       std::complex<double> sum = 0;
       double weights = 0;
-      for(int i = 0, h = at.halfedge; i < 3; ++i, h = t.input().next(h)) {
-        const Point& p = mesh.point(Mesh::Vertex_index(static_cast<unsigned>(t.input().tail(h))));
+      FG::Input_halfedge_index h = at.halfedge;
+      for(int i = 0; i < 3; ++i, h = t.input().next(h)) {
+        const Point& p = mesh.point(t.vertex(t.input().tail(h)));
         sum += at.weights[i] * std::complex<double>(p.x(), p.y());
         weights += at.weights[i];
       }
       return sum / weights;
     };
-    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
       if(t.is_border(h))
         continue;
-      const int corners[3] = {t.tail(h), t.head(h), t.head(t.next(h))};
+      const FG::Vertex_index corners[3] = {t.tail(h), t.head(h), t.head(t.next(h))};
       for(const std::array<double, 3>& weights : std::vector<std::array<double, 3>>{
               {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{0.5, 0.5, 0}}, {{0.25, 0.5, 0.25}}, {{0.125, 0.125, 0.75}}})
       {
@@ -571,15 +583,15 @@ BOOST_AUTO_TEST_CASE(points_next_to_a_vertex_are_refused)
 {
   const Mesh mesh = to_mesh<Mesh>(scaled(single_triangle(), 1e-60));
   Plain t(mesh);
-  int h = 0;
-  while(t.is_border(h))
+  FG::Input_halfedge_index h = 0_input_h;
+  while(t.input().is_border(h))
     ++h;
   const Snapshot before(t);
   for(const std::array<double, 3>& weights :
       std::vector<std::array<double, 3>>{{{1, 1e-20, 1e-20}}, {{1, 1e-20, 0}}, {{1e-20, 1, 1e-20}}})
     BOOST_CHECK_THROW(t.insert({h, weights}), FG::Insertion_error);
   BOOST_TEST((Snapshot(t) == before));
-  BOOST_TEST(t.insert({h, {{1, 1e-5, 1e-5}}}) == 3);
+  BOOST_TEST(t.insert({h, {{1, 1e-5, 1e-5}}}) == 3_v);
 }
 
 // An edge that passes a vertex that closely has no room for points inside of the faces beside it.
@@ -589,7 +601,7 @@ BOOST_AUTO_TEST_CASE(there_is_room_on_an_edge_or_not)
     const Mesh mesh =
         to_mesh<Mesh>(Mesh_soup{{{0, 0, 0}, {1, -depth, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}});
     Certified t(mesh);
-    const FG::Index h = FG::internal::halfedge_between(t, 1, 3);
+    const FG::Halfedge_index h = FG::internal::halfedge_between(t, 1_v, 3_v);
     BOOST_REQUIRE(t.is_flippable(h));
     t.flip(h);
     for(double place : {0.1, 0.5, 0.9}) {
@@ -608,34 +620,38 @@ BOOST_AUTO_TEST_CASE(paths_in_a_face_are_shortest)
   for(unsigned seed = 1; seed <= 20; ++seed) {
     Random_numbers random(seed);
     Plain t(mesh);
-    int face = 0;
-    while(t.is_border(face))
+    FG::Input_halfedge_index face = 0_input_h;
+    while(t.input().is_border(face))
       ++face;
     for(int i = 0; i < 8; ++i)
       t.insert({face, {{random.uniform(0.01, 1), random.uniform(0.01, 1), random.uniform(0.01, 1)}}});
     flip_at_random(t, static_cast<int>(seed % 4) * 5, random);
     const int n = t.number_of_vertices();
-    std::vector<std::vector<double>> length(n, std::vector<double>(n, std::numeric_limits<double>::infinity()));
-    for(int h = 0; h < t.number_of_halfedges(); ++h) {
+    using Row = FG::internal::Indexed_by<FG::Vertex_index, std::vector<double>>;
+    FG::internal::Indexed_by<FG::Vertex_index, std::vector<Row>> length(
+        n, Row(n, std::numeric_limits<double>::infinity()));
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
       const FG::Crossing_word word = t.crossing_word(h);
       bool is_inside = false;
-      for(int i = 0, side = face; i < 3; ++i, side = t.input().next(side))
-        is_inside = is_inside || word.face == side || word.along == side || word.along == (side ^ 1);
+      FG::Input_halfedge_index side = face;
+      for(int i = 0; i < 3; ++i, side = t.input().next(side))
+        is_inside = is_inside || word.face == side || word.along == side || word.along == twin_index(side);
       if(is_inside)
         length[t.tail(h)][t.head(h)] = (std::min)(length[t.tail(h)][t.head(h)], t.length(h));
     }
-    for(int via = 0; via < n; ++via)
-      for(int from = 0; from < n; ++from)
-        for(int to = 0; to < n; ++to)
+    const auto vertices = descriptors<FG::Vertex_index>(n);
+    for(FG::Vertex_index via : vertices)
+      for(FG::Vertex_index from : vertices)
+        for(FG::Vertex_index to : vertices)
           length[from][to] = (std::min)(length[from][to], length[from][via] + length[via][to]);
     const FG::internal::Path_in_face<Plain> path(t, face);
-    for(int from = 0; from < n; ++from)
-      for(int to = 0; to < n; ++to) {
+    for(FG::Vertex_index from : vertices)
+      for(FG::Vertex_index to : vertices) {
         if(from == to)
           continue;
-        const std::vector<FG::Index> way = path(from, to);
+        const std::vector<FG::Halfedge_index> way = path(from, to);
         double sum = way.empty() ? std::numeric_limits<double>::infinity() : 0;
-        for(FG::Index h : way)
+        for(FG::Halfedge_index h : way)
           sum += t.length(h);
         BOOST_TEST((sum == length[from][to] || std::abs(sum - length[from][to]) < 1e-12));
       }

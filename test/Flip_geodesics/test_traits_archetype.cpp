@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "Traits_archetype.h"
+#include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 #include "lawson.h"
@@ -37,7 +38,8 @@ namespace {
 
 struct Curve
 {
-  std::vector<int> halfedges, flips, crossed;
+  Halfedge_sequence halfedges, flips;
+  std::vector<FG::Input_halfedge_index> crossed;
   std::string status;
   double length;
 };
@@ -46,13 +48,13 @@ template <class Setting>
 Curve pulled(Setting& setting)
 {
   const FG::Shortening_report report = setting.pull();
-  Curve result{setting.network.halfedges(0),
+  Curve result{setting.network.halfedges(0_c),
                setting.flips(),
                {},
                FG::to_string(report.curves[0].status),
                report.curves[0].length};
-  for(int h : result.halfedges)
-    for(int c : setting.triangulation.crossing_word(h).crossed)
+  for(FG::Halfedge_index h : result.halfedges)
+    for(FG::Input_halfedge_index c : setting.triangulation.crossing_word(h).crossed)
       result.crossed.push_back(c);
   return result;
 }
@@ -70,7 +72,7 @@ BOOST_AUTO_TEST_CASE(the_same_words_come_out)
     Curve_setting usual(soup);
     for(int i = 0; i < 200 * scale; ++i) {
       const bool is_closed = i % 2 == 1;
-      const std::vector<int> walk = random_walk(usual.triangulation, 20, is_closed, random);
+      const Halfedge_sequence walk = random_walk(usual.triangulation, 20, is_closed, random);
       if(walk.empty())
         continue;
       archetype.network.add_curve(walk, is_closed);
@@ -101,11 +103,11 @@ BOOST_AUTO_TEST_CASE(extraction_needs_no_more)
 {
   const Mesh_soup soup = jittered_grid(8, 8, Diagonal_rule::RANDOM, 0.2, 5);
   Archetype_setting setting(soup);
-  setting.add_path(0, 80);
+  setting.add_path(0_v, 80_v);
   setting.pull();
   FG::Curve_extractor<Archetype_setting::Network> extractor(setting.network);
   std::vector<Surface::Point> points;
-  extractor.points(0, std::back_inserter(points));
+  extractor.points(0_c, std::back_inserter(points));
   BOOST_TEST(points.size() > 5u);
   for(const Surface::Point& p : points)
     BOOST_TEST(std::abs(p.x() - p.y()) < 1e-9); // the diagonal of the square

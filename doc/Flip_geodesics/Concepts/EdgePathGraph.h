@@ -7,8 +7,8 @@
  * A network of curves along the edges of an intrinsic triangulation, with what `shorten()` asks of it: which joints
  * there are, what stands in their wedges, and how a joint is moved.
  *
- * A curve is a chain of segments, each with an `Index` of its own and on a halfedge of the triangulation. A model
- * never gives the index of a segment a second time, since indices wait in a queue while segments come and go. Two
+ * A curve is a chain of segments, each with a `Segment_index` of its own and on a halfedge of the triangulation. A
+ * model never gives the index of a segment a second time, since indices wait in a queue while segments come and go. Two
  * consecutive segments of a curve form a joint, which has two sides; a `Joint` is the segment that arrives and a side.
  * Where segments of several curves, or one curve several times, lie on one edge, they have an order from left to
  * right. Together with the cyclic order of halfedges about a vertex this gives a cyclic order of all ends of segments
@@ -52,39 +52,39 @@ public:
   Index number_of_curves() const;
 
   /// The length of a curve now, 0 if it has contracted.
-  double length(Index curve) const;
+  double length(Curve_index curve) const;
 
   /// The length that a curve had at first, to which stop predicates refer.
-  double initial_length(Index curve) const;
+  double initial_length(Curve_index curve) const;
 
   /// Has the curve shrunk to a point, so that it has no segment?
-  bool is_contracted(Index curve) const;
+  bool is_contracted(Curve_index curve) const;
 
   /// Calls `function(s)` for each segment of a curve, in order.
   template <class Function>
-  void for_each_segment(Index curve, Function function) const;
+  void for_each_segment(Curve_index curve, Function function) const;
 
   /// @}
   /// \name Segments
   /// @{
 
   /// Is there a segment with this index now, rather than in the past?
-  bool is_alive(Index segment) const;
+  bool is_alive(Segment_index segment) const;
 
   /// The halfedge of a segment, in the direction of its curve.
-  Index halfedge(Index segment) const;
+  Halfedge_index halfedge(Segment_index segment) const;
 
   /// The curve that a segment belongs to.
-  Index curve(Index segment) const;
+  Curve_index curve(Segment_index segment) const;
 
   /// The next segment of the curve; `null_index` at the end of a path, the segment itself in a loop of one segment.
-  Index next(Index segment) const;
+  Segment_index next(Segment_index segment) const;
 
   /// May the node at the head of a segment not be moved? So it is at the end of a path.
-  bool is_head_fixed(Index segment) const;
+  bool is_head_fixed(Segment_index segment) const;
 
   /// Does a segment lie on the edge of halfedge `h`?
-  bool is_occupied(Index h) const;
+  bool is_occupied(Halfedge_index h) const;
 
   /// @}
   /// \name Joints
@@ -128,21 +128,21 @@ public:
   /// \return the first new segment in the direction of the curve, `null_index` if there is none
   /// \pre the two segments differ, no end stands in the wedge, and the arc bounds its faces; no angle on its right is
   ///      below \f$\pi\f$
-  Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected);
+  Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected);
 
   /// Replaces the one segment of a closed curve by two, along the other edges of the face on the left of `h`, which is
   /// the segment's halfedge or its twin. They come to lie outermost on their edges on the side of that face.
   /// \return the new segment that arrives at the old node
   /// \pre no segment lies on the two edges
-  Index perturb_loop(Index segment, Index h);
+  Segment_index perturb_loop(Segment_index segment, Halfedge_index h);
 
   /// Where the segment of a closed curve of one segment lies: what is needed to put it back.
-  Stack_place stack_place(Index segment) const;
+  Stack_place stack_place(Segment_index segment) const;
 
   /// Replaces whatever a closed curve is now by the one segment that it was when `place` was taken.
   /// \return that segment, with a new index
   /// \pre all flips since then have been taken back, and no other curve has changed
-  Index restore_loop(Index curve, const Stack_place& place);
+  Segment_index restore_loop(Curve_index curve, const Stack_place& place);
 
   /// @}
 };

@@ -27,9 +27,9 @@ public:
   /// Called after the edge of halfedge `h` was flipped, before the step moves its curve. There is no call for flips
   /// that are taken back with a step that is not taken; compare `triangulation.log_position()` to see it.
   template <class Triangulation>
-  void on_flip(const Triangulation& triangulation, Index h);
+  void on_flip(const Triangulation& triangulation, Halfedge_index h);
 
   /// Called after a step, when a curve has become shorter. The unit that shortens a loop of one segment is one step.
   template <class Network>
-  void after_flip_out(const Network& network, Index curve);
+  void after_flip_out(const Network& network, Curve_index curve);
 };

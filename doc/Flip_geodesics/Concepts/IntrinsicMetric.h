@@ -8,9 +8,9 @@
  * so: a triangulation keeps a copy.
  *
  * The argument `mesh` of its members is the mesh as `Intrinsic_triangulation::input()` gives it, numbered by
- * consecutive integers: `mesh.vertex(v)` and `mesh.halfedge(h)` are the descriptors of vertex `v` and halfedge `h`,
- * `mesh.tail(h)` is the vertex at which `h` starts, `mesh.next(h)` the next halfedge around the face, and `h ^ 1` the
- * twin of `h`.
+ * consecutive integers: `mesh.vertex(v)` and `mesh.halfedge(h)` are the mesh's own descriptors of vertex `v` and
+ * halfedge `h`, `mesh.tail(h)` is the vertex at which `h` starts, and `mesh.next(h)` the next halfedge around the face.
+ * The two halfedges of an edge have the numbers `2e` and `2e+1`.
  *
  * The last two members are needed only for traits of which `Has_drift` is `CGAL::Tag_false`, which may leave decisions
  * to the triangulation, and for `certify()`. Their types are not documented: a metric of one's own gets them by
@@ -35,21 +35,21 @@ public:
 
   /// The length of the edge of a halfedge, rounded; positive, and the same for both halfedges of the edge.
   /// \throws Degenerate_face_error, Invalid_coordinate_error if there is no usable length
-  double length(const Mesh& mesh, Index h) const;
+  double length(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The same without a check, for a search of edge paths that only passes by: zero where the edge has no length, and
   /// whatever there is where it has no usable one.
-  double weight(const Mesh& mesh, Index h) const;
+  double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// What a lower bound needs to know of a vertex, such as the coordinates of its point; copied freely. An empty class
   /// says that there is no bound but zero.
   typedef unspecified_type Place;
 
   /// `weight(mesh, h)`, bit for bit, where the places of the halfedge's two ends are at hand: what a search asks most.
-  double weight(const Mesh& mesh, Index h, const Place& tail, const Place& head) const;
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const;
 
   /// The place of vertex `v`.
-  Place place(const Mesh& mesh, Index v) const;
+  Place place(const Mesh& mesh, Vertex_index v) const;
 
   /// A lower bound of the length of all edge paths between two vertices, for the search of a shortest one. It is 0
   /// from a vertex to itself, and from the two ends of an edge to one vertex it differs by no more than the edge's
@@ -60,11 +60,11 @@ public:
   /// \throws Degenerate_face_error, Invalid_coordinate_error if the face has no usable shape
   /// \pre `h` is not on the border
   template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const;
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const;
 
   /// The same face in exact integers: squared lengths, dot products and the square of the area, up to one factor.
   /// \pre `h` is not on the border
-  unspecified_type exact_face(const Mesh& mesh, Index h) const;
+  unspecified_type exact_face(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to that of
   /// word `b`, exactly, if the faces involved lie unfolded in one plane of space.

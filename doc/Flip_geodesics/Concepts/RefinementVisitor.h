@@ -20,5 +20,5 @@ public:
   /// Called after vertex `v` was inserted into a face or on an edge, and the edges around it were flipped. There is no
   /// call for a vertex that is taken back.
   template <class Triangulation>
-  void on_insertion(const Triangulation& triangulation, Index v);
+  void on_insertion(const Triangulation& triangulation, Vertex_index v);
 };

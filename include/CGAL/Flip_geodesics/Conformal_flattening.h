@@ -62,7 +62,7 @@ public:
   explicit Conformal_flattening(const Network& network, double tolerance = 1e-10)
     : m_triangulation(&network.triangulation())
     , m_faces(all_faces(network.triangulation()))
-    , m_surface(network.triangulation(), m_faces, [&network](Index h) { return network.is_occupied(h); })
+    , m_surface(network.triangulation(), m_faces, [&network](Halfedge_index h) { return network.is_occupied(h); })
     , m_log_scales(static_cast<std::size_t>(m_surface.number_of_copies()), 0.0)
   {
     check_disk(network);
@@ -74,9 +74,9 @@ public:
   /// The number of vertices of the cut surface; one of the triangulation has several where the cut passes.
   Index number_of_copies() const { return m_surface.number_of_copies(); }
   /// The vertex of the triangulation that a vertex of the cut surface is a copy of.
-  Index vertex(Index copy) const { return m_surface.vertices()[copy]; }
+  Vertex_index vertex(Index copy) const { return m_surface.vertices()[copy]; }
   /// The copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
-  Index copy_at(Index h) const { return m_surface.copy_at(h); }
+  Index copy_at(Halfedge_index h) const { return m_surface.copy_at(h); }
   /// The position of a copy in the plane.
   const Point& point(Index copy) const { return m_points[copy]; }
   /// The logarithm \f$u\f$ of a copy's scale factor.
@@ -133,8 +133,9 @@ private:
                              std::to_string(m_surface.euler_characteristic()));
     for(const Intrinsic_face& face : m_faces)
       if(!internal::Plane_triangle(face.lengths).has_finite_cotangents())
-        throw Degenerate_face_error("an intrinsic face at vertex " + std::to_string(face.vertices[0]) + " has no area",
-                                    {static_cast<std::size_t>(face.vertices[0])});
+        throw Degenerate_face_error("an intrinsic face at vertex " + std::to_string(face.vertices[0].idx()) +
+                                        " has no area",
+                                    {static_cast<std::size_t>(face.vertices[0].idx())});
   }
 
   // Breadth first over faces, not across cuts; calls visit(face, side, next face). Returns how many were reached.
@@ -142,9 +143,10 @@ private:
   std::size_t spread(const Network& network, std::size_t start, std::vector<char>& is_reached, const Visit& visit) const
   {
     const Triangulation& triangulation = network.triangulation();
-    std::vector<std::size_t> face_of(static_cast<std::size_t>(triangulation.number_of_halfedges()), m_faces.size());
+    internal::Indexed_by<Halfedge_index, std::vector<std::size_t>> face_of(
+        static_cast<std::size_t>(triangulation.number_of_halfedges()), m_faces.size());
     for(std::size_t f = 0; f < m_faces.size(); ++f)
-      for(Index h : m_faces[f].halfedges)
+      for(Halfedge_index h : m_faces[f].halfedges)
         face_of[h] = f;
     std::queue<std::size_t> queue;
     queue.push(start);
@@ -153,7 +155,7 @@ private:
     for(; !queue.empty(); queue.pop(), ++count) {
       const std::size_t f = queue.front();
       for(int i = 0; i < 3; ++i) {
-        const Index h = m_faces[f].halfedges[i];
+        const Halfedge_index h = m_faces[f].halfedges[i];
         const std::size_t next = face_of[Triangulation::twin(h)];
         if(next == m_faces.size() || network.is_occupied(h) || is_reached[next] != 0)
           continue;
@@ -246,9 +248,9 @@ private:
     for(const Intrinsic_face& face : m_faces)
       if(!(scaled(face, m_log_scales).area > 0))
         throw Flattening_error("the conformal factors violate the triangle inequality in the face at vertex " +
-                                   std::to_string(face.vertices[0]) +
+                                   std::to_string(face.vertices[0].idx()) +
                                    "; flip the triangulation to Delaunay or refine it",
-                               {static_cast<std::size_t>(face.vertices[0])});
+                               {static_cast<std::size_t>(face.vertices[0].idx())});
     if(!(m_angle_error <= tolerance))
       throw Flattening_error("the angle sums miss 2 pi by " + std::to_string(m_angle_error) +
                              " still; the triangulation has faces too thin for double");
@@ -302,7 +304,7 @@ private:
     put(start, 2, first.apex());
     std::vector<char> is_reached(m_faces.size(), 0);
     spread(network, start, is_reached, [&](std::size_t f, int side, std::size_t next) {
-      const Index h = Triangulation::twin(m_faces[f].halfedges[side]);
+      const Halfedge_index h = Triangulation::twin(m_faces[f].halfedges[side]);
       int i = 0;
       while(m_faces[next].halfedges[i] != h)
         ++i;
@@ -349,9 +351,9 @@ private:
   }
 
   template <class Origin>
-  Point point_in_face(Index face, const Origin& origin) const
+  Point point_in_face(Halfedge_index face, const Origin& origin) const
   {
-    Index h = face;
+    Halfedge_index h = face;
     for(int i = 0; i < 3; ++i, h = m_triangulation->next(h)) {
       const Point &a = m_points[copy_at(h)], &b = m_points[copy_at(m_triangulation->next(h))];
       if(origin.intrinsic_vertex != null_index && origin.intrinsic_vertex == m_triangulation->tail(h))

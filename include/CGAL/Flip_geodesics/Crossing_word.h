@@ -26,10 +26,10 @@ namespace Flip_geodesics {
  */
 struct Crossing_word
 {
-  Index along = null_index;
-  std::vector<Index> crossed;
-  Index face = null_index;                    ///< a halfedge of the face that holds the whole edge
-  Index tail = null_index, head = null_index; ///< the end vertices
+  Input_halfedge_index along = null_index;
+  std::vector<Input_halfedge_index> crossed;
+  Input_halfedge_index face = null_index;            ///< a halfedge of the face that holds the whole edge
+  Vertex_index tail = null_index, head = null_index; ///< the end vertices
 
   /// Turns it into the word of the other direction.
   void reverse()
@@ -37,7 +37,7 @@ struct Crossing_word
     along = along == null_index ? null_index : internal::twin_index(along);
     std::swap(tail, head);
     std::reverse(crossed.begin(), crossed.end());
-    for(Index& h : crossed)
+    for(Input_halfedge_index& h : crossed)
       h = internal::twin_index(h);
   }
 
@@ -50,9 +50,9 @@ struct Crossing_word
   }
 
   /// A halfedge of the input face at the tail. \pre the edge does not lie along an input edge
-  Index first_face() const { return crossed.empty() ? face : crossed.front(); }
+  Input_halfedge_index first_face() const { return crossed.empty() ? face : crossed.front(); }
   /// A halfedge of the input face at the head. \pre the edge does not lie along an input edge
-  Index last_face() const { return crossed.empty() ? face : internal::twin_index(crossed.back()); }
+  Input_halfedge_index last_face() const { return crossed.empty() ? face : internal::twin_index(crossed.back()); }
 };
 
 } // namespace Flip_geodesics

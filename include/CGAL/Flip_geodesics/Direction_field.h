@@ -77,10 +77,10 @@ public:
   /// @{
 
   /// Asks for a direction at vertex `v`, an angle in its tangent space. \throws Vertex_out_of_range_error
-  void align(Index v, double angle)
+  void align(Vertex_index v, double angle)
   {
     internal::check_vertex(v, static_cast<Index>(m_operators.number_of_vertices()));
-    m_aligned[v] += power(angle);
+    m_aligned[v.idx()] += power(angle);
   }
 
   /// Asks for the tangents of all curves of a network, at every vertex that they pass or end at.
@@ -88,9 +88,9 @@ public:
   void align(const Network& network)
   {
     constexpr double pi = boost::math::constants::pi<double>();
-    for(Index c = 0; c < network.number_of_curves(); ++c)
-      network.for_each_segment(c, [&](Index s) {
-        const Index h = network.halfedge(s), t = Triangulation::twin(h);
+    for(Curve_index c : internal::descriptors<Curve_index>(network.number_of_curves()))
+      network.for_each_segment(c, [&](Segment_index s) {
+        const Halfedge_index h = network.halfedge(s), t = Triangulation::twin(h);
         align(m_triangulation.tail(h), m_spaces.angle(h));
         align(m_triangulation.tail(t), m_spaces.angle(t) + pi);
       });
@@ -127,7 +127,7 @@ public:
 
   /// One of the directions at vertex `v`, an angle in its tangent space; the others follow in steps of \f$2\pi\f$ over
   /// the symmetry.
-  double angle(Index v) const { return std::arg(m_values[v]) / m_symmetry; }
+  double angle(Vertex_index v) const { return std::arg(m_values[v.idx()]) / m_symmetry; }
 
   /*!
    * The faces about which the field turns. On a closed surface the indices sum up to `symmetry` times the Euler
@@ -140,7 +140,7 @@ public:
     const std::vector<Intrinsic_face>& faces = m_operators.faces();
     for(std::size_t f = 0; f < faces.size(); ++f) {
       double turn = -pi * m_symmetry;
-      for(Index h : faces[f].halfedges)
+      for(Halfedge_index h : faces[f].halfedges)
         turn += rotation(h) + m_symmetry * m_spaces.corner(h);
       const int index = static_cast<int>(std::lround(turn / (2 * pi)));
       if(index != 0)
@@ -155,15 +155,15 @@ public:
 private:
   Complex power(double angle) const { return std::polar(1.0, m_symmetry * angle); }
 
-  Complex carried(Index h) const { return power(m_spaces.transport(h)); }
+  Complex carried(Halfedge_index h) const { return power(m_spaces.transport(h)); }
 
   // How far the field turns along h against parallel transport, between -pi and pi; the other way along the twin.
-  double rotation(Index h) const
+  double rotation(Halfedge_index h) const
   {
-    const bool is_first = (h & 1) == 0;
-    const Index g = is_first ? h : Triangulation::twin(h);
-    const double angle =
-        std::arg(m_values[m_triangulation.head(g)] * std::conj(carried(g) * m_values[m_triangulation.tail(g)]));
+    const bool is_first = internal::is_first_side(h);
+    const Halfedge_index g = is_first ? h : Triangulation::twin(h);
+    const Complex at_tail = m_values[m_triangulation.tail(g).idx()], at_head = m_values[m_triangulation.head(g).idx()];
+    const double angle = std::arg(at_head * std::conj(carried(g) * at_tail));
     return is_first ? angle : -angle;
   }
 
@@ -175,7 +175,7 @@ private:
       const internal::Plane_triangle triangle(face.lengths);
       for(int i = 0; i < 3; ++i) {
         const double weight = triangle.cotangents[(i + 2) % 3] / 2; // the corner opposite to side i
-        const Index tail = face.vertices[i], head = face.vertices[(i + 1) % 3];
+        const Index tail = face.vertices[i].idx(), head = face.vertices[(i + 1) % 3].idx();
         const Complex r = carried(face.halfedges[i]);
         entries.emplace_back(tail, tail, weight);
         entries.emplace_back(head, head, weight);

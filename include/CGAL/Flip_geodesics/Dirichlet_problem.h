@@ -41,7 +41,7 @@ public:
    * \throws Vertex_out_of_range_error
    * \throws Singular_problem_error if a component with faces has no vertex in `given`; `elements()` is a vertex of it
    */
-  Dirichlet_problem(const Operators_& operators, const std::vector<Index>& given)
+  Dirichlet_problem(const Operators_& operators, const std::vector<Vertex_index>& given)
     : m_is_given(internal::marked_vertices(operators.number_of_vertices(), given))
     , m_is_isolated(internal::isolated_vertices(operators.number_of_vertices(), operators.faces()))
     , m_mass(operators.consistent_mass())

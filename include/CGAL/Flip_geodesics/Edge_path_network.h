@@ -10,7 +10,6 @@
 #include <CGAL/Flip_geodesics/internal/Joint_replacement.h>
 #include <CGAL/Flip_geodesics/internal/Network_place.h>
 #include <CGAL/Flip_geodesics/internal/Network_validity.h>
-#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/Segment_division.h>
 #include <CGAL/Flip_geodesics/internal/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/check_chain.h>
@@ -112,14 +111,14 @@ public:
    * \throws Invalid_curve_error if the halfedges are no chain
    */
   template <class HalfedgeRange>
-  Index add_curve(const HalfedgeRange& halfedges, bool is_closed)
+  Curve_index add_curve(const HalfedgeRange& halfedges, bool is_closed)
   {
     internal::check_chain(*m_triangulation, halfedges, is_closed);
     m_segments.make_room(static_cast<std::size_t>(std::distance(std::begin(halfedges), std::end(halfedges))));
-    const Index curve = static_cast<Index>(m_curves.size());
+    const Curve_index curve(static_cast<Index>(m_curves.size()));
     m_curves.push_back({null_index, null_index, is_closed, 0});
     m_claim.set_has_curves(true);
-    for(Index h : halfedges)
+    for(Halfedge_index h : halfedges)
       append(curve, h);
     if(is_closed)
       m_segments.link(m_curves[curve].last, m_curves[curve].first);
@@ -128,50 +127,52 @@ public:
   }
 
   /// Fixes every node at vertex `v` that a curve passes now: it stays where it is, and strands cannot cross it.
-  void fix_nodes_at(Index v)
+  void fix_nodes_at(Vertex_index v)
   {
-    for(Index s = 1; s < m_segments.end_of_ids(); ++s)
+    for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
       if(is_alive(s) && m_triangulation->head(halfedge(s)) == v)
         m_segments[s].is_head_fixed = true;
   }
 
   /// Fixes or frees the node at the head of `s`. \pre if it is freed, the strands there do not cross
-  void set_head_fixed(Index s, bool is_fixed) { m_segments[s].is_head_fixed = is_fixed; }
+  void set_head_fixed(Segment_index s, bool is_fixed) { m_segments[s].is_head_fixed = is_fixed; }
 
   /// Frees all nodes of a curve, but the ends of an open one.
   /// \throws Crossing_curves_error if strands cross at one of them; nothing is changed then
-  void free_nodes(Index curve)
+  void free_nodes(Curve_index curve)
   {
-    std::vector<Index> freed;
-    for_each_segment(curve, [&](Index s) {
+    std::vector<Segment_index> freed;
+    for_each_segment(curve, [&](Segment_index s) {
       if(is_head_fixed(s) && next(s) != null_index)
         freed.push_back(s);
     });
-    for(Index s : freed)
+    for(Segment_index s : freed)
       set_head_fixed(s, false);
-    for(Index s : freed) {
-      const Index h = halfedge(s), v = m_triangulation->head(h);
+    for(Segment_index s : freed) {
+      const Halfedge_index h = halfedge(s);
+      const Vertex_index v = m_triangulation->head(h);
       if(is_non_crossing_at({Triangulation::twin(h), s}))
         continue;
-      for(Index fixed : freed)
+      for(Segment_index fixed : freed)
         set_head_fixed(fixed, true);
-      throw Crossing_curves_error("strands cross at vertex " + std::to_string(v), {static_cast<std::size_t>(v)});
+      throw Crossing_curves_error("strands cross at vertex " + std::to_string(v.idx()),
+                                  {static_cast<std::size_t>(v.idx())});
     }
   }
 
   /// Takes the present length of a curve for its initial one, for instance once it is the polyline that was drawn.
-  void reset_initial_length(Index curve) { m_curves[curve].initial_length = length(curve); }
+  void reset_initial_length(Curve_index curve) { m_curves[curve].initial_length = length(curve); }
 
   /// Sets the initial length of a curve that was shorter already when it was added.
-  void set_initial_length(Index curve, double length) { m_curves[curve].initial_length = length; }
+  void set_initial_length(Curve_index curve, double length) { m_curves[curve].initial_length = length; }
 
   /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
-  void set_stack(Index e, const std::vector<Index>& order)
+  void set_stack(Edge_index e, const std::vector<Segment_index>& order)
   {
-    for(Index s : order)
+    for(Segment_index s : order)
       m_segments.unlink(s);
-    for(Index s : order)
-      m_segments.link_outermost(s, 2 * e);
+    for(Segment_index s : order)
+      m_segments.link_outermost(s, internal::first_side(e));
   }
 
   /*!
@@ -180,7 +181,7 @@ public:
    * \return the new vertex, or the one that is there already
    * \throws as `Intrinsic_triangulation::insert()`
    */
-  Index insert(const Surface_location& location, internal::Known_piece* near = nullptr)
+  Vertex_index insert(const Surface_location& location, internal::Known_piece* near = nullptr)
   {
     return internal::Segment_division<Edge_path_network>(*this).insert(location, near);
   }
@@ -192,13 +193,13 @@ public:
    * \pre 0 < `t` < 1
    * \throws as `Intrinsic_triangulation::split_edge()`
    */
-  Index divide_segment(Index s, double t)
+  Segment_index divide_segment(Segment_index s, double t)
   {
     return internal::Segment_division<Edge_path_network>(*this).divide(s, t);
   }
 
   /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()`.
-  Index split_edge(Index h, const Surface_location& location, std::size_t gap)
+  Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
     return internal::Segment_division<Edge_path_network>(*this).split_edge(h, location, gap);
   }
@@ -206,7 +207,7 @@ public:
   /// Removes all curves. Linear in the segments.
   void clear()
   {
-    for(Index s = 1; s < m_segments.end_of_ids(); ++s)
+    for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
       if(is_alive(s))
         m_triangulation->set_label(Triangulation::edge(halfedge(s)), 0);
     m_segments.set_end_of_ids(1);
@@ -225,31 +226,31 @@ public:
   Index end_of_segment_ids() const { return m_segments.end_of_ids(); }
 
   /// The first segment of a curve, `null_index` if the curve has shrunk to a point.
-  Index first_segment(Index curve) const { return m_curves[curve].first; }
+  Segment_index first_segment(Curve_index curve) const { return m_curves[curve].first; }
   /// The last segment of a curve, `null_index` if the curve has shrunk to a point.
-  Index last_segment(Index curve) const { return m_curves[curve].last; }
+  Segment_index last_segment(Curve_index curve) const { return m_curves[curve].last; }
   /// Is the curve a loop without ends?
-  bool is_closed(Index curve) const { return m_curves[curve].is_closed; }
+  bool is_closed(Curve_index curve) const { return m_curves[curve].is_closed; }
   /// Has the curve shrunk to a point?
-  bool is_contracted(Index curve) const { return m_curves[curve].first == null_index; }
+  bool is_contracted(Curve_index curve) const { return m_curves[curve].first == null_index; }
 
   /// The length of a curve when it was added.
-  double initial_length(Index curve) const { return m_curves[curve].initial_length; }
+  double initial_length(Curve_index curve) const { return m_curves[curve].initial_length; }
 
   /// The length of a curve, summed over its segments.
-  double length(Index curve) const
+  double length(Curve_index curve) const
   {
     double sum = 0;
-    for_each_segment(curve, [&](Index s) { sum += m_triangulation->length(halfedge(s)); });
+    for_each_segment(curve, [&](Segment_index s) { sum += m_triangulation->length(halfedge(s)); });
     return sum;
   }
 
   /// Calls `function(s)` for each segment of a curve, in order.
   template <class Function>
-  void for_each_segment(Index curve, Function function) const
+  void for_each_segment(Curve_index curve, Function function) const
   {
-    const Index first = m_curves[curve].first;
-    for(Index s = first; s != null_index;) {
+    const Segment_index first = m_curves[curve].first;
+    for(Segment_index s = first; s != null_index;) {
       function(s);
       s = m_segments[s].next;
       if(s == first)
@@ -258,10 +259,10 @@ public:
   }
 
   /// The halfedges of a curve, in order.
-  std::vector<Index> halfedges(Index curve) const
+  std::vector<Halfedge_index> halfedges(Curve_index curve) const
   {
-    std::vector<Index> result;
-    for_each_segment(curve, [&](Index s) { result.push_back(halfedge(s)); });
+    std::vector<Halfedge_index> result;
+    for_each_segment(curve, [&](Segment_index s) { result.push_back(halfedge(s)); });
     return result;
   }
 
@@ -270,26 +271,26 @@ public:
   /// @{
 
   /// Is `s` a segment of a curve now? Ids of segments that were replaced stay dead.
-  bool is_alive(Index s) const { return m_segments.is_alive(s); }
+  bool is_alive(Segment_index s) const { return m_segments.is_alive(s); }
   /// The halfedge that segment `s` runs along, `null_index` if it is dead.
-  Index halfedge(Index s) const { return m_segments[s].halfedge; }
+  Halfedge_index halfedge(Segment_index s) const { return m_segments[s].halfedge; }
   /// The curve of segment `s`.
-  Index curve(Index s) const { return m_segments[s].curve; }
+  Curve_index curve(Segment_index s) const { return m_segments[s].curve; }
   /// The next segment of the curve, `null_index` at the end of a path.
-  Index next(Index s) const { return m_segments[s].next; }
+  Segment_index next(Segment_index s) const { return m_segments[s].next; }
   /// The previous segment of the curve, `null_index` at the start of a path.
-  Index previous(Index s) const { return m_segments[s].previous; }
+  Segment_index previous(Segment_index s) const { return m_segments[s].previous; }
   /// Is the node at the head of `s` fixed? So is the end of a path.
-  bool is_head_fixed(Index s) const { return next(s) == null_index || m_segments[s].is_head_fixed; }
+  bool is_head_fixed(Segment_index s) const { return next(s) == null_index || m_segments[s].is_head_fixed; }
 
   /// Does any segment lie on the edge of `h`?
-  bool is_occupied(Index h) const { return m_triangulation->label(Triangulation::edge(h)) != 0; }
+  bool is_occupied(Halfedge_index h) const { return m_triangulation->label(Triangulation::edge(h)) != 0; }
 
   /// The segments on edge `e`, from left to right as seen along halfedge `2e`.
-  std::vector<Index> stack(Index e) const { return m_segments.stack(e); }
+  std::vector<Segment_index> stack(Edge_index e) const { return m_segments.stack(e); }
 
   /// The outermost segment on a side of the edge of `h`, as seen along `h`. \pre `is_occupied(h)`
-  Index outermost(Index h, Side side) const { return m_segments.outermost(h, side); }
+  Segment_index outermost(Halfedge_index h, Side side) const { return m_segments.outermost(h, side); }
 
   /// @}
   /// \name Ends and wedges
@@ -298,7 +299,7 @@ public:
   /// The two ends at a joint: the wedge on its side lies clockwise from the first to the second.
   std::pair<Strand_end, Strand_end> ends(const Joint& joint) const
   {
-    const Index x = joint.incoming, y = next(x);
+    const Segment_index x = joint.incoming, y = next(x);
     const Strand_end at_x = {Triangulation::twin(halfedge(x)), x}, at_y = {halfedge(y), y};
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
@@ -306,31 +307,31 @@ public:
   /// The next end clockwise about the node; none if the border intervenes. Linear in the spokes passed.
   Strand_end next_clockwise(const Strand_end& end) const
   {
-    const Index inner = m_segments.neighbor(end.segment, end.halfedge, Side::RIGHT);
+    const Segment_index inner = m_segments.neighbor(end.segment, end.halfedge, Side::RIGHT);
     if(inner != null_index)
       return {end.halfedge, inner};
-    Placed_halfedge h = m_segments.placed(end.segment, end.halfedge);
+    Walker h = m_segments.placed(end.segment, end.halfedge);
     do {
       h = h.clockwise();
       if(h.is_none())
         return {};
     } while(h.label() == 0);
-    return {h.index(), m_segments.outermost(h.index(), h.label(), Side::LEFT)};
+    return {h.index(), m_segments.outermost(h.index(), Segment_index(h.label()), Side::LEFT)};
   }
 
   /// The next end counterclockwise about the node; none if the border intervenes. Linear in the spokes passed.
   Strand_end next_counterclockwise(const Strand_end& end) const
   {
-    const Index inner = m_segments.neighbor(end.segment, end.halfedge, Side::LEFT);
+    const Segment_index inner = m_segments.neighbor(end.segment, end.halfedge, Side::LEFT);
     if(inner != null_index)
       return {end.halfedge, inner};
-    Placed_halfedge h = m_segments.placed(end.segment, end.halfedge);
+    Walker h = m_segments.placed(end.segment, end.halfedge);
     do {
       h = h.counterclockwise();
       if(h.is_none())
         return {};
     } while(h.label() == 0);
-    return {h.index(), m_segments.outermost(h.index(), h.label(), Side::RIGHT)};
+    return {h.index(), m_segments.outermost(h.index(), Segment_index(h.label()), Side::RIGHT)};
   }
 
   /// Looks into the wedge of a joint, no further than to \f$\pi\f$.
@@ -363,7 +364,7 @@ public:
    * \return the first new segment in the direction of the curve, `null_index` if there is none
    * \pre the angles of the arc on its right are at least \f$\pi\f$
    */
-  Index replace_joint(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)
+  Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
   {
     return internal::Joint_replacement<Edge_path_network>(*this)(joint, arc, affected);
   }
@@ -373,15 +374,15 @@ public:
    * halfedge or its twin [SC20, Appendix B].
    * \return the new segment that arrives at the old node
    */
-  Index perturb_loop(Index s, Index h)
+  Segment_index perturb_loop(Segment_index s, Halfedge_index h)
   {
-    const Index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
-    const Index curve = m_segments[s].curve;
+    const Halfedge_index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
+    const Curve_index curve = m_segments[s].curve;
     const bool is_along = h == halfedge(s);
     m_segments.make_room(2);
     m_segments.remove(s);
-    const Index a = m_segments.create(curve, is_along ? Triangulation::twin(hp) : hn);
-    const Index b = m_segments.create(curve, is_along ? Triangulation::twin(hn) : hp);
+    const Segment_index a = m_segments.create(curve, is_along ? Triangulation::twin(hp) : hn);
+    const Segment_index b = m_segments.create(curve, is_along ? Triangulation::twin(hn) : hp);
     // The face lies to the left of hn and hp.
     m_segments.link_outermost(a, is_along ? Triangulation::twin(hp) : Triangulation::twin(hn));
     m_segments.link_outermost(b, is_along ? Triangulation::twin(hn) : Triangulation::twin(hp));
@@ -395,25 +396,26 @@ public:
   /// Where a segment lies in its stack: what is needed to put another one into its place.
   struct Stack_place
   {
-    Index halfedge, left, right;
+    Halfedge_index halfedge;
+    Segment_index left, right;
   };
 
   /// The place of segment `s`, to be kept for `restore_loop()`.
-  Stack_place stack_place(Index s) const
+  Stack_place stack_place(Segment_index s) const
   {
-    return {halfedge(s), m_segments.neighbor(s, halfedge(s) & ~1, Side::LEFT),
-            m_segments.neighbor(s, halfedge(s) & ~1, Side::RIGHT)};
+    const Halfedge_index first = internal::first_side(Triangulation::edge(halfedge(s)));
+    return {halfedge(s), m_segments.neighbor(s, first, Side::LEFT), m_segments.neighbor(s, first, Side::RIGHT)};
   }
 
   /// Replaces a closed curve by the one segment that it was when `place` was taken. \pre the flips since are undone
-  Index restore_loop(Index curve, const Stack_place& place)
+  Segment_index restore_loop(Curve_index curve, const Stack_place& place)
   {
     remove_segments(curve);
-    const Index s = m_segments.create(curve, place.halfedge);
+    const Segment_index s = m_segments.create(curve, place.halfedge);
     if(place.left != null_index)
       m_segments.link_right_of(s, place.left);
     else if(place.right != null_index)
-      m_segments.link_outermost(s, (place.halfedge & ~1) ^ 1);
+      m_segments.link_outermost(s, Triangulation::twin(internal::first_side(Triangulation::edge(place.halfedge))));
     else
       m_segments.link_outermost(s, place.halfedge);
     m_segments.link(s, s);
@@ -440,11 +442,11 @@ private:
   friend class internal::Joint_replacement<Edge_path_network>;
   friend class internal::Segment_division<Edge_path_network>;
 
-  using Placed_halfedge = internal::Placed_halfedge<Triangulation>;
+  using Walker = typename Triangulation::Walker;
 
   struct Curve
   {
-    Index first, last;
+    Segment_index first, last;
     bool is_closed;
     double initial_length;
   };
@@ -454,11 +456,11 @@ private:
     if(is_head_fixed(joint.incoming))
       return {Wedge_state::FIXED, {}};
     const auto [a, b] = ends(joint);
-    const Index inner = m_segments.neighbor(a.segment, a.halfedge, Side::RIGHT);
+    const Segment_index inner = m_segments.neighbor(a.segment, a.halfedge, Side::RIGHT);
     if(inner != null_index)
       return {b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
     Turn turn;
-    Placed_halfedge h = m_segments.placed(a.segment, a.halfedge);
+    Walker h = m_segments.placed(a.segment, a.halfedge);
     do {
       h = h.extend_turn_clockwise(turn);
       if(h.is_none())
@@ -466,13 +468,13 @@ private:
       if(m_triangulation->is_straight(turn, a.halfedge, h.index()))
         return {Wedge_state::STRAIGHT, {}};
     } while(h.label() == 0);
-    const Strand_end end = {h.index(), m_segments.outermost(h.index(), h.label(), Side::LEFT)};
+    const Strand_end end = {h.index(), m_segments.outermost(h.index(), Segment_index(h.label()), Side::LEFT)};
     return {b == end ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
   }
 
-  void append(Index curve, Index h)
+  void append(Curve_index curve, Halfedge_index h)
   {
-    const Index s = m_segments.create(curve, h);
+    const Segment_index s = m_segments.create(curve, h);
     m_segments.link_outermost(s, h);
     if(m_curves[curve].first == null_index)
       m_curves[curve].first = s;
@@ -481,18 +483,18 @@ private:
     m_curves[curve].last = s;
   }
 
-  void remove_segments(Index curve)
+  void remove_segments(Curve_index curve)
   {
-    std::vector<Index> segments;
-    for_each_segment(curve, [&](Index s) { segments.push_back(s); });
-    for(Index s : segments)
+    std::vector<Segment_index> segments;
+    for_each_segment(curve, [&](Segment_index s) { segments.push_back(s); });
+    for(Segment_index s : segments)
       m_segments.remove(s);
   }
 
   internal::Network_claim m_claim;
   Triangulation* m_triangulation;
   mutable internal::Segment_store<Triangulation> m_segments; // mutable, since what is known of wedges is kept
-  std::vector<Curve> m_curves;
+  internal::Indexed_by<Curve_index, std::vector<Curve>> m_curves;
 };
 
 } // namespace Flip_geodesics

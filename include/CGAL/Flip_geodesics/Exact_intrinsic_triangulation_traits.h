@@ -437,7 +437,7 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
 {
   const typename Metric::Mesh input(mesh);
   internal::Integer radicand = 0;
-  for(Index h = 0; h < input.number_of_halfedges(); ++h) {
+  for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
     if(input.is_border(h))
       continue;
     const internal::Integer square = metric.exact_face(input, h).doubled_area_squared;
@@ -446,7 +446,7 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
     if(radicand == 0)
       radicand = internal::without_squares(square);
     if(!internal::is_perfect_square(square * radicand)) {
-      const Index a = input.tail(h), b = input.tail(input.next(h)), c = input.tail(input.next(input.next(h)));
+      const Index a = input.tail(h).idx(), b = input.tail(input.next(h)).idx(), c = input.tail(input.previous(h)).idx();
       throw Inexact_root_error("the area of the face with vertices " + std::to_string(a) + ", " + std::to_string(b) +
                                    ", " + std::to_string(c) + " is not a rational multiple of that of the first face",
                                {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});

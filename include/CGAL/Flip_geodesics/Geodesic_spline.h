@@ -52,7 +52,7 @@ public:
    * \pre the network is valid, the curve not closed
    * \throws as `shorten()`
    */
-  Geodesic_spline(Network& network, Index curve)
+  Geodesic_spline(Network& network, Curve_index curve)
     : m_network(network)
     , m_curve(curve)
   {
@@ -70,7 +70,7 @@ public:
    * \pre the network is valid; a closed curve has at least three fixed nodes
    * \throws as `shorten()` and `refine()`
    */
-  static Geodesic_spline cubic_b_spline(Network& network, Index curve)
+  static Geodesic_spline cubic_b_spline(Network& network, Curve_index curve)
   {
     return Geodesic_spline(network, curve, Cubic_tag());
   }
@@ -145,10 +145,10 @@ public:
   }
 
   /// The vertices where pieces start and end, which lie on the curve, in order; a closed curve repeats the first.
-  std::vector<Index> vertices_on_curve() const
+  std::vector<Vertex_index> vertices_on_curve() const
   {
-    std::vector<Index> result;
-    Index s = first_segment();
+    std::vector<Vertex_index> result;
+    Segment_index s = first_segment();
     result.push_back(m_network.triangulation().tail(m_network.halfedge(s)));
     for(const Leg& leg : m_legs) {
       s = end_of_leg(s);
@@ -179,7 +179,7 @@ private:
     bool frees_end = false;
   };
 
-  Geodesic_spline(Network& network, Index curve, Cubic_tag)
+  Geodesic_spline(Network& network, Curve_index curve, Cubic_tag)
     : m_network(network)
     , m_curve(curve)
   {
@@ -190,7 +190,7 @@ private:
     if(is_closed)
       m_start = network.triangulation().head(network.halfedge(end_of_leg(network.first_segment(curve))));
     pull_straight();
-    const std::vector<Index> thirds = apply(std::vector<Cut>(n, Cut{{1.0 / 3, 2.0 / 3}, true}));
+    const std::vector<Vertex_index> thirds = apply(std::vector<Cut>(n, Cut{{1.0 / 3, 2.0 / 3}, true}));
     m_start = thirds.front();
     const std::size_t corners = is_closed ? n : n - 1;
     m_legs.assign(n + corners + (is_closed ? 0 : 2), {}); // the middle thirds, the corners and the outer thirds
@@ -199,7 +199,7 @@ private:
     std::vector<Cut> cuts(m_legs.size());
     for(std::size_t i = 0; i < corners; ++i)
       cuts[2 * i + (is_closed ? 1 : 2)].places = {0.5};
-    const std::vector<Index> joints = apply(cuts);
+    const std::vector<Vertex_index> joints = apply(cuts);
     if(is_closed)
       m_start = joints.front();
     m_legs.assign(3 * n, {});
@@ -213,17 +213,17 @@ private:
   std::size_t number_of_fixed_heads() const
   {
     std::size_t result = 0;
-    m_network.for_each_segment(m_curve, [&](Index s) { result += m_network.is_head_fixed(s) ? 1 : 0; });
+    m_network.for_each_segment(m_curve, [&](Segment_index s) { result += m_network.is_head_fixed(s) ? 1 : 0; });
     return result;
   }
 
   // That of the first leg; on a closed curve, it leaves the start.
-  Index first_segment() const
+  Segment_index first_segment() const
   {
     if(!m_network.is_closed(m_curve))
       return m_network.first_segment(m_curve);
-    Index result = null_index;
-    m_network.for_each_segment(m_curve, [&](Index s) {
+    Segment_index result;
+    m_network.for_each_segment(m_curve, [&](Segment_index s) {
       const bool is_start =
           m_network.is_head_fixed(s) && m_network.triangulation().head(m_network.halfedge(s)) == m_start;
       result = is_start ? m_network.next(s) : result;
@@ -232,14 +232,14 @@ private:
   }
 
   // The last segment of the leg that s is on.
-  Index end_of_leg(Index s) const
+  Segment_index end_of_leg(Segment_index s) const
   {
     while(!m_network.is_head_fixed(s))
       s = m_network.next(s);
     return s;
   }
 
-  double length_of_leg(Index s) const
+  double length_of_leg(Segment_index s) const
   {
     double result = m_network.triangulation().length(m_network.halfedge(s));
     for(; !m_network.is_head_fixed(s); s = m_network.next(s))
@@ -297,10 +297,10 @@ private:
    * Divides the legs, in order, and frees their ends where asked. Returns the new vertices. A division can divide
    * segments elsewhere on the curve, those on the same edge: so nothing is kept of the curve but where we are.
    */
-  std::vector<Index> apply(const std::vector<Cut>& cuts)
+  std::vector<Vertex_index> apply(const std::vector<Cut>& cuts)
   {
-    std::vector<Index> result;
-    Index s = first_segment();
+    std::vector<Vertex_index> result;
+    Segment_index s = first_segment();
     for(const Cut& cut : cuts) {
       double done = 0;
       const double length = length_of_leg(s);
@@ -318,7 +318,7 @@ private:
   }
 
   // Divides a leg at a distance from the tail of s; the segment that ends there.
-  Index divide_leg(Index s, double distance)
+  Segment_index divide_leg(Segment_index s, double distance)
   {
     for(;; s = m_network.next(s)) {
       const double length = m_network.triangulation().length(m_network.halfedge(s));
@@ -329,7 +329,7 @@ private:
           m_network.set_head_fixed(s, true);
           return s;
         }
-        const Index half = m_network.divide_segment(s, (std::min)((std::max)(t, closest), 1 - closest));
+        const Segment_index half = m_network.divide_segment(s, (std::min)((std::max)(t, closest), 1 - closest));
         m_network.set_head_fixed(half, true);
         return half;
       }
@@ -337,21 +337,21 @@ private:
     }
   }
 
-  void free_head(Index s)
+  void free_head(Segment_index s)
   {
     if(m_network.next(s) == null_index)
       return;
     m_network.set_head_fixed(s, false);
-    const Index h = m_network.halfedge(s);
+    const Halfedge_index h = m_network.halfedge(s);
     if(!m_network.is_non_crossing_at({Triangulation::twin(h), s}))
       throw Crossing_curves_error("a strand crosses the control polygon at vertex " +
-                                      std::to_string(m_network.triangulation().head(h)),
-                                  {static_cast<std::size_t>(m_network.triangulation().head(h))});
+                                      std::to_string(m_network.triangulation().head(h).idx()),
+                                  {static_cast<std::size_t>(m_network.triangulation().head(h).idx())});
   }
 
   Network& m_network;
-  Index m_curve;
-  Index m_start = null_index; // a control point, on closed curves the first
+  Curve_index m_curve;
+  Vertex_index m_start = null_index; // a control point, on closed curves the first
   std::vector<Leg> m_legs;
   Shortening_report m_report;
 };

@@ -92,7 +92,7 @@ public:
    * \throws Occupied_triangulation_error if a network in the triangulation has curves
    */
   template <class Visitor = Default_shortening_visitor>
-  Geodesic_tree_report grow(Index source, double max_distance = std::numeric_limits<double>::infinity(),
+  Geodesic_tree_report grow(Vertex_index source, double max_distance = std::numeric_limits<double>::infinity(),
                             Visitor&& visitor = Visitor())
   {
     internal::check_vertex(source, m_triangulation->number_of_vertices());
@@ -100,7 +100,7 @@ public:
       throw Occupied_triangulation_error("a tree cannot be grown in a triangulation that has curves");
     const bool is_small = m_labels.size() < static_cast<std::size_t>(m_triangulation->number_of_vertices());
     if(is_small || m_epoch > (std::numeric_limits<Index>::max)() - 8) { // some were inserted, or no epoch is left
-      m_labels = internal::Lazy_array<Label>(static_cast<std::size_t>(m_triangulation->number_of_vertices()));
+      m_labels = Labels(static_cast<std::size_t>(m_triangulation->number_of_vertices()));
       m_epoch = 0;
     }
     start(source, max_distance);
@@ -114,28 +114,28 @@ public:
   Triangulation& triangulation() const { return *m_triangulation; }
 
   /// The source of the tree, `null_index` before `grow()`.
-  Index source() const { return m_source; }
+  Vertex_index source() const { return m_source; }
 
   /// No path longer than this was wanted.
   double max_distance() const { return m_max_distance; }
 
   /// Has the tree a path to vertex `v`? \pre `v` was there when the tree was grown
-  bool is_reached(Index v) const { return state(v) == SETTLED; }
+  bool is_reached(Vertex_index v) const { return state(v) == SETTLED; }
 
   /// The length of the path to `v`; infinite if there is none.
-  double distance(Index v) const
+  double distance(Vertex_index v) const
   {
     return is_reached(v) ? m_labels[v].distance : std::numeric_limits<double>::infinity();
   }
 
   /// The last halfedge of the path to `v`, which ends there; `null_index` at the source and where there is no path.
-  Index incoming(Index v) const { return is_reached(v) ? m_labels[v].incoming : null_index; }
+  Halfedge_index incoming(Vertex_index v) const { return is_reached(v) ? m_labels[v].incoming : null_index; }
 
   /// The halfedges of the path from the source to `v`; none at the source and where there is no path.
-  std::vector<Index> path(Index v) const
+  std::vector<Halfedge_index> path(Vertex_index v) const
   {
-    std::vector<Index> result;
-    for(Index h = incoming(v); h != null_index; h = incoming(m_triangulation->tail(h)))
+    std::vector<Halfedge_index> result;
+    for(Halfedge_index h = incoming(v); h != null_index; h = incoming(m_triangulation->tail(h)))
       result.push_back(h);
     std::reverse(result.begin(), result.end());
     return result;
@@ -144,15 +144,15 @@ public:
   /// Checks the invariant, lengths up to a relative `tolerance`. Linear in the mesh.
   bool is_valid(double tolerance = 1e-10) const
   {
-    for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) {
-      const Index u = m_triangulation->tail(h), v = m_triangulation->head(h);
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
+      const Vertex_index u = m_triangulation->tail(h), v = m_triangulation->head(h);
       if(!is_reached(u) || !is_reached(v))
         continue;
       const double way = distance(u) + m_triangulation->length(h);
       if(way < distance(v) * (1 - tolerance) || (incoming(v) == h && way > distance(v) * (1 + tolerance)))
         return false;
     }
-    for(Index v = 0; v < m_triangulation->number_of_vertices(); ++v)
+    for(Vertex_index v : internal::descriptors<Vertex_index>(m_triangulation->number_of_vertices()))
       if(is_reached(v) && v != m_source && (incoming(v) == null_index || m_triangulation->head(incoming(v)) != v))
         return false;
     return true;
@@ -166,14 +166,16 @@ private:
   struct Label
   {
     double distance;
-    Index incoming;
+    Halfedge_index incoming;
     Index stamp; // the epoch, a multiple of 4, plus the state
   };
+
+  using Labels = internal::Indexed_by<Vertex_index, internal::Lazy_array<Label>>;
 
   struct Entry
   {
     double distance;
-    Index vertex;
+    Vertex_index vertex;
 
     // std heaps hand out the largest.
     bool operator<(const Entry& other) const
@@ -182,13 +184,13 @@ private:
     }
   };
 
-  Index state(Index v) const
+  Index state(Vertex_index v) const
   {
     const Index stamp = m_labels[v].stamp - m_epoch;
     return m_epoch == 0 || stamp < 0 ? static_cast<Index>(UNKNOWN) : stamp;
   }
 
-  void start(Index source, double max_distance)
+  void start(Vertex_index source, double max_distance)
   {
     m_epoch += 4;
     m_source = source;
@@ -217,11 +219,11 @@ private:
   }
 
   template <class Visitor>
-  void accept_or_straighten(Index v, Visitor& visitor)
+  void accept_or_straighten(Vertex_index v, Visitor& visitor)
   {
-    const Index h = m_labels[v].incoming;
+    const Halfedge_index h = m_labels[v].incoming;
     if(h != null_index && m_triangulation->tail(h) != m_source) {
-      const Index back = Triangulation::twin(m_labels[m_triangulation->tail(h)].incoming);
+      const Halfedge_index back = Triangulation::twin(m_labels[m_triangulation->tail(h)].incoming);
       const double left = key(back, h), right = key(h, back);
       if((left < straight || right < straight) && has_patience())
         return left <= right ? flip_out(v, back, h, visitor) : flip_out(v, h, back, visitor);
@@ -230,7 +232,7 @@ private:
       return;
     m_labels[v].stamp = m_epoch + SETTLED;
     m_settled.push_back(v);
-    for(Index spoke : internal::spokes(*m_triangulation, v))
+    for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
       relax(spoke);
   }
 
@@ -251,11 +253,11 @@ private:
   }
 
   // The key of the angle clockwise from a to c, if it is below pi and holds no edge of the tree.
-  double key(Index a, Index c) const
+  double key(Halfedge_index a, Halfedge_index c) const
   {
     typename Triangulation::Turn turn;
-    for(Index h = a;;) {
-      const Index t = Triangulation::twin(h);
+    for(Halfedge_index h = a;;) {
+      const Halfedge_index t = Triangulation::twin(h);
       if(m_triangulation->is_border(t))
         return straight;
       m_triangulation->extend_turn(turn, t);
@@ -272,15 +274,15 @@ private:
   // Makes room for a shorter path to v, which arrives along a or c. The path along the outer arc is shorter, but its
   // vertices need not be accepted yet; v waits for them.
   template <class Visitor>
-  void flip_out(Index v, Index a, Index c, Visitor& visitor)
+  void flip_out(Vertex_index v, Halfedge_index a, Halfedge_index c, Visitor& visitor)
   {
     const double old_distance = m_labels[v].distance;
     const double old_length = m_triangulation->length(a) + m_triangulation->length(c);
     m_orphans = {v};
     m_flipped.clear();
     ++m_idle;
-    const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Index spoke) {
-      const Index w = m_triangulation->head(spoke);
+    const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Halfedge_index spoke) {
+      const Vertex_index w = m_triangulation->head(spoke);
       if(state(w) == REACHED && m_labels[w].incoming == spoke)
         m_orphans.push_back(w);
       m_flipped.push_back(spoke);
@@ -293,17 +295,18 @@ private:
     m_lengthened += Triangulation::Traits::Has_drift::value && new_length >= old_length ? 1 : 0;
     adopt_orphans(Triangulation::edge(m_labels[v].incoming));
     prefer_arc(v, old_distance);
-    for(Index h : m_flipped) {
+    for(Halfedge_index h : m_flipped) {
       relax(h);
       relax(Triangulation::twin(h));
     }
   }
 
   // The way to v along the arc is shorter, whatever other ways the rounding of their lengths makes seem so.
-  void prefer_arc(Index v, double old_distance)
+  void prefer_arc(Vertex_index v, double old_distance)
   {
     const bool is_at_end = m_triangulation->head(m_arc.back()) == v;
-    const Index last = is_at_end ? m_arc.back() : Triangulation::twin(m_arc.front()), u = m_triangulation->tail(last);
+    const Halfedge_index last = is_at_end ? m_arc.back() : Triangulation::twin(m_arc.front());
+    const Vertex_index u = m_triangulation->tail(last);
     if(state(u) != SETTLED || u == v)
       return;
     const double distance = m_labels[u].distance + m_triangulation->length(last);
@@ -312,20 +315,20 @@ private:
   }
 
   // Looks for new ways to vertices that have lost theirs, but not along `edge`.
-  void adopt_orphans(Index edge)
+  void adopt_orphans(Edge_index edge)
   {
-    for(Index v : m_orphans)
+    for(Vertex_index v : m_orphans)
       m_labels[v].stamp = m_epoch;
-    for(Index v : m_orphans)
-      for(Index spoke : internal::spokes(*m_triangulation, v))
+    for(Vertex_index v : m_orphans)
+      for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
         if(Triangulation::edge(spoke) != edge)
           relax(Triangulation::twin(spoke));
   }
 
   // Looks at the way along h from a vertex that is accepted.
-  void relax(Index h)
+  void relax(Halfedge_index h)
   {
-    const Index u = m_triangulation->tail(h), v = m_triangulation->head(h);
+    const Vertex_index u = m_triangulation->tail(h), v = m_triangulation->head(h);
     if(state(u) != SETTLED || u == v || v == m_source)
       return;
     const double distance = m_labels[u].distance + m_triangulation->length(h);
@@ -340,7 +343,7 @@ private:
       offer(v, distance, h);
   }
 
-  void offer(Index v, double distance, Index h)
+  void offer(Vertex_index v, double distance, Halfedge_index h)
   {
     m_labels[v] = {distance, h, m_epoch + REACHED};
     m_heap.push_back({distance, v});
@@ -348,22 +351,23 @@ private:
   }
 
   // Hangs v on h, whose tail is accepted.
-  void hang(Index v, Index h)
+  void hang(Vertex_index v, Halfedge_index h)
   {
     m_labels[v] = {m_labels[m_triangulation->tail(h)].distance + m_triangulation->length(h), h, m_epoch + SETTLED};
     m_settled.push_back(v);
   }
 
-  void take_off(Index v) { m_labels[v].stamp = m_epoch; }
+  void take_off(Vertex_index v) { m_labels[v].stamp = m_epoch; }
 
   // Grows paths to what was taken off and not hung up again.
-  Geodesic_tree_report regrow(const std::vector<Index>& taken_off)
+  Geodesic_tree_report regrow(const std::vector<Vertex_index>& taken_off)
   {
     Default_shortening_visitor visitor;
-    for(Index v : taken_off)
-      for(Index spoke : internal::spokes(*m_triangulation, v))
+    for(Vertex_index v : taken_off)
+      for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
         relax_forward(Triangulation::twin(spoke));
-    for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) // new edges can be shorter ways to other vertices
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(
+            m_triangulation->number_of_halfedges())) // new edges can be shorter ways to other vertices
       relax(h);
     run(visitor);
     if constexpr(Triangulation::Traits::Has_drift::value)
@@ -372,13 +376,13 @@ private:
   }
 
   // Takes back the acceptance of v and of all whose paths pass it, and looks for other ways to them.
-  void reopen(Index v)
+  void reopen(Vertex_index v)
   {
-    std::vector<Index> subtree = {v};
+    std::vector<Vertex_index> subtree = {v};
     m_labels[v].stamp = m_epoch;
     for(std::size_t i = 0; i < subtree.size(); ++i)
-      for(Index spoke : internal::spokes(*m_triangulation, subtree[i])) {
-        const Index w = m_triangulation->head(spoke);
+      for(Halfedge_index spoke : internal::spokes(*m_triangulation, subtree[i])) {
+        const Vertex_index w = m_triangulation->head(spoke);
         if(state(w) == UNKNOWN || m_labels[w].incoming != spoke)
           continue;
         m_report.reopened += state(w) == SETTLED ? 1 : 0;
@@ -386,15 +390,15 @@ private:
         subtree.push_back(w);
       }
     ++m_report.reopened;
-    for(Index w : subtree)
-      for(Index spoke : internal::spokes(*m_triangulation, w))
+    for(Vertex_index w : subtree)
+      for(Halfedge_index spoke : internal::spokes(*m_triangulation, w))
         relax_forward(Triangulation::twin(spoke));
   }
 
   // As relax(), to a vertex that is not accepted.
-  void relax_forward(Index h)
+  void relax_forward(Halfedge_index h)
   {
-    const Index v = m_triangulation->head(h);
+    const Vertex_index v = m_triangulation->head(h);
     if(state(v) != SETTLED)
       relax(h);
   }
@@ -409,13 +413,13 @@ private:
     constexpr int most_rounds = 50;
     internal::Tree_straightness<Geodesic_tree> straightness(*this);
     for(int round = 0;; ++round) {
-      std::vector<Index> bent;
+      std::vector<Vertex_index> bent;
       m_report.smallest_angle = straightness(settled_vertices(), std::back_inserter(bent));
       if(bent.empty() || m_report.status != Shortening_status::LOCALLY_SHORTEST)
         return;
       bool has_refreshed = false;
       if(round < most_rounds)
-        for(Index v : bent)
+        for(Vertex_index v : bent)
           has_refreshed = is_reached(v) && refresh(v, straightness) ? true : has_refreshed;
       if(!has_refreshed) {
         m_report.status = Shortening_status::PRECISION_LIMIT;
@@ -425,7 +429,7 @@ private:
     }
   }
 
-  bool refresh(Index v, internal::Tree_straightness<Geodesic_tree>& straightness)
+  bool refresh(Vertex_index v, internal::Tree_straightness<Geodesic_tree>& straightness)
   {
     if(!straightness.refresh(v))
       return false;
@@ -434,12 +438,13 @@ private:
   }
 
   // Those accepted now, without those opened again, each once.
-  const std::vector<Index>& settled_vertices()
+  const std::vector<Vertex_index>& settled_vertices()
   {
     std::sort(m_settled.begin(), m_settled.end());
     m_settled.erase(std::unique(m_settled.begin(), m_settled.end()), m_settled.end());
-    m_settled.erase(std::remove_if(m_settled.begin(), m_settled.end(), [this](Index v) { return !is_reached(v); }),
-                    m_settled.end());
+    m_settled.erase(
+        std::remove_if(m_settled.begin(), m_settled.end(), [this](Vertex_index v) { return !is_reached(v); }),
+        m_settled.end());
     return m_settled;
   }
 
@@ -447,16 +452,17 @@ private:
   static constexpr double rounding = 1e-12; // relative, of lengths and their sums
 
   Triangulation* m_triangulation;
-  internal::Lazy_array<Label> m_labels;
+  Labels m_labels;
   std::vector<Entry> m_heap;
-  std::vector<Index> m_settled;
+  std::vector<Vertex_index> m_settled;
   Index m_epoch = 0;
-  Index m_source = null_index;
+  Vertex_index m_source = null_index;
   std::size_t m_idle = 0;       // wedges flipped out since the last flip
   std::size_t m_lengthened = 0; // wedges flipped out for arcs that are no shorter
   double m_max_distance = std::numeric_limits<double>::infinity();
   Geodesic_tree_report m_report;
-  std::vector<Index> m_arc, m_flipped, m_orphans;
+  std::vector<Halfedge_index> m_arc, m_flipped;
+  std::vector<Vertex_index> m_orphans;
 };
 
 } // namespace Flip_geodesics

@@ -19,6 +19,7 @@
 #include <CGAL/Flip_geodesics/internal/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/is_valid_halfedge.h>
+#include <CGAL/Flip_geodesics/internal/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -28,6 +29,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -77,24 +79,35 @@ template <class TriangleMesh, class Traits_ = internal::Default_traits<TriangleM
           class Metric_ = Embedded_metric<TriangleMesh, internal::Default_point_map<TriangleMesh>>>
 class Intrinsic_triangulation
 {
+  static_assert(internal::Is_triangulation_traits<Traits_>::value,
+                "the traits are no model of IntrinsicTriangulationTraits: of a kernel K, give "
+                "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
+
 public:
   using Triangle_mesh = TriangleMesh;
   using Traits = Traits_;
   using Metric = Metric_;
   using Input_mesh = internal::Indexed_mesh<TriangleMesh>;
-  using vertex_descriptor = typename Input_mesh::vertex_descriptor;
-  using halfedge_descriptor = typename Input_mesh::halfedge_descriptor;
+  using vertex_descriptor = Vertex_index;
+  using halfedge_descriptor = Halfedge_index;
+  using edge_descriptor = Edge_index;
+  using face_descriptor = Face_index;
   using FT = typename Traits::FT;
   using Halfedge_geometry = typename Traits::Halfedge_geometry;
   using Turn = typename Traits::Turn;
+  /// Descriptors of `Triangle_mesh`.
+  using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  /// A halfedge held by where it is kept, for walks of many steps; see the concept `IntrinsicTriangulation`.
+  using Walker = internal::Placed_halfedge<Intrinsic_triangulation>;
 
   /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge. Where `hp` is
-  /// `null_index`, nothing was flipped: either the face of `h` was laid out afresh, and the first three vectors are its
-  /// old ones; or a point was inserted, and `tn` is the number of the insertion.
+  /// `null_index`, nothing was flipped: either the face of `h` was laid out afresh, `tn` is `null_index` as well, and
+  /// the first three vectors are the old ones; or a point was inserted, and `rotation` is the number of the insertion.
   struct Flip_record
   {
-    Index h;                      ///< the flipped halfedge, i->j before and l->k after
-    Index hp, tn;                 ///< k->i and i->l
+    Halfedge_index h;             ///< the flipped halfedge, i->j before and l->k after
+    Halfedge_index hp, tn;        ///< k->i and i->l
     Index version_hp, version_tn; ///< their versions at the time
     Index rotation;               ///< how many input edges a turn about i from ik to il crosses
     Index old_version, old_crossings;
@@ -160,18 +173,16 @@ public:
   /// The number of edges, the input's and those of inserted points; flips do not change it.
   Index number_of_edges() const { return m_halfedges.number_of_edges(); }
 
-  /// The index of a vertex or halfedge of the input mesh, `null_index` if it is not one.
-  template <class Descriptor>
-  Index index(Descriptor d) const
-  {
-    return input().index(d);
-  }
+  /// The vertex that a vertex of the input mesh is, `null_index` if it is not one.
+  Vertex_index index(Mesh_vertex v) const { return input().index(v); }
+  /// The halfedge that a halfedge of the input mesh is as long as its edge is not flipped; none if it is not one.
+  Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
 
-  /// The input mesh's vertex with index `v`. \pre `v` was not inserted
-  vertex_descriptor vertex(Index v) const { return input().vertex(v); }
+  /// What vertex `v` is in the input mesh. \pre `v` was not inserted
+  Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
 
-  /// The input mesh's halfedge with index `h`.
-  halfedge_descriptor input_halfedge(Index h) const { return input().halfedge(h); }
+  /// The input mesh's halfedge with the number of `h`.
+  Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
 
   /// @}
   /// \name Connectivity
@@ -181,82 +192,88 @@ public:
   /// @{
 
   /// The other side of the edge.
-  static Index twin(Index h) { return h ^ 1; }
+  static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
   /// The edge that `h` is a side of.
-  static Index edge(Index h) { return h >> 1; }
+  static Edge_index edge(Halfedge_index h) { return internal::edge_of(h); }
 
   /// The next halfedge around the face. \pre `h` is not on the border
-  Index next(Index h) const { return m_halfedges.halfedge(record(h).next()); }
+  Halfedge_index next(Halfedge_index h) const { return m_halfedges.halfedge(record(h).next()); }
   /// The previous halfedge around the face. \pre `h` is not on the border
-  Index previous(Index h) const { return m_halfedges.halfedge(m_halfedges[record(h).next()].next()); }
+  Halfedge_index previous(Halfedge_index h) const { return m_halfedges.halfedge(m_halfedges[record(h).next()].next()); }
   /// The vertex at which `h` starts.
-  Index tail(Index h) const { return record(h).tail; }
+  Vertex_index tail(Halfedge_index h) const { return record(h).tail; }
   /// The vertex at which `h` ends.
-  Index head(Index h) const { return record(twin(h)).tail; }
+  Vertex_index head(Halfedge_index h) const { return record(twin(h)).tail; }
   /// Has `h` no face on its left?
-  bool is_border(Index h) const { return record(h).is_border(); }
+  bool is_border(Halfedge_index h) const { return record(h).is_border(); }
 
   /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
-  Index clockwise(Index h) const
+  Halfedge_index clockwise(Halfedge_index h) const
   {
     const Halfedge_record& at_t = record(twin(h));
     return at_t.is_border() ? null_index : m_halfedges.halfedge(at_t.next());
   }
 
   /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
-  Index counterclockwise(Index h) const { return is_border(h) ? null_index : twin(previous(h)); }
+  Halfedge_index counterclockwise(Halfedge_index h) const { return is_border(h) ? null_index : twin(previous(h)); }
+
+  /// A walker that stands at `h`.
+  Walker walker(Halfedge_index h) const { return Walker(*this, h); }
 
   /// Announces that the face on the left of `h` will be read soon: a hint to the cache, without any effect.
-  void prefetch_face(Index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
+  void prefetch_face(Halfedge_index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
 
   /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
-  Index outgoing(Index v) const { return m_halfedges.outgoing(v); }
+  Halfedge_index outgoing(Vertex_index v) const { return m_halfedges.outgoing(v); }
 
   /// @}
   /// \name Geometry
   /// @{
 
   /// What the traits keep of a halfedge, in the frame of its face. \pre `h` is not on the border
-  const Halfedge_geometry& geometry(Index h) const { return record(h).geometry; }
+  const Halfedge_geometry& geometry(Halfedge_index h) const { return record(h).geometry; }
 
   /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones. The log keeps the old
   /// ones.
-  void set_face_geometry(Index h, const typename Traits::Face_geometry& geometry)
+  void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
-    const Index hn = next(h), hp = next(hn);
+    const Halfedge_index hn = next(h), hp = next(hn);
     m_log.push_back({h, null_index, null_index, 0, 0, 0, 0, 0, this->geometry(h), this->geometry(hn),
                      this->geometry(hp), Halfedge_geometry()});
     set_geometries_of_face(h, geometry[0], geometry[1], geometry[2]);
   }
 
   /// The squared length of edge `edge(h)`, in the traits' number type.
-  FT squared_length(Index h) const
+  FT squared_length(Halfedge_index h) const
   {
     return traits().compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
   }
 
   /// The length of edge `edge(h)`, rounded to double.
-  double length(Index h) const { return traits().compute_length_object()(geometry(is_border(h) ? twin(h) : h)); }
+  double length(Halfedge_index h) const
+  {
+    return traits().compute_length_object()(geometry(is_border(h) ? twin(h) : h));
+  }
 
   /*!
    * Adds to a turn about the tail of `h` the corner on the right of `h`, and moves on.
    * \return the next halfedge clockwise, `null_index` where the border intervenes and nothing is added
    */
-  Index extend_turn_clockwise(Turn& turn, Index h) const
+  Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
   {
-    const Placed_halfedge next = placed(h).extend_turn_clockwise(turn);
+    const Walker next = walker(h).extend_turn_clockwise(turn);
     return next.is_none() ? null_index : next.index();
   }
 
   /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
-  void extend_turn(Turn& turn, Index h) const { placed(h).extend_turn(turn); }
+  void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /*!
    * Is the turn, which leads clockwise about a vertex from halfedge `from` to halfedge `to`, at least \f$\pi\f$?
    * \pre the turn has at least one corner, and was below \f$\pi\f$ before the last one; `from == to` means all the way
    * round
    */
-  bool is_straight(const Turn& turn, Index from, Index to) const
+  bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const
   {
     const Uncertain<Comparison_result> comparison = traits().compare_turn_with_straight_object()(turn);
     if constexpr(!Traits::Has_drift::value)
@@ -267,17 +284,20 @@ public:
 
   /// The input face on the left of input halfedge `h` in exact numbers. Like the next two, it is of a type that is not
   /// documented, and kept, since hard decisions come in crowds.
-  const internal::Exact_face& exact_input_face(Index h) const { return m_history.exact_face(*this, h); }
+  const internal::Exact_face& exact_input_face(Input_halfedge_index h) const { return m_history.exact_face(*this, h); }
   /// Input halfedge `h` in numbers of about 100 bits.
-  const internal::Precise_halfedge& precise_input_halfedge(Index h) const { return m_history.input_halfedge(*this, h); }
+  const internal::Precise_halfedge& precise_input_halfedge(Input_halfedge_index h) const
+  {
+    return m_history.input_halfedge(*this, h);
+  }
   /// The edge of `h` in numbers of about 100 bits, if its ends are input vertices.
-  internal::Precise_edge precise_edge(Index h) const { return m_history.edge(*this, h); }
+  internal::Precise_edge precise_edge(Halfedge_index h) const { return m_history.edge(*this, h); }
 
   /// How the decisions that were left open by the traits were taken, since construction.
   const Decision_statistics& decision_statistics() const { return m_statistics; }
 
   /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
-  bool is_reflex_at_head(Index h) const { return placed(h).is_reflex_at_head(); }
+  bool is_reflex_at_head(Halfedge_index h) const { return walker(h).is_reflex_at_head(); }
 
   /*!
    * Is the edge of `h` locally Delaunay: on the border, or the two angles opposite to it together at most \f$\pi\f$? An
@@ -286,12 +306,12 @@ public:
    * Exact where the traits are. Otherwise four points count as cocircular up to the traits' tolerance, and Delaunay
    * then; so flipping what is not Delaunay, in any order, ends as long as drift stays below the tolerance.
    */
-  bool is_locally_delaunay(Index h) const
+  bool is_locally_delaunay(Halfedge_index h) const
   {
-    const Index t = twin(h);
+    const Halfedge_index t = twin(h);
     if(is_border(h) || is_border(t) || next(h) == t || next(t) == h)
       return true; // at a vertex of degree 1, opposite are the base angles of an isosceles face
-    const Index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
+    const Halfedge_index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
     const Uncertain<bool> result = traits().is_locally_delaunay_object()(geometry(h), geometry(hn), geometry(hp),
                                                                          geometry(t), geometry(tn), geometry(tp));
     if constexpr(!Traits::Has_drift::value)
@@ -306,9 +326,9 @@ public:
   /// @{
 
   /// Can the edge of `h` be flipped [SC20, section 3.1.3]: inside, in a convex quad, both ends of degree above 1?
-  bool is_flippable(Index h) const
+  bool is_flippable(Halfedge_index h) const
   {
-    const Index t = twin(h);
+    const Halfedge_index t = twin(h);
     if(is_border(h) || is_border(t) || next(h) == t || next(t) == h)
       return false;
     return !is_reflex_at_head(h) && !is_reflex_at_head(t);
@@ -320,7 +340,7 @@ public:
    * has changed.
    * \pre `is_flippable(h)`, and no curve lies on the edge
    */
-  void flip(Index h)
+  void flip(Halfedge_index h)
   {
     const Slot s = m_halfedges.taken(h), t = internal::twin_slot(s);
     Halfedge_record &at_h = m_halfedges.known(s), &at_t = m_halfedges.known(t); // from here on both faces are known
@@ -390,7 +410,7 @@ public:
   /// @{
 
   /// Was vertex `v` inserted? The others are the input's.
-  bool is_inserted(Index v) const { return v >= input().number_of_vertices(); }
+  bool is_inserted(Vertex_index v) const { return v.idx() >= input().number_of_vertices(); }
 
   /*!
    * Where vertex `v` is on the input, told in one way only: an input vertex by a halfedge that starts there, with
@@ -398,10 +418,10 @@ public:
    * point inside a face by the face's smallest halfedge.
    * \pre `v` is not isolated
    */
-  Surface_location location(Index v) const
+  Surface_location location(Vertex_index v) const
   {
     if(is_inserted(v))
-      return m_points[static_cast<std::size_t>(v - input().number_of_vertices())];
+      return m_points[static_cast<std::size_t>(v.idx() - input().number_of_vertices())];
     return internal::canonical_location(input(), {input().outgoing(v), {{1, 0, 0}}});
   }
 
@@ -425,7 +445,7 @@ public:
    *
    * Linear in the words of the edges that pass the point's input face, most often those of its face alone.
    */
-  Index insert(const Surface_location& location)
+  Vertex_index insert(const Surface_location& location)
   {
     const Log_position start = log_position();
     return insert(location, [this, start](const internal::Edge_halves& halves) {
@@ -443,7 +463,7 @@ public:
    * `near` is for `refine()`, which knows where the point is: many edges in the input face need not be passed then.
    */
   template <class OnSplit>
-  Index insert(const Surface_location& location, const OnSplit& on_split, internal::Known_piece* near = nullptr)
+  Vertex_index insert(const Surface_location& location, const OnSplit& on_split, internal::Known_piece* near = nullptr)
   {
     const Surface_location point = internal::canonical_location(input(), location);
     if(kind(point) == Location_kind::VERTEX)
@@ -464,7 +484,7 @@ public:
    * \throws as `insert()`
    */
   template <class OnSplit>
-  Index split_edge(Index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split)
+  Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split)
   {
     if(is_border(h))
       h = twin(h); // an input edge: it crosses nothing
@@ -476,7 +496,7 @@ public:
   /// @{
 
   /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
-  Index crossings(Index e) const { return crossings(m_halfedges.slot(2 * e)); }
+  Index crossings(Edge_index e) const { return crossings(m_halfedges.slot(internal::first_side(e))); }
 
   /*!
    * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone [GSC21, section
@@ -484,20 +504,20 @@ public:
    * log where points are inserted or no edge at either end is the input's any more: in total about as many words as the
    * edge's history has joints.
    */
-  Crossing_word crossing_word(Index h) const { return m_history.word(*this, h); }
+  Crossing_word crossing_word(Halfedge_index h) const { return m_history.word(*this, h); }
 
   /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
-  Index version(Index e) const { return m_halfedges.version(m_halfedges.slot(2 * e)); }
+  Index version(Edge_index e) const { return m_halfedges.version(m_halfedges.slot(internal::first_side(e))); }
 
   /*!
    * How many input edges start strictly inside the wedge from halfedge `from` clockwise to halfedge `to` of one vertex;
    * `from == to` means all the way round. \pre no border in between. Linear in the wedge's degree.
    */
-  Index input_edges_in_wedge(Index from, Index to) const
+  Index input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {
     Index count = 0;
-    for(Index h = from;;) {
-      const Index t = twin(h), tn = next(t);
+    for(Halfedge_index h = from;;) {
+      const Halfedge_index t = twin(h), tn = next(t);
       const internal::Triangle_crossings corner(crossings(edge(next(tn))), crossings(edge(t)), crossings(edge(tn)));
       count += corner.emanating[0];
       h = tn;
@@ -513,9 +533,9 @@ public:
   /// @{
 
   /// The label of edge `e`.
-  Index label(Index e) const { return m_halfedges.label(m_halfedges.slot(2 * e)); }
+  Index label(Edge_index e) const { return m_halfedges.label(m_halfedges.slot(internal::first_side(e))); }
   /// Sets the label of edge `e`.
-  void set_label(Index e, Index label) { m_halfedges.label(m_halfedges.taken(2 * e)) = label; }
+  void set_label(Edge_index e, Index label) { m_halfedges.label(m_halfedges.taken(internal::first_side(e))) = label; }
 
   /// Where the network claims its place; of a type that is not documented.
   internal::Network_place& network_place() { return m_network_place; }
@@ -530,7 +550,7 @@ public:
    */
   bool is_valid(double tolerance = 1e-9) const
   {
-    for(Index h = 0; h < number_of_halfedges(); ++h)
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(number_of_halfedges()))
       if(m_halfedges[m_halfedges.slot(h)].encoded_next > 0 &&
          !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges[m_halfedges.slot(twin(h))].is_known()))
         return false;
@@ -548,7 +568,6 @@ private:
   using Halfedge_store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
   using Halfedge_record = typename Halfedge_store::Record;
   using Slot = internal::Slot;
-  using Placed_halfedge = internal::Placed_halfedge<Intrinsic_triangulation>;
   using Insertion_record = internal::Insertion_record<Halfedge_geometry>;
 
   static Input_mesh make_input(const TriangleMesh& mesh, const Metric& metric, Zero_length_edges zero_length_edges)
@@ -556,17 +575,15 @@ private:
     Input_mesh input(mesh);
     if(zero_length_edges == Zero_length_edges::REFUSE)
       return input;
-    return input.contracted([&](Index h) { return metric.weight(input, h); });
+    return input.contracted([&](Input_halfedge_index h) { return metric.weight(input, h); });
   }
 
   // Of a face that is known from here on.
-  const Halfedge_record& record(Index h) const { return m_halfedges.known(h); }
-
-  Placed_halfedge placed(Index h) const { return Placed_halfedge::take(*this, h); }
+  const Halfedge_record& record(Halfedge_index h) const { return m_halfedges.known(h); }
 
   Index crossings(Slot s) const { return m_halfedges.crossings_plus_one(s) - 1; }
 
-  void link_face(Index a, Index b, Index c)
+  void link_face(Halfedge_index a, Halfedge_index b, Halfedge_index c)
   {
     m_halfedges.link_face(m_halfedges.slot(a), m_halfedges.slot(b), m_halfedges.slot(c));
   }
@@ -584,7 +601,7 @@ private:
     }
   }
 
-  void set_geometries_of_face(Index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
+  void set_geometries_of_face(Halfedge_index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
                               const Halfedge_geometry& at_hp)
   {
     Halfedge_record& first = m_halfedges[m_halfedges.slot(h)];
@@ -595,14 +612,14 @@ private:
   }
 
   template <class OnSplit>
-  Index insert_at(internal::Located_point place, const Surface_location& point, const OnSplit& on_split)
+  Vertex_index insert_at(internal::Located_point place, const Surface_location& point, const OnSplit& on_split)
   {
-    const Index t = twin(place.halfedge);
+    const Halfedge_index t = twin(place.halfedge);
     if(place.is_on_edge && !is_border(t) && next(t) == place.halfedge) // of degree 1 is the head, if an end is
       place = {t, (std::max)(crossings(edge(t)), 0) - place.gap, true, null_index};
     const Log_position start = log_position();
     internal::Insertion_log<Intrinsic_triangulation>(*this).begin(place, point);
-    const Index x = number_of_vertices() - 1;
+    const Vertex_index x(number_of_vertices() - 1);
     internal::Edge_halves halves;
     try {
       internal::Point_insertion<Intrinsic_triangulation> insertion(*this, place, x);

@@ -20,7 +20,7 @@ inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT :
 /// One side of the joint between a segment and the next one of its curve.
 struct Joint
 {
-  Index incoming; ///< the segment that arrives at the node
+  Segment_index incoming; ///< the segment that arrives at the node
   Side side;
 };
 
@@ -28,8 +28,8 @@ struct Joint
 /// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
 struct Strand_end
 {
-  Index halfedge = null_index;
-  Index segment = null_index;
+  Halfedge_index halfedge = null_index;
+  Segment_index segment = null_index;
 
   /// Is it no end at all?
   bool is_none() const { return halfedge == null_index; }

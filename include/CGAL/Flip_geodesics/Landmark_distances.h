@@ -51,7 +51,7 @@ public:
   std::size_t number_of_vertices() const { return m_rows.size(); }
 
   /// A lower bound of the distance of two vertices, as nearly as the distances have been measured.
-  double distance_lower_bound(Index v, Index w) const
+  double distance_lower_bound(Vertex_index v, Vertex_index w) const
   {
     const Row &a = m_rows[v], &b = m_rows[w];
     int largest = 1; // the distances have been rounded down
@@ -65,30 +65,31 @@ private:
   using Row = std::array<std::uint16_t, number_of_landmarks>; // in units of m_unit
 
   template <class Search>
-  Index vertex_of_largest_component(Search& search) const
+  Vertex_index vertex_of_largest_component(Search& search) const
   {
-    std::vector<char> is_reached(m_rows.size(), 0);
-    Index best = 0;
+    internal::Indexed_by<Vertex_index, std::vector<char>> is_reached(m_rows.size(), 0);
+    Vertex_index best(0);
     std::size_t most = 0;
-    for(std::size_t v = 0; v < m_rows.size(); ++v) {
+    for(Vertex_index v : internal::descriptors<Vertex_index>(static_cast<Index>(m_rows.size()))) {
       if(is_reached[v] != 0)
         continue;
-      search.visit_all(static_cast<Index>(v), [&](Index w, double) { is_reached[w] = 1; });
+      search.visit_all(v, [&](Vertex_index w, double) { is_reached[w] = 1; });
       if(search.settled_vertices() > most) {
         most = search.settled_vertices();
-        best = static_cast<Index>(v);
+        best = v;
       }
     }
     return best;
   }
 
   template <class Search>
-  void choose_landmarks(Search& search, Index start)
+  void choose_landmarks(Search& search, Vertex_index start)
   {
-    std::vector<double> nearest(m_rows.size(), -1); // how far the nearest landmark is; -1 outside the component
-    Index landmark = start;
+    internal::Indexed_by<Vertex_index, std::vector<double>> nearest(
+        m_rows.size(), -1); // how far the nearest landmark is; -1 outside the component
+    Vertex_index landmark = start;
     double radius = 0;
-    search.visit_all(start, [&](Index v, double distance) {
+    search.visit_all(start, [&](Vertex_index v, double distance) {
       nearest[v] = (std::numeric_limits<double>::max)();
       if(distance > radius) {
         radius = distance;
@@ -99,15 +100,15 @@ private:
     constexpr double largest = (std::numeric_limits<std::uint16_t>::max)();
     m_unit = radius > 0 ? 2 * radius / largest : 1;
     for(std::size_t i = 0; i < number_of_landmarks; ++i) {
-      search.visit_all(landmark, [&](Index v, double distance) {
+      search.visit_all(landmark, [&](Vertex_index v, double distance) {
         m_rows[v][i] = static_cast<std::uint16_t>((std::min)(distance / m_unit, largest));
         nearest[v] = (std::min)(nearest[v], distance);
       });
-      landmark = static_cast<Index>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
+      landmark = Vertex_index(static_cast<Index>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin()));
     }
   }
 
-  std::vector<Row> m_rows;
+  internal::Indexed_by<Vertex_index, std::vector<Row>> m_rows;
   double m_unit = 1;
 };
 

@@ -78,7 +78,7 @@ public:
   double added_length() const { return m_added; }
 
   /// The length of halfedge `h`. \throws Invalid_coordinate_error
-  double length(const Mesh& mesh, Index h) const
+  double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = weight(mesh, h);
     if(!internal::is_usable_length(length))
@@ -87,12 +87,12 @@ public:
   }
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
-  double weight(const Mesh& mesh, Index h) const { return Base::weight(mesh, h) + m_added; }
+  double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
 
   using typename Base::Place;
 
   /// The same, where the places of the two ends are at hand.
-  double weight(const Mesh& mesh, Index h, const Place& tail, const Place& head) const
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
   {
     return Base::weight(mesh, h, tail, head) + m_added;
   }
@@ -101,20 +101,20 @@ public:
   using Base::place;
 
   /// The point of vertex `v`. Only over `Embedded_metric`.
-  decltype(auto) point(const Mesh& mesh, Index v) const { return Base::point(mesh, v); }
+  decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
 
   /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
   template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
     return traits.construct_face_from_lengths_object()(length(mesh, h), length(mesh, hn), length(mesh, hp));
   }
 
   /// The same face in exact numbers; the lengths are taken as the doubles they are.
-  internal::Exact_face exact_face(const Mesh& mesh, Index h) const
+  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
-    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
     return internal::exact_face_from_lengths({length(mesh, h), length(mesh, hn), length(mesh, hp)});
   }
 
@@ -122,7 +122,7 @@ public:
   bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, Sign&) const { return false; }
 
 private:
-  double checked_weight(const Mesh& mesh, Index h) const
+  double checked_weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double weight = Base::weight(mesh, h);
     if(!(weight >= 0) || std::isinf(weight))
@@ -133,8 +133,8 @@ private:
   double mean_length(const Mesh& mesh) const
   {
     double sum = 0;
-    for(Index h = 0; h < mesh.number_of_halfedges(); h += 2)
-      sum += checked_weight(mesh, h);
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(mesh.number_of_halfedges()))
+      sum += internal::is_first_side(h) ? checked_weight(mesh, h) : 0;
     return mesh.number_of_halfedges() == 0 ? 0 : sum / (mesh.number_of_halfedges() / 2);
   }
 
@@ -142,11 +142,11 @@ private:
   double needed_length(const Mesh& mesh, double margin) const
   {
     double needed = 0;
-    for(Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(mesh.number_of_halfedges())) {
       if(mesh.is_border(h))
         continue;
       internal::check_triangle(mesh, h);
-      const Index hn = mesh.next(h), hp = mesh.next(hn);
+      const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
       needed = (std::max)(needed, margin + Base::weight(mesh, h) - Base::weight(mesh, hn) - Base::weight(mesh, hp));
     }
     return needed;

@@ -110,8 +110,8 @@ public:
   {
     Vector result = Vector::Zero(static_cast<Eigen::Index>(m_number_of_vertices));
     for(std::size_t f = 0; f < m_faces.size(); ++f)
-      for(Index v : m_faces[f].vertices)
-        result[v] += m_triangles[f].area / 3;
+      for(Vertex_index v : m_faces[f].vertices)
+        result[v.idx()] += m_triangles[f].area / 3;
     return result;
   }
 
@@ -158,12 +158,13 @@ private:
   {
     m_triangles[f] = internal::Plane_triangle(m_faces[f].lengths);
     if(!m_triangles[f].has_finite_cotangents())
-      throw Degenerate_face_error(
-          "the intrinsic face with vertices " + std::to_string(m_faces[f].vertices[0]) + ", " +
-              std::to_string(m_faces[f].vertices[1]) + ", " + std::to_string(m_faces[f].vertices[2]) +
-              " has no area; flip to a Delaunay triangulation first, or mollify the metric",
-          {static_cast<std::size_t>(m_faces[f].vertices[0]), static_cast<std::size_t>(m_faces[f].vertices[1]),
-           static_cast<std::size_t>(m_faces[f].vertices[2])});
+      throw Degenerate_face_error("the intrinsic face with vertices " + std::to_string(m_faces[f].vertices[0].idx()) +
+                                      ", " + std::to_string(m_faces[f].vertices[1].idx()) + ", " +
+                                      std::to_string(m_faces[f].vertices[2].idx()) +
+                                      " has no area; flip to a Delaunay triangulation first, or mollify the metric",
+                                  {static_cast<std::size_t>(m_faces[f].vertices[0].idx()),
+                                   static_cast<std::size_t>(m_faces[f].vertices[1].idx()),
+                                   static_cast<std::size_t>(m_faces[f].vertices[2].idx())});
   }
 
   std::size_t m_number_of_vertices;

@@ -36,6 +36,7 @@ template <class Network_>
 class Shortener
 {
   using Traits = typename Network_::Triangulation::Traits;
+  using Straightnesses = internal::Indexed_by<Curve_index, std::vector<Straightness>>;
 
 public:
   using Network = Network_;
@@ -88,24 +89,24 @@ public:
   /// The network's length, kept from step to step and not summed: constant time, and off by the rounding of the steps.
   double length() const { return m_state.length; }
   /// A curve's length, as above.
-  double length(Index curve) const { return m_state.curves[curve].length; }
+  double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
   /// What has become of the curves so far, measured afresh from the input. Linear in the network and in the input edges
   /// that it crosses.
   Shortening_report report() const
   {
-    const std::vector<Straightness> straightness = m_straightness.empty() ? measured() : m_straightness;
+    const Straightnesses straightness = m_straightness.empty() ? measured() : m_straightness;
     Shortening_report report;
     report.flips = m_state.flips;
     report.flip_outs = m_state.steps;
-    for(Index c = 0; c < m_network.number_of_curves(); ++c)
+    for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
       report.curves.push_back({status(c, straightness[c]), m_network.initial_length(c), m_network.length(c),
                                straightness[c].smallest_angle, m_state.curves[c].flips});
     return report;
   }
 
 private:
-  Shortening_status status(Index curve, const Straightness& straightness) const
+  Shortening_status status(Curve_index curve, const Straightness& straightness) const
   {
     const Shortening_status status = m_state.curves[curve].status;
     if(status != Shortening_status::LOCALLY_SHORTEST)
@@ -117,21 +118,21 @@ private:
     return status;
   }
 
-  bool has_free_wedge(Index curve) const
+  bool has_free_wedge(Curve_index curve) const
   {
     bool found = false;
-    m_network.for_each_segment(curve, [&](Index s) {
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       if(m_network.next(s) != null_index)
         found = found || m_state.wedges.is_free({s, Side::LEFT}) || m_state.wedges.is_free({s, Side::RIGHT});
     });
     return found;
   }
 
-  std::vector<Straightness> measured() const
+  Straightnesses measured() const
   {
-    std::vector<Straightness> result;
+    Straightnesses result;
     Straightness_meter<Network> meter(m_network);
-    for(Index c = 0; c < m_network.number_of_curves(); ++c)
+    for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
       result.push_back(meter(c));
     return result;
   }
@@ -145,7 +146,7 @@ private:
     for(int round = 0; !flip_out.has_ended(); ++round) {
       m_straightness = measured();
       bool has_refreshed = false;
-      for(Index c = 0; c < m_network.number_of_curves() && round < most_rounds; ++c)
+      for(Curve_index c(0); c.idx() < m_network.number_of_curves() && round < most_rounds; ++c)
         if(m_state.curves[c].status == Shortening_status::LOCALLY_SHORTEST && !m_straightness[c].is_locally_shortest())
           has_refreshed = refresh_bent_joints(c) || has_refreshed;
       if(!has_refreshed)
@@ -157,11 +158,11 @@ private:
 
   // Joints of a curve that are bent although the triangulation's vectors say otherwise: lays out the faces in their
   // wedges afresh and looks at the curve again. Returns whether there were any.
-  bool refresh_bent_joints(Index curve)
+  bool refresh_bent_joints(Curve_index curve)
   {
     Straightness_meter<Network> meter(m_network);
     bool has_refreshed = false;
-    m_network.for_each_segment(curve, [&](Index s) {
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       for(Side side : {Side::LEFT, Side::RIGHT}) {
         if(m_network.next(s) == null_index || meter.angle({s, side}) >= Straightness::straight_angle())
           continue;
@@ -177,7 +178,7 @@ private:
   internal::Shortening_state<Network> m_state;
   Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST; // how the last run ended, this if by itself
   bool m_is_finished = false;
-  std::vector<Straightness> m_straightness; // of the curves as they are now, or empty
+  Straightnesses m_straightness; // of the curves as they are now, or empty
 };
 
 } // namespace Flip_geodesics

@@ -20,19 +20,19 @@ struct Default_shortening_visitor
 {
   /// After the edge of halfedge `h` was flipped. A step that is not taken after all flips back without a call.
   template <class Triangulation>
-  void on_flip(const Triangulation&, Index /* h */)
+  void on_flip(const Triangulation&, Halfedge_index /* h */)
   {
   }
 
   /// After a step: a joint of `curve` has been moved over its wedge.
   template <class Network>
-  void after_flip_out(const Network&, Index /* curve */)
+  void after_flip_out(const Network&, Curve_index /* curve */)
   {
   }
 
   /// After `refine()` has inserted vertex `v`, with the flips around it.
   template <class Triangulation>
-  void on_insertion(const Triangulation&, Index /* v */)
+  void on_insertion(const Triangulation&, Vertex_index /* v */)
   {
   }
 

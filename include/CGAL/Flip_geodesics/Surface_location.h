@@ -31,7 +31,7 @@ namespace Flip_geodesics {
  */
 struct Surface_location
 {
-  Index halfedge = null_index;
+  Input_halfedge_index halfedge = null_index;
   std::array<double, 3> weights = {{1, 0, 0}};
 };
 
@@ -55,7 +55,7 @@ namespace internal {
  */
 struct Known_piece
 {
-  Index halfedge;
+  Halfedge_index halfedge;
   std::size_t gap;
   std::size_t letters;
 };
@@ -69,24 +69,24 @@ inline bool is_usable_weight(double weight) { return weight == 0 || (weight >= l
 template <class Input_mesh>
 void check_location(const Input_mesh& input, const Surface_location& location)
 {
-  const Index h = location.halfedge;
-  if(h < 0 || h >= input.number_of_halfedges())
+  const Input_halfedge_index h = location.halfedge;
+  if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
     throw Invalid_location_error("a location has a face or halfedge that the mesh does not have");
   for(double weight : location.weights)
     if(!is_usable_weight(weight))
-      throw Invalid_location_error("a weight of a location in the face of halfedge " + std::to_string(h) +
+      throw Invalid_location_error("a weight of a location in the face of halfedge " + std::to_string(h.idx()) +
                                        " is negative, too small, too large or not a number",
-                                   {static_cast<std::size_t>(h)});
+                                   {static_cast<std::size_t>(h.idx())});
   if(location.weights[0] == 0 && location.weights[1] == 0 && location.weights[2] == 0)
-    throw Invalid_location_error("the weights of a location in the face of halfedge " + std::to_string(h) +
+    throw Invalid_location_error("the weights of a location in the face of halfedge " + std::to_string(h.idx()) +
                                      " are all zero",
-                                 {static_cast<std::size_t>(h)});
+                                 {static_cast<std::size_t>(h.idx())});
   if(!input.is_border(h) && (location.weights[1] != 0 || location.weights[2] != 0))
     check_triangle(input, h);
   if(input.is_border(h) && location.weights[2] != 0)
-    throw Invalid_location_error("a location lies in the face of halfedge " + std::to_string(h) +
+    throw Invalid_location_error("a location lies in the face of halfedge " + std::to_string(h.idx()) +
                                      ", which is on the border",
-                                 {static_cast<std::size_t>(h)});
+                                 {static_cast<std::size_t>(h.idx())});
 }
 
 /* The location with its weights told from halfedge `next(halfedge)` on. */
@@ -117,13 +117,13 @@ Surface_location canonical_location(const Input_mesh& input, Surface_location lo
   case Location_kind::EDGE: {
     while(location.weights[2] != 0)
       location = rotated(input, location);
-    const Index t = twin_index(location.halfedge);
-    if((location.halfedge & 1) != 0 && !input.is_border(t))
+    const Input_halfedge_index t = twin_index(location.halfedge);
+    if(!is_first_side(location.halfedge) && !input.is_border(t))
       location = {t, {{location.weights[1], location.weights[0], 0}}};
     return location;
   }
   case Location_kind::FACE: {
-    const Index h = location.halfedge, hn = input.next(h), hp = input.next(hn);
+    const Input_halfedge_index h = location.halfedge, hn = input.next(h), hp = input.next(hn);
     while(location.halfedge != (std::min)({h, hn, hp}))
       location = rotated(input, location);
     return location;

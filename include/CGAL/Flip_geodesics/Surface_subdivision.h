@@ -25,27 +25,14 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-namespace internal {
-
-template <class Metric, class = void>
-struct Has_points : std::false_type
-{
-};
-
-template <class Metric>
-struct Has_points<Metric, std::void_t<typename Metric::Point_3>> : std::true_type
-{
-};
-
-} // namespace internal
-
 /// \ingroup PkgFlipGeodesicsSubdivision
 /// Where a vertex of a `Surface_subdivision` comes from.
 struct Subdivision_vertex
 {
   Surface_point on_input;                ///< its place on the input mesh
-  Index intrinsic_vertex = null_index;   ///< the triangulation's vertex; or else:
-  Index intrinsic_halfedge = null_index; ///< the first halfedge of the intrinsic edge on which the vertex lies,
+  Vertex_index intrinsic_vertex = null_index; ///< the triangulation's vertex; or else:
+  Halfedge_index intrinsic_halfedge =
+      null_index;                        ///< the first halfedge of the intrinsic edge on which the vertex lies,
   double intrinsic_t = 0;                ///< and where on it, strictly between 0 at its tail and 1 at its head
 };
 
@@ -93,11 +80,11 @@ public:
   Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
 
   /// The smallest halfedge of the input face that a face lies in.
-  Index input_face(face_descriptor f) const { return get(m_faces, f).input; }
+  Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
 
   /// The smallest halfedge of the intrinsic face that a face lies in; `null_index` if not all intrinsic edges are in
   /// the mesh.
-  Index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
+  Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
 
   /// The area of a face, measured in the input face's plane.
   double area(face_descriptor f) const { return get(m_faces, f).area; }
@@ -107,16 +94,16 @@ public:
   const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
 
   /// The input halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
-  Index input_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).input; }
+  Input_halfedge_index input_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).input; }
 
   /// The intrinsic halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
-  Index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
+  Halfedge_index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
 
   /// The mesh's halfedges along intrinsic halfedge `h`, in its direction; empty if the edge is not in the mesh. Where
   /// the mesh is cut open along it: the border of the side on the left of `h`, as seen from its faces.
-  std::vector<halfedge_descriptor> halfedges_along(Index h) const
+  std::vector<halfedge_descriptor> halfedges_along(Halfedge_index h) const
   {
-    const std::size_t i = static_cast<std::size_t>(h);
+    const std::size_t i = static_cast<std::size_t>(h.idx());
     return {m_along.begin() + m_first_along[i], m_along.begin() + m_first_along[i + 1]};
   }
 
@@ -126,7 +113,7 @@ public:
   /// @}
   /// \name Carrying Data
   /// Values need sums and products with `double`. Maps are property maps, `in` readable and `out` writable.
-  /// Intrinsic vertices and faces are keys of type `Index`, faces by their smallest halfedge.
+  /// Keys are `Vertex_index` for intrinsic vertices, and `Halfedge_index` for intrinsic faces, the smallest of a face.
   /// Linear time, with a logarithm where values are averaged.
   /// @{
 
@@ -195,8 +182,8 @@ public:
   {
     average(
         in, [this](face_descriptor f) { return input_face(f); },
-        [&](Index h, const auto& value) {
-          put(out, internal::graph_face(m_triangulation->input_halfedge(h), *m_input_mesh), value);
+        [&](Input_halfedge_index h, const auto& value) {
+          put(out, internal::graph_face(m_triangulation->input().halfedge(h), *m_input_mesh), value);
         });
   }
 
@@ -207,13 +194,13 @@ public:
   {
     average(
         in, [this](face_descriptor f) { return intrinsic_face(f); },
-        [&](Index h, const auto& value) { put(out, h, value); });
+        [&](Halfedge_index h, const auto& value) { put(out, h, value); });
   }
 
   /// The face of the input mesh that a face lies in.
   Input_face input_face_descriptor(face_descriptor f) const
   {
-    return internal::graph_face(m_triangulation->input_halfedge(input_face(f)), *m_input_mesh);
+    return internal::graph_face(m_triangulation->input().halfedge(input_face(f)), *m_input_mesh);
   }
 
   /// @}
@@ -245,12 +232,14 @@ public:
 private:
   struct Lines
   {
-    Index input = null_index, intrinsic = null_index;
+    Input_halfedge_index input;
+    Halfedge_index intrinsic;
   };
 
   struct Face
   {
-    Index input = null_index, intrinsic = null_index;
+    Input_halfedge_index input;
+    Halfedge_index intrinsic;
     double area = 0;
     std::array<std::array<double, 3>, 3> corners;
   };
@@ -286,8 +275,8 @@ private:
       const typename Layout::Midpoint& midpoint = layout.midpoint(v);
       origin = {midpoint.on_input, null_index, midpoint.intrinsic_halfedge, inside_edge(midpoint.on_intrinsic)};
     } else {
-      origin.on_input = internal::surface_point_at_vertex(*m_triangulation, v);
-      origin.intrinsic_vertex = v;
+      origin.intrinsic_vertex = Vertex_index(v);
+      origin.on_input = internal::surface_point_at_vertex(*m_triangulation, origin.intrinsic_vertex);
     }
     put(m_vertex_origin, to, origin);
     if constexpr(internal::Has_points<typename Triangulation::Metric>::value)
@@ -312,7 +301,7 @@ private:
 
   void list_halfedges_along(const Overlay& overlay, const Built& built)
   {
-    for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) {
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
       m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
       for(Index i = 0; i <= overlay.crossings(Triangulation::edge(h)); ++i)
         overlay.for_each_part(h, i, [&](Index part) {
@@ -339,7 +328,7 @@ private:
       double area;
       int count;
     };
-    std::map<Index, Sum> sums;
+    std::map<decltype(key_of(face_descriptor())), Sum> sums;
     for(face_descriptor f : faces(m_mesh)) {
       const double weight = (std::max)(area(f), 0.0);
       const Value value = get(in, f) * 1.0;

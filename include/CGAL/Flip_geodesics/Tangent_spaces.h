@@ -39,34 +39,34 @@ public:
       for(int i = 0; i < 3; ++i)
         m_corners[face.halfedges[i]] = triangle.angle(i);
     }
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    for(Vertex_index v : internal::descriptors<Vertex_index>(triangulation.number_of_vertices()))
       lay_out(triangulation, v);
   }
 
   /// The halfedge in the reference direction of vertex `v`, `null_index` if it is isolated.
-  Index reference(Index v) const { return m_references[v]; }
+  Halfedge_index reference(Vertex_index v) const { return m_references[v]; }
 
   /// The angle of halfedge `h` at its tail.
-  double angle(Index h) const { return m_angles[h]; }
+  double angle(Halfedge_index h) const { return m_angles[h]; }
 
   /// The corner at the tail of `h` in the face on its left, scaled as the angles are.
-  double corner(Index h) const { return m_corners[h]; }
+  double corner(Halfedge_index h) const { return m_corners[h]; }
 
   /// By how much a direction turns when it is carried along `h`, from the reference of the tail to that of the head.
-  double transport(Index h) const
+  double transport(Halfedge_index h) const
   {
     return m_angles[Triangulation::twin(h)] + boost::math::constants::pi<double>() - m_angles[h];
   }
 
 private:
-  void lay_out(const Triangulation& triangulation, Index v)
+  void lay_out(const Triangulation& triangulation, Vertex_index v)
   {
-    const Index some = triangulation.outgoing(v);
+    const Halfedge_index some = triangulation.outgoing(v);
     if(some == null_index)
       return;
-    Index first = some;
+    Halfedge_index first = some;
     bool is_border = false;
-    for(Index h = triangulation.clockwise(first); h != some; h = triangulation.clockwise(h)) {
+    for(Halfedge_index h = triangulation.clockwise(first); h != some; h = triangulation.clockwise(h)) {
       if(h == null_index) {
         is_border = true;
         break;
@@ -78,7 +78,7 @@ private:
     m_references[v] = first;
 
     double sum = 0;
-    Index h = first;
+    Halfedge_index h = first;
     do {
       m_angles[h] = sum;
       sum += triangulation.is_border(h) ? 0 : m_corners[h];
@@ -94,8 +94,8 @@ private:
     } while(h != first);
   }
 
-  std::vector<double> m_angles, m_corners; // by halfedge
-  std::vector<Index> m_references;
+  internal::Indexed_by<Halfedge_index, std::vector<double>> m_angles, m_corners;
+  internal::Indexed_by<Vertex_index, std::vector<Halfedge_index>> m_references;
 };
 
 } // namespace Flip_geodesics

@@ -49,7 +49,7 @@ inline const char* to_string(Certificate_verdict verdict)
 struct Curve_certificate
 {
   Certificate_verdict verdict = Certificate_verdict::PROVEN;
-  Index segment = null_index; ///< the bent segment, or the one that arrives at the bent joint
+  Segment_index segment = null_index; ///< the bent segment, or the one that arrives at the bent joint
   Side side = Side::LEFT;     ///< the side of the bent joint
 
   bool is_locally_shortest() const
@@ -89,16 +89,16 @@ public:
   {
   }
 
-  Curve_certificate operator()(Index curve)
+  Curve_certificate operator()(Curve_index curve)
   {
     Curve_certificate result;
     const std::size_t unproven = m_statistics.unproven_zeros;
-    m_network.for_each_segment(curve, [&](Index s) {
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       if(result.is_locally_shortest() && !is_straight(s))
         result = {Certificate_verdict::BENT_SEGMENT, s, Side::LEFT};
     });
     // The angle of a joint is that between its segments' words, which are known to be true now.
-    m_network.for_each_segment(curve, [&](Index s) {
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       for(Side side : {Side::LEFT, Side::RIGHT})
         if(result.is_locally_shortest() && is_bent({s, side}))
           result = {Certificate_verdict::BENT_JOINT, s, side};
@@ -109,7 +109,7 @@ public:
   }
 
 private:
-  bool is_straight(Index s)
+  bool is_straight(Segment_index s)
   {
     return Straight_strip<Triangulation>(m_triangulation, m_statistics)(m_network.halfedge(s));
   }
@@ -151,7 +151,7 @@ Network_certificate certify(const Network& network)
 {
   Network_certificate result;
   internal::Certifier<Network> certifier(network, result.statistics);
-  for(Index c = 0; c < network.number_of_curves(); ++c)
+  for(Curve_index c : internal::descriptors<Curve_index>(network.number_of_curves()))
     result.curves.push_back(certifier(c));
   return result;
 }

@@ -18,59 +18,62 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-[[noreturn]] inline void throw_no_surface_left(Index v)
+[[noreturn]] inline void throw_no_surface_left(Vertex_index v)
 {
-  throw Degenerate_face_error("at vertex " + std::to_string(v) +
+  throw Degenerate_face_error("at vertex " + std::to_string(v.idx()) +
                                   " faces without area hang on an edge of length zero, and no surface is left",
-                              {static_cast<std::size_t>(v)});
+                              {static_cast<std::size_t>(v.idx())});
 }
 
 /* A halfedge of the mesh from one vertex to another, the first clockwise; null_index if there is none. */
 template <class Input_mesh>
-Index uncontracted_halfedge_between(const Input_mesh& contracted, Index v, Index w)
+Input_halfedge_index uncontracted_halfedge_between(const Input_mesh& contracted, Vertex_index v, Vertex_index w)
 {
   const Input_mesh& input = contracted.uncontracted();
-  const Index start = input.outgoing(v);
-  Index h = start;
+  const Input_halfedge_index start = input.outgoing(v);
+  Input_halfedge_index h = start;
   do {
-    if(h == null_index || input.tail(h ^ 1) == w)
+    if(h == null_index || input.tail(twin_index(h)) == w)
       return h;
-    h = input.next(h ^ 1); // along the border, too
+    h = input.next(twin_index(h)); // along the border, too
   } while(h != start);
   return null_index;
 }
 
 /* What is left of a curve of edges. */
 template <class Input_mesh>
-std::vector<Index> contracted_halfedges_through(const Input_mesh& contracted, std::vector<Index> vertices,
-                                                bool is_closed)
+std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contracted,
+                                                         std::vector<Vertex_index> vertices, bool is_closed)
 {
   if(is_closed)
     vertices.push_back(vertices.front());
-  std::vector<Index> result;
+  std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-    const Index h = uncontracted_halfedge_between(contracted, vertices[i], vertices[i + 1]);
+    const Input_halfedge_index h = uncontracted_halfedge_between(contracted, vertices[i], vertices[i + 1]);
     if(h == null_index)
-      throw Invalid_curve_error("a curve is not connected: no edge joins vertex " + std::to_string(vertices[i]) +
-                                    " and vertex " + std::to_string(vertices[i + 1]),
-                                {static_cast<std::size_t>(vertices[i]), static_cast<std::size_t>(vertices[i + 1])});
-    const Index left = contracted.contracted_halfedge(h);
+      throw Invalid_curve_error(
+          "a curve is not connected: no edge joins vertex " + std::to_string(vertices[i].idx()) + " and vertex " +
+              std::to_string(vertices[i + 1].idx()),
+          {static_cast<std::size_t>(vertices[i].idx()), static_cast<std::size_t>(vertices[i + 1].idx())});
+    const Input_halfedge_index left = contracted.contracted_halfedge(h);
     if(left == Contraction::is_point)
       continue;
-    if(left == Contraction::is_hair || (!result.empty() && contracted.tail(left) != contracted.tail(result.back() ^ 1)))
+    if(left == Contraction::is_hair ||
+       (!result.empty() && contracted.tail(left) != contracted.tail(twin_index(as_input(result.back())))))
       throw_no_surface_left(vertices[i]);
-    result.push_back(left);
+    result.push_back(as_intrinsic(left));
   }
-  if(is_closed && !result.empty() && contracted.tail(result.front()) != contracted.tail(result.back() ^ 1))
+  if(is_closed && !result.empty() &&
+     contracted.tail(as_input(result.front())) != contracted.tail(twin_index(as_input(result.back()))))
     throw_no_surface_left(vertices.front());
   return result;
 }
 
 /* Where a point of the mesh is. */
 template <class Input_mesh>
-Surface_location contracted_vertex_location(const Input_mesh& contracted, Index v)
+Surface_location contracted_vertex_location(const Input_mesh& contracted, Vertex_index v)
 {
-  const Index h = contracted.outgoing(contracted.contracted_vertex(v));
+  const Input_halfedge_index h = contracted.outgoing(contracted.contracted_vertex(v));
   if(h == null_index)
     throw_no_surface_left(v);
   return {h, {{1, 0, 0}}};
@@ -78,9 +81,11 @@ Surface_location contracted_vertex_location(const Input_mesh& contracted, Index 
 
 /* The same on an edge, at weights of the two ends of a halfedge of the mesh. */
 template <class Input_mesh>
-Surface_location contracted_edge_location(const Input_mesh& contracted, Index h, double at_tail, double at_head)
+Surface_location contracted_edge_location(const Input_mesh& contracted, Input_halfedge_index h, double at_tail,
+                                          double at_head)
 {
-  const Index left = contracted.contracted_halfedge(h), v = contracted.uncontracted().tail(h);
+  const Input_halfedge_index left = contracted.contracted_halfedge(h);
+  const Vertex_index v = contracted.uncontracted().tail(h);
   if(left == Contraction::is_point)
     return contracted_vertex_location(contracted, v);
   if(left == Contraction::is_hair)
@@ -117,7 +122,7 @@ inline Curve_report report_of_point()
  * \throws Vertex_out_of_range_error
  */
 template <class Triangulation>
-Index vertex_on_surface(const Triangulation& triangulation, Index v)
+Vertex_index vertex_on_surface(const Triangulation& triangulation, Vertex_index v)
 {
   internal::check_vertex(v, triangulation.input().number_of_vertices());
   return triangulation.input().contracted_vertex(v);
@@ -137,7 +142,8 @@ Index vertex_on_surface(const Triangulation& triangulation, Index v)
  * Complexity: linear in the degrees of the vertices.
  */
 template <class Triangulation, class VertexRange>
-std::vector<Index> halfedges_on_surface(const Triangulation& triangulation, const VertexRange& vertices, bool is_closed)
+std::vector<Halfedge_index> halfedges_on_surface(const Triangulation& triangulation, const VertexRange& vertices,
+                                                 bool is_closed)
 {
   if(!triangulation.input().is_contracted())
     return halfedges_through(triangulation, vertices, is_closed);

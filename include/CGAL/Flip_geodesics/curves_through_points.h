@@ -37,16 +37,16 @@ namespace Flip_geodesics {
  * \throws as `Edge_path_network::insert()`
  */
 template <class Network, class LocationRange>
-Index add_curve_through(Network& network, const LocationRange& locations, bool is_closed = false)
+Curve_index add_curve_through(Network& network, const LocationRange& locations, bool is_closed = false)
 {
   auto& triangulation = network.triangulation();
-  std::vector<Index> way_points;
+  std::vector<Vertex_index> way_points;
   for(const Surface_location& location : locations)
     way_points.push_back(network.insert(location));
-  const auto search = [&](Index v, Index w) { return shortest_intrinsic_edge_path(triangulation, v, w); };
-  const Index curve = network.add_curve(shortest_halfedges_through(search, way_points, is_closed), is_closed);
+  const auto search = [&](Vertex_index v, Vertex_index w) { return shortest_intrinsic_edge_path(triangulation, v, w); };
+  const Curve_index curve = network.add_curve(shortest_halfedges_through(search, way_points, is_closed), is_closed);
   std::size_t next = 1;
-  Index s = network.first_segment(curve);
+  Segment_index s = network.first_segment(curve);
   for(std::size_t legs = way_points.size() - (is_closed ? 0 : 1); next <= legs; s = network.next(s))
     if(triangulation.head(network.halfedge(s)) == way_points[next % way_points.size()]) {
       network.set_head_fixed(s, true); // a shortest path meets its end only there

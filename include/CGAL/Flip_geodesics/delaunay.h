@@ -62,13 +62,13 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
                                  Visitor&& visitor = Visitor())
 {
   internal::Lawson_flips<Triangulation> lawson(triangulation);
-  for(Index e : edges)
+  for(Edge_index e : edges)
     lawson.allow(e);
   Delaunay_report report;
   report.flips = lawson.flip(maximum_flips, visitor);
   report.is_stopped = lawson.is_stopped();
-  for(Index e : edges)
-    if(!triangulation.is_locally_delaunay(2 * e))
+  for(Edge_index e : edges)
+    if(!triangulation.is_locally_delaunay(internal::first_side(e)))
       ++(triangulation.label(e) != 0 ? report.constrained : report.remaining);
   return report;
 }
@@ -91,8 +91,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 template <class Triangulation, class Visitor = Default_shortening_visitor>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation, std::size_t maximum_flips, Visitor&& visitor = Visitor())
 {
-  return flip_to_delaunay(triangulation, internal::Index_range{0, triangulation.number_of_edges()}, maximum_flips,
-                          visitor);
+  return flip_to_delaunay(triangulation, internal::descriptors<Edge_index>(triangulation.number_of_edges()),
+                          maximum_flips, visitor);
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
@@ -111,25 +111,26 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation)
  * mesh: \f$O(k \log k)\f$ for k edges.
  */
 template <class Network>
-std::vector<Index> edges_near_curves(const Network& network, int rings = 1)
+std::vector<Edge_index> edges_near_curves(const Network& network, int rings = 1)
 {
   const auto& triangulation = network.triangulation();
-  std::vector<Index> front, edges;
-  for(Index c = 0; c < network.number_of_curves(); ++c)
-    network.for_each_segment(c, [&](Index s) {
+  std::vector<Vertex_index> front;
+  std::vector<Edge_index> edges;
+  for(Curve_index c : internal::descriptors<Curve_index>(network.number_of_curves()))
+    network.for_each_segment(c, [&](Segment_index s) {
       front.push_back(triangulation.tail(network.halfedge(s)));
       front.push_back(triangulation.head(network.halfedge(s)));
     });
-  const auto make_unique = [](std::vector<Index>& indices) {
+  const auto make_unique = [](auto& indices) {
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   };
   for(int ring = 0; ring < rings; ++ring) {
     make_unique(front);
-    std::vector<Index> next_front = front;
-    for(Index v : front)
-      internal::for_each_edge_in_star(triangulation, v, [&](Index h) {
-        edges.push_back(h >> 1);
+    std::vector<Vertex_index> next_front = front;
+    for(Vertex_index v : front)
+      internal::for_each_edge_in_star(triangulation, v, [&](Halfedge_index h) {
+        edges.push_back(Network::Triangulation::edge(h));
         next_front.push_back(triangulation.tail(h));
         next_front.push_back(triangulation.head(h));
       });
@@ -144,8 +145,8 @@ std::vector<Index> edges_near_curves(const Network& network, int rings = 1)
 template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {
-  for(Index e = 0; e < triangulation.number_of_edges(); ++e)
-    if(triangulation.label(e) == 0 && !triangulation.is_locally_delaunay(2 * e))
+  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
+    if(triangulation.label(e) == 0 && !triangulation.is_locally_delaunay(internal::first_side(e)))
       return false;
   return true;
 }

@@ -96,28 +96,28 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
  * in no common face, or there are too few \throws Invalid_location_error, and as `Edge_path_network::insert()`
  */
 template <class Network>
-Index draw_polyline(Network& network, const std::vector<Surface_location>& polyline, bool is_closed = false)
+Curve_index draw_polyline(Network& network, const std::vector<Surface_location>& polyline, bool is_closed = false)
 {
   auto& triangulation = network.triangulation();
   const auto points = internal::canonical_polyline(triangulation.input(), polyline, is_closed);
-  std::vector<Index> vertices;
+  std::vector<Vertex_index> vertices;
   for(const Surface_location& point : points)
     vertices.push_back(network.insert(point));
-  std::vector<Index> chain, nodes;
+  std::vector<Halfedge_index> chain;
+  std::vector<std::size_t> nodes; // positions in the chain
   for(std::size_t i = 0; i + 1 < points.size(); ++i) {
     if(vertices[i] == vertices[i + 1])
       continue;
-    const Index face = internal::common_face(triangulation.input(), points[i], points[i + 1]);
+    const Input_halfedge_index face = internal::common_face(triangulation.input(), points[i], points[i + 1]);
     const auto leg =
         internal::Path_in_face<typename Network::Triangulation>(triangulation, face)(vertices[i], vertices[i + 1]);
     CGAL_precondition_msg(!leg.empty(), "the triangulation's edges cross those of the input");
     chain.insert(chain.end(), leg.begin(), leg.end());
-    nodes.push_back(static_cast<Index>(chain.size()) - 1);
+    nodes.push_back(chain.size() - 1);
   }
-  const Index curve = network.add_curve(chain, is_closed);
-  Index position = 0;
-  std::size_t next = 0;
-  network.for_each_segment(curve, [&](Index s) {
+  const Curve_index curve = network.add_curve(chain, is_closed);
+  std::size_t position = 0, next = 0;
+  network.for_each_segment(curve, [&](Segment_index s) {
     if(next < nodes.size() && position == nodes[next]) {
       network.set_head_fixed(s, true);
       ++next;
@@ -139,18 +139,18 @@ Index draw_polyline(Network& network, const std::vector<Surface_location>& polyl
  * \throws Invalid_curve_error, Invalid_location_error as `draw_polyline()`
  */
 template <class Triangulation>
-std::vector<Index> snap_polyline(const Triangulation& triangulation, const std::vector<Surface_location>& polyline,
-                                 bool is_closed = false)
+std::vector<Vertex_index> snap_polyline(const Triangulation& triangulation,
+                                        const std::vector<Surface_location>& polyline, bool is_closed = false)
 {
   const auto& input = triangulation.input();
   const auto points = internal::canonical_polyline(input, polyline, is_closed);
-  std::vector<Index> path;
+  std::vector<Vertex_index> path;
   for(std::size_t i = 0; i + (is_closed ? 1 : 0) < points.size(); ++i) {
     const Surface_location& p = points[i];
     const bool is_end = !is_closed && (i == 0 || i + 1 == points.size());
     if(kind(p) == Location_kind::FACE && !is_end)
       continue; // the path crosses the face from one of its vertices to another
-    const Index v = internal::nearest_vertex(input, p);
+    const Vertex_index v = internal::nearest_vertex(input, p);
     if(!path.empty() && path.back() == v)
       continue;
     if(path.size() > 1 && path[path.size() - 2] == v)

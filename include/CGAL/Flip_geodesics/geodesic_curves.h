@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/mistakes.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
@@ -40,6 +41,9 @@ namespace internal {
 template <class TriangleMesh, class NamedParameters>
 struct Curve_types
 {
+  static_assert(Is_named_parameters<NamedParameters>::value,
+                "the named parameters come before the stop predicate; without any, give parameters::default_values()");
+
   using Point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
   using Metric = Embedded_metric<TriangleMesh, Point_map>;
   using Traits =
@@ -95,8 +99,8 @@ Shortening_report shorten_with_visitor(Network& network, const NamedParameters& 
 /* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
  * or the stop predicate is to see all of it. */
 template <class Network, class NamedParameters, class StopPredicate>
-Shortening_report shorten_between_ends(Network& network, const std::vector<Index>& path, const NamedParameters& np,
-                                       const StopPredicate& stop)
+Shortening_report shorten_between_ends(Network& network, const std::vector<Halfedge_index>& path,
+                                       const NamedParameters& np, const StopPredicate& stop)
 {
   constexpr bool has_visitor = !parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value;
   std::size_t flips = 0;
@@ -113,7 +117,8 @@ Shortening_report shorten_between_ends(Network& network, const std::vector<Index
 
 /* A path between two vertices that edges of length zero join: its two ends. */
 template <class Triangulation, class OutputIterator>
-Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangulation, Index v, OutputIterator out)
+Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangulation, Vertex_index v,
+                                                  OutputIterator out)
 {
   Shortening_report report;
   report.curves.push_back(report_of_point());
@@ -130,19 +135,21 @@ Geodesic_result<OutputIterator> geodesic_between(Network& network, Search& searc
                                                  const StopPredicate& stop)
 {
   const auto& triangulation = network.triangulation();
-  const std::vector<Index> ends = {triangulation.index(source), triangulation.index(target)};
+  const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
   if(triangulation.input().is_contracted() && ends[0] == ends[1])
     return path_in_one_place(triangulation, ends[0], out);
   const Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
-  out = Curve_extractor<Network>(network).points(0, out);
+  out = Curve_extractor<Network>(network).points(Curve_index(0), out);
   return {out, report};
 }
 
 /* The indices of vertices of the mesh, before edges are contracted. */
 template <class Triangulation, class VertexRange>
-std::vector<Index> mesh_indices(const Triangulation& triangulation, const VertexRange& vertices)
+std::vector<Vertex_index> mesh_indices(const Triangulation& triangulation, const VertexRange& vertices)
 {
-  std::vector<Index> result;
+  static_assert(is_range_of<VertexRange, typename Triangulation::Mesh_vertex>,
+                "the curve is no range of vertices of the mesh");
+  std::vector<Vertex_index> result;
   for(const auto& v : vertices)
     result.push_back(triangulation.input().uncontracted().index(v));
   return result;
@@ -150,9 +157,9 @@ std::vector<Index> mesh_indices(const Triangulation& triangulation, const Vertex
 
 /* Adds a curve through vertices of the mesh. Returns whether there is one, or all vertices lie in one place. */
 template <class Network>
-bool add_vertex_curve(Network& network, const std::vector<Index>& vertices, bool is_closed)
+bool add_vertex_curve(Network& network, const std::vector<Vertex_index>& vertices, bool is_closed)
 {
-  const std::vector<Index> halfedges = halfedges_on_surface(network.triangulation(), vertices, is_closed);
+  const std::vector<Halfedge_index> halfedges = halfedges_on_surface(network.triangulation(), vertices, is_closed);
   if(halfedges.empty())
     return false;
   network.add_curve(halfedges, is_closed);
@@ -165,7 +172,7 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
 {
   std::vector<bool> result;
   for(const auto& curve : curves) {
-    std::vector<Index> vertices = mesh_indices(network.triangulation(), curve);
+    std::vector<Vertex_index> vertices = mesh_indices(network.triangulation(), curve);
     const bool is_closed = vertices.size() > 2 && vertices.front() == vertices.back();
     if(is_closed)
       vertices.pop_back();
@@ -252,7 +259,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
     }
     internal::note_contraction(triangulation, report);
     return Geodesic_result<OutputIterator>{
-        is_loop ? Curve_extractor<typename Types::Network>(network).points(0, out) : out, report};
+        is_loop ? Curve_extractor<typename Types::Network>(network).points(Curve_index(0), out) : out, report};
   });
 }
 
@@ -288,7 +295,7 @@ Geodesic_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curve
     for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
       std::vector<typename Types::Metric::Point_3> points;
       if(has_length[i])
-        extractor.points(static_cast<Index>(c++), std::back_inserter(points));
+        extractor.points(Curve_index(static_cast<Index>(c++)), std::back_inserter(points));
       else
         report.curves.insert(report.curves.begin() + static_cast<std::ptrdiff_t>(i), report_of_point());
       *end++ = points;

@@ -30,19 +30,19 @@ class Intrinsic_edge_search
   static constexpr bool has_points = !std::is_void<Point>::value;
 
 public:
-  Intrinsic_edge_search(const Triangulation& triangulation, Index target)
+  Intrinsic_edge_search(const Triangulation& triangulation, Vertex_index target)
     : m_triangulation(triangulation)
     , m_target(target)
     , m_labels(static_cast<std::size_t>(triangulation.number_of_vertices()))
   {
   }
 
-  std::vector<Index> operator()(Index source)
+  std::vector<Halfedge_index> operator()(Vertex_index source)
   {
     m_labels[source].arriving_plus_one = no_edge;
     m_queue.push({lower_bound(source), source});
     while(!m_queue.empty()) {
-      const Index v = m_queue.top().second;
+      const Vertex_index v = m_queue.top().second;
       m_queue.pop();
       if(m_labels[v].is_settled)
         continue;
@@ -64,14 +64,14 @@ private:
     bool is_settled;
   };
 
-  using Entry = std::pair<double, Index>;
+  using Entry = std::pair<double, Vertex_index>;
 
-  void relax_spokes(Index v)
+  void relax_spokes(Vertex_index v)
   {
-    const Index start = m_triangulation.outgoing(v);
+    const Halfedge_index start = m_triangulation.outgoing(v);
     if(start == null_index)
       return;
-    Index h = start;
+    Halfedge_index h = start;
     do {
       relax(v, h);
       h = m_triangulation.counterclockwise(h);
@@ -81,19 +81,19 @@ private:
       relax(v, h);
   }
 
-  void relax(Index v, Index h)
+  void relax(Vertex_index v, Halfedge_index h)
   {
-    const Index w = m_triangulation.head(h);
+    const Vertex_index w = m_triangulation.head(h);
     const double distance = m_labels[v].distance + m_triangulation.length(h);
     Label& label = m_labels[w];
     if(label.is_settled || (label.arriving_plus_one != 0 && label.distance <= distance))
       return;
     label.distance = distance;
-    label.arriving_plus_one = h + 1;
+    label.arriving_plus_one = h.idx() + 1;
     m_queue.push({distance + lower_bound(w), w});
   }
 
-  double lower_bound(Index v) const
+  double lower_bound(Vertex_index v) const
   {
     if constexpr(has_points) {
       const Point p = point(v), q = point(m_target);
@@ -105,20 +105,23 @@ private:
     }
   }
 
-  auto point(Index v) const { return point_in_space(m_triangulation, surface_point_at_vertex(m_triangulation, v)); }
-
-  std::vector<Index> path(Index source) const
+  auto point(Vertex_index v) const
   {
-    std::vector<Index> result;
-    for(Index v = m_target; v != source; v = m_triangulation.tail(result.back()))
-      result.push_back(m_labels[v].arriving_plus_one - 1);
+    return point_in_space(m_triangulation, surface_point_at_vertex(m_triangulation, v));
+  }
+
+  std::vector<Halfedge_index> path(Vertex_index source) const
+  {
+    std::vector<Halfedge_index> result;
+    for(Vertex_index v = m_target; v != source; v = m_triangulation.tail(result.back()))
+      result.push_back(Halfedge_index(m_labels[v].arriving_plus_one - 1));
     std::reverse(result.begin(), result.end());
     return result;
   }
 
   const Triangulation& m_triangulation;
-  Index m_target;
-  Lazy_array<Label> m_labels;
+  Vertex_index m_target;
+  Indexed_by<Vertex_index, Lazy_array<Label>> m_labels;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
 };
 
@@ -138,17 +141,18 @@ private:
  * \throws Degenerate_face_error, Invalid_coordinate_error for a face that the search meets
  */
 template <class Triangulation>
-std::vector<Index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Index source, Index target)
+std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& triangulation, Vertex_index source,
+                                                         Vertex_index target)
 {
-  for(Index v : {source, target})
+  for(Vertex_index v : {source, target})
     internal::check_vertex(v, triangulation.number_of_vertices());
   if(source == target)
     return {};
-  std::vector<Index> path = internal::Intrinsic_edge_search<Triangulation>(triangulation, target)(source);
+  std::vector<Halfedge_index> path = internal::Intrinsic_edge_search<Triangulation>(triangulation, target)(source);
   if(path.empty())
-    throw Disconnected_endpoints_error("no path of edges joins vertex " + std::to_string(source) + " and vertex " +
-                                           std::to_string(target),
-                                       {static_cast<std::size_t>(source), static_cast<std::size_t>(target)});
+    throw Disconnected_endpoints_error(
+        "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
+        {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
   return path;
 }
 

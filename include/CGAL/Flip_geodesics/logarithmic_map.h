@@ -41,9 +41,9 @@ struct Logarithmic_map
    * The coordinates of vertex `v` in the plane, with the angles about an inner source stretched evenly to \f$2\pi\f$,
    * as is usual; those about a source on the border stay. The origin for the source, NaN where there is no path.
    */
-  std::array<double, 2> in_plane(Index v) const
+  std::array<double, 2> in_plane(Vertex_index v) const
   {
-    const Polar_coordinates& p = vertices[v];
+    const Polar_coordinates& p = vertices[v.idx()];
     if(p.radius == 0)
       return {0, 0};
     const double stretch = is_on_border ? 1 : boost::math::constants::two_pi<double>() / total_angle;
@@ -71,35 +71,38 @@ struct Logarithmic_map
  * \throws Invalid_location_error if `zero` is another halfedge
  */
 template <class Triangulation>
-Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Index zero = null_index)
+Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_halfedge_index zero = null_index)
 {
   const Triangulation& triangulation = tree.triangulation();
   CGAL_precondition(tree.source() != null_index);
   const bool is_zero_told = zero != null_index && !triangulation.is_inserted(tree.source());
-  if(is_zero_told && (zero < 0 || zero >= triangulation.input().number_of_halfedges() ||
+  if(is_zero_told && (!zero.is_valid() || zero.idx() >= triangulation.input().number_of_halfedges() ||
                       triangulation.input().tail(zero) != tree.source()))
     throw Invalid_location_error("the halfedge of angle zero does not start at the source of the tree, vertex " +
-                                 std::to_string(tree.source()));
+                                 std::to_string(tree.source().idx()));
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
   Logarithmic_map map;
   map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
-  map.vertices[tree.source()].radius = 0;
+  map.vertices[tree.source().idx()].radius = 0;
   map.total_angle = directions.total();
   map.is_on_border = directions.has_border();
   const double start = is_zero_told && !map.is_on_border ? directions.of_input(zero) : 0;
 
-  std::vector<Index> way; // from a vertex back to one whose angle is known
-  for(Index v = 0; v < triangulation.number_of_vertices(); ++v) {
+  std::vector<Vertex_index> way; // from a vertex back to one whose angle is known
+  for(Vertex_index v : internal::descriptors<Vertex_index>(triangulation.number_of_vertices())) {
     if(!tree.is_reached(v) || v == tree.source())
       continue;
     way.clear();
-    for(Index w = v; w != tree.source() && std::isnan(map.vertices[w].angle); w = triangulation.tail(tree.incoming(w)))
+    for(Vertex_index w = v; w != tree.source() && std::isnan(map.vertices[w.idx()].angle);
+        w = triangulation.tail(tree.incoming(w)))
       way.push_back(w);
     for(std::size_t i = way.size(); i-- > 0;) {
-      const Index w = way[i], h = tree.incoming(w), parent = triangulation.tail(h);
-      Polar_coordinates& p = map.vertices[w];
+      const Vertex_index w = way[i];
+      const Halfedge_index h = tree.incoming(w);
+      const Vertex_index parent = triangulation.tail(h);
+      Polar_coordinates& p = map.vertices[w.idx()];
       p.radius = tree.distance(w);
-      p.angle = map.vertices[parent].angle;
+      p.angle = map.vertices[parent.idx()].angle;
       if(parent == tree.source()) {
         p.angle = directions(h) - start;
         p.angle += !map.is_on_border && p.angle < 0 ? map.total_angle : 0;

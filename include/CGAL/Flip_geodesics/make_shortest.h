@@ -47,7 +47,7 @@ bool count_longer(const Tree& tree, const Search& search, double tolerance, std:
   count = 0;
   excess = 0;
   bool is_consistent = true;
-  for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v) {
+  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().number_of_vertices())) {
     if(!search.is_reached(v) || search.distance(v) > tree.max_distance() || v == tree.source())
       continue;
     const double ratio = tree.distance(v) / search.distance(v) - 1;
@@ -71,7 +71,7 @@ double longest_wanted(const Tree& tree)
   if(tree.max_distance() < infinity)
     return std::nextafter(tree.max_distance(), infinity);
   double longest = 0;
-  for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v)
+  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().number_of_vertices()))
     longest = (std::max)(longest, tree.is_reached(v) ? tree.distance(v) : 0);
   return longest;
 }
@@ -105,8 +105,8 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size
   CGAL_precondition(tree.source() != null_index);
   if(tree.triangulation().is_inserted(tree.source()))
     throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
-                                        std::to_string(tree.source()) + " was inserted",
-                                    {static_cast<std::size_t>(tree.source())});
+                                        std::to_string(tree.source().idx()) + " was inserted",
+                                    {static_cast<std::size_t>(tree.source().idx())});
   if(tree.triangulation().has_curves())
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   Shortest_tree_report report;
@@ -115,7 +115,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size
   const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
   report.windows = search.number_of_windows();
   report.is_confirmed = is_sound && report.windows <= most_windows;
-  for(Index v = 0; v < tree.triangulation().number_of_vertices(); ++v)
+  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().number_of_vertices()))
     report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
 
   const bool is_consistent =
@@ -126,7 +126,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size
   if(report.windows > most_windows)
     return report;
   internal::Shortest_tree_repair<Tree> repair(tree, search, tolerance);
-  const std::vector<Index> longer = repair.longer();
+  const std::vector<Vertex_index> longer = repair.longer();
   if(!longer.empty())
     report.status = repair.run(longer);
   report.flips = repair.flips();

@@ -37,10 +37,10 @@ inline bool is_longer_than_sum(double a, double b, double c)
   return a > sum || (a == sum && error < 0);
 }
 
-[[noreturn]] inline void throw_unusable_length(double length, Index v, Index w)
+[[noreturn]] inline void throw_unusable_length(double length, Vertex_index v, Vertex_index w)
 {
-  const std::string edge = "the edge between vertices " + std::to_string(v) + " and " + std::to_string(w);
-  const std::vector<std::size_t> elements = {static_cast<std::size_t>(v), static_cast<std::size_t>(w)};
+  const std::string edge = "the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx());
+  const std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())};
   if(length == 0)
     throw Degenerate_face_error(
         edge + " has length zero; contract such edges (Zero_length_edges) or lengthen them (Mollified_metric)",
@@ -75,14 +75,14 @@ public:
   }
 
   /// The point of vertex `v`.
-  decltype(auto) point(const Mesh& mesh, Index v) const { return get(m_points, mesh.vertex(v)); }
+  decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return get(m_points, mesh.vertex(v)); }
 
   /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
-  double length(const Mesh& mesh, Index h) const
+  double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = weight(mesh, h);
     if(!internal::is_usable_length(length)) {
-      const Index v = mesh.tail(h), w = mesh.tail(internal::twin_index(h));
+      const Vertex_index v = mesh.tail(h), w = mesh.tail(internal::twin_index(h));
       const Place p = place(mesh, v), q = place(mesh, w); // far or close, their distance is no longer its square's root
       internal::throw_unusable_length(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]), v, w);
     }
@@ -93,19 +93,19 @@ public:
   using Place = std::array<double, 3>;
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
-  double weight(const Mesh& mesh, Index h) const
+  double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     return distance_lower_bound(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
   }
 
   /// The same, where the places of the two ends are at hand.
-  double weight(const Mesh&, Index, const Place& tail, const Place& head) const
+  double weight(const Mesh&, Input_halfedge_index, const Place& tail, const Place& head) const
   {
     return distance_lower_bound(tail, head);
   }
 
   /// Where vertex `v` is.
-  Place place(const Mesh& mesh, Index v) const
+  Place place(const Mesh& mesh, Vertex_index v) const
   {
     decltype(auto) p = point(mesh, v);
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
@@ -116,17 +116,17 @@ public:
 
   /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face. \throws as `length()`
   template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    const Index hn = mesh.next(h), hp = mesh.next(hn);
-    for(Index side : {h, hn, hp})
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+    for(Input_halfedge_index side : {h, hn, hp})
       check_length(mesh, side);
     return traits.construct_face_3_object()(point(mesh, mesh.tail(h)), point(mesh, mesh.tail(hn)),
                                             point(mesh, mesh.tail(hp)));
   }
 
   /// The same face in exact numbers; the coordinates are taken as the doubles they round to.
-  internal::Exact_face exact_face(const Mesh& mesh, Index h) const
+  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
     std::array<double, 9> coordinates;
     for(std::size_t i = 0; i < 9; i += 3, h = mesh.next(h)) {
@@ -144,7 +144,7 @@ public:
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
   {
     using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
-    const auto point_of = [&](Index v) {
+    const auto point_of = [&](Vertex_index v) {
       const Place p = place(mesh, v);
       return Exact_point(p[0], p[1], p[2]);
     };
@@ -153,7 +153,7 @@ public:
 
 private:
   // Throws what length() throws, but takes no root.
-  void check_length(const Mesh& mesh, Index h) const
+  void check_length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double square = squared_distance(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
     if(!(square > 1e-139 && square < 1e139))
@@ -191,7 +191,7 @@ public:
   }
 
   /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
-  double length(const Mesh& mesh, Index h) const
+  double length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double length = weight(mesh, h);
     if(!internal::is_usable_length(length))
@@ -205,16 +205,16 @@ public:
   };
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
-  double weight(const Mesh& mesh, Index h) const
+  double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
     return CGAL::to_double(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
   /// The same: places say nothing.
-  double weight(const Mesh& mesh, Index h, Place, Place) const { return weight(mesh, h); }
+  double weight(const Mesh& mesh, Input_halfedge_index h, Place, Place) const { return weight(mesh, h); }
 
   /// Nothing.
-  Place place(const Mesh&, Index) const { return Place(); }
+  Place place(const Mesh&, Vertex_index) const { return Place(); }
 
   /// Zero.
   double distance_lower_bound(Place, Place) const { return 0; }
@@ -224,24 +224,25 @@ public:
    * \throws Degenerate_face_error if the lengths violate the triangle inequality; equality is allowed
    */
   template <class Traits>
-  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Index h, const Traits& traits) const
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
     const double a = length(mesh, h), b = length(mesh, hn), c = length(mesh, hp);
     if(internal::is_longer_than_sum(a, b, c) || internal::is_longer_than_sum(b, c, a) ||
        internal::is_longer_than_sum(c, a, b))
-      throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(mesh.tail(h)) + ", " +
-                                      std::to_string(mesh.tail(hn)) + ", " + std::to_string(mesh.tail(hp)) +
-                                      " violate the triangle inequality",
-                                  {static_cast<std::size_t>(mesh.tail(h)), static_cast<std::size_t>(mesh.tail(hn)),
-                                   static_cast<std::size_t>(mesh.tail(hp))});
+      throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(mesh.tail(h).idx()) +
+                                      ", " + std::to_string(mesh.tail(hn).idx()) + ", " +
+                                      std::to_string(mesh.tail(hp).idx()) + " violate the triangle inequality",
+                                  {static_cast<std::size_t>(mesh.tail(h).idx()),
+                                   static_cast<std::size_t>(mesh.tail(hn).idx()),
+                                   static_cast<std::size_t>(mesh.tail(hp).idx())});
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 
   /// The same face in exact numbers; the lengths are taken as the doubles they round to.
-  internal::Exact_face exact_face(const Mesh& mesh, Index h) const
+  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
-    const Index hn = mesh.next(h), hp = mesh.next(hn);
+    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
     return internal::exact_face_from_lengths({length(mesh, h), length(mesh, hn), length(mesh, hp)});
   }
 

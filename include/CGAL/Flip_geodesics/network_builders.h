@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/mistakes.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -21,19 +22,19 @@ namespace internal {
 
 /* The halfedges that start at v, clockwise, from the border if there is one. */
 template <class Triangulation>
-std::vector<Index> spokes(const Triangulation& triangulation, Index v)
+std::vector<Halfedge_index> spokes(const Triangulation& triangulation, Vertex_index v)
 {
-  std::vector<Index> result;
-  const Index start = triangulation.outgoing(v);
+  std::vector<Halfedge_index> result;
+  const Halfedge_index start = triangulation.outgoing(v);
   if(start == null_index)
     return result;
-  Index first = start;
-  for(Index h = triangulation.counterclockwise(start); h != null_index && h != start;
+  Halfedge_index first = start;
+  for(Halfedge_index h = triangulation.counterclockwise(start); h != null_index && h != start;
       h = triangulation.counterclockwise(h))
     first = h;
   if(triangulation.counterclockwise(first) == start)
     first = start;
-  Index h = first;
+  Halfedge_index h = first;
   do {
     result.push_back(h);
     h = triangulation.clockwise(h);
@@ -43,10 +44,10 @@ std::vector<Index> spokes(const Triangulation& triangulation, Index v)
 
 /* The shortest edge from v to w, of equally long ones the first by index; null_index if there is none. */
 template <class Triangulation>
-Index halfedge_between(const Triangulation& triangulation, Index v, Index w)
+Halfedge_index halfedge_between(const Triangulation& triangulation, Vertex_index v, Vertex_index w)
 {
-  Index best = null_index;
-  for(Index h : spokes(triangulation, v)) {
+  Halfedge_index best = null_index;
+  for(Halfedge_index h : spokes(triangulation, v)) {
     if(triangulation.head(h) != w)
       continue;
     const bool is_better = best == null_index || triangulation.length(h) < triangulation.length(best) ||
@@ -71,10 +72,13 @@ Index halfedge_between(const Triangulation& triangulation, Index v, Index w)
  * Complexity: linear in the degrees of the vertices.
  */
 template <class Triangulation, class VertexRange>
-std::vector<Index> halfedges_through(const Triangulation& triangulation, const VertexRange& vertices, bool is_closed)
+std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation, const VertexRange& vertices,
+                                              bool is_closed)
 {
-  std::vector<Index> v;
-  for(Index vertex : vertices) {
+  static_assert(internal::is_range_of<VertexRange, Vertex_index>,
+                "the vertices are no range of vertices of the triangulation, Vertex_index");
+  std::vector<Vertex_index> v;
+  for(Vertex_index vertex : vertices) {
     internal::check_vertex(vertex, triangulation.number_of_vertices(), v.size());
     v.push_back(vertex);
   }
@@ -82,13 +86,13 @@ std::vector<Index> halfedges_through(const Triangulation& triangulation, const V
     throw Invalid_curve_error("a curve needs at least two vertices");
   if(is_closed)
     v.push_back(v.front());
-  std::vector<Index> result;
+  std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
     result.push_back(internal::halfedge_between(triangulation, v[i], v[i + 1]));
     if(result.back() == null_index)
-      throw Invalid_curve_error("a curve is not connected: no edge joins vertex " + std::to_string(v[i]) +
-                                    " and vertex " + std::to_string(v[i + 1]),
-                                {static_cast<std::size_t>(v[i]), static_cast<std::size_t>(v[i + 1])});
+      throw Invalid_curve_error("a curve is not connected: no edge joins vertex " + std::to_string(v[i].idx()) +
+                                    " and vertex " + std::to_string(v[i + 1].idx()),
+                                {static_cast<std::size_t>(v[i].idx()), static_cast<std::size_t>(v[i + 1].idx())});
   }
   return result;
 }
@@ -104,19 +108,20 @@ std::vector<Index> halfedges_through(const Triangulation& triangulation, const V
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error as `Shortest_edge_path`
  */
 template <class Search, class VertexRange>
-std::vector<Index> shortest_halfedges_through(Search& search, const VertexRange& way_points, bool is_closed = false)
+std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const VertexRange& way_points,
+                                                       bool is_closed = false)
 {
-  std::vector<Index> v(std::begin(way_points), std::end(way_points));
+  std::vector<Vertex_index> v(std::begin(way_points), std::end(way_points));
   if(v.size() < 2)
     throw Invalid_curve_error("a curve needs at least two way points");
   if(is_closed)
     v.push_back(v.front());
-  std::vector<Index> result;
+  std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
-    const std::vector<Index> leg = search(v[i], v[i + 1]); // first of all refuses what is no vertex
+    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1]); // first of all refuses what is no vertex
     if(v[i] == v[i + 1])
-      throw Invalid_curve_error("a curve starts and ends at the same vertex " + std::to_string(v[i]),
-                                {static_cast<std::size_t>(v[i])});
+      throw Invalid_curve_error("a curve starts and ends at the same vertex " + std::to_string(v[i].idx()),
+                                {static_cast<std::size_t>(v[i].idx())});
     result.insert(result.end(), leg.begin(), leg.end());
   }
   return result;
@@ -138,26 +143,29 @@ template <class Network, class TriangleMesh, class EdgeIsMarkedMap>
 Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedMap is_marked)
 {
   const auto& triangulation = network.triangulation();
-  std::vector<char> is_open(static_cast<std::size_t>(triangulation.number_of_edges()), 0);
-  std::vector<Index> degree(static_cast<std::size_t>(triangulation.number_of_vertices()), 0);
-  for(Index e = 0; e < triangulation.number_of_edges(); ++e) {
-    is_open[e] = get(is_marked, edge(triangulation.input_halfedge(2 * e), mesh)) ? 1 : 0;
+  internal::Indexed_by<Edge_index, std::vector<char>> is_open(static_cast<std::size_t>(triangulation.number_of_edges()),
+                                                              0);
+  internal::Indexed_by<Vertex_index, std::vector<Index>> degree(
+      static_cast<std::size_t>(triangulation.number_of_vertices()), 0);
+  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges())) {
+    is_open[e] = get(is_marked, edge(triangulation.input_halfedge(internal::first_side(e)), mesh)) ? 1 : 0;
     if(is_open[e] != 0) {
-      ++degree[triangulation.tail(2 * e)];
-      ++degree[triangulation.head(2 * e)];
+      ++degree[triangulation.tail(internal::first_side(e))];
+      ++degree[triangulation.head(internal::first_side(e))];
     }
   }
 
-  const auto next_marked = [&](Index h) { // the way on from the head of h, null_index at a node that ends curves
+  const auto next_marked =
+      [&](Halfedge_index h) -> Halfedge_index { // the way on from the head of h, null_index at a node that ends curves
     if(degree[triangulation.head(h)] != 2)
       return null_index;
-    for(Index g : internal::spokes(triangulation, triangulation.head(h)))
+    for(Halfedge_index g : internal::spokes(triangulation, triangulation.head(h)))
       if(is_open[Network::Triangulation::edge(g)] != 0)
         return g;
     return null_index;
   };
-  const auto walk = [&](Index h) {
-    std::vector<Index> chain;
+  const auto walk = [&](Halfedge_index h) {
+    std::vector<Halfedge_index> chain;
     for(; h != null_index; h = next_marked(h)) {
       is_open[Network::Triangulation::edge(h)] = 0;
       chain.push_back(h);
@@ -166,12 +174,12 @@ Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedM
   };
 
   const Index before = network.number_of_curves();
-  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-    if(is_open[h >> 1] != 0 && degree[triangulation.tail(h)] != 2)
+  for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
+    if(is_open[Network::Triangulation::edge(h)] != 0 && degree[triangulation.tail(h)] != 2)
       network.add_curve(walk(h), false);
-  for(Index e = 0; e < triangulation.number_of_edges(); ++e)
+  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
     if(is_open[e] != 0)
-      network.add_curve(walk(2 * e), true);
+      network.add_curve(walk(internal::first_side(e)), true);
   return network.number_of_curves() - before;
 }
 

@@ -67,10 +67,10 @@ std::uint64_t input_fingerprint(const Triangulation& triangulation)
 {
   const auto& input = triangulation.input();
   Fingerprint fingerprint;
-  for(Index h = 0; h < input.number_of_halfedges(); ++h) {
-    fingerprint.add_integer(input.tail(h));
-    fingerprint.add_integer(input.is_border(h) ? null_index : input.next(h));
-    if((h & 1) == 0)
+  for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
+    fingerprint.add_integer(input.tail(h).idx());
+    fingerprint.add_integer(input.is_border(h) ? Index(null_index) : input.next(h).idx());
+    if(internal::is_first_side(h))
       fingerprint.add_double(triangulation.metric().weight(input, h));
   }
   return fingerprint.value();
@@ -80,7 +80,7 @@ std::uint64_t input_fingerprint(const Triangulation& triangulation)
 struct Log_entry
 {
   char kind;
-  Index halfedge;
+  Halfedge_index halfedge;
   Surface_location location; // of the vertex
 
   bool operator==(const Log_entry& other) const
@@ -99,7 +99,8 @@ Log_entry log_entry(const Triangulation& triangulation, std::size_t i)
     return {'f', record.h, {}};
   if(record.tn == null_index)
     return {'r', record.h, {}};
-  return {'v', record.h, triangulation.location(triangulation.input().number_of_vertices() + record.tn)};
+  return {'v', record.h,
+          triangulation.location(Vertex_index(triangulation.input().number_of_vertices() + record.rotation))};
 }
 
 /* Does again what an entry says; false if that is impossible. */
@@ -110,12 +111,12 @@ bool repeat(Triangulation& triangulation, const Log_entry& entry)
     triangulation.insert(entry.location);
     return true;
   }
-  const Index h = entry.halfedge;
-  if(h < 0 || h >= triangulation.number_of_halfedges() || triangulation.is_border(h))
+  const Halfedge_index h = entry.halfedge;
+  if(!h.is_valid() || h.idx() >= triangulation.number_of_halfedges() || triangulation.is_border(h))
     return false;
   if(entry.kind == 'r')
     return refresh_face(triangulation, h);
-  const Index t = Triangulation::twin(h);
+  const Halfedge_index t = Triangulation::twin(h);
   if(triangulation.is_border(t) || triangulation.next(h) == t || triangulation.next(t) == h)
     return false;
   triangulation.flip(h);
@@ -143,6 +144,15 @@ public:
   }
 
   Index index(const char* what) { return get<Index>(what); }
+
+  /* An edge, whose halfedges have numbers twice as large. */
+  Edge_index edge()
+  {
+    const Index number = index("edge");
+    if(number < 0 || number > (std::numeric_limits<Index>::max)() / 2)
+      fail("edge");
+    return Edge_index(number);
+  }
 
   /* A number of things that take at least a word each, so that no memory is asked for that the text cannot fill. */
   std::size_t count(const char* what, std::size_t size)
@@ -180,9 +190,9 @@ void write_log(std::ostream& out, const Triangulation& triangulation)
   out << "log " << triangulation.log_position() << '\n';
   for(std::size_t i = 0; i < triangulation.log_position(); ++i) {
     const Log_entry entry = log_entry(triangulation, i);
-    out << entry.kind << ' ' << entry.halfedge;
+    out << entry.kind << ' ' << entry.halfedge.idx();
     if(entry.kind == 'v') {
-      out << ' ' << entry.location.halfedge;
+      out << ' ' << entry.location.halfedge.idx();
       for(double weight : entry.location.weights)
         out << ' ' << weight;
     }
@@ -196,13 +206,13 @@ inline void write_state(std::ostream& out, const Network_state& state)
   for(const Network_state::Curve& curve : state.curves) {
     out << (curve.is_closed ? "closed " : "open ") << curve.initial_length << ' ' << curve.segments.size() << '\n';
     for(const Network_state::Segment& s : curve.segments)
-      out << s.id << ' ' << s.halfedge << ' ' << (s.is_head_fixed ? 1 : 0) << '\n';
+      out << s.id.idx() << ' ' << s.halfedge.idx() << ' ' << (s.is_head_fixed ? 1 : 0) << '\n';
   }
   out << "stacks " << state.stacks.size() << '\n';
   for(const Network_state::Stack& stack : state.stacks) {
-    out << stack.edge << ' ' << stack.segments.size();
-    for(Index s : stack.segments)
-      out << ' ' << s;
+    out << stack.edge.idx() << ' ' << stack.segments.size();
+    for(Segment_index s : stack.segments)
+      out << ' ' << s.idx();
     out << '\n';
   }
 }
@@ -215,9 +225,9 @@ inline std::vector<Log_entry> read_log(Network_reader& in, std::size_t size)
     entry.kind = in.get<char>("log entry");
     if(entry.kind != 'f' && entry.kind != 'r' && entry.kind != 'v')
       in.fail("log entry");
-    entry.halfedge = in.index("halfedge");
+    entry.halfedge = Halfedge_index(in.index("halfedge"));
     if(entry.kind == 'v') {
-      entry.location.halfedge = in.index("halfedge");
+      entry.location.halfedge = Input_halfedge_index(in.index("halfedge"));
       for(double& weight : entry.location.weights)
         weight = in.get<double>("weight");
     }
@@ -239,18 +249,18 @@ inline Network_state read_state(Network_reader& in, std::size_t size)
     curve.initial_length = in.get<double>("length");
     curve.segments.resize(in.count("number of segments", size));
     for(Network_state::Segment& s : curve.segments) {
-      s.id = in.index("segment");
-      s.halfedge = in.index("halfedge");
+      s.id = Segment_index(in.index("segment"));
+      s.halfedge = Halfedge_index(in.index("halfedge"));
       s.is_head_fixed = in.get<int>("mark") != 0;
     }
   }
   in.keyword("stacks");
   state.stacks.resize(in.count("number of stacks", size));
   for(Network_state::Stack& stack : state.stacks) {
-    stack.edge = in.index("edge");
+    stack.edge = in.edge();
     stack.segments.resize(in.count("size of a stack", size));
-    for(Index& s : stack.segments)
-      s = in.index("segment");
+    for(Segment_index& s : stack.segments)
+      s = Segment_index(in.index("segment"));
   }
   return state;
 }

@@ -35,11 +35,11 @@ struct Marked_edge_map
 
   const TriangleMesh* mesh;
   const Triangulation* triangulation;
-  const std::vector<char>* is_marked;
+  const Indexed_by<Edge_index, std::vector<char>>* is_marked;
 
   friend bool get(const Marked_edge_map& map, const key_type& e)
   {
-    return (*map.is_marked)[map.triangulation->index(halfedge(e, *map.mesh)) >> 1] != 0;
+    return (*map.is_marked)[Triangulation::edge(map.triangulation->index(halfedge(e, *map.mesh)))] != 0;
   }
 };
 
@@ -49,10 +49,12 @@ Index add_edges_between_faces(Network& network, const TriangleMesh& mesh, const 
 {
   using Triangulation = typename Network::Triangulation;
   const Triangulation& triangulation = network.triangulation();
-  std::vector<char> marks(static_cast<std::size_t>(triangulation.number_of_edges()), 0);
-  for(Index e = 0; e < triangulation.number_of_edges(); ++e) {
-    const bool is_inner = !triangulation.is_border(2 * e) && !triangulation.is_border(2 * e + 1);
-    marks[e] = is_inner && is_marked(triangulation.input_halfedge(2 * e), triangulation.input_halfedge(2 * e + 1));
+  internal::Indexed_by<Edge_index, std::vector<char>> marks(static_cast<std::size_t>(triangulation.number_of_edges()),
+                                                            0);
+  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges())) {
+    const Halfedge_index h = first_side(e), t = Triangulation::twin(h);
+    const bool is_inner = !triangulation.is_border(h) && !triangulation.is_border(t);
+    marks[e] = is_inner && is_marked(triangulation.input_halfedge(h), triangulation.input_halfedge(t));
   }
   return add_marked_edges(network, mesh, Marked_edge_map<TriangleMesh, Triangulation>{&mesh, &triangulation, &marks});
 }
@@ -76,25 +78,25 @@ public:
   template <class Function>
   void for_each(const Function& use)
   {
-    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation.number_of_halfedges()))
       if(is_boundary(h) && is_start(h))
         use(chain_from(h), false);
-    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation.number_of_halfedges()))
       if(is_boundary(h) && m_is_used[h] == 0)
         use(chain_from(h), true);
   }
 
 private:
-  bool is_boundary(Index h) const
+  bool is_boundary(Halfedge_index h) const
   {
-    const Index t = Triangulation::twin(h);
+    const Halfedge_index t = Triangulation::twin(h);
     return !m_triangulation.is_border(h) && !m_triangulation.is_border(t) && m_region(h) != m_region(t);
   }
 
   // The next halfedge of the boundary, about its head through faces of the region; null_index at the border.
-  Index next(Index h) const
+  Halfedge_index next(Halfedge_index h) const
   {
-    Index g = m_triangulation.next(h);
+    Halfedge_index g = m_triangulation.next(h);
     while(!is_boundary(g)) {
       if(m_triangulation.is_border(Triangulation::twin(g)))
         return null_index;
@@ -104,17 +106,17 @@ private:
   }
 
   // Does the boundary come from the border here?
-  bool is_start(Index h) const
+  bool is_start(Halfedge_index h) const
   {
-    Index g = Triangulation::twin(m_triangulation.previous(h));
+    Halfedge_index g = Triangulation::twin(m_triangulation.previous(h));
     while(!m_triangulation.is_border(g) && !is_boundary(Triangulation::twin(g)))
       g = Triangulation::twin(m_triangulation.previous(g));
     return m_triangulation.is_border(g);
   }
 
-  std::vector<Index> chain_from(Index h)
+  std::vector<Halfedge_index> chain_from(Halfedge_index h)
   {
-    std::vector<Index> chain;
+    std::vector<Halfedge_index> chain;
     for(; h != null_index && m_is_used[h] == 0; h = next(h)) {
       m_is_used[h] = 1;
       chain.push_back(h);
@@ -124,7 +126,7 @@ private:
 
   const Triangulation& m_triangulation;
   const Region& m_region;
-  std::vector<char> m_is_used;
+  Indexed_by<Halfedge_index, std::vector<char>> m_is_used;
 };
 
 } // namespace internal
@@ -160,15 +162,17 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
     });
 
   const Triangulation& triangulation = network.triangulation();
-  const auto region = [&](Index h) {
+  const auto region = [&](Halfedge_index h) {
     return get(regions, internal::graph_face(triangulation.input_halfedge(h), mesh));
   };
   internal::Region_boundaries<Triangulation, decltype(region)> boundaries(triangulation, region);
   const Index before = network.number_of_curves();
-  boundaries.for_each([&](const std::vector<Index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
-  for(Index e = 0; e < triangulation.number_of_edges(); ++e) { // each strand on the side of its region
-    std::vector<Index> stack = network.stack(e);
-    if(stack.size() == 2 && network.halfedge(stack.front()) != 2 * e) {
+  boundaries.for_each(
+      [&](const std::vector<Halfedge_index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
+  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
+  { // each strand on the side of its region
+    std::vector<Segment_index> stack = network.stack(e);
+    if(stack.size() == 2 && network.halfedge(stack.front()) != internal::first_side(e)) {
       std::swap(stack.front(), stack.back());
       network.set_stack(e, stack);
     }

@@ -62,12 +62,12 @@ namespace internal {
 template <class Triangulation>
 struct Triangulation_splitter
 {
-  Index insert(const Surface_location& location, Known_piece* near)
+  Vertex_index insert(const Surface_location& location, Known_piece* near)
   {
     return triangulation.insert(
         location, [](const Edge_halves&) {}, near);
   }
-  Index split_edge(Index h, const Surface_location& location, std::size_t gap)
+  Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
     return triangulation.split_edge(h, location, gap, [](const Edge_halves&) {});
   }
@@ -80,7 +80,7 @@ void measure_faces(const Triangulation& triangulation, Refiner& refiner, double 
 {
   constexpr double degree = boost::math::constants::degree<double>();
   report.smallest_angle = report.smallest_free_angle = 180;
-  for(Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
+  for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges())) {
     if(triangulation.is_border(h) || Face_shape<Triangulation>::first_halfedge(triangulation, h) != h)
       continue;
     const double angle = Face_shape<Triangulation>(triangulation, h).smallest_angle();

@@ -83,20 +83,20 @@ public:
    * \throws Invalid_coordinate_error for an edge that the search meets and whose length is negative or no number; edges
    *         of length zero are passed here, and refused where the curve is straightened over them
    */
-  std::vector<Index> operator()(Index source, Index target)
+  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target)
   {
     internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     internal::check_vertex(target, m_triangulation->input().number_of_vertices());
     start(source);
     direct(source, target);
-    for(Index v = settle_next(); v != null_index; v = settle_next()) {
+    for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
       if(v == target)
         return path_to(target);
       relax_neighbors(v);
     }
-    throw Disconnected_endpoints_error("no path of edges joins vertex " + std::to_string(source) + " and vertex " +
-                                           std::to_string(target),
-                                       {static_cast<std::size_t>(source), static_cast<std::size_t>(target)});
+    throw Disconnected_endpoints_error(
+        "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
+        {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
   }
 
   /*!
@@ -105,11 +105,11 @@ public:
    * \throws Vertex_out_of_range_error, Invalid_coordinate_error as above
    */
   template <class Visit>
-  void visit_all(Index source, const Visit& visit)
+  void visit_all(Vertex_index source, const Visit& visit)
   {
     internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     start(source);
-    for(Index v = settle_next(); v != null_index; v = settle_next()) {
+    for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
       visit(v, m_labels.distance(v));
       relax_neighbors(v);
     }
@@ -138,7 +138,7 @@ private:
   // A vertex whose neighbors are reached through it; a copy, which nothing that is written meanwhile can change.
   struct Origin
   {
-    Index vertex;
+    Vertex_index vertex;
     double distance;
     Place place;
     Ancestors ancestors;
@@ -152,7 +152,7 @@ private:
   // A way that is shorter by less than this part of its last edge does not put a vertex forward in the queue.
   static constexpr double least_gain = 0.2;
 
-  void start(Index source)
+  void start(Vertex_index source)
   {
     m_target = null_index;
     m_is_bounded = false;
@@ -164,7 +164,7 @@ private:
     m_queue.push(0, source);
   }
 
-  void direct(Index source, Index target)
+  void direct(Vertex_index source, Vertex_index target)
   {
     if(m_method == Search_method::DIJKSTRA)
       return;
@@ -178,10 +178,10 @@ private:
   }
 
   // The next vertex, `null_index` if there is none.
-  Index settle_next()
+  Vertex_index settle_next()
   {
     while(!m_queue.empty()) {
-      const Index v = m_queue.pop();
+      const Vertex_index v = m_queue.pop();
       if(m_labels.is_settled(v))
         continue; // has been reached on a shorter way since
       m_labels.settle(v);
@@ -191,15 +191,15 @@ private:
     return null_index;
   }
 
-  void relax_neighbors(Index v)
+  void relax_neighbors(Vertex_index v)
   {
     const auto& input = m_triangulation->input();
-    const Index incoming = m_labels.incoming(v);
+    const Input_halfedge_index incoming = m_labels.incoming(v);
     const bool is_source = incoming == null_index;
-    const Index first = is_source ? input.outgoing(v) : Triangulation::twin(incoming);
+    const Input_halfedge_index first = is_source ? input.outgoing(v) : internal::twin_index(incoming);
     if(first == null_index)
       return;
-    const Index second = is_source ? first : next_around(first); // where the path came from is settled
+    const Input_halfedge_index second = is_source ? first : next_around(first); // where the path came from is settled
     if(m_looks_back)
       relax_neighbors<true>(
           {v, m_labels.distance(v), m_triangulation->metric().place(input, v), ancestors_of(incoming)}, second, first);
@@ -209,7 +209,7 @@ private:
 
   // The neighbors from one halfedge round to another.
   template <bool LooksBack>
-  void relax_neighbors(const Origin& origin, Index h, Index end)
+  void relax_neighbors(const Origin& origin, Input_halfedge_index h, Input_halfedge_index end)
   {
     do {
       relax<LooksBack>(origin, h);
@@ -218,9 +218,12 @@ private:
   }
 
   // Along the border, too.
-  Index next_around(Index h) const { return m_triangulation->input().next(Triangulation::twin(h)); }
+  Input_halfedge_index next_around(Input_halfedge_index h) const
+  {
+    return m_triangulation->input().next(internal::twin_index(h));
+  }
 
-  Ancestors ancestors_of(Index incoming) const
+  Ancestors ancestors_of(Input_halfedge_index incoming) const
   {
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
@@ -228,7 +231,7 @@ private:
     result.fill({Place(), std::numeric_limits<double>::infinity(), 0});
     double length = 0;
     for(std::size_t i = 0; i < most_ancestors && incoming != null_index; ++i) {
-      const Index a = input.tail(incoming);
+      const Vertex_index a = input.tail(incoming);
       length += metric.weight(input, incoming);
       result[i] = {metric.place(input, a), m_labels.distance(a), length};
       incoming = m_labels.incoming(a);
@@ -237,11 +240,11 @@ private:
   }
 
   template <bool LooksBack>
-  void relax(const Origin& origin, Index h)
+  void relax(const Origin& origin, Input_halfedge_index h)
   {
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
-    const Index w = input.tail(Triangulation::twin(h));
+    const Vertex_index w = input.tail(internal::twin_index(h));
     if(m_labels.is_settled(w))
       return;
     const Place place = metric.place(input, w);
@@ -258,7 +261,7 @@ private:
       m_queue.push(distance + bound_to_target(w, place), w);
   }
 
-  double bound_to_target(Index v, const Place& place) const
+  double bound_to_target(Vertex_index v, const Place& place) const
   {
     double bound = m_is_bounded ? m_triangulation->metric().distance_lower_bound(place, m_target_place) : 0;
     if(m_landmarks != nullptr && m_target != null_index)
@@ -277,11 +280,12 @@ private:
     return distance;
   }
 
-  std::vector<Index> path_to(Index target) const
+  std::vector<Halfedge_index> path_to(Vertex_index target) const
   {
-    std::vector<Index> path;
-    for(Index h = m_labels.incoming(target); h != null_index; h = m_labels.incoming(m_triangulation->input().tail(h)))
-      path.push_back(h);
+    std::vector<Halfedge_index> path;
+    for(Input_halfedge_index h = m_labels.incoming(target); h != null_index;
+        h = m_labels.incoming(m_triangulation->input().tail(h)))
+      path.push_back(internal::as_intrinsic(h));
     std::reverse(path.begin(), path.end());
     return path;
   }
@@ -293,7 +297,7 @@ private:
   internal::Search_labels m_labels;
   internal::Vertex_queue m_queue;
   const Landmark_distances* m_landmarks = nullptr;
-  Index m_target = null_index; // none if the search goes in all directions
+  Vertex_index m_target = null_index; // none if the search goes in all directions
   Place m_target_place = Place();
   bool m_is_bounded = false; // by the metric
   double m_least_gain = 0;

@@ -72,11 +72,11 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
 
 /* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
 template <class Triangulation>
-std::vector<Index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search, Index source,
-                               Index target, std::size_t& flips)
+std::vector<Halfedge_index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search,
+                                        Vertex_index source, Vertex_index target, std::size_t& flips)
 {
-  std::vector<std::vector<Index>> legs;
-  for(Index v = target; v != source;) {
+  std::vector<std::vector<Halfedge_index>> legs;
+  for(Vertex_index v = target; v != source;) {
     const auto leg = search.leg(v);
     legs.emplace_back();
     const std::vector<Crossed_edge> crossed =
@@ -85,7 +85,7 @@ std::vector<Index> insert_path(Triangulation& triangulation, const Window_search
       return {};
     v = leg.from;
   }
-  std::vector<Index> path;
+  std::vector<Halfedge_index> path;
   for(std::size_t i = legs.size(); i-- > 0;)
     path.insert(path.end(), legs[i].begin(), legs[i].end());
   return path;
@@ -96,24 +96,25 @@ std::vector<Index> insert_path(Triangulation& triangulation, const Window_search
  * vertices that the shortest path passes are replaced.
  */
 template <class Triangulation>
-std::vector<Index> insert_path_in_tree(Triangulation& triangulation, const Window_search<Triangulation>& search,
-                                       Index source, Index target, std::size_t& flips)
+std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
+                                                const Window_search<Triangulation>& search, Vertex_index source,
+                                                Vertex_index target, std::size_t& flips)
 {
   constexpr double tolerance = Shortest_path_report::tolerance();
   Geodesic_tree<Triangulation> tree(triangulation);
   flips += tree.grow(source, search.distance(target)).flips;
-  std::vector<Index> longer;
-  for(Index v = target; v != source; v = search.leg(v).from)
+  std::vector<Vertex_index> longer;
+  for(Vertex_index v = target; v != source; v = search.leg(v).from)
     if(!tree.is_reached(v) || tree.distance(v) > search.distance(v) * (1 + tolerance))
       longer.push_back(v);
   Shortest_tree_repair<Geodesic_tree<Triangulation>> repair(tree, search, tolerance);
   repair.run(longer);
   flips += repair.flips();
-  std::vector<Index> path;
-  for(Index v = target; v != source && tree.incoming(v) != null_index; v = triangulation.tail(path.back()))
+  std::vector<Halfedge_index> path;
+  for(Vertex_index v = target; v != source && tree.incoming(v) != null_index; v = triangulation.tail(path.back()))
     path.push_back(tree.incoming(v));
   std::reverse(path.begin(), path.end());
-  return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Index>();
+  return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Halfedge_index>();
 }
 
 /* There is nothing shorter than a path of no length. */
@@ -150,18 +151,18 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`
  */
 template <class Network, class Search, class Visitor = Default_shortening_visitor>
-Shortest_path_report add_shortest_path(Network& network, Search& search, Index source, Index target,
+Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_index source, Vertex_index target,
                                        std::size_t most_windows = 0, Visitor&& visitor = Visitor())
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
-  const std::vector<Index> ends = {source, target};
-  const std::vector<Index> edge_path = shortest_halfedges_through(search, ends);
+  const std::vector<Vertex_index> ends = {source, target};
+  const std::vector<Halfedge_index> edge_path = shortest_halfedges_through(search, ends);
   network.add_curve(edge_path, false);
   Shortest_path_report report;
   report.shortening = shorten(network, Never_stop_predicate(), visitor);
-  report.length = report.first_length = network.length(0);
+  report.length = report.first_length = network.length(Curve_index(0));
 
   constexpr double tolerance = Shortest_path_report::tolerance();
   internal::Window_search<Triangulation> windows(triangulation, source, target);
@@ -173,10 +174,10 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Index s
     network.clear();
     triangulation.rollback();
     std::size_t flips = 0;
-    std::vector<Index> path = internal::insert_path(triangulation, windows, source, target, flips);
+    std::vector<Halfedge_index> path = internal::insert_path(triangulation, windows, source, target, flips);
     const auto is_found = [&] {
       double length = 0;
-      for(Index h : path)
+      for(Halfedge_index h : path)
         length += triangulation.length(h);
       return !path.empty() && length <= windows.distance(target) * (1 + tolerance);
     };
@@ -193,7 +194,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Index s
     report.shortening.curves[0].initial_length = before.curves[0].initial_length;
     report.shortening.flips += before.flips + flips;
     report.shortening.flip_outs += before.flip_outs;
-    report.length = network.length(0);
+    report.length = network.length(Curve_index(0));
   }
 
   const auto& metric = triangulation.metric();
@@ -230,7 +231,7 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Result = Shortest_path_result<OutputIterator>;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
-    const Index s = triangulation.index(source), t = triangulation.index(target);
+    const Vertex_index s = triangulation.index(source), t = triangulation.index(target);
     if(triangulation.input().is_contracted() && s == t) {
       const auto point = internal::path_in_one_place(triangulation, s, out);
       return Result{point.out, internal::report_of_no_length(point.report)};
@@ -243,7 +244,7 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
     Shortest_path_report report = add_shortest_path(network, search, s, t, most_windows, visitor);
     internal::note_contraction(triangulation, report.shortening);
-    return Result{Curve_extractor<typename Types::Network>(network).points(0, out), report};
+    return Result{Curve_extractor<typename Types::Network>(network).points(Curve_index(0), out), report};
   });
 }
 

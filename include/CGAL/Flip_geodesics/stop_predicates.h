@@ -32,7 +32,7 @@ enum class Stop_decision {
 /// The step that is about to be taken, with the lengths before and after it.
 struct Shortening_step
 {
-  Index curve;
+  Curve_index curve;
   double angle_key;            ///< `Turn_key` of the wedge, in [0, 2): 1 - cos / (|cos| + sin) of its angle
   std::size_t steps;           ///< the number of steps taken so far
   double curve_initial_length; ///< of the curve

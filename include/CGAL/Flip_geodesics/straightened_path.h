@@ -20,20 +20,20 @@ namespace Flip_geodesics {
 namespace internal {
 
 template <class Triangulation>
-double length_of(const Triangulation& triangulation, const std::vector<Index>& path)
+double length_of(const Triangulation& triangulation, const std::vector<Halfedge_index>& path)
 {
   double length = 0;
-  for(Index h : path)
+  for(Halfedge_index h : path)
     length += triangulation.length(h);
   return length;
 }
 
 /* Does an open path pass no vertex twice? */
 template <class Triangulation>
-bool is_simple(const Triangulation& triangulation, const std::vector<Index>& path)
+bool is_simple(const Triangulation& triangulation, const std::vector<Halfedge_index>& path)
 {
-  std::vector<Index> vertices = {triangulation.head(path.back())};
-  for(Index h : path)
+  std::vector<Vertex_index> vertices = {triangulation.head(path.back())};
+  for(Halfedge_index h : path)
     vertices.push_back(triangulation.tail(h));
   std::sort(vertices.begin(), vertices.end());
   return std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end();
@@ -42,10 +42,10 @@ bool is_simple(const Triangulation& triangulation, const std::vector<Index>& pat
 /* The legs of a straightened path as edges of the triangulation, for which the edges that they cross are flipped; none
  * if two legs are in each other's way. */
 template <class Triangulation>
-std::vector<Index> insert_legs(Triangulation& triangulation, Strip_straightener<Triangulation>& straightener,
-                               std::size_t most_memory, std::size_t& flips)
+std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_straightener<Triangulation>& straightener,
+                                        std::size_t most_memory, std::size_t& flips)
 {
-  std::vector<Index> path;
+  std::vector<Halfedge_index> path;
   try {
     for(const auto& leg : straightener.legs())
       if(!insert_leg(triangulation, leg.along, straightener.crossed(leg), path, flips, most_memory))
@@ -87,7 +87,7 @@ std::vector<Index> insert_legs(Triangulation& triangulation, Strip_straightener<
  * and the geodesic. The flips are linear in the edges that the geodesic crosses.
  */
 template <class Network>
-std::size_t add_straightened_path(Network& network, const std::vector<Index>& path,
+std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_index>& path,
                                   std::size_t most_memory = (std::numeric_limits<std::size_t>::max)())
 {
   using Triangulation = typename Network::Triangulation;
@@ -95,7 +95,7 @@ std::size_t add_straightened_path(Network& network, const std::vector<Index>& pa
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
   internal::Strip_straightener<Triangulation> straightener(triangulation);
   std::size_t flips = 0;
-  std::vector<Index> straight;
+  std::vector<Halfedge_index> straight;
   if(straightener(path))
     straight = internal::insert_legs(triangulation, straightener, most_memory, flips);
   if(straight.empty() || !internal::is_simple(triangulation, straight) ||
@@ -106,7 +106,7 @@ std::size_t add_straightened_path(Network& network, const std::vector<Index>& pa
     return flips;
   }
   network.add_curve(straight, false);
-  network.set_initial_length(0, straightener.path_length());
+  network.set_initial_length(Curve_index(0), straightener.path_length());
   return flips;
 }
 

@@ -68,7 +68,7 @@ private:
 
   bool is_on_curve(Index h) const
   {
-    const Index intrinsic = m_overlay.intrinsic_halfedge(h);
+    const Halfedge_index intrinsic = m_overlay.intrinsic_halfedge(h);
     return intrinsic != null_index && m_network.is_occupied(intrinsic);
   }
 
@@ -113,7 +113,7 @@ private:
   Overlay& m_overlay;
   Layout& m_layout;
   const Network& m_network;
-  std::set<Index> m_whole_faces;
+  std::set<Input_halfedge_index> m_whole_faces;
 };
 
 template <class Triangulation>
@@ -166,7 +166,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
   Overlay_layout<Triangulation> layout(overlay);
   Curve_filter<Network>(overlay, layout, network)();
   Polygon_triangulator<Triangulation>(overlay, layout)();
-  const auto is_on_curve = [&](Index h) { return h != null_index && network.is_occupied(h); };
+  const auto is_on_curve = [&](Halfedge_index h) { return h != null_index && network.is_occupied(h); };
   for(Index h : overlay.parallel_edges())
     layout.split(overlay, h);
   std::vector<Index> original;
@@ -208,7 +208,7 @@ Surface_subdivision<Triangulation, OutputMesh> common_subdivision(const Triangul
   internal::Overlay_layout<Triangulation> layout(overlay);
   internal::Polygon_triangulator<Triangulation>(overlay, layout)();
   return Surface_subdivision<Triangulation, OutputMesh>(overlay, layout, internal::same_vertices(overlay), mesh,
-                                                        [](Index) { return false; });
+                                                        [](Halfedge_index) { return false; });
 }
 
 /// \ingroup PkgFlipGeodesicsSubdivision

@@ -33,7 +33,7 @@ Surface_location surface_location(
     const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
     typename boost::graph_traits<typename Triangulation::Triangle_mesh>::vertex_descriptor v)
 {
-  const Index i = triangulation.index(v);
+  const Vertex_index i = triangulation.index(v);
   if(i == null_index || triangulation.input().outgoing(i) == null_index)
     throw Vertex_out_of_range_error("a location is at a vertex that no face of the mesh has");
   return triangulation.location(i);
@@ -64,7 +64,7 @@ Surface_location surface_location(
   if(!internal::is_face(location.first, mesh))
     throw Invalid_location_error("a location is in no face of the mesh");
   Surface_location result;
-  result.halfedge = triangulation.index(internal::graph_halfedge(location.first, mesh));
+  result.halfedge = triangulation.input().index(internal::graph_halfedge(location.first, mesh));
   double sum = 0;
   for(std::size_t i = 0; i < 3; ++i) {
     const double weight = CGAL::to_double(location.second[i]);
@@ -150,7 +150,7 @@ public:
 private:
   static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
-  void note(Index face, const std::array<double, 3>& weights, std::size_t gap)
+  void note(Input_halfedge_index face, const std::array<double, 3>& weights, std::size_t gap)
   {
     const double sum = weights[0] + weights[1] + weights[2];
     const double smallest = (std::min)({weights[0], weights[1], weights[2]}) / sum;
@@ -164,7 +164,7 @@ private:
   // In the face on the left of an edge along an input edge, or in that which holds the edge.
   void look_in_one_face(const Crossing_word& word, const Vector& along)
   {
-    const Index h = Point_side<Triangulation>::face_of_gap(word, 0);
+    const Input_halfedge_index h = Point_side<Triangulation>::face_of_gap(word, 0);
     const auto& input = m_triangulation.input();
     const auto from = vertex_weights(m_triangulation, word.tail, input.is_border(h) ? twin_index(h) : h);
     const auto to = vertex_weights(m_triangulation, word.head, input.is_border(h) ? twin_index(h) : h);
@@ -178,7 +178,8 @@ private:
   }
 
   // Moves weights to the left of the edge by a part of its length.
-  void add_height(const Crossing_word& word, Index h, double height, std::array<double, 3>& weights) const
+  void add_height(const Crossing_word& word, Input_halfedge_index h, double height,
+                  std::array<double, 3>& weights) const
   {
     const auto f = input_face_geometry(m_triangulation, h);
     const Vector u(f[0].x, f[0].y), v(-f[2].x, -f[2].y); // the two sides at the tail of h
@@ -189,7 +190,7 @@ private:
     weights[2] += at_apex;
   }
 
-  Vector barycentric_vector(const Crossing_word& word, Index h, const Vector& u, const Vector& v) const
+  Vector barycentric_vector(const Crossing_word& word, Input_halfedge_index h, const Vector& u, const Vector& v) const
   {
     const auto d = barycentric_difference(vertex_weights(m_triangulation, word.tail, h),
                                           vertex_weights(m_triangulation, word.head, h));
@@ -212,7 +213,7 @@ private:
  * \pre 0 < `t` < 1
  */
 template <class Triangulation>
-Surface_location location_on_edge(const Triangulation& triangulation, Index h, double t)
+Surface_location location_on_edge(const Triangulation& triangulation, Halfedge_index h, double t)
 {
   internal::Location_finder<Triangulation> finder(triangulation);
   const Crossing_word word = triangulation.crossing_word(h);
@@ -229,7 +230,8 @@ Surface_location location_on_edge(const Triangulation& triangulation, Index h, d
  * border, and the coordinates are not negative and sum to one
  */
 template <class Triangulation>
-Surface_location location_in_face(const Triangulation& triangulation, Index h, const std::array<double, 3>& coordinates)
+Surface_location location_in_face(const Triangulation& triangulation, Halfedge_index h,
+                                  const std::array<double, 3>& coordinates)
 {
   internal::Location_finder<Triangulation> finder(triangulation);
   for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {

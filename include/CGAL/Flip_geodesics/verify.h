@@ -63,11 +63,11 @@ public:
   }
 
   /// Measures one curve. Linear in the crossed input edges and in the degrees of the vertices it passes.
-  Straightness operator()(Index curve)
+  Straightness operator()(Curve_index curve)
   {
     Straightness result;
     m_segments.clear();
-    m_network.for_each_segment(curve, [&](Index s) {
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       const Crossing_word word = m_triangulation.crossing_word(m_network.halfedge(s));
       const Strip strip(m_triangulation, word);
       result.largest_bend = (std::max)(result.largest_bend, strip.bend());
@@ -86,7 +86,8 @@ public:
   /// The angle at a side of a joint, in radians; infinite if the side is blocked, fixed or holds the border.
   double angle(const Joint& joint) const
   {
-    return angle_if_free(joint, [&](Index a, Index b) { return internal::wedge_angle(m_triangulation, a, b).value; });
+    return angle_if_free(
+        joint, [&](Halfedge_index a, Halfedge_index b) { return internal::wedge_angle(m_triangulation, a, b).value; });
   }
 
   /*!
@@ -97,9 +98,9 @@ public:
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
   {
     const auto [a, b] = m_network.ends(joint);
-    Index h = a.halfedge;
+    Halfedge_index h = a.halfedge;
     do {
-      const Index t = Triangulation::twin(h);
+      const Halfedge_index t = Triangulation::twin(h);
       if(m_triangulation.is_border(t))
         return true;
       if(!internal::refresh_face(triangulation, t))
@@ -112,9 +113,9 @@ public:
 private:
   struct Measured_segment
   {
-    Index segment;
+    Segment_index segment;
     bool is_along;
-    Index at_tail, at_head; // the references of both directions
+    Input_halfedge_index at_tail, at_head; // the references of both directions
     double angle_at_tail, angle_at_head;
 
     bool has_both_ends() const { return at_tail != null_index && at_head != null_index; }
@@ -137,7 +138,7 @@ private:
   {
     if(!x.has_both_ends() || !y.has_both_ends()) // beside an inserted vertex
       return angle({x.segment, Side::LEFT});
-    return angle_if_free({x.segment, Side::LEFT}, [&](Index a, Index b) {
+    return angle_if_free({x.segment, Side::LEFT}, [&](Halfedge_index a, Halfedge_index b) {
       return x.angle_at_head - y.angle_at_tail + input_corners(a, b, x.at_head, x.is_along);
     });
   }
@@ -146,13 +147,13 @@ private:
   {
     if(!x.has_both_ends() || !y.has_both_ends())
       return angle({x.segment, Side::RIGHT});
-    return angle_if_free({x.segment, Side::RIGHT}, [&](Index a, Index b) {
+    return angle_if_free({x.segment, Side::RIGHT}, [&](Halfedge_index a, Halfedge_index b) {
       return y.angle_at_tail - x.angle_at_head + input_corners(a, b, y.at_tail, y.is_along);
     });
   }
 
   // The input corners between the references of halfedges a and b, clockwise; that of a is given.
-  double input_corners(Index a, Index b, Index reference, bool is_along) const
+  double input_corners(Halfedge_index a, Halfedge_index b, Input_halfedge_index reference, bool is_along) const
   {
     const Index steps = m_triangulation.input_edges_in_wedge(a, b) + (is_along ? 1 : 0);
     return internal::sum_of_input_corners(m_triangulation, reference, steps);

@@ -106,10 +106,12 @@ inline void check_curve(const program::Curve_request& curve)
 {
   const program::Mesh& mesh = octahedron();
   check_message(curve.name);
-  for(program::Index v : curve.vertices)
-    require(v >= 0 && v < static_cast<program::Index>(mesh.number_of_vertices()), "a vertex does not exist");
+  for(const auto v : curve.vertices)
+    require(v.is_valid() && v.idx() < static_cast<program::Index>(mesh.number_of_vertices()),
+            "a vertex does not exist");
   for(const auto& point : curve.points) {
-    require(point.halfedge >= 0 && point.halfedge < static_cast<program::Index>(mesh.number_of_halfedges()),
+    const auto h = point.halfedge;
+    require(h.is_valid() && h.idx() < static_cast<program::Index>(mesh.number_of_halfedges()),
             "a halfedge does not exist");
     double sum = 0;
     for(double weight : point.weights) {

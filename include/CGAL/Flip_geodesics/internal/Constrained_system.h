@@ -86,12 +86,12 @@ private:
 };
 
 /* Marks the listed vertices. Throws Vertex_out_of_range_error. */
-inline std::vector<char> marked_vertices(std::size_t number_of_vertices, const std::vector<Index>& vertices)
+inline std::vector<char> marked_vertices(std::size_t number_of_vertices, const std::vector<Vertex_index>& vertices)
 {
   std::vector<char> result(number_of_vertices, 0);
-  for(Index v : vertices) {
+  for(Vertex_index v : vertices) {
     check_vertex(v, static_cast<Index>(number_of_vertices));
-    result[v] = 1;
+    result[static_cast<std::size_t>(v.idx())] = 1;
   }
   return result;
 }
@@ -105,7 +105,7 @@ inline std::vector<Index> components(std::size_t number_of_vertices, const std::
     sets.make_set(static_cast<Index>(v));
   for(const Intrinsic_face& face : faces)
     for(int i = 0; i < 3; ++i)
-      sets.union_set(face.vertices[i], face.vertices[(i + 1) % 3]);
+      sets.union_set(face.vertices[i].idx(), face.vertices[(i + 1) % 3].idx());
   std::vector<Index> result(number_of_vertices);
   for(std::size_t v = 0; v < number_of_vertices; ++v)
     result[v] = sets.find_set(static_cast<Index>(v));
@@ -116,8 +116,8 @@ inline std::vector<char> isolated_vertices(std::size_t number_of_vertices, const
 {
   std::vector<char> result(number_of_vertices, 1);
   for(const Intrinsic_face& face : faces)
-    for(Index v : face.vertices)
-      result[v] = 0;
+    for(Vertex_index v : face.vertices)
+      result[static_cast<std::size_t>(v.idx())] = 0;
   return result;
 }
 

@@ -3,26 +3,18 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_CONTRACTION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_CONTRACTION_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-/// \ingroup PkgFlipGeodesicsRef
-/// The index of a vertex, an edge or a halfedge; halfedges `2e` and `2e+1` are the two sides of edge `e`.
-using Index = std::int32_t;
-
-/// \ingroup PkgFlipGeodesicsRef
-/// The index of no element.
-constexpr Index null_index = -1;
 
 namespace internal {
 
@@ -33,14 +25,17 @@ namespace internal {
 struct Contraction
 {
   /* What becomes of a halfedge that is no more: its ends are one vertex; or no face with an area is left beside it. */
-  static constexpr Index is_point = -1, is_hair = -2;
+  static constexpr Input_halfedge_index is_point{-1}, is_hair{-2};
 
-  std::vector<Index> vertex;         // of each vertex of the input, the one that it is now
-  std::vector<Index> halfedge;       // of each halfedge of the input
-  std::vector<Index> input_halfedge; // of each halfedge that is left, one of the input's that it was
-  std::vector<Index> next, tail;
-  std::vector<char> is_border;
-  std::vector<Index> outgoing;  // of each vertex, null_index if isolated
+  using Halfedges = Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>>;
+
+  Indexed_by<Vertex_index, std::vector<Vertex_index>> vertex; // of each vertex of the input, the one that it is now
+  Halfedges halfedge;                                         // of each halfedge of the input
+  Halfedges input_halfedge; // of each halfedge that is left, one of the input's that it was
+  Halfedges next;
+  Indexed_by<Input_halfedge_index, std::vector<Vertex_index>> tail;
+  Indexed_by<Input_halfedge_index, std::vector<char>> is_border;
+  Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> outgoing; // none if isolated
   bool has_split_point = false; // do sheets of the surface that only met in a point have vertices of their own there?
 };
 
@@ -71,14 +66,16 @@ public:
     : m_input(input)
     , m_is_zero(static_cast<std::size_t>(input.number_of_halfedges()))
   {
-    m_result.vertex.resize(static_cast<std::size_t>(input.number_of_vertices()));
-    std::iota(m_result.vertex.begin(), m_result.vertex.end(), 0);
-    for(Index h = 0; h < input.number_of_halfedges(); h += 2) {
-      m_is_zero[h] = m_is_zero[h + 1] = length(h) == 0 ? 1 : 0;
+    const auto all = descriptors<Vertex_index>(input.number_of_vertices());
+    m_result.vertex.assign(all.begin(), all.end());
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
+      if(!is_first_side(h))
+        continue;
+      m_is_zero[h] = m_is_zero[twin_index(h)] = length(h) == 0 ? 1 : 0;
       if(m_is_zero[h] == 0)
         continue;
       m_has_zero_edges = true;
-      merge(input.tail(h), input.tail(h + 1));
+      merge(input.tail(h), input.tail(twin_index(h)));
     }
     if(m_has_zero_edges)
       check_needles(length);
@@ -88,7 +85,7 @@ public:
 
   Contraction operator()()
   {
-    for(Index v = 0; v < m_input.number_of_vertices(); ++v)
+    for(Vertex_index v : descriptors<Vertex_index>(m_input.number_of_vertices()))
       m_result.vertex[v] = root(v);
     pair_sides();
     connect_faces();
@@ -98,39 +95,41 @@ public:
   }
 
 private:
-  Index root(Index v)
+  using Vertices = Indexed_by<Vertex_index, std::vector<Vertex_index>>;
+
+  Vertex_index root(Vertex_index v)
   {
-    std::vector<Index>& parent = m_result.vertex;
+    auto& parent = m_result.vertex;
     while(parent[v] != parent[parent[v]])
       v = parent[v] = parent[parent[v]];
     return parent[v];
   }
 
-  void merge(Index v, Index w)
+  void merge(Vertex_index v, Vertex_index w)
   {
     v = root(v);
     w = root(w);
     m_result.vertex[(std::max)(v, w)] = (std::min)(v, w);
   }
 
-  Index next(Index h) const { return m_input.next(h); }
-  bool is_border(Index h) const { return m_input.is_border(h); }
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_input.next(h); }
+  bool is_border(Input_halfedge_index h) const { return m_input.is_border(h); }
 
   /* The next side of the face that is no point; h itself if there is no other. */
-  Index next_side(Index h) const
+  Input_halfedge_index next_side(Input_halfedge_index h) const
   {
-    Index g = next(h);
+    Input_halfedge_index g = next(h);
     while(g != h && m_is_zero[g] != 0)
       g = next(g);
     return g;
   }
 
   /* Have two sides of a face a length, and no other? \pre that of h has */
-  bool is_needle(Index h) const
+  bool is_needle(Input_halfedge_index h) const
   {
     if(is_border(h))
       return false;
-    const Index g = next_side(h);
+    const Input_halfedge_index g = next_side(h);
     return g != h && next_side(g) == h;
   }
 
@@ -138,18 +137,19 @@ private:
   template <class Length>
   void check_needles(const Length& length) const
   {
-    for(Index h = 0; h < m_input.number_of_halfedges(); ++h) {
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges())) {
       if(m_is_zero[h] == 0 || is_border(h))
         continue;
-      const Index g = next_side(h);
+      const Input_halfedge_index g = next_side(h);
       if(g == h)
         continue;
-      const Index k = next_side(g);
+      const Input_halfedge_index k = next_side(g);
       if(k == g || (next_side(k) == g && (length(g) < length(k) || length(k) < length(g))))
         throw Degenerate_face_error(
-            "a face has an edge of length zero between vertices " + std::to_string(m_input.tail(h)) + " and " +
-                std::to_string(m_input.tail(h ^ 1)) + ", and two of different lengths",
-            {static_cast<std::size_t>(m_input.tail(h)), static_cast<std::size_t>(m_input.tail(h ^ 1))});
+            "a face has an edge of length zero between vertices " + std::to_string(m_input.tail(h).idx()) + " and " +
+                std::to_string(m_input.tail(twin_index(h)).idx()) + ", and two of different lengths",
+            {static_cast<std::size_t>(m_input.tail(h).idx()),
+             static_cast<std::size_t>(m_input.tail(twin_index(h)).idx())});
     }
   }
 
@@ -157,35 +157,35 @@ private:
   void pair_sides()
   {
     m_result.halfedge.resize(m_is_zero.size());
-    for(std::size_t h = 0; h < m_is_zero.size(); ++h)
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges()))
       m_result.halfedge[h] = m_is_zero[h] != 0 ? Contraction::is_point : Contraction::is_hair;
-    for(Index h = 0; h < m_input.number_of_halfedges(); ++h)
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges()))
       if(m_result.halfedge[h] == Contraction::is_hair && !is_needle(h))
         pair_side(h);
   }
 
-  void pair_side(Index h)
+  void pair_side(Input_halfedge_index h)
   {
-    const Index t = far_side(h);
+    const Input_halfedge_index t = far_side(h);
     if(is_border(h) && is_border(t))
       return; // there are needles only
-    const Index edge = static_cast<Index>(m_result.input_halfedge.size());
+    const Input_halfedge_index first(static_cast<Index>(m_result.input_halfedge.size()));
     m_result.input_halfedge.push_back(h);
     m_result.input_halfedge.push_back(t);
-    m_result.halfedge[h] = edge;
-    m_result.halfedge[t] = edge + 1;
-    for(Index s = h ^ 1; s != t; s = next_side(s) ^ 1) {
-      m_result.halfedge[s] = edge + 1;
-      m_result.halfedge[next_side(s)] = edge;
+    m_result.halfedge[h] = first;
+    m_result.halfedge[t] = twin_index(first);
+    for(Input_halfedge_index s = twin_index(h); s != t; s = twin_index(next_side(s))) {
+      m_result.halfedge[s] = twin_index(first);
+      m_result.halfedge[next_side(s)] = first;
     }
   }
 
   /* What lies beyond h and the needles beside it. */
-  Index far_side(Index h) const
+  Input_halfedge_index far_side(Input_halfedge_index h) const
   {
-    Index t = h ^ 1;
+    Input_halfedge_index t = twin_index(h);
     while(is_needle(t))
-      t = next_side(t) ^ 1;
+      t = twin_index(next_side(t));
     return t;
   }
 
@@ -195,74 +195,77 @@ private:
     m_result.next.assign(n, null_index);
     m_result.tail.assign(n, null_index);
     m_result.is_border.assign(n, 0);
-    for(std::size_t g = 0; g < n; ++g) {
-      const Index h = m_result.input_halfedge[g];
+    for(Input_halfedge_index g : descriptors<Input_halfedge_index>(static_cast<Index>(n))) {
+      const Input_halfedge_index h = m_result.input_halfedge[g];
       m_result.is_border[g] = is_border(h) ? 1 : 0;
       if(!is_border(h))
         m_result.next[g] = m_result.halfedge[next_side(h)];
     }
   }
 
-  Index clockwise(Index g) const { return m_result.is_border[g ^ 1] != 0 ? null_index : m_result.next[g ^ 1]; }
+  Input_halfedge_index clockwise(Input_halfedge_index g) const
+  {
+    return m_result.is_border[twin_index(g)] != 0 ? null_index : m_result.next[twin_index(g)];
+  }
 
-  Index counterclockwise(Index g) const
+  Input_halfedge_index counterclockwise(Input_halfedge_index g) const
   {
     if(m_result.is_border[g] != 0)
       return null_index;
-    Index before = g;
+    Input_halfedge_index before = g;
     while(m_result.next[before] != g)
       before = m_result.next[before];
-    return before ^ 1;
+    return twin_index(before);
   }
 
   /* The halfedges that start in a vertex make a ring, or a fan between borders. A vertex that has more of them than
    * one is a point where sheets meet. */
   void number_sheets()
   {
-    const std::vector<Index> merged = m_result.vertex; // the smallest of those in one place
+    const Vertices merged = m_result.vertex; // the smallest of those in one place
     m_result.outgoing.assign(merged.size(), null_index);
-    for(Index g = 0; g < static_cast<Index>(m_result.next.size()); ++g) {
+    for(Input_halfedge_index g : descriptors<Input_halfedge_index>(static_cast<Index>(m_result.next.size()))) {
       if(m_result.tail[g] != null_index)
         continue;
-      const Index v = free_vertex(merged, merged[m_input.tail(m_result.input_halfedge[g])]);
+      const Vertex_index v = free_vertex(merged, merged[m_input.tail(m_result.input_halfedge[g])]);
       m_result.outgoing[v] = number_sheet(g, v);
     }
     place_vertices(merged);
   }
 
   // A vertex in the place of v that no sheet has yet; v comes first.
-  Index free_vertex(const std::vector<Index>& merged, Index v)
+  Vertex_index free_vertex(const Vertices& merged, Vertex_index v)
   {
     if(m_result.outgoing[v] == null_index)
       return v;
     m_result.has_split_point = true;
     if(m_members.empty())
       collect_members(merged);
-    const auto [first, last] = std::equal_range(m_members.begin(), m_members.end(), std::make_pair(v, null_index),
+    const auto [first, last] = std::equal_range(m_members.begin(), m_members.end(), std::make_pair(v, Vertex_index()),
                                                 [](const auto& a, const auto& b) { return a.first < b.first; });
     for(auto member = first; member != last; ++member)
       if(m_result.outgoing[member->second] == null_index)
         return member->second;
-    throw Degenerate_face_error("more sheets of the surface than vertices meet at vertex " + std::to_string(v),
-                                {static_cast<std::size_t>(v)});
+    throw Degenerate_face_error("more sheets of the surface than vertices meet at vertex " + std::to_string(v.idx()),
+                                {static_cast<std::size_t>(v.idx())});
   }
 
-  void collect_members(const std::vector<Index>& merged)
+  void collect_members(const Vertices& merged)
   {
-    for(Index v = 0; v < static_cast<Index>(merged.size()); ++v)
+    for(Vertex_index v : descriptors<Vertex_index>(static_cast<Index>(merged.size())))
       m_members.emplace_back(merged[v], v);
     std::sort(m_members.begin(), m_members.end());
   }
 
   /* Numbers the ring or fan of g. Returns its last halfedge clockwise at the border, else g. */
-  Index number_sheet(Index g, Index v)
+  Input_halfedge_index number_sheet(Input_halfedge_index g, Vertex_index v)
   {
-    Index last = g;
-    for(Index i = counterclockwise(g); i != null_index && i != g; i = counterclockwise(i))
+    Input_halfedge_index last = g;
+    for(Input_halfedge_index i = counterclockwise(g); i != null_index && i != g; i = counterclockwise(i))
       last = i;
     const bool is_ring = counterclockwise(last) == g;
-    const Index first = is_ring ? g : last;
-    Index i = first;
+    const Input_halfedge_index first = is_ring ? g : last;
+    Input_halfedge_index i = first;
     do {
       m_result.tail[i] = v;
       last = i;
@@ -272,26 +275,26 @@ private:
   }
 
   /* Where the vertices of the input are: in the first of their sheets; one of needles only, where its place is. */
-  void place_vertices(const std::vector<Index>& merged)
+  void place_vertices(const Vertices& merged)
   {
     m_result.vertex.assign(merged.size(), null_index);
-    for(std::size_t g = 0; g < m_result.tail.size(); ++g) {
-      const Index h = m_result.input_halfedge[g];
-      Index& v = m_result.vertex[m_input.tail(h)];
+    for(Input_halfedge_index g : descriptors<Input_halfedge_index>(static_cast<Index>(m_result.tail.size()))) {
+      const Input_halfedge_index h = m_result.input_halfedge[g];
+      Vertex_index& v = m_result.vertex[m_input.tail(h)];
       if(v == null_index)
         v = m_result.tail[g];
     }
-    for(std::size_t v = 0; v < merged.size(); ++v)
+    for(Vertex_index v : descriptors<Vertex_index>(static_cast<Index>(merged.size())))
       if(m_result.vertex[v] == null_index)
         m_result.vertex[v] = merged[v];
   }
 
   void connect_border()
   {
-    for(Index g = 0; g < static_cast<Index>(m_result.next.size()); ++g) {
+    for(Input_halfedge_index g : descriptors<Input_halfedge_index>(static_cast<Index>(m_result.next.size()))) {
       if(m_result.is_border[g] == 0)
         continue;
-      Index i = g ^ 1; // from the head of g on
+      Input_halfedge_index i = twin_index(g); // from the head of g on
       while(m_result.is_border[i] == 0)
         i = counterclockwise(i);
       m_result.next[g] = i;
@@ -299,9 +302,9 @@ private:
   }
 
   const Input_mesh& m_input;
-  std::vector<char> m_is_zero;
+  Indexed_by<Input_halfedge_index, std::vector<char>> m_is_zero;
   bool m_has_zero_edges = false;
-  std::vector<std::pair<Index, Index>> m_members; // of each place, sorted
+  std::vector<std::pair<Vertex_index, Vertex_index>> m_members; // of each place, sorted
   Contraction m_result;
 };
 

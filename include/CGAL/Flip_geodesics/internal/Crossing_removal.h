@@ -16,7 +16,7 @@ namespace internal {
 /* An edge that a straight segment from vertex to vertex crosses, and its left end. */
 struct Crossed_edge
 {
-  Index halfedge;     // as a side of the face that is left, with its tail on the right
+  Halfedge_index halfedge; // as a side of the face that is left, with its tail on the right
   bool is_left_new;   // is the left end not one of the edge before? of the first edge it is new
   double left_height; // how far the left end is from the segment, in any unit
 };
@@ -67,22 +67,23 @@ public:
   std::size_t number_of_flips() const { return m_flips; }
 
   /* The edges that the segment still crosses; none but where it passes a vertex, up to rounding. */
-  std::vector<Index> crossed() const
+  std::vector<Halfedge_index> crossed() const
   {
-    std::vector<Index> result;
+    std::vector<Halfedge_index> result;
     for(Index i = node(m_end).next; i != m_end; i = node(i).next)
       result.push_back(node(i).halfedge);
     return result;
   }
 
   /* The halfedge that is the segment. \pre it crosses nothing any more */
-  Index segment() const { return m_segment; }
+  Halfedge_index segment() const { return m_segment; }
 
 private:
   // An edge that is crossed. Left vertices are told by the edge at which they were new.
   struct Node
   {
-    Index halfedge, previous, next, left;
+    Halfedge_index halfedge;
+    Index previous, next, left;
     bool is_left_new;
     double left_height;
   };
@@ -180,7 +181,7 @@ private:
 
   bool is_flippable(Index i)
   {
-    const Index h = node(i).halfedge;
+    const Halfedge_index h = node(i).halfedge;
     m_is_torn = m_is_torn || !is_in_place(i);
     return !m_is_torn && !m_triangulation.is_reflex_at_head(Triangulation::twin(h)) &&
            !m_triangulation.is_reflex_at_head(h);
@@ -196,11 +197,11 @@ private:
 
   bool follows(Index i, Index before) const
   {
-    const Index right_side = m_triangulation.next(Triangulation::twin(node(before).halfedge));
+    const Halfedge_index right_side = m_triangulation.next(Triangulation::twin(node(before).halfedge));
     return node(i).halfedge == (node(i).is_left_new ? right_side : m_triangulation.next(right_side));
   }
 
-  Index apex(Index h) const { return m_triangulation.head(m_triangulation.next(h)); }
+  Vertex_index apex(Halfedge_index h) const { return m_triangulation.head(m_triangulation.next(h)); }
 
   void flip_away(Index i)
   {
@@ -221,7 +222,7 @@ private:
     n.left = n.is_left_new ? after.left : node(n.previous).left;
   }
 
-  void flip(Index h)
+  void flip(Halfedge_index h)
   {
     m_triangulation.flip(h);
     ++m_flips;
@@ -231,7 +232,9 @@ private:
   std::size_t m_most_memory;
   std::vector<Node> m_nodes;
   std::vector<Index> m_left_side; // the left vertices so far that are still in the strip
-  Index m_end = 0, m_tail = null_index, m_head = null_index, m_segment = null_index;
+  Index m_end = 0;
+  Vertex_index m_tail, m_head;
+  Halfedge_index m_segment;
   std::size_t m_flips = 0;
   bool m_is_torn = false, m_has_given_up = false;
 };

@@ -45,7 +45,8 @@ public:
   /* An edge of the input, or one as a flip or split made it, with a direction. */
   struct Edge_version
   {
-    Index halfedge, version;
+    Halfedge_index halfedge;
+    Index version;
   };
 
   /*
@@ -68,7 +69,7 @@ public:
    * rounded flips need not see to where points are closer to each other than numbers can tell. Then the number of
    * crossings, which flips keep right whatever they do, is another one.
    */
-  Crossing_word operator()(const Triangulation& triangulation, Index h)
+  Crossing_word operator()(const Triangulation& triangulation, Halfedge_index h)
   {
     const Edge_version asked = {h, triangulation.version(Triangulation::edge(h))};
     if(asked.version == 0)
@@ -86,9 +87,9 @@ public:
 
   /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made.
    */
-  void store(Index h, Index version, const Crossing_word& word)
+  void store(Halfedge_index h, Index version, const Crossing_word& word)
   {
-    m_words_of_splits.emplace(key(Triangulation::edge(h), version), (h & 1) == 0 ? word : word.reversed());
+    m_words_of_splits.emplace(key(Triangulation::edge(h), version), is_first_side(h) ? word : word.reversed());
     m_bytes_of_splits += bytes_of_split(word);
   }
 
@@ -143,7 +144,7 @@ public:
   std::size_t memory() const { return m_words.memory() + m_spokes.memory() + m_bytes_of_splits; }
 
   /* Forgets the word of an edge that a flip or split made, since that is taken back. \pre so is all that came later */
-  void forget(Index e, Index version)
+  void forget(Edge_index e, Index version)
   {
     m_words.forget(version, [this](Crossing_word&& word) { recycle(std::move(word)); });
     if(m_spokes.size() > position(version))
@@ -163,11 +164,12 @@ private:
 
   [[noreturn]] static void fail(const Triangulation& triangulation, const Crossing_word& word)
   {
-    const Index v = triangulation.is_inserted(word.tail) ? word.tail : word.head;
-    const Index h = triangulation.location(v).halfedge;
-    throw Insertion_error("points at vertex " + std::to_string(v) + ", in the face of halfedge " + std::to_string(h) +
+    const Vertex_index v = triangulation.is_inserted(word.tail) ? word.tail : word.head;
+    const Input_halfedge_index h = triangulation.location(v).halfedge;
+    throw Insertion_error("points at vertex " + std::to_string(v.idx()) + ", in the face of halfedge " +
+                              std::to_string(h.idx()) +
                               ", are closer together than numbers can tell: the flips around them were wrong",
-                          {static_cast<std::size_t>(h)});
+                          {static_cast<std::size_t>(h.idx())});
   }
 
   // A word, and whether it is that of the other direction.
@@ -183,14 +185,15 @@ private:
   static std::size_t position(Index version) { return static_cast<std::size_t>(version) - 1; }
 
   // Tells edges and the split that made them.
-  static std::uint64_t key(Index e, Index version)
+  static std::uint64_t key(Edge_index e, Index version)
   {
-    return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e);
+    return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e.idx());
   }
 
-  static Crossing_word input_word(const Triangulation& triangulation, Index h)
+  static Crossing_word input_word(const Triangulation& triangulation, Halfedge_index h)
   {
-    return {h, {}, null_index, triangulation.input().tail(h), triangulation.input().tail(Triangulation::twin(h))};
+    const Input_halfedge_index along = as_input(h);
+    return {along, {}, null_index, triangulation.input().tail(along), triangulation.input().tail(twin_index(along))};
   }
 
   static bool has_inserted_vertices(const Triangulation& triangulation)
@@ -198,7 +201,7 @@ private:
     return triangulation.number_of_vertices() != triangulation.input().number_of_vertices();
   }
 
-  static Index number_of_crossings(const Triangulation& triangulation, Index h)
+  static Index number_of_crossings(const Triangulation& triangulation, Halfedge_index h)
   {
     return (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
   }
@@ -219,13 +222,13 @@ private:
   // The word of an edge that is there; `input_edge` holds that of one of the input.
   Directed_word directed_word(const Triangulation& triangulation, const Edge_version& wanted, Crossing_word& input_edge)
   {
-    const Index h = wanted.halfedge;
+    const Halfedge_index h = wanted.halfedge;
     if(wanted.version == 0) {
       input_edge = input_word(triangulation, h);
       return {input_edge, false};
     }
     const Crossing_word* of_flip = m_words.find(wanted.version);
-    return {of_flip != nullptr ? *of_flip : *word_of_split(wanted), (h & 1) != 0};
+    return {of_flip != nullptr ? *of_flip : *word_of_split(wanted), !is_first_side(h)};
   }
 
   bool is_there(const Edge_version& wanted) const
@@ -283,7 +286,7 @@ private:
   {
     if(has_inserted_vertices(triangulation))
       return false;
-    const Index h = wanted.halfedge & ~1;
+    const Halfedge_index h = first_side(edge_of(wanted.halfedge));
     Crossing_word traced;
     traced.crossed = spare_letters();
     Word_tracer<Triangulation> tracer(triangulation);
@@ -337,7 +340,7 @@ private:
     path.turn(i.vertex, flip.rotation > 0 ? head_anchor(triangulation, i) : null_index, flip.rotation);
     path.cross(second.word, second.is_reversed);
     Joined_word kl = {path.finish(l.vertex, head_anchor(triangulation, l)), {}};
-    if((flip.h & 1) == 0) // it leaves h = l->k and its twin k->l
+    if(is_first_side(flip.h)) // it leaves h = l->k and its twin k->l
       kl.word.reverse();
     kl.spokes = {static_cast<Index>(kl.word.crossed.size()), -1, -1};
     constexpr Index most = (std::numeric_limits<std::int16_t>::max)();
@@ -370,9 +373,9 @@ private:
     m_words.insert(version, std::move(word), bytes);
   }
 
-  std::vector<Index> spare_letters()
+  std::vector<Input_halfedge_index> spare_letters()
   {
-    return m_number_of_spares > 0 ? std::move(m_spares[--m_number_of_spares]) : std::vector<Index>();
+    return m_number_of_spares > 0 ? std::move(m_spares[--m_number_of_spares]) : std::vector<Input_halfedge_index>();
   }
 
   void recycle(Crossing_word&& word)
@@ -386,7 +389,7 @@ private:
   std::unordered_map<std::uint64_t, Crossing_word> m_words_of_splits;
   std::size_t m_bytes_of_splits = 0;
   std::vector<Edge_version> m_unresolved, m_pending;
-  std::array<std::vector<Index>, 64> m_spares; // memory for letters
+  std::array<std::vector<Input_halfedge_index>, 64> m_spares; // memory for letters
   std::size_t m_number_of_spares = 0;
 };
 

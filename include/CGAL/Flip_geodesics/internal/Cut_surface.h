@@ -28,7 +28,7 @@ public:
     : m_copy_at(static_cast<std::size_t>(triangulation.number_of_halfedges()), null_index)
   {
     for(const Intrinsic_face& face : faces)
-      for(Index h : face.halfedges)
+      for(Halfedge_index h : face.halfedges)
         if(m_copy_at[h] == null_index)
           add_sector(triangulation, h, is_cut);
     count(triangulation, faces, is_cut);
@@ -36,22 +36,21 @@ public:
 
   Index number_of_copies() const { return static_cast<Index>(m_vertices.size()); }
   /* The copy to which the corner at the tail of h belongs, in the face on the left of h. */
-  Index copy_at(Index h) const { return m_copy_at[h]; }
-  const std::vector<Index>& copies() const { return m_copy_at; }
-  const std::vector<Index>& vertices() const { return m_vertices; }
+  Index copy_at(Halfedge_index h) const { return m_copy_at[h]; }
+  const std::vector<Vertex_index>& vertices() const { return m_vertices; }
   bool is_on_border(Index copy) const { return m_is_on_border[copy] != 0; }
   /* Of the cut surface; a disk, and of connected surfaces only a disk, has 1. */
   std::ptrdiff_t euler_characteristic() const { return m_euler_characteristic; }
 
 private:
   template <class Predicate>
-  void add_sector(const Triangulation& triangulation, Index start, const Predicate& is_cut)
+  void add_sector(const Triangulation& triangulation, Halfedge_index start, const Predicate& is_cut)
   {
     // Clockwise as far as it goes, then back.
-    Index first = start;
+    Halfedge_index first = start;
     bool is_closed = false;
     while(!is_closed && !is_cut(first)) {
-      const Index h = triangulation.clockwise(first);
+      const Halfedge_index h = triangulation.clockwise(first);
       if(h == null_index)
         break;
       first = h;
@@ -60,7 +59,7 @@ private:
     const Index copy = number_of_copies();
     m_vertices.push_back(triangulation.tail(start));
     m_is_on_border.push_back(is_closed ? 0 : 1);
-    Index h = first;
+    Halfedge_index h = first;
     do {
       m_copy_at[h] = copy;
       h = triangulation.counterclockwise(h);
@@ -72,16 +71,16 @@ private:
   {
     std::ptrdiff_t edges = 0; // an edge that is cut or on the border counts once a side
     for(const Intrinsic_face& face : faces)
-      for(Index h : face.halfedges) {
+      for(Halfedge_index h : face.halfedges) {
         const bool is_shared = !triangulation.is_border(Triangulation::twin(h)) && !is_cut(h);
-        edges += is_shared && (h & 1) == 1 ? 0 : 1;
+        edges += is_shared && !is_first_side(h) ? 0 : 1;
       }
     m_euler_characteristic =
         static_cast<std::ptrdiff_t>(m_vertices.size()) - edges + static_cast<std::ptrdiff_t>(faces.size());
   }
 
-  std::vector<Index> m_copy_at; // by halfedge
-  std::vector<Index> m_vertices;
+  Indexed_by<Halfedge_index, std::vector<Index>> m_copy_at;
+  std::vector<Vertex_index> m_vertices;
   std::vector<char> m_is_on_border;
   std::ptrdiff_t m_euler_characteristic = 0;
 };

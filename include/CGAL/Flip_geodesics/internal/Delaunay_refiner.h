@@ -71,7 +71,7 @@ public:
   /* Refines a triangulation that is constrained Delaunay. */
   End run()
   {
-    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
+    for(Halfedge_index h : descriptors<Halfedge_index>(m_triangulation.number_of_halfedges()))
       if(!m_triangulation.is_border(h) && Shape::first_halfedge(m_triangulation, h) == h)
         look_at(h);
     while(!m_queue.empty()) {
@@ -108,7 +108,7 @@ public:
    * constrained edges that meet under less than 60 degrees, or about a vertex with less than that in all; also where
    * the shortest side spans such an angle between points at equal distances from the vertex [Shewchuk 2002].
    */
-  double badness(Index h)
+  double badness(Halfedge_index h)
   {
     const Shape shape(m_triangulation, h);
     if(is_too_long(shape.lengths()))
@@ -117,10 +117,10 @@ public:
     return angle < m_limits.smallest_angle && !is_exempt(shape) ? 2 - angle / m_limits.smallest_angle : 0;
   }
 
-  bool is_exempt(Index h) { return is_exempt(Shape(m_triangulation, h)); }
+  bool is_exempt(Halfedge_index h) { return is_exempt(Shape(m_triangulation, h)); }
 
   /* Was a bad face left as it is since the vertices that are allowed cannot suffice? */
-  bool is_given_up(Index h) const { return is_given_up(Shape(m_triangulation, h).lengths()); }
+  bool is_given_up(Halfedge_index h) const { return is_given_up(Shape(m_triangulation, h).lengths()); }
 
 private:
   using Shape = Face_shape<Triangulation>;
@@ -129,7 +129,7 @@ private:
   struct Bad_face
   {
     double badness, need;
-    Index halfedge; // the smallest of the face
+    Halfedge_index halfedge; // the smallest of the face
     Lengths lengths;
 
     bool operator<(const Bad_face& other) const
@@ -140,11 +140,11 @@ private:
 
   // ---------------------------------------------------------------- the queue
 
-  void look_at(Index h)
+  void look_at(Halfedge_index h)
   {
     if(m_triangulation.is_border(h))
       return;
-    const Index first = Shape::first_halfedge(m_triangulation, h);
+    const Halfedge_index first = Shape::first_halfedge(m_triangulation, h);
     const double how_bad = badness(first);
     if(how_bad <= 0)
       return;
@@ -189,7 +189,7 @@ private:
   void give_up()
   {
     const double many = m_outlook.mean_need() / 2;
-    for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
+    for(Halfedge_index h : descriptors<Halfedge_index>(m_triangulation.number_of_halfedges())) {
       if(m_triangulation.is_border(h) || Shape::first_halfedge(m_triangulation, h) != h || !(badness(h) > 0))
         continue;
       const Shape shape(m_triangulation, h);
@@ -201,7 +201,7 @@ private:
   // Is the face still there?
   bool is_current(const Bad_face& bad) const
   {
-    if(bad.halfedge >= m_triangulation.number_of_halfedges() || m_triangulation.is_border(bad.halfedge))
+    if(bad.halfedge.idx() >= m_triangulation.number_of_halfedges() || m_triangulation.is_border(bad.halfedge))
       return false;
     if(Shape::first_halfedge(m_triangulation, bad.halfedge) != bad.halfedge)
       return false;
@@ -224,13 +224,13 @@ private:
   struct Flip_recorder
   {
     Visitor& visitor;
-    std::vector<Index>& changed;
-    Index x;
+    std::vector<Halfedge_index>& changed;
+    Vertex_index x;
     int strays = 0;
 
     bool go_further() const { return !has_lost_its_way(); }
     bool has_lost_its_way() const { return strays > 64; }
-    void on_flip(const Triangulation& triangulation, Index h)
+    void on_flip(const Triangulation& triangulation, Halfedge_index h)
     {
       strays += triangulation.tail(h) == x || triangulation.head(h) == x ? 0 : 1;
       changed.push_back(h);
@@ -241,12 +241,12 @@ private:
   // The face on the left of `halfedge`, from its tail at the origin and its head on the real axis, has the point.
   struct Place
   {
-    Index halfedge;
+    Halfedge_index halfedge;
     Complex point;
     bool is_blocked; // by the edge of the halfedge
   };
 
-  bool improve(Index h)
+  bool improve(Halfedge_index h)
   {
     const std::optional<Place> center = walk_to_circumcenter(h);
     if(!center)
@@ -254,11 +254,11 @@ private:
     if(center->is_blocked)
       return split(center->halfedge);
     const auto before = m_triangulation.log_position();
-    const Index x = insert(*center);
+    const Vertex_index x = insert(*center);
     if(x == null_index)
       return false;
     const bool is_removable = !is_on_constrained_edge(x), are_flips_right = flip_around(x);
-    std::vector<Index> encroached;
+    std::vector<Edge_index> encroached;
     if(is_removable && are_flips_right)
       encroached = encroached_by(x);
     if(!encroached.empty() || (is_removable && !are_flips_right)) {
@@ -272,28 +272,28 @@ private:
 
   // A new vertex; null where numbers are too coarse, or one is there already. Points are found from corners of their
   // input faces, as if each were inserted by itself, until that costs too much.
-  Index insert(const Place& center)
+  Vertex_index insert(const Place& center)
   {
     constexpr std::size_t letters_per_point = 512;
-    const Index vertices = m_triangulation.number_of_vertices();
+    const Vertex_index wanted(m_triangulation.number_of_vertices());
     try {
       const auto place = Face_chart<Triangulation>(m_triangulation, center.halfedge).locate(center.point);
       if(!place || !has_room(place->location, std::abs(center.point)))
         return null_index;
       Known_piece near = {place->halfedge, place->gap, m_letters + letters_per_point};
-      const Index x = m_splitter.insert(place->location, &near);
+      const Vertex_index x = m_splitter.insert(place->location, &near);
       m_letters = near.letters;
-      return x == vertices ? x : null_index;
+      return x == wanted ? x : null_index;
     } catch(const Insertion_error&) {
       return null_index;
     }
   }
 
   // The point was exactly there: then the edge was split, and with it a curve.
-  bool is_on_constrained_edge(Index x) const
+  bool is_on_constrained_edge(Vertex_index x) const
   {
     bool result = false;
-    for_each_edge_in_star(m_triangulation, x, [&](Index h) {
+    for_each_edge_in_star(m_triangulation, x, [&](Halfedge_index h) {
       const bool is_spoke = m_triangulation.tail(h) == x || m_triangulation.head(h) == x;
       result = result || (is_spoke && is_constrained(h));
     });
@@ -306,13 +306,13 @@ private:
   {
     constexpr double resolution = 1e-9;
     double longest = 0;
-    Index h = location.halfedge;
+    Input_halfedge_index h = location.halfedge;
     for(int i = 0; i < 3; ++i, h = m_triangulation.input().next(h))
       longest = (std::max)(longest, m_triangulation.metric().length(m_triangulation.input(), h));
     return distance > resolution * longest;
   }
 
-  std::optional<Place> walk_to_circumcenter(Index h) const
+  std::optional<Place> walk_to_circumcenter(Halfedge_index h) const
   {
     constexpr int most_steps = 100000;
     std::array<Complex, 3> p = laid_out(h, 0, m_triangulation.length(h));
@@ -347,9 +347,9 @@ private:
     return {};
   }
 
-  std::array<Complex, 3> laid_out(Index h, const Complex& tail, const Complex& head) const
+  std::array<Complex, 3> laid_out(Halfedge_index h, const Complex& tail, const Complex& head) const
   {
-    const Index hn = m_triangulation.next(h);
+    const Halfedge_index hn = m_triangulation.next(h);
     return {tail, head,
             apex_of(tail, head, m_triangulation.length(hn), m_triangulation.length(m_triangulation.next(hn)))};
   }
@@ -372,15 +372,15 @@ private:
 
   // ---------------------------------------------------------------- splits and flips
 
-  bool is_constrained(Index h) const { return is_constrained_edge(m_triangulation, h); }
+  bool is_constrained(Halfedge_index h) const { return is_constrained_edge(m_triangulation, h); }
 
-  bool split(Index h)
+  bool split(Halfedge_index h)
   {
     if(m_triangulation.is_border(h))
       h = Triangulation::twin(h);
     const double t = split_position(h);
     const auto in_segment = m_points.point(h, t * m_triangulation.length(h));
-    Index x = null_index;
+    Vertex_index x = null_index;
     try {
       const std::optional<Point_on_edge> point = point_on_edge(m_triangulation, h, t);
       if(!point || !has_room(point->location, (std::min)(t, 1 - t) * m_triangulation.length(h)))
@@ -401,10 +401,10 @@ private:
    * In the middle; but if one end is an old vertex, at a power of two from it, so that constrained edges that meet
    * there are split at equal distances and their halves do not go on encroaching on one another [Ruppert 1995].
    */
-  double split_position(Index h) const
+  double split_position(Halfedge_index h) const
   {
-    const bool is_tail_old = m_triangulation.tail(h) < m_number_of_old_vertices;
-    const bool is_head_old = m_triangulation.head(h) < m_number_of_old_vertices;
+    const bool is_tail_old = m_triangulation.tail(h).idx() < m_number_of_old_vertices;
+    const bool is_head_old = m_triangulation.head(h).idx() < m_number_of_old_vertices;
     if(is_tail_old == is_head_old)
       return 0.5;
     const double length = m_triangulation.length(h);
@@ -413,26 +413,26 @@ private:
   }
 
   // Of edges; is one split?
-  bool split_all(const std::vector<Index>& edges)
+  bool split_all(const std::vector<Edge_index>& edges)
   {
     bool result = false;
-    for(Index e : edges)
-      result = (!is_full() && split(2 * e)) || result;
+    for(Edge_index e : edges)
+      result = (!is_full() && split(first_side(e))) || result;
     return result;
   }
 
   // Makes the faces around vertex x Delaunay. Returns false, and leaves them as they were, if flips were wrong.
-  bool flip_around(Index x)
+  bool flip_around(Vertex_index x)
   {
     const auto before = m_triangulation.log_position();
     m_lawson.clear();
-    for_each_edge_in_star(m_triangulation, x, [this](Index h) { m_lawson.look_at(Triangulation::edge(h)); });
+    for_each_edge_in_star(m_triangulation, x, [this](Halfedge_index h) { m_lawson.look_at(Triangulation::edge(h)); });
     m_changed.clear();
     Flip_recorder recorder = {m_visitor, m_changed, x};
     try {
       m_counts.flips += m_lawson.flip(std::numeric_limits<std::size_t>::max(), recorder);
       if(!recorder.has_lost_its_way() &&
-         std::all_of(m_changed.begin(), m_changed.end(), [this](Index h) { return has_right_word(h); }))
+         std::all_of(m_changed.begin(), m_changed.end(), [this](Halfedge_index h) { return has_right_word(h); }))
         return true;
     } catch(const Insertion_error&) { // a word does not lead from end to end
     }
@@ -441,21 +441,21 @@ private:
   }
 
   // Throws or returns false if flips were wrong: the words of flipped edges lead from end to end, inside the surface.
-  bool has_right_word(Index h) const
+  bool has_right_word(Halfedge_index h) const
   {
     const Crossing_word word = m_triangulation.crossing_word(h);
-    const auto is_inside = [&input = m_triangulation.input()](Index g) {
-      return !input.is_border(g) && !input.is_border(Triangulation::twin(g));
+    const auto is_inside = [&input = m_triangulation.input()](Input_halfedge_index g) {
+      return !input.is_border(g) && !input.is_border(twin_index(g));
     };
     return (word.along == null_index || is_inside(word.along)) &&
            std::all_of(word.crossed.begin(), word.crossed.end(), is_inside);
   }
 
   // The constrained edges that vertex x sees under more than 120 degrees.
-  std::vector<Index> encroached_by(Index x) const
+  std::vector<Edge_index> encroached_by(Vertex_index x) const
   {
-    std::vector<Index> encroached;
-    for_each_edge_in_star(m_triangulation, x, [&](Index h) {
+    std::vector<Edge_index> encroached;
+    for_each_edge_in_star(m_triangulation, x, [&](Halfedge_index h) {
       const bool is_opposite = !m_triangulation.is_border(h) && m_triangulation.tail(h) != x &&
                                m_triangulation.head(h) != x && is_constrained(h);
       if(is_opposite && Shape(m_triangulation, h).cosine_opposite() < -0.5)
@@ -464,17 +464,17 @@ private:
     return encroached;
   }
 
-  void look_around(Index x)
+  void look_around(Vertex_index x)
   {
-    std::vector<Index> around;
-    for_each_edge_in_star(m_triangulation, x, [&around](Index h) { around.push_back(h); });
-    for(Index h : m_changed)
+    std::vector<Halfedge_index> around;
+    for_each_edge_in_star(m_triangulation, x, [&around](Halfedge_index h) { around.push_back(h); });
+    for(Halfedge_index h : m_changed)
       around.insert(around.end(), {h, Triangulation::twin(h)});
-    for(Index& h : around)
+    for(Halfedge_index& h : around)
       h = m_triangulation.is_border(h) ? null_index : Shape::first_halfedge(m_triangulation, h);
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
-    for(Index h : around)
+    for(Halfedge_index h : around)
       if(h != null_index)
         look_at(h);
   }
@@ -491,7 +491,7 @@ private:
   std::size_t m_letters = 0x200000; // that the search for points may pass
   Index m_number_of_old_vertices;
   std::priority_queue<Bad_face> m_queue;
-  std::vector<Index> m_changed;
+  std::vector<Halfedge_index> m_changed;
   Counts m_counts;
 };
 

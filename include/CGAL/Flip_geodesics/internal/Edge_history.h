@@ -43,7 +43,7 @@ class Edge_history
 
 public:
   /* The word of halfedge h, from tail to head. */
-  Crossing_word word(const Triangulation& triangulation, Index h)
+  Crossing_word word(const Triangulation& triangulation, Halfedge_index h)
   {
     Crossing_word found = m_words(triangulation, h);
     m_words.shrink(triangulation.log_position());
@@ -51,10 +51,10 @@ public:
   }
 
   /* As Crossing_words::store(). */
-  void store_word(Index h, Index version, const Crossing_word& word) { m_words.store(h, version, word); }
+  void store_word(Halfedge_index h, Index version, const Crossing_word& word) { m_words.store(h, version, word); }
 
   /* The edge of halfedge h, from its tail to its head. */
-  Precise_edge edge(const Triangulation& triangulation, Index h)
+  Precise_edge edge(const Triangulation& triangulation, Halfedge_index h)
   {
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
     m_words.resolve(triangulation, wanted);
@@ -66,7 +66,7 @@ public:
   }
 
   /* The face on the left of input halfedge h. */
-  const Exact_face& exact_face(const Triangulation& triangulation, Index h)
+  const Exact_face& exact_face(const Triangulation& triangulation, Input_halfedge_index h)
   {
     const auto found = m_exact_faces.find(h);
     if(found != m_exact_faces.end())
@@ -76,21 +76,21 @@ public:
   }
 
   /* The input halfedge h, with the direction of the next one. */
-  const Precise_halfedge& input_halfedge(const Triangulation& triangulation, Index h)
+  const Precise_halfedge& input_halfedge(const Triangulation& triangulation, Input_halfedge_index h)
   {
     const auto found = m_halfedges.find(h);
     if(found != m_halfedges.end())
       return found->second;
     const auto& input = triangulation.input();
     const auto face = input_face_geometry(triangulation, h, Precise_face_traits());
-    const Index hn = input.next(h), hp = input.next(hn);
+    const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
     m_halfedges.emplace(hn, face[1]);
     m_halfedges.emplace(hp, face[2]);
     return m_halfedges.emplace(h, face[0]).first->second;
   }
 
   /* Forgets the edge that a flip or split made, since that is taken back. */
-  void forget(Index e, Index version)
+  void forget(Edge_index e, Index version)
   {
     m_words.forget(e, version);
     m_edges.forget(version, [](Precise_edge&&) {});
@@ -113,18 +113,18 @@ private:
   // \pre it is known
   Precise_edge known_edge(const Triangulation& triangulation, const Edge_version& wanted)
   {
-    const Index h = wanted.halfedge;
+    const Halfedge_index h = wanted.halfedge;
     if(wanted.version == 0)
-      return input_edge(triangulation, h);
+      return input_edge(triangulation, as_input(h));
     if(m_words.is_of_split(wanted)) // one end is an inserted vertex
       return {};
     const Precise_edge& stored = *m_edges.find(wanted.version);
-    return (h & 1) == 0 ? stored : stored.reversed();
+    return is_first_side(h) ? stored : stored.reversed();
   }
 
-  Precise_edge input_edge(const Triangulation& triangulation, Index h)
+  Precise_edge input_edge(const Triangulation& triangulation, Input_halfedge_index h)
   {
-    const Index inside = triangulation.input().is_border(h) ? Triangulation::twin(h) : h;
+    const Input_halfedge_index inside = triangulation.input().is_border(h) ? twin_index(h) : h;
     return precise_input_edge(h, input_halfedge(triangulation, inside));
   }
 
@@ -143,10 +143,10 @@ private:
         m_pending.pop_back();
         continue;
       }
-      const Edge_version first_side = {next.halfedge & ~1, next.version};
+      const Edge_version of_first_side = {first_side(edge_of(next.halfedge)), next.version};
       const Spokes& spokes = m_words.spokes(next.version);
       if(!spokes.are_known()) {
-        m_edges.insert(next.version, unfolded(triangulation, first_side), 0);
+        m_edges.insert(next.version, unfolded(triangulation, of_first_side), 0);
       } else {
         const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
         const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
@@ -158,8 +158,8 @@ private:
         Precise_edge kl =
             joined(triangulation, known_edge(triangulation, ki), flip.rotation, known_edge(triangulation, il), spokes);
         if(!(kl.end_error < largest_error))
-          kl = unfolded(triangulation, first_side);
-        else if((flip.h & 1) == 0) // the flip leaves h = l->k
+          kl = unfolded(triangulation, of_first_side);
+        else if(is_first_side(flip.h)) // the flip leaves h = l->k
           kl = kl.reversed();
         m_edges.insert(next.version, std::move(kl), 0);
       }
@@ -198,8 +198,8 @@ private:
     // The first face is farther counterclockwise about k than that of ki.
     Turn back = {{{1, 0}, {}}, 0, ki.tail_reference};
     for(Index i = 0; i < spokes.at_tail; ++i)
-      back.spoke = Triangulation::twin(input.next(input.next(back.spoke)));
-    const Index reference = back.spoke;
+      back.spoke = twin_index(input.next(input.next(back.spoke)));
+    const Input_halfedge_index reference = back.spoke;
     turn_clockwise(triangulation, back, spokes.at_tail);
 
     Precise_edge result = {end * back.direction, turn.direction * back.direction, 0, 0, 0, reference, turn.spoke, 0};
@@ -214,13 +214,13 @@ private:
   {
     Double_double_vector direction;
     double error;
-    Index spoke;
+    Input_halfedge_index spoke;
   };
 
   void turn_clockwise(const Triangulation& triangulation, Turn& turn, Index corners)
   {
     for(Index i = 0; i < corners; ++i) {
-      const Index t = Triangulation::twin(turn.spoke);
+      const Input_halfedge_index t = twin_index(turn.spoke);
       const Precise_halfedge& corner = input_halfedge(triangulation, t);
       turn = {-(turn.direction * corner.next), turn.error + corner.error + double_double_vector_error,
               triangulation.input().next(t)};
@@ -229,8 +229,8 @@ private:
 
   Words m_words;
   Version_cache<Precise_edge> m_edges;
-  std::unordered_map<Index, Precise_halfedge> m_halfedges;
-  std::unordered_map<Index, Exact_face> m_exact_faces;
+  std::unordered_map<Input_halfedge_index, Precise_halfedge> m_halfedges;
+  std::unordered_map<Input_halfedge_index, Exact_face> m_exact_faces;
   std::vector<Edge_version> m_pending;
 };
 

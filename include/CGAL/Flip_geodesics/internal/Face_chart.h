@@ -36,7 +36,7 @@ inline std::complex<double> apex_of(const std::complex<double>& p, const std::co
 struct Point_at_piece
 {
   Surface_location location;
-  Index halfedge;
+  Halfedge_index halfedge;
   std::size_t gap;
 };
 
@@ -55,7 +55,7 @@ public:
   using Complex = std::complex<double>;
   using Weights = std::array<double, 3>;
 
-  Face_chart(const Triangulation& triangulation, Index h)
+  Face_chart(const Triangulation& triangulation, Halfedge_index h)
     : m_triangulation(triangulation)
   {
     m_sides[0].halfedge = h;
@@ -90,7 +90,7 @@ public:
 private:
   struct Side
   {
-    Index halfedge;
+    Halfedge_index halfedge;
     Crossing_word word;
     std::vector<double> along, on_input; // of each crossing, as by the strip
   };
@@ -100,13 +100,13 @@ private:
   {
     Complex position;
     Weights weights;
-    Index face;
+    Input_halfedge_index face;
   };
 
   // Told by a side and a gap of its word, in which it has a piece of that side.
   struct Part
   {
-    Index halfedge;
+    Halfedge_index halfedge;
     std::size_t gap;
     std::vector<Vertex> vertices;
   };
@@ -166,7 +166,8 @@ private:
     while(gap < last && cross(position(i, gap + 1) - m_corners[i], z - m_corners[i]) > 0)
       ++gap;
     Part part = part_at(i, gap);
-    const Index face = part.vertices.front().face, corner = m_triangulation.tail(m_sides[(i + 2) % 3].halfedge);
+    const Input_halfedge_index face = part.vertices.front().face;
+    const Vertex_index corner = m_triangulation.tail(m_sides[(i + 2) % 3].halfedge);
     part.vertices.push_back({m_corners[i], vertex_weights(m_triangulation, corner, face), face});
     return part;
   }
@@ -183,8 +184,8 @@ private:
   void add_piece(int i, std::size_t gap, Part& part) const
   {
     const Crossing_word& word = m_sides[i].word;
-    const Index own = Point_side<Triangulation>::face_of_gap(word, gap);
-    const Index face = part.vertices.empty() ? own : part.vertices.front().face;
+    const Input_halfedge_index own = Point_side<Triangulation>::face_of_gap(word, gap);
+    const Input_halfedge_index face = part.vertices.empty() ? own : part.vertices.front().face;
     for(const std::size_t k : {gap, gap + 1}) {
       Weights weights;
       if(k == 0)
@@ -201,7 +202,7 @@ private:
     }
   }
 
-  Weights on_edge(Index face, Index h, double t) const
+  Weights on_edge(Input_halfedge_index face, Input_halfedge_index h, double t) const
   {
     const auto& input = m_triangulation.input();
     Weights weights = {{0, 0, 0}};
@@ -250,11 +251,11 @@ struct Point_on_edge
  * therefore a little aside where it crosses an input edge. None if there is no room.
  */
 template <class Triangulation>
-std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, Index h, double t)
+std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, Halfedge_index h, double t)
 {
   constexpr double margin = 0.05; // of the piece in an input face
   const Crossing_word word = triangulation.crossing_word(h);
-  const Index face = Point_side<Triangulation>::face_of_gap(word, 0);
+  const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(word, 0);
   Point_on_edge result = {{face, {{0, 0, 0}}}, 0};
   if(word.crossed.empty()) {
     std::array<double, 3> a = vertex_weights(triangulation, word.tail, face);

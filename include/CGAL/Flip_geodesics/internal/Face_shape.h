@@ -17,7 +17,7 @@ namespace internal {
 
 /* Does a curve lie on the edge of h, or is it on the border? */
 template <class Triangulation>
-bool is_constrained_edge(const Triangulation& triangulation, Index h)
+bool is_constrained_edge(const Triangulation& triangulation, Halfedge_index h)
 {
   return triangulation.label(Triangulation::edge(h)) != 0 || triangulation.is_border(h) ||
          triangulation.is_border(Triangulation::twin(h));
@@ -28,7 +28,7 @@ template <class Triangulation>
 class Face_shape
 {
 public:
-  Face_shape(const Triangulation& triangulation, Index h)
+  Face_shape(const Triangulation& triangulation, Halfedge_index h)
   {
     for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
       m_sides[i] = h;
@@ -36,9 +36,9 @@ public:
     }
   }
 
-  static Index first_halfedge(const Triangulation& triangulation, Index h)
+  static Halfedge_index first_halfedge(const Triangulation& triangulation, Halfedge_index h)
   {
-    const Index hn = triangulation.next(h);
+    const Halfedge_index hn = triangulation.next(h);
     return (std::min)({h, hn, triangulation.next(hn)});
   }
 
@@ -68,13 +68,13 @@ public:
   double longest() const { return (std::max)({m_lengths[0], m_lengths[1], m_lengths[2]}); }
 
   /* The shortest side. */
-  Index shortest_side() const { return m_sides[(smallest_corner() + 1) % 3]; }
+  Halfedge_index shortest_side() const { return m_sides[(smallest_corner() + 1) % 3]; }
 
   /* The spoke with the smallest corner on its left. */
-  Index spoke_of_smallest_corner() const { return m_sides[smallest_corner()]; }
+  Halfedge_index spoke_of_smallest_corner() const { return m_sides[smallest_corner()]; }
 
 private:
-  std::array<Index, 3> m_sides;
+  std::array<Halfedge_index, 3> m_sides;
   std::array<double, 3> m_lengths;
 };
 

@@ -66,14 +66,14 @@ public:
   }
 
   /* Looks at all joints of a curve, whatever was known of them. */
-  void look_at_curve(Index curve)
+  void look_at_curve(Curve_index curve)
   {
     // A fan of faces is a chain of loads, each waiting for the one before; these do not wait for each other.
-    m_network.for_each_segment(curve, [&](Index s) {
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       m_network.triangulation().prefetch_face(m_network.halfedge(s));
       m_network.triangulation().prefetch_face(Network::Triangulation::twin(m_network.halfedge(s)));
     });
-    m_network.for_each_segment(curve, [&](Index s) {
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       look_at({s, Side::LEFT});
       look_at({s, Side::RIGHT});
     });
@@ -89,7 +89,7 @@ public:
 private:
   void look_at(const Joint& joint)
   {
-    const Index x = joint.incoming;
+    const Segment_index x = joint.incoming;
     if(!m_network.is_alive(x) || m_network.next(x) == null_index)
       return;
     const typename Network::Wedge wedge = m_network.wedge(joint);

@@ -40,7 +40,10 @@ enum class Slot : Index { NONE = 0 };
 inline Slot twin_slot(Slot s) { return static_cast<Slot>(static_cast<Index>(s) ^ 1); }
 
 /* The slot of h, given that of h or its twin. */
-inline Slot side_slot(Slot s, Index h) { return static_cast<Slot>((static_cast<Index>(s) & ~1) | (h & 1)); }
+inline Slot side_slot(Slot s, Halfedge_index h)
+{
+  return static_cast<Slot>((static_cast<Index>(s) & ~1) | (h.idx() & 1));
+}
 
 /*
  * What a triangulation keeps of a halfedge, and half of what it keeps of its edge: the first side has the crossings and
@@ -53,7 +56,7 @@ struct Halfedge_record
   static constexpr Index untouched = 0, border = -1;
 
   Index encoded_next; // untouched, border, or the slot of the next halfedge
-  Index tail;
+  Vertex_index tail;
   Index of_edge[2]; // crossings, one more, and version; or label, and first halfedge, one more if a side is kept
   Halfedge_geometry geometry;
 
@@ -110,13 +113,16 @@ public:
   const Record& operator[](Slot s) const { return m_records[static_cast<std::size_t>(s)]; }
 
   /* The slot of a halfedge; one with a record of zeros, not to be written, if its edge was never touched. */
-  Slot slot(Index h) const { return static_cast<Slot>(m_slots[h]); }
+  Slot slot(Halfedge_index h) const { return static_cast<Slot>(m_slots[h.idx()]); }
 
   /* The halfedge with a slot that is taken. */
-  Index halfedge(Slot s) const { return (second_side(s).of_edge[1] & ~1) | (static_cast<Index>(s) & 1); }
+  Halfedge_index halfedge(Slot s) const
+  {
+    return Halfedge_index((second_side(s).of_edge[1] & ~1) | (static_cast<Index>(s) & 1));
+  }
 
   /* The record of a halfedge, or of a slot that is taken, as in each step of a walk; its face is copied if need be. */
-  Record& known(Index h)
+  Record& known(Halfedge_index h)
   {
     Record& record = (*this)[slot(h)];
     return record.is_known() ? record : imported(h);
@@ -129,9 +135,9 @@ public:
   }
 
   /* The slot of a halfedge, which takes one if it has none. */
-  Slot taken(Index h)
+  Slot taken(Halfedge_index h)
   {
-    if(!m_slots.has_slot(h))
+    if(!m_slots.has_slot(h.idx()))
       take(h);
     return slot(h);
   }
@@ -155,10 +161,10 @@ public:
   Index label(Slot s) const { return second_side(s).of_edge[0]; }
 
   /* A halfedge that starts at v, null_index at an isolated vertex. */
-  Index outgoing(Index v)
+  Halfedge_index outgoing(Vertex_index v)
   {
     if(outgoing_slot(v) == Slot::NONE) { // of the input: an added vertex has one
-      const Index h = m_input.outgoing(v);
+      const Halfedge_index h = as_intrinsic(m_input.outgoing(v));
       if(h == null_index)
         return null_index;
       known(h);
@@ -167,19 +173,19 @@ public:
     return halfedge(outgoing_slot(v));
   }
 
-  void set_outgoing(Index v, Slot s)
+  void set_outgoing(Vertex_index v, Slot s)
   {
-    if(!m_vertex_slots.has_slot(v)) {
-      m_vertex_slots.add(v);
+    if(!m_vertex_slots.has_slot(v.idx())) {
+      m_vertex_slots.add(v.idx());
       m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
     }
-    m_outgoing[static_cast<std::size_t>(m_vertex_slots[v])] = s;
+    m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])] = s;
     if(s != Slot::NONE)
       second_side(s).of_edge[1] |= 1;
   }
 
   /* If `from` is the halfedge that is kept for v, keeps `to` instead. */
-  void move_outgoing(Index v, Slot from, Slot to)
+  void move_outgoing(Vertex_index v, Slot from, Slot to)
   {
     if(outgoing_slot(v) == from)
       set_outgoing(v, to);
@@ -205,7 +211,7 @@ public:
 
   void add_vertex() { m_vertex_slots.grow(static_cast<std::size_t>(++m_number_of_vertices)); }
 
-  void remove_last_vertex() { set_outgoing(--m_number_of_vertices, Slot::NONE); }
+  void remove_last_vertex() { set_outgoing(Vertex_index(--m_number_of_vertices), Slot::NONE); }
 
   /* An edge whose sides are in no face yet; all may move. Returns its first slot. */
   Slot add_edge()
@@ -214,13 +220,13 @@ public:
     m_slots.grow(static_cast<std::size_t>(m_number_of_halfedges));
     if(m_records.capacity() < m_slots.largest_number_of_slots())
       m_records.reserve(room_for(m_slots));
-    return taken(m_number_of_halfedges - 2);
+    return taken(Halfedge_index(m_number_of_halfedges - 2));
   }
 
   void remove_last_edge()
   {
     m_number_of_halfedges -= 2;
-    const Slot s = slot(m_number_of_halfedges);
+    const Slot s = slot(Halfedge_index(m_number_of_halfedges));
     first_side(s) = second_side(s) = Record();
     second_side(s).of_edge[1] = m_number_of_halfedges;
   }
@@ -241,49 +247,50 @@ private:
   Record& first_side(Slot s) { return m_records[static_cast<std::size_t>(s) & ~std::size_t(1)]; }
   Record& second_side(Slot s) { return m_records[static_cast<std::size_t>(s) | 1]; }
 
-  Slot outgoing_slot(Index v) const { return m_outgoing[static_cast<std::size_t>(m_vertex_slots[v])]; }
+  Slot outgoing_slot(Vertex_index v) const { return m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])]; }
 
-  BOOST_NOINLINE void take(Index h)
+  BOOST_NOINLINE void take(Halfedge_index h)
   {
-    const Index start = m_slots.add(h), first = h - (m_slots[h] - start);
+    const Index start = m_slots.add(h.idx()), first = h.idx() - (m_slots[h.idx()] - start);
     m_records.resize(m_slots.number_of_slots());
     for(Index i = 0; i < static_cast<Index>(Halfedge_slots::block_size); i += 2)
       second_side(static_cast<Slot>(start + i)).of_edge[1] = first + i;
   }
 
   // Throws unless an edge with no face on one side has one on the other: only there its length is kept.
-  void check_has_face(Index h) const
+  void check_has_face(Input_halfedge_index h) const
   {
-    const Index t = twin_index(h);
+    const Input_halfedge_index t = twin_index(h);
     if(!m_input.is_border(t))
       return;
-    const Index v = m_input.tail(h), w = m_input.tail(t);
-    throw Invalid_mesh_error("the edge between vertices " + std::to_string(v) + " and " + std::to_string(w) +
-                                 " is in no face",
-                             {static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
+    const Vertex_index v = m_input.tail(h), w = m_input.tail(t);
+    throw Invalid_mesh_error("the edge between vertices " + std::to_string(v.idx()) + " and " +
+                                 std::to_string(w.idx()) + " is in no face",
+                             {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
   }
 
   // Copies the face of a halfedge.
-  BOOST_NOINLINE Record& imported(Index h)
+  BOOST_NOINLINE Record& imported(Halfedge_index wanted)
   {
+    const Input_halfedge_index h = as_input(wanted);
     if(m_input.is_border(h)) {
       check_has_face(h);
-      Record& record = (*this)[taken(h)];
+      Record& record = (*this)[taken(wanted)];
       record.tail = m_input.tail(h);
       record.encoded_next = Record::border;
       return record;
     }
     check_triangle(m_input, h);
-    const Index hn = m_input.next(h), hp = m_input.next(hn);
+    const Input_halfedge_index hn = m_input.next(h), hp = m_input.next(hn);
     if(hn == h)
       throw_no_triangle(m_input, h);
     // From the smallest side on, so that the bits do not depend on which side is touched first.
-    const Index first = (std::min)({h, hn, hp});
-    const Index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
+    const Input_halfedge_index first = (std::min)({h, hn, hp});
+    const Input_halfedge_index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
     const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
     std::array<Slot, 3> slots;
     for(int i = 0; i < 3; ++i) {
-      slots[i] = taken(sides[i]);
+      slots[i] = taken(as_intrinsic(sides[i]));
       Record& record = (*this)[slots[i]];
       record.tail = m_input.tail(sides[i]);
       record.geometry = geometry[i];
@@ -291,7 +298,7 @@ private:
         set_outgoing(record.tail, slots[i]);
     }
     link_face(slots[0], slots[1], slots[2]);
-    return (*this)[slot(h)];
+    return (*this)[slot(wanted)];
   }
 
   Input_mesh m_input;

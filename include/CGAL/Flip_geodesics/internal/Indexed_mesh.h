@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_INDEXED_MESH_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_INDEXED_MESH_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/Contraction.h>
 
@@ -25,8 +26,6 @@ class Surface_mesh;
 namespace Flip_geodesics {
 
 namespace internal {
-
-inline Index twin_index(Index h) { return h ^ 1; }
 
 template <class Count>
 Index checked_index_bound(Count count)
@@ -91,8 +90,14 @@ public:
   bool has_split_point() const { return is_contracted() && m_origin->contraction.has_split_point; }
 
   /* What vertex or halfedge `i` of the mesh as it was before has become. */
-  Index contracted_vertex(Index i) const { return is_contracted() && i >= 0 ? m_origin->contraction.vertex[i] : i; }
-  Index contracted_halfedge(Index i) const { return is_contracted() && i >= 0 ? m_origin->contraction.halfedge[i] : i; }
+  Vertex_index contracted_vertex(Vertex_index v) const
+  {
+    return is_contracted() && v.is_valid() ? m_origin->contraction.vertex[v] : v;
+  }
+  Input_halfedge_index contracted_halfedge(Input_halfedge_index h) const
+  {
+    return is_contracted() && h.is_valid() ? m_origin->contraction.halfedge[h] : h;
+  }
 
   /* The mesh before. */
   const Indexed_mesh& uncontracted() const
@@ -101,9 +106,15 @@ public:
   }
 
   /* One of the halfedges there that have become h, and the vertices at which it starts and ends. */
-  Index uncontracted_halfedge(Index h) const { return is_contracted() ? m_origin->contraction.input_halfedge[h] : h; }
-  Index uncontracted_tail(Index h) const { return uncontracted().tail(uncontracted_halfedge(h)); }
-  Index uncontracted_head(Index h) const { return uncontracted().tail(twin_index(uncontracted_halfedge(h))); }
+  Input_halfedge_index uncontracted_halfedge(Input_halfedge_index h) const
+  {
+    return is_contracted() ? m_origin->contraction.input_halfedge[h] : h;
+  }
+  Vertex_index uncontracted_tail(Input_halfedge_index h) const { return uncontracted().tail(uncontracted_halfedge(h)); }
+  Vertex_index uncontracted_head(Input_halfedge_index h) const
+  {
+    return uncontracted().tail(twin_index(uncontracted_halfedge(h)));
+  }
 
 protected:
   std::shared_ptr<const Uncontracted<Indexed_mesh>> m_origin;
@@ -147,18 +158,24 @@ public:
   Index number_of_vertices() const { return static_cast<Index>(m_vertices.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
 
-  vertex_descriptor vertex(Index v) const { return m_vertices[v]; }
-  halfedge_descriptor halfedge(Index h) const { return m_halfedges[this->uncontracted_halfedge(h)]; }
-  Index index(vertex_descriptor v) const { return this->contracted_vertex(find(m_vertex_order, v)); }
-  Index index(halfedge_descriptor h) const { return this->contracted_halfedge(find(m_halfedge_order, h)); }
+  vertex_descriptor vertex(Vertex_index v) const { return m_vertices[v]; }
+  halfedge_descriptor halfedge(Input_halfedge_index h) const { return m_halfedges[this->uncontracted_halfedge(h)]; }
+  Vertex_index index(vertex_descriptor v) const
+  {
+    return this->contracted_vertex(Vertex_index(find(m_vertex_order, v)));
+  }
+  Input_halfedge_index index(halfedge_descriptor h) const
+  {
+    return this->contracted_halfedge(Input_halfedge_index(find(m_halfedge_order, h)));
+  }
 
-  Index next(Index h) const { return m_next[h]; }
-  Index previous(Index h) const { return m_previous[h]; }
-  bool is_triangle(Index h) const { return next(next(h)) == previous(h); }
-  Index tail(Index h) const { return m_tail[h]; }
-  bool is_border(Index h) const { return m_is_border[h] != 0; }
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_next[h]; }
+  Input_halfedge_index previous(Input_halfedge_index h) const { return m_previous[h]; }
+  bool is_triangle(Input_halfedge_index h) const { return next(next(h)) == previous(h); }
+  Vertex_index tail(Input_halfedge_index h) const { return m_tail[h]; }
+  bool is_border(Input_halfedge_index h) const { return m_is_border[h] != 0; }
   /// A halfedge that starts at `v`, or `null_index` at an isolated vertex.
-  Index outgoing(Index v) const { return m_outgoing[v]; }
+  Input_halfedge_index outgoing(Vertex_index v) const { return m_outgoing[v]; }
 
 private:
   template <class Descriptor>
@@ -180,7 +197,7 @@ private:
   {
     const auto found = std::lower_bound(order.begin(), order.end(), wanted,
                                         [](const auto& entry, const Descriptor& d) { return entry.first < d; });
-    return (found != order.end() && found->first == wanted) ? found->second : null_index;
+    return (found != order.end() && found->first == wanted) ? found->second : Index(null_index);
   }
 
   void index_vertices(const TriangleMesh& mesh)
@@ -208,7 +225,7 @@ private:
       m_next.push_back(index(graph_next(h, mesh)));
       m_tail.push_back(index(source(h, mesh)));
       m_is_border.push_back(graph_face(h, mesh) == Graph::null_face() ? 1 : 0);
-      m_outgoing[m_tail.back()] = static_cast<Index>(m_tail.size()) - 1;
+      m_outgoing[m_tail.back()] = Input_halfedge_index(static_cast<Index>(m_tail.size()) - 1);
     }
     link_previous();
   }
@@ -216,7 +233,7 @@ private:
   void link_previous()
   {
     m_previous.resize(m_next.size());
-    for(Index h = 0; h < number_of_halfedges(); ++h) {
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(number_of_halfedges())) {
       if(m_next[h] == null_index)
         throw Invalid_mesh_error("a halfedge of the mesh is followed by none");
       m_previous[m_next[h]] = h;
@@ -235,12 +252,14 @@ private:
     this->m_origin = std::move(origin);
   }
 
-  std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges;
+  Indexed_by<Vertex_index, std::vector<vertex_descriptor>> m_vertices;
+  Indexed_by<Input_halfedge_index, std::vector<halfedge_descriptor>> m_halfedges;
   Order<vertex_descriptor> m_vertex_order;
   Order<halfedge_descriptor> m_halfedge_order;
-  std::vector<Index> m_next, m_previous, m_tail, m_outgoing;
-  std::vector<char> m_is_border;
+  Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>> m_next, m_previous;
+  Indexed_by<Input_halfedge_index, std::vector<Vertex_index>> m_tail;
+  Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> m_outgoing;
+  Indexed_by<Input_halfedge_index, std::vector<char>> m_is_border;
 };
 
 /*
@@ -269,23 +288,29 @@ public:
   Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_halfedges() const { return m_number_of_halfedges; }
 
-  vertex_descriptor vertex(Index v) const { return vertex_descriptor(static_cast<std::uint32_t>(v)); }
-  halfedge_descriptor halfedge(Index h) const { return own_halfedge(this->uncontracted_halfedge(h)); }
-  Index index(vertex_descriptor v) const { return this->contracted_vertex(to_index(v, m_number_of_vertices)); }
-  Index index(halfedge_descriptor h) const
+  vertex_descriptor vertex(Vertex_index v) const { return vertex_descriptor(static_cast<std::uint32_t>(v.idx())); }
+  halfedge_descriptor halfedge(Input_halfedge_index h) const { return own_halfedge(this->uncontracted_halfedge(h)); }
+  Vertex_index index(vertex_descriptor v) const
   {
-    return this->contracted_halfedge(to_index(h, this->uncontracted().number_of_halfedges()));
+    return this->contracted_vertex(Vertex_index(to_index(v, m_number_of_vertices)));
+  }
+  Input_halfedge_index index(halfedge_descriptor h) const
+  {
+    return this->contracted_halfedge(Input_halfedge_index(to_index(h, this->uncontracted().number_of_halfedges())));
   }
 
-  Index next(Index h) const { return static_cast<Index>(m_mesh->next(own_halfedge(h))); }
-  Index previous(Index h) const { return static_cast<Index>(m_mesh->prev(own_halfedge(h))); }
-  bool is_triangle(Index h) const { return next(next(h)) == previous(h); }
-  Index tail(Index h) const { return static_cast<Index>(m_mesh->target(own_halfedge(twin_index(h)))); }
-  bool is_border(Index h) const { return m_mesh->is_border(own_halfedge(h)); }
-  Index outgoing(Index v) const
+  Input_halfedge_index next(Input_halfedge_index h) const { return of_own(m_mesh->next(own_halfedge(h))); }
+  Input_halfedge_index previous(Input_halfedge_index h) const { return of_own(m_mesh->prev(own_halfedge(h))); }
+  bool is_triangle(Input_halfedge_index h) const { return next(next(h)) == previous(h); }
+  Vertex_index tail(Input_halfedge_index h) const
+  {
+    return Vertex_index(static_cast<Index>(m_mesh->target(own_halfedge(twin_index(h)))));
+  }
+  bool is_border(Input_halfedge_index h) const { return m_mesh->is_border(own_halfedge(h)); }
+  Input_halfedge_index outgoing(Vertex_index v) const
   {
     const halfedge_descriptor h = m_mesh->halfedge(vertex(v));
-    return h == Graph::null_halfedge() ? null_index : twin_index(static_cast<Index>(h));
+    return h == Graph::null_halfedge() ? null_index : twin_index(of_own(h));
   }
 
   /* As above. */
@@ -300,13 +325,17 @@ public:
   }
 
 private:
-  static halfedge_descriptor own_halfedge(Index h) { return halfedge_descriptor(static_cast<std::uint32_t>(h)); }
+  static halfedge_descriptor own_halfedge(Input_halfedge_index h)
+  {
+    return halfedge_descriptor(static_cast<std::uint32_t>(h.idx()));
+  }
+  static Input_halfedge_index of_own(halfedge_descriptor h) { return Input_halfedge_index(static_cast<Index>(h)); }
 
   template <class Descriptor>
   static Index to_index(Descriptor d, Index bound)
   {
     const std::size_t i = static_cast<std::size_t>(d);
-    return i < static_cast<std::size_t>(bound) ? static_cast<Index>(i) : null_index;
+    return i < static_cast<std::size_t>(bound) ? static_cast<Index>(i) : Index(null_index);
   }
 
   void replace_connectivity(Contraction&& contraction)
@@ -314,8 +343,9 @@ private:
     auto left = std::make_shared<Mesh>();
     for(Index v = 0; v < m_number_of_vertices; ++v)
       left->add_vertex();
-    for(std::size_t h = 0; h < contraction.next.size(); h += 2)
-      left->add_edge(vertex(contraction.tail[h]), vertex(contraction.tail[h + 1]));
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(static_cast<Index>(contraction.next.size())))
+      if(is_first_side(h))
+        left->add_edge(vertex(contraction.tail[h]), vertex(contraction.tail[twin_index(h)]));
     connect(*left, contraction);
     m_number_of_halfedges = static_cast<Index>(contraction.next.size());
     this->m_origin = std::make_shared<Uncontracted<Indexed_mesh>>(
@@ -326,21 +356,21 @@ private:
 
   static void connect(Mesh& mesh, const Contraction& contraction)
   {
-    for(Index h = 0; h < static_cast<Index>(contraction.next.size()); ++h) {
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(static_cast<Index>(contraction.next.size()))) {
       mesh.set_next(own_halfedge(h), own_halfedge(contraction.next[h]));
       if(contraction.is_border[h] != 0 || mesh.face(own_halfedge(h)) != Graph::null_face())
         continue;
       const auto f = mesh.add_face();
       mesh.set_halfedge(f, own_halfedge(h));
-      Index side = h;
+      Input_halfedge_index side = h;
       do {
         mesh.set_face(own_halfedge(side), f);
         side = contraction.next[side];
       } while(side != h);
     }
-    for(std::size_t v = 0; v < contraction.outgoing.size(); ++v)
+    for(Vertex_index v : descriptors<Vertex_index>(static_cast<Index>(contraction.outgoing.size())))
       if(contraction.outgoing[v] != null_index)
-        mesh.set_halfedge(vertex_descriptor(static_cast<std::uint32_t>(v)),
+        mesh.set_halfedge(vertex_descriptor(static_cast<std::uint32_t>(v.idx())),
                           own_halfedge(twin_index(contraction.outgoing[v])));
   }
 

@@ -30,21 +30,24 @@ public:
   {
   }
 
-  bool has_halfedge(Index h) const { return h >= 0 && h < m_triangulation.input().number_of_halfedges(); }
-  Index next(Index h) const { return m_triangulation.input().next(h); }
-  Index previous(Index h) const { return m_triangulation.input().previous(h); }
-  Index tail(Index h) const { return m_triangulation.input().tail(h); }
-  Index head(Index h) const { return tail(twin_index(h)); }
-  Index apex(Index h) const { return head(next(h)); }
-  bool is_border(Index h) const { return m_triangulation.input().is_border(h); }
-  double length(Index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
+  bool has_halfedge(Input_halfedge_index h) const
+  {
+    return h.is_valid() && h.idx() < m_triangulation.input().number_of_halfedges();
+  }
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+  Input_halfedge_index previous(Input_halfedge_index h) const { return m_triangulation.input().previous(h); }
+  Vertex_index tail(Input_halfedge_index h) const { return m_triangulation.input().tail(h); }
+  Vertex_index head(Input_halfedge_index h) const { return tail(twin_index(h)); }
+  Vertex_index apex(Input_halfedge_index h) const { return head(next(h)); }
+  bool is_border(Input_halfedge_index h) const { return m_triangulation.input().is_border(h); }
+  double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
 
   /* \pre the face exists on this side; it need not be a triangle */
-  Index clockwise(Index h) const { return next(twin_index(h)); }
-  Index counterclockwise(Index h) const { return twin_index(previous(h)); }
+  Input_halfedge_index clockwise(Input_halfedge_index h) const { return next(twin_index(h)); }
+  Input_halfedge_index counterclockwise(Input_halfedge_index h) const { return twin_index(previous(h)); }
 
   /* The third corner of the face of h, which has to be a triangle, where h leads from 0 to 1 in the complex plane. */
-  Plane_vector corner(Index h) const
+  Plane_vector corner(Input_halfedge_index h) const
   {
     if constexpr(std::is_empty<typename Metric::Place>::value) {
       const auto face = input_face_geometry(m_triangulation, h);
@@ -56,7 +59,7 @@ public:
   }
 
 private:
-  auto place(Index v) const { return m_triangulation.metric().place(m_triangulation.input(), v); }
+  auto place(Vertex_index v) const { return m_triangulation.metric().place(m_triangulation.input(), v); }
 
   static Plane_vector corner(const std::array<double, 3>& p, const std::array<double, 3>& q,
                              const std::array<double, 3>& r)

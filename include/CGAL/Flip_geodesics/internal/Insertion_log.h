@@ -22,8 +22,8 @@ template <class Halfedge_geometry>
 struct Insertion_record
 {
   Index number_of_edges;
-  Index faces[6]; // h, hn, hp and, if the edge was split and has a second face, t, tn, tp
-  Index head_of_h;
+  Halfedge_index faces[6]; // h, hn, hp and, if the edge was split and has a second face, t, tn, tp
+  Vertex_index head_of_h;
   Halfedge_geometry geometry[6];
 };
 
@@ -42,26 +42,26 @@ public:
   {
     Triangulation& t = m_triangulation;
     checked_index_bound(2 * (static_cast<std::size_t>(t.number_of_edges()) + 3));
-    const Index h = place.halfedge;
+    const Halfedge_index h = place.halfedge;
     const bool has_two_faces = place.is_on_edge && !t.is_border(Triangulation::twin(h));
     typename Triangulation::Insertion_record record = {t.number_of_edges(), {}, t.head(h), {}};
     for(int i = 0; i < 6; ++i) {
-      const Index start = i < 3 ? h : (has_two_faces ? Triangulation::twin(h) : null_index);
-      const Index side = start == null_index ? null_index : (i % 3 == 0 ? start : t.next(record.faces[i - 1]));
+      const Halfedge_index start = i < 3 ? h : (has_two_faces ? Triangulation::twin(h) : null_index);
+      const Halfedge_index side = start == null_index ? null_index : (i % 3 == 0 ? start : t.next(record.faces[i - 1]));
       record.faces[i] = side;
       if(side != null_index)
         record.geometry[i] = t.geometry(side);
     }
     t.m_insertions.push_back(record);
-    const Index e = Triangulation::edge(h);
-    t.m_log.push_back({h, null_index, static_cast<Index>(t.m_insertions.size()) - 1, 0, 0, 0, t.version(e),
+    const Edge_index e = Triangulation::edge(h);
+    t.m_log.push_back({h, null_index, h, 0, 0, static_cast<Index>(t.m_insertions.size()) - 1, t.version(e),
                        t.crossings(e) + 1, Geometry(), Geometry(), Geometry(), Geometry()});
     t.m_points.push_back(point);
     t.m_halfedges.add_vertex();
   }
 
   /* A new edge, whose sides are in no face yet; the halfedge with the word. */
-  Index add_edge(const Crossing_word& word)
+  Halfedge_index add_edge(const Crossing_word& word)
   {
     auto& halfedges = m_triangulation.m_halfedges;
     const Slot s = halfedges.add_edge();
@@ -72,7 +72,7 @@ public:
   }
 
   /* Moves the tail of h: the word is that from its new tail on. */
-  void shorten_edge(Index h, const Crossing_word& word)
+  void shorten_edge(Halfedge_index h, const Crossing_word& word)
   {
     m_triangulation.m_halfedges[m_triangulation.m_halfedges.slot(h)].tail = word.tail;
     set_word(h, word);
@@ -84,7 +84,7 @@ public:
     Triangulation& t = m_triangulation;
     const auto& record = t.m_insertions.back();
     while(t.number_of_edges() > record.number_of_edges) {
-      const Index e = t.number_of_edges() - 1;
+      const Edge_index e(t.number_of_edges() - 1);
       CGAL_precondition_msg(t.label(e) == 0, "a curve lies on an edge that goes with its point");
       t.m_history.forget(e, t.version(e));
       t.m_halfedges.remove_last_edge();
@@ -101,7 +101,7 @@ public:
     for(int i = 0; i < 6 && record.faces[i] != null_index; ++i) {
       const Slot s = halfedges.slot(record.faces[i]);
       halfedges[s].geometry = record.geometry[i];
-      if(t.outgoing(halfedges[s].tail) >= t.number_of_halfedges()) // of an edge that is gone
+      if(t.outgoing(halfedges[s].tail).idx() >= t.number_of_halfedges()) // of an edge that is gone
         halfedges.set_outgoing(halfedges[s].tail, s);
     }
     t.m_insertions.pop_back();
@@ -110,7 +110,7 @@ public:
 private:
   using Geometry = typename Triangulation::Halfedge_geometry;
 
-  void set_word(Index h, const Crossing_word& word)
+  void set_word(Halfedge_index h, const Crossing_word& word)
   {
     const Index version = static_cast<Index>(m_triangulation.m_log.size());
     const Slot s = m_triangulation.m_halfedges.slot(h);

@@ -36,20 +36,20 @@ public:
   }
 
   /* As Edge_path_network::replace_joint(). */
-  Index operator()(const Joint& joint, const std::vector<Index>& arc, std::vector<Joint>& affected)
+  Segment_index operator()(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
   {
     const std::pair<Strand_end, Strand_end> old = m_network.ends(joint);
-    const Index x = joint.incoming, y = m_network.next(x);
+    const Segment_index x = joint.incoming, y = m_network.next(x);
     CGAL_precondition(x != y);
     m_segments.make_room(arc.size());
     const Strand_end after = survivor_clockwise(old.first, old.second);
     // A joint that turns back also uncovers the ends beside it at its far node.
-    const Index far = Triangulation::twin(old.first.halfedge);
+    const Halfedge_index far = Triangulation::twin(old.first.halfedge);
     const Strand_end after_far =
         arc.empty() ? survivor_clockwise({far, old.second.segment}, {far, old.first.segment}) : Strand_end{};
 
-    const Index upstream = m_network.next(y) == x ? null_index : m_network.previous(x);
-    const Index first = splice(x, y, joint.side, arc);
+    const Segment_index upstream = m_network.next(y) == x ? null_index : m_network.previous(x);
+    const Segment_index first = splice(x, y, joint.side, arc);
     if(first == null_index)
       collect_merged_joint(upstream, affected);
     else
@@ -71,21 +71,21 @@ private:
   }
 
   // Replaces x and y by segments along the arc; returns the first of them.
-  Index splice(Index x, Index y, Side side, const std::vector<Index>& arc)
+  Segment_index splice(Segment_index x, Segment_index y, Side side, const std::vector<Halfedge_index>& arc)
   {
-    const Index curve = m_segments[x].curve;
+    const Curve_index curve = m_segments[x].curve;
     const bool was_whole_loop = m_network.next(y) == x;
-    const Index before = was_whole_loop ? null_index : m_network.previous(x),
-                after = was_whole_loop ? null_index : m_network.next(y);
+    const Segment_index before = was_whole_loop ? null_index : m_network.previous(x),
+                        after = was_whole_loop ? null_index : m_network.next(y);
     const bool is_end_fixed = m_segments[y].is_head_fixed;
     const bool is_end_straight = m_segments[y].is_head_straight[static_cast<std::size_t>(opposite_side(side))];
     m_segments.remove(x);
     m_segments.remove(y);
 
-    Index first = null_index, last = null_index;
+    Segment_index first = null_index, last = null_index;
     for(std::size_t i = 0; i < arc.size(); ++i) {
-      const Index h = side == Side::LEFT ? arc[i] : Triangulation::twin(arc[arc.size() - 1 - i]);
-      const Index s = m_segments.create(curve, h);
+      const Halfedge_index h = side == Side::LEFT ? arc[i] : Triangulation::twin(arc[arc.size() - 1 - i]);
+      const Segment_index s = m_segments.create(curve, h);
       m_segments.link_outermost(s, side == Side::LEFT ? h : Triangulation::twin(h));
       if(first == null_index)
         first = s;
@@ -102,7 +102,8 @@ private:
     return first;
   }
 
-  void relink(Index curve, Index before, Index first, Index last, Index after, bool was_whole_loop)
+  void relink(Curve_index curve, Segment_index before, Segment_index first, Segment_index last, Segment_index after,
+              bool was_whole_loop)
   {
     auto& c = m_network.m_curves[curve];
     if(was_whole_loop) {
@@ -114,7 +115,7 @@ private:
     }
     m_segments.link(before, first == null_index ? after : first);
     m_segments.link(last == null_index ? before : last, after);
-    const Index head = first == null_index ? after : first, tail = last == null_index ? before : last;
+    const Segment_index head = first == null_index ? after : first, tail = last == null_index ? before : last;
     if(c.is_closed) { // any segment may be the first
       c.first = head;
       c.last = m_segments[head].previous;
@@ -127,7 +128,7 @@ private:
   }
 
   // The joint at the head of `upstream`, whose next segment is another one since two have cancelled.
-  void collect_merged_joint(Index upstream, std::vector<Joint>& affected)
+  void collect_merged_joint(Segment_index upstream, std::vector<Joint>& affected)
   {
     if(upstream == null_index || m_network.next(upstream) == null_index)
       return;
@@ -138,14 +139,15 @@ private:
 
   // The joints of `count` new segments that follow `upstream`. Between two of them the angle on the wedge's side is at
   // least pi; where they begin and end, the angle on the other side has grown.
-  void collect_new_joints(Index upstream, Index first, std::size_t count, Side side, std::vector<Joint>& affected)
+  void collect_new_joints(Segment_index upstream, Segment_index first, std::size_t count, Side side,
+                          std::vector<Joint>& affected)
   {
     if(upstream != null_index) {
       m_segments[upstream].is_head_straight[static_cast<std::size_t>(side)] = false;
       collect(upstream, side, affected);
       collect(upstream, opposite_side(side), affected);
     }
-    Index s = first;
+    Segment_index s = first;
     for(std::size_t i = 1; i < count; ++i, s = m_network.next(s)) {
       m_segments[s].is_head_straight[static_cast<std::size_t>(opposite_side(side))] = true;
       collect(s, side, affected);
@@ -157,7 +159,7 @@ private:
   }
 
   // A side of the joint at the head of a segment, unless its angle is known to be at least pi.
-  void collect(Index incoming, Side side, std::vector<Joint>& affected) const
+  void collect(Segment_index incoming, Side side, std::vector<Joint>& affected) const
   {
     if(!m_segments[incoming].is_head_straight[static_cast<std::size_t>(side)])
       affected.push_back({incoming, side});

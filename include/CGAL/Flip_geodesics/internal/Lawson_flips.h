@@ -14,39 +14,19 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The integers from `first` to before `last`. */
-struct Index_range
-{
-  struct iterator
-  {
-    Index value;
-    Index operator*() const { return value; }
-    iterator& operator++()
-    {
-      ++value;
-      return *this;
-    }
-    bool operator!=(const iterator& other) const { return value != other.value; }
-  };
-
-  Index first, last;
-  iterator begin() const { return {first}; }
-  iterator end() const { return {last}; }
-};
-
 /* Calls function(h) for each edge of the faces around v. */
 template <class Triangulation, class Function>
-void for_each_edge_in_star(const Triangulation& triangulation, Index v, Function function)
+void for_each_edge_in_star(const Triangulation& triangulation, Vertex_index v, Function function)
 {
-  Index start = triangulation.outgoing(v);
+  Halfedge_index start = triangulation.outgoing(v);
   if(start == null_index)
     return;
-  for(Index h = triangulation.clockwise(start); h != null_index && h != triangulation.outgoing(v);
+  for(Halfedge_index h = triangulation.clockwise(start); h != null_index && h != triangulation.outgoing(v);
       h = triangulation.clockwise(h))
     start = h; // the last one before the border
   if(triangulation.clockwise(start) != null_index)
     start = triangulation.outgoing(v);
-  Index h = start;
+  Halfedge_index h = start;
   do {
     function(h);
     if(!triangulation.is_border(h))
@@ -71,7 +51,7 @@ public:
   }
 
   /* Admits an edge to the set and queues it. */
-  void allow(Index e)
+  void allow(Edge_index e)
   {
     if(m_edges.emplace(e, Edge{true, 0}).second)
       m_queue.push_back(e);
@@ -85,7 +65,7 @@ public:
   }
 
   /* Queues an edge of the set again. */
-  void look_at(Index e)
+  void look_at(Edge_index e)
   {
     if(m_allows_all)
       return allow_or_requeue(e);
@@ -107,7 +87,8 @@ public:
         m_is_stopped = true;
         return flips;
       }
-      const Index e = m_queue.front(), h = 2 * e;
+      const Edge_index e = m_queue.front();
+      const Halfedge_index h = first_side(e);
       m_queue.pop_front();
       Edge& edge = m_edges.at(e);
       edge.is_queued = false;
@@ -117,7 +98,7 @@ public:
       visitor.on_flip(m_triangulation, h);
       ++flips;
       ++edge.flips;
-      for(Index side : {h, Triangulation::twin(h)}) {
+      for(Halfedge_index side : {h, Triangulation::twin(h)}) {
         look_at(Triangulation::edge(m_triangulation.next(side)));
         look_at(Triangulation::edge(m_triangulation.previous(side)));
       }
@@ -135,7 +116,7 @@ private:
     unsigned flips;
   };
 
-  void allow_or_requeue(Index e)
+  void allow_or_requeue(Edge_index e)
   {
     Edge& edge = m_edges.emplace(e, Edge{false, 0}).first->second;
     if(edge.is_queued)
@@ -145,7 +126,7 @@ private:
   }
 
   // An edge that was flipped 32, 64, ... times is decided from the input, before drift can make it go round in circles.
-  bool is_still_to_flip(const Edge& edge, Index h)
+  bool is_still_to_flip(const Edge& edge, Halfedge_index h)
   {
     if constexpr(Triangulation::Traits::Has_drift::value)
       if(edge.flips >= 32 && (edge.flips & (edge.flips - 1)) == 0) {
@@ -159,8 +140,8 @@ private:
   Triangulation& m_triangulation;
   bool m_allows_all;
   bool m_is_stopped = false;
-  std::unordered_map<Index, Edge> m_edges;
-  std::deque<Index> m_queue;
+  std::unordered_map<Edge_index, Edge> m_edges;
+  std::deque<Edge_index> m_queue;
 };
 
 } // namespace internal

@@ -37,13 +37,13 @@ public:
     , m_corners(3 * faces.size())
   {
     for(const Intrinsic_face& face : faces)
-      for(Index v : face.vertices)
-        ++m_first[static_cast<std::size_t>(v) + 1];
+      for(Vertex_index v : face.vertices)
+        ++m_first[static_cast<std::size_t>(v.idx()) + 1];
     add_up(m_first);
     std::vector<Storage_index> next(m_first.begin(), m_first.end() - 1);
     for(std::size_t f = 0; f < faces.size(); ++f)
       for(int i = 0; i < 3; ++i)
-        m_corners[next[faces[f].vertices[i]]++] = static_cast<Storage_index>(3 * f) + i;
+        m_corners[next[faces[f].vertices[i].idx()]++] = static_cast<Storage_index>(3 * f) + i;
     find_neighbors(faces);
   }
 
@@ -61,7 +61,7 @@ public:
       std::fill(values, values + (last - first), 0.0);
       for_each_corner(column, [&](std::size_t f, int j) {
         for(int i = 0; i < 3; ++i)
-          values[std::lower_bound(rows, rows + (last - first), faces[f].vertices[i]) - rows] += entry(f, i, j);
+          values[std::lower_bound(rows, rows + (last - first), faces[f].vertices[i].idx()) - rows] += entry(f, i, j);
       });
     });
     return result;
@@ -130,7 +130,8 @@ private:
   {
     Neighbors result;
     for_each_corner(v, [&](std::size_t f, int) {
-      result.insert(result.end(), faces[f].vertices.begin(), faces[f].vertices.end());
+      for(Vertex_index w : faces[f].vertices)
+        result.push_back(w.idx());
     });
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -18,7 +18,8 @@ struct Network_state
 {
   struct Segment
   {
-    Index id, halfedge;
+    Segment_index id;
+    Halfedge_index halfedge;
     bool is_head_fixed;
   };
 
@@ -31,8 +32,8 @@ struct Network_state
 
   struct Stack
   {
-    Index edge;
-    std::vector<Index> segments; // from left to right along the edge's first halfedge
+    Edge_index edge;
+    std::vector<Segment_index> segments; // from left to right along the edge's first halfedge
   };
 
   Index end_of_segment_ids = 1;
@@ -51,14 +52,14 @@ public:
   {
     Network_state state;
     state.end_of_segment_ids = network.end_of_segment_ids();
-    for(Index c = 0; c < network.number_of_curves(); ++c) {
+    for(Curve_index c : descriptors<Curve_index>(network.number_of_curves())) {
       state.curves.push_back({network.is_closed(c), network.initial_length(c), {}});
-      network.for_each_segment(c, [&](Index s) {
+      network.for_each_segment(c, [&](Segment_index s) {
         state.curves.back().segments.push_back({s, network.halfedge(s), network.m_segments[s].is_head_fixed});
       });
     }
-    for(Index e = 0; e < network.triangulation().number_of_edges(); ++e) {
-      const std::vector<Index> stack = network.stack(e);
+    for(Edge_index e : descriptors<Edge_index>(network.triangulation().number_of_edges())) {
+      const std::vector<Segment_index> stack = network.stack(e);
       if(stack.size() > 1)
         state.stacks.push_back({e, stack});
     }
@@ -83,14 +84,14 @@ private:
     const Triangulation& triangulation = network.triangulation();
     network.m_segments.set_end_of_ids(state.end_of_segment_ids);
     for(const Network_state::Curve& curve : state.curves) {
-      const Index c = network.number_of_curves();
+      const Curve_index c(network.number_of_curves());
       network.m_curves.push_back({null_index, null_index, curve.is_closed, curve.initial_length});
       network.m_claim.set_has_curves(true);
       for(const Network_state::Segment& s : curve.segments) {
-        const bool is_free = s.id > 0 && s.id < state.end_of_segment_ids && !network.is_alive(s.id);
-        if(!is_free || s.halfedge < 0 || s.halfedge >= triangulation.number_of_halfedges())
+        const bool is_free = s.id.idx() > 0 && s.id.idx() < state.end_of_segment_ids && !network.is_alive(s.id);
+        if(!is_free || !s.halfedge.is_valid() || s.halfedge.idx() >= triangulation.number_of_halfedges())
           return false;
-        const Index last = network.m_curves[c].last;
+        const Segment_index last = network.m_curves[c].last;
         if(last != null_index && triangulation.head(network.halfedge(last)) != triangulation.tail(s.halfedge))
           return false;
         network.m_segments.set_halfedge(s.id, s.halfedge);
@@ -108,9 +109,9 @@ private:
     return true;
   }
 
-  static bool close(Network& network, Index curve)
+  static bool close(Network& network, Curve_index curve)
   {
-    const Index first = network.first_segment(curve), last = network.last_segment(curve);
+    const Segment_index first = network.first_segment(curve), last = network.last_segment(curve);
     if(!network.is_closed(curve) || first == null_index)
       return true;
     const Triangulation& triangulation = network.triangulation();
@@ -123,9 +124,9 @@ private:
   static bool set_stacks(Network& network, const Network_state& state)
   {
     for(const Network_state::Stack& stack : state.stacks) {
-      if(stack.edge < 0 || stack.edge >= network.triangulation().number_of_edges())
+      if(!stack.edge.is_valid() || stack.edge.idx() >= network.triangulation().number_of_edges())
         return false;
-      std::vector<Index> there = network.stack(stack.edge), wanted = stack.segments;
+      std::vector<Segment_index> there = network.stack(stack.edge), wanted = stack.segments;
       std::sort(there.begin(), there.end());
       std::sort(wanted.begin(), wanted.end());
       if(there != wanted)

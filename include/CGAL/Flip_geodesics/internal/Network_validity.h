@@ -27,10 +27,10 @@ public:
 
   bool is_valid() const
   {
-    for(Index c = 0; c < m_network.number_of_curves(); ++c)
+    for(Curve_index c : descriptors<Curve_index>(m_network.number_of_curves()))
       if(!is_valid_chain(c))
         return false;
-    for(Index s = 1; s < m_network.end_of_segment_ids(); ++s)
+    for(Segment_index s(1); s.idx() < m_network.end_of_segment_ids(); ++s)
       if(m_network.is_alive(s) && !(is_valid_stack(s) && is_non_crossing_at({m_network.halfedge(s), s}) &&
                                     is_non_crossing_at({Triangulation::twin(m_network.halfedge(s)), s})))
         return false;
@@ -52,13 +52,13 @@ public:
   }
 
 private:
-  bool is_valid_chain(Index curve) const
+  bool is_valid_chain(Curve_index curve) const
   {
     bool is_chain = true;
-    Index last = null_index;
-    m_network.for_each_segment(curve, [&](Index s) {
+    Segment_index last = null_index;
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       is_chain = is_chain && m_network.is_alive(s) && m_network.curve(s) == curve;
-      const Index t = m_network.next(s);
+      const Segment_index t = m_network.next(s);
       is_chain = is_chain &&
                  (t == null_index || (m_network.previous(t) == s && m_triangulation.head(m_network.halfedge(s)) ==
                                                                         m_triangulation.tail(m_network.halfedge(t))));
@@ -68,24 +68,24 @@ private:
            (last == null_index || (m_network.next(last) == null_index) != m_network.is_closed(curve));
   }
 
-  bool is_valid_stack(Index s) const
+  bool is_valid_stack(Segment_index s) const
   {
-    const Index e = Triangulation::edge(m_network.halfedge(s));
-    const std::vector<Index> stack = m_network.stack(e);
-    for(Index t : stack)
+    const Edge_index e = Triangulation::edge(m_network.halfedge(s));
+    const std::vector<Segment_index> stack = m_network.stack(e);
+    for(Segment_index t : stack)
       if(!m_network.is_alive(t) || Triangulation::edge(m_network.halfedge(t)) != e)
         return false;
     return std::find(stack.begin(), stack.end(), s) != stack.end() &&
-           m_network.outermost(2 * e, Side::LEFT) == stack.front() &&
-           m_network.outermost(2 * e, Side::RIGHT) == stack.back();
+           m_network.outermost(first_side(e), Side::LEFT) == stack.front() &&
+           m_network.outermost(first_side(e), Side::RIGHT) == stack.back();
   }
 
   // The end that a joint, if not fixed, connects with this one.
   Strand_end partner(const Strand_end& end) const
   {
-    const Index s = end.segment;
+    const Segment_index s = end.segment;
     if(end.halfedge == m_network.halfedge(s)) {
-      const Index p = m_network.previous(s);
+      const Segment_index p = m_network.previous(s);
       return p == null_index || m_network.is_head_fixed(p) ? Strand_end{}
                                                            : Strand_end{Triangulation::twin(m_network.halfedge(p)), p};
     }

@@ -64,9 +64,9 @@ public:
   bool is_alive(Index h) const { return m_origin[h] != null_index; }
 
   /* The intrinsic halfedge that h runs along, null_index if there is none. */
-  Index intrinsic_halfedge(Index h) const { return oriented(m_intrinsic[h >> 1], h); }
+  Halfedge_index intrinsic_halfedge(Index h) const { return oriented(m_intrinsic[h >> 1], h); }
   /* The input halfedge that h runs along, null_index if there is none. */
-  Index input_halfedge(Index h) const { return oriented(m_input[h >> 1], h); }
+  Input_halfedge_index input_halfedge(Index h) const { return oriented(m_input[h >> 1], h); }
 
   /* Is vertex v a crossing, and not a vertex of the triangulation? */
   bool is_crossing(Index v) const { return v >= m_triangulation->number_of_vertices() && v < m_end_of_crossings; }
@@ -78,30 +78,30 @@ public:
   bool is_input_vertex(Index v) const { return v < m_triangulation->input().number_of_vertices(); }
 
   /* The number of crossings of intrinsic edge e. */
-  Index crossings(Index e) const { return m_first_crossing[e + 1] - m_first_crossing[e]; }
+  Index crossings(Edge_index e) const { return m_first_crossing[e.idx() + 1] - m_first_crossing[e.idx()]; }
 
   /* Crossing i of intrinsic edge e along halfedge 2e, as a vertex. */
-  Index crossing_vertex(Index e, Index i) const
+  Index crossing_vertex(Edge_index e, Index i) const
   {
-    return m_triangulation->number_of_vertices() + m_first_crossing[e] + i;
+    return m_triangulation->number_of_vertices() + m_first_crossing[e.idx()] + i;
   }
 
   /* The input halfedge crossed at a crossing, by the first halfedge of the intrinsic edge, as a side of the face left.
    */
-  Index crossed_halfedge(Index v) const { return m_letters[v - m_triangulation->number_of_vertices()]; }
+  Input_halfedge_index crossed_halfedge(Index v) const { return m_letters[v - m_triangulation->number_of_vertices()]; }
 
   /* Piece i of intrinsic halfedge h, of crossings(edge) + 1. */
-  Index piece(Index h, Index i) const
+  Index piece(Halfedge_index h, Index i) const
   {
-    const Index e = Triangulation::edge(h);
-    const Index first = m_first_crossing[e] + e;
-    return (h & 1) == 0 ? 2 * (first + i) : 2 * (first + crossings(e) - i) + 1;
+    const Edge_index e = Triangulation::edge(h);
+    const Index first = m_first_crossing[e.idx()] + e.idx();
+    return is_first_side(h) ? 2 * (first + i) : 2 * (first + crossings(e) - i) + 1;
   }
 
   /* Calls function(p) for the parts of piece i of intrinsic halfedge h, in its direction: two if it was split, and each
    * on the side of its polygon, also where the edge was cut. */
   template <class Function>
-  void for_each_part(Index h, Index i, Function function) const
+  void for_each_part(Halfedge_index h, Index i, Function function) const
   {
     const Index p = piece(h, i);
     const auto split = m_second_halves.find(p & ~1);
@@ -143,10 +143,11 @@ public:
    * For each halfedge the smallest halfedge of the input face that its polygon lies in; null_index on the border.
    * Where no side of a polygon lies along an input edge, the polygon shares a face with its neighbours.
    */
-  std::vector<Index> input_faces() const
+  std::vector<Input_halfedge_index> input_faces() const
   {
-    std::vector<Index> face(m_next.size(), null_index), pending;
-    const auto assign = [&](Index h, Index f) {
+    std::vector<Input_halfedge_index> face(m_next.size());
+    std::vector<Index> pending;
+    const auto assign = [&](Index h, Input_halfedge_index f) {
       for_each_side(h, [&](Index side) { face[side] = f; });
       pending.push_back(h);
     };
@@ -295,12 +296,17 @@ private:
     return found == m_doubles.end() ? h : found->second;
   }
 
-  static Index oriented(Index along, Index h) { return along == null_index ? null_index : along ^ (h & 1); }
+  // The side of an edge that h runs along, if its first halfedge runs along `along`.
+  template <class Halfedge>
+  static Halfedge oriented(Halfedge along, Index h)
+  {
+    return along == null_index || (h & 1) == 0 ? along : twin_index(along);
+  }
 
-  Index first_of_input_face(Index h) const
+  Input_halfedge_index first_of_input_face(Input_halfedge_index h) const
   {
     const auto& input = m_triangulation->input();
-    const Index hn = input.next(h);
+    const Input_halfedge_index hn = input.next(h);
     return (std::min)({h, hn, input.next(hn)});
   }
 
@@ -310,7 +316,7 @@ private:
     m_previous[g] = h;
   }
 
-  void add_edge(Index from, Index to, Index intrinsic, Index input)
+  void add_edge(Index from, Index to, Halfedge_index intrinsic, Input_halfedge_index input)
   {
     checked_index_bound(m_next.size() + 2);
     m_origin.insert(m_origin.end(), {from, to});
@@ -325,7 +331,7 @@ private:
     const Index number_of_edges = m_triangulation->number_of_edges();
     m_first_crossing.reserve(static_cast<std::size_t>(number_of_edges) + 1);
     std::int64_t count = 0;
-    for(Index e = 0; e < number_of_edges; ++e) {
+    for(Edge_index e : descriptors<Edge_index>(number_of_edges)) {
       m_first_crossing.push_back(static_cast<Index>(count));
       count += (std::max)(m_triangulation->crossings(e), 0);
       checked_index_bound(2 * (count + number_of_edges));
@@ -336,23 +342,24 @@ private:
 
   void make_pieces()
   {
-    for(Index e = 0; e < m_triangulation->number_of_edges(); ++e) {
-      const Crossing_word word = m_triangulation->crossing_word(2 * e);
+    for(Edge_index e : descriptors<Edge_index>(m_triangulation->number_of_edges())) {
+      const Halfedge_index h = first_side(e);
+      const Crossing_word word = m_triangulation->crossing_word(h);
       const Index n = crossings(e);
       CGAL_assertion(static_cast<std::size_t>(n) == word.crossed.size());
       m_letters.insert(m_letters.end(), word.crossed.begin(), word.crossed.end());
       for(Index i = 0; i <= n; ++i)
-        add_edge(i == 0 ? m_triangulation->tail(2 * e) : crossing_vertex(e, i - 1),
-                 i == n ? m_triangulation->head(2 * e) : crossing_vertex(e, i), 2 * e, word.along);
+        add_edge(i == 0 ? m_triangulation->tail(h).idx() : crossing_vertex(e, i - 1),
+                 i == n ? m_triangulation->head(h).idx() : crossing_vertex(e, i), h, word.along);
     }
   }
 
   void link_triangles()
   {
-    for(Index h = 0; h < m_triangulation->number_of_halfedges(); ++h) {
+    for(Halfedge_index h : descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
       if(m_triangulation->is_border(h))
         continue;
-      const Index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
+      const Halfedge_index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
       if(h < hn && h < hp)
         link_triangle({h, hn, hp});
     }
@@ -363,7 +370,7 @@ private:
    * side come first the arcs that cut off its first corner, then those that emanate from the opposite one, then those
    * that cut off its second corner.
    */
-  void link_triangle(const std::array<Index, 3>& side)
+  void link_triangle(const std::array<Halfedge_index, 3>& side)
   {
     std::array<Index, 3> n;
     for(int i = 0; i < 3; ++i)
@@ -380,7 +387,7 @@ private:
       for(Index k = 0; k < passing.emanating[i]; ++k) {
         const Index j = passing.cutting[before] + k;
         inward[i][j] = number_of_halfedges();
-        add_edge(vertex_on(side[i], j), m_triangulation->tail(side[after]), null_index, letter_on(side[i], j));
+        add_edge(vertex_on(side[i], j), m_triangulation->tail(side[after]).idx(), null_index, letter_on(side[i], j));
       }
     }
     for(int i = 0; i < 3; ++i) {
@@ -397,28 +404,28 @@ private:
   }
 
   // The crossing with number i along halfedge h, as a vertex.
-  Index vertex_on(Index h, Index i) const
+  Index vertex_on(Halfedge_index h, Index i) const
   {
-    const Index e = Triangulation::edge(h);
-    return crossing_vertex(e, (h & 1) == 0 ? i : crossings(e) - 1 - i);
+    const Edge_index e = Triangulation::edge(h);
+    return crossing_vertex(e, is_first_side(h) ? i : crossings(e) - 1 - i);
   }
 
   // The input halfedge that leads from there to the left.
-  Index letter_on(Index h, Index i) const
+  Input_halfedge_index letter_on(Halfedge_index h, Index i) const
   {
-    const Index letter = crossed_halfedge(vertex_on(h, i));
-    return (h & 1) == 0 ? letter : Triangulation::twin(letter);
+    const Input_halfedge_index letter = crossed_halfedge(vertex_on(h, i));
+    return is_first_side(h) ? letter : twin_index(letter);
   }
 
-  void add_arc(Index h, Index i, Index& from_h, Index g, Index j, Index& from_g)
+  void add_arc(Halfedge_index h, Index i, Index& from_h, Halfedge_index g, Index j, Index& from_g)
   {
-    CGAL_assertion(letter_on(h, i) == Triangulation::twin(letter_on(g, j)));
+    CGAL_assertion(letter_on(h, i) == twin_index(letter_on(g, j)));
     from_h = number_of_halfedges();
     from_g = from_h + 1;
     add_edge(vertex_on(h, i), vertex_on(g, j), null_index, letter_on(h, i));
   }
 
-  void link_along(Index h, const std::vector<Index>& inward)
+  void link_along(Halfedge_index h, const std::vector<Index>& inward)
   {
     for(std::size_t i = 0; i < inward.size(); ++i) {
       m_next[piece(h, static_cast<Index>(i))] = inward[i];
@@ -448,9 +455,10 @@ private:
   const Triangulation* m_triangulation;
   Index m_number_of_vertices = 0, m_end_of_crossings = 0;
   std::vector<Index> m_first_crossing; // per intrinsic edge, and the end
-  std::vector<Index> m_letters;
+  std::vector<Input_halfedge_index> m_letters;
   std::vector<Index> m_next, m_previous, m_origin;
-  std::vector<Index> m_intrinsic, m_input;          // per edge: what its first halfedge runs along
+  std::vector<Halfedge_index> m_intrinsic;          // per edge: what its first halfedge runs along
+  std::vector<Input_halfedge_index> m_input;        // the same on the input
   std::unordered_map<Index, Index> m_second_halves; // of the first halfedges of edges that were split
   std::unordered_map<Index, Index> m_doubles;       // what took the place of a halfedge that a cut put on the border
 };

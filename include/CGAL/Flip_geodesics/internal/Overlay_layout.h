@@ -56,15 +56,15 @@ public:
   double on_intrinsic(Index v) const { return m_crossings[number(v)].on_intrinsic; }
 
   /* The first halfedge of that intrinsic edge. */
-  Index intrinsic_halfedge(Index v) const { return m_crossings[number(v)].intrinsic_halfedge; }
+  Halfedge_index intrinsic_halfedge(Index v) const { return m_crossings[number(v)].intrinsic_halfedge; }
 
   /* The smallest halfedge of the intrinsic face that the polygon of h lies in, null_index if polygons were merged. */
-  Index intrinsic_face(Index h) const { return m_intrinsic_faces.empty() ? null_index : m_intrinsic_faces[h]; }
+  Halfedge_index intrinsic_face(Index h) const { return m_intrinsic_faces.empty() ? null_index : m_intrinsic_faces[h]; }
   /* To be called when polygons of different intrinsic faces are merged. */
   void forget_intrinsic_faces() { m_intrinsic_faces.clear(); }
 
   /* The smallest halfedge of the input face that the polygon of h lies in. */
-  Index face(Index h) const { return m_faces[h]; }
+  Input_halfedge_index face(Index h) const { return m_faces[h]; }
   /* The origin of h in that face: barycentric coordinates for the tails of that halfedge and the next two. */
   const Weights& weights(Index h) const { return m_weights[h]; }
 
@@ -118,14 +118,14 @@ public:
   struct Midpoint
   {
     Surface_point on_input;
-    Index intrinsic_halfedge;
+    Halfedge_index intrinsic_halfedge;
     double on_intrinsic;
   };
 
   const Midpoint& midpoint(Index v) const { return m_midpoints[number(v) - m_crossings.size()]; }
 
   /* The corners of an input face in the plane, the tail of f at the origin. */
-  std::array<Point_2, 3> corners(Index f) const
+  std::array<Point_2, 3> corners(Input_halfedge_index f) const
   {
     const auto vectors = input_face_geometry(triangulation(), f);
     return {{{0, 0}, {vectors[0].x, vectors[0].y}, {-vectors[2].x, -vectors[2].y}}};
@@ -140,13 +140,13 @@ private:
   struct Crossing
   {
     double on_input, on_intrinsic;
-    Index intrinsic_halfedge;
+    Halfedge_index intrinsic_halfedge;
   };
 
   // What an edge that is split has on one side.
   struct Side
   {
-    Index face = null_index;
+    Input_halfedge_index face;
     Weights middle = {{0, 0, 0}}, apex = {{0, 0, 0}};
   };
 
@@ -158,7 +158,7 @@ private:
     return {{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}};
   }
 
-  void add_edge(Index face, const Weights& from, Index face_of_twin, const Weights& to)
+  void add_edge(Input_halfedge_index face, const Weights& from, Input_halfedge_index face_of_twin, const Weights& to)
   {
     m_faces.insert(m_faces.end(), {face, face_of_twin});
     m_weights.insert(m_weights.end(), {from, to});
@@ -167,8 +167,9 @@ private:
   void add_midpoint(Index h, const Side& side)
   {
     const auto& input = triangulation().input();
-    const Index f = side.face, fn = input.next(f), along = m_overlay->input_halfedge(h);
-    const Index intrinsic = m_overlay->intrinsic_halfedge(h), from = m_overlay->origin(h), to = m_overlay->target(h);
+    const Input_halfedge_index f = side.face, fn = input.next(f), along = m_overlay->input_halfedge(h);
+    const Halfedge_index intrinsic = m_overlay->intrinsic_halfedge(h);
+    const Index from = m_overlay->origin(h), to = m_overlay->target(h);
     const double first = m_overlay->is_crossing(from) ? on_intrinsic(from) : 0,
                  last = m_overlay->is_crossing(to) ? on_intrinsic(to) : 1;
     m_midpoints.push_back({surface_point({{input.tail(f), input.tail(fn), input.tail(input.next(fn))}}, side.middle,
@@ -186,22 +187,22 @@ private:
       Index piece = h;
       while(m_overlay->intrinsic_halfedge(piece) == null_index)
         piece = m_overlay->next(piece);
-      const Index side = m_overlay->intrinsic_halfedge(piece), after = triangulation().next(side);
-      const Index face = (std::min)({side, after, triangulation().next(after)});
+      const Halfedge_index side = m_overlay->intrinsic_halfedge(piece), after = triangulation().next(side);
+      const Halfedge_index face = (std::min)({side, after, triangulation().next(after)});
       m_overlay->for_each_side(h, [&](Index s) { m_intrinsic_faces[s] = face; });
     });
   }
 
   void measure_crossings()
   {
-    for(Index e = 0; e < triangulation().number_of_edges(); ++e) {
+    for(Edge_index e : descriptors<Edge_index>(triangulation().number_of_edges())) {
       if(m_overlay->crossings(e) == 0)
         continue;
-      const Strip<Triangulation> strip(triangulation(), triangulation().crossing_word(2 * e));
+      const Strip<Triangulation> strip(triangulation(), triangulation().crossing_word(first_side(e)));
       double along = 0;
       for(std::size_t i = 0; i < strip.gates().size(); ++i) {
         along = (std::max)(along, strip.crossing_along(i));
-        m_crossings.push_back({strip.crossing(i), along, 2 * e});
+        m_crossings.push_back({strip.crossing(i), along, first_side(e)});
       }
     }
   }
@@ -209,10 +210,10 @@ private:
   void raise_to_order()
   {
     for(Index h = 0; h < m_overlay->number_of_halfedges(); ++h) {
-      const Index c = m_overlay->input_halfedge(h);
-      if(c == null_index || (c & 1) != 0 || m_overlay->is_crossing(m_overlay->origin(h)))
+      const Input_halfedge_index c = m_overlay->input_halfedge(h);
+      if(c == null_index || !is_first_side(c) || m_overlay->is_crossing(m_overlay->origin(h)))
         continue;
-      double reached = position_on_side(m_overlay->origin(h));
+      double reached = position_on_side(Vertex_index(m_overlay->origin(h)));
       for(Index arc = h; m_overlay->is_crossing(m_overlay->target(arc)); arc = m_overlay->next_arc(arc)) {
         const Index v = m_overlay->target(arc);
         const bool is_along = m_overlay->crossed_halfedge(v) == c;
@@ -226,7 +227,7 @@ private:
 
   // Where a vertex of the triangulation is on the input edge that it starts or divides, from 0 at the tail of the
   // edge's first halfedge. Locations are told from that, unless it is on the border, where there are no crossings.
-  double position_on_side(Index v) const
+  double position_on_side(Vertex_index v) const
   {
     if(!triangulation().is_inserted(v))
       return 0;
@@ -238,27 +239,28 @@ private:
   Weights measure_corner(Index h) const
   {
     const auto& input = triangulation().input();
-    const Index v = m_overlay->origin(h), along = m_overlay->input_halfedge(h);
+    const Index v = m_overlay->origin(h);
+    const Input_halfedge_index along = m_overlay->input_halfedge(h);
     if(!m_overlay->is_crossing(v)) {
       const bool is_told_by_crossing = along != null_index || m_overlay->is_crossing(m_overlay->target(h));
-      if(triangulation().is_inserted(v) || !is_told_by_crossing)
-        return normalized(vertex_weights(triangulation(), v, m_faces[h]));
-      const Index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
+      if(triangulation().is_inserted(Vertex_index(v)) || !is_told_by_crossing)
+        return normalized(vertex_weights(triangulation(), Vertex_index(v), m_faces[h]));
+      const Input_halfedge_index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
       return on_side(m_faces[h], corner, 0);
     }
-    const Index crossed = m_overlay->crossed_halfedge(v);
+    const Input_halfedge_index crossed = m_overlay->crossed_halfedge(v);
     const double t = on_input(v);
     if(along != null_index)
       return on_side(m_faces[h], along, along == crossed ? t : 1 - t);
-    const bool is_entering = (m_overlay->intrinsic_halfedge(h) & 1) == 0; // the face beyond crossed
-    return on_side(m_faces[h], is_entering ? Triangulation::twin(crossed) : crossed, is_entering ? 1 - t : t);
+    const bool is_entering = is_first_side(m_overlay->intrinsic_halfedge(h)); // the face beyond crossed
+    return on_side(m_faces[h], is_entering ? twin_index(crossed) : crossed, is_entering ? 1 - t : t);
   }
 
   // The side of the face through which an intrinsic edge that starts at a corner leaves it.
-  Index leaving_through(Index h) const
+  Input_halfedge_index leaving_through(Index h) const
   {
-    const Index crossed = m_overlay->crossed_halfedge(m_overlay->target(h));
-    return (m_overlay->intrinsic_halfedge(h) & 1) == 0 ? crossed : Triangulation::twin(crossed);
+    const Input_halfedge_index crossed = m_overlay->crossed_halfedge(m_overlay->target(h));
+    return is_first_side(m_overlay->intrinsic_halfedge(h)) ? crossed : twin_index(crossed);
   }
 
   static Weights normalized(const Weights& w)
@@ -267,7 +269,7 @@ private:
     return {{w[0] / sum, w[1] / sum, w[2] / sum}};
   }
 
-  Weights on_side(Index f, Index side, double t) const
+  Weights on_side(Input_halfedge_index f, Input_halfedge_index side, double t) const
   {
     const auto& input = triangulation().input();
     Weights weights = {0, 0, 0};
@@ -280,7 +282,8 @@ private:
   }
 
   const Overlay* m_overlay;
-  std::vector<Index> m_faces, m_intrinsic_faces;
+  std::vector<Input_halfedge_index> m_faces;
+  std::vector<Halfedge_index> m_intrinsic_faces;
   std::vector<Weights> m_weights;
   std::vector<Crossing> m_crossings;
   std::vector<Midpoint> m_midpoints;

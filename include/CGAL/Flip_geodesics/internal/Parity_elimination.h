@@ -25,7 +25,7 @@ public:
   {
     std::vector<Index> variables;
     bool parity;
-    Index vertex; // where the equation comes from
+    Vertex_index vertex; // where the equation comes from
   };
 
   /* The sparse rows can fill up. Beyond this number of entries written, equations are left out: 0.1 s. */

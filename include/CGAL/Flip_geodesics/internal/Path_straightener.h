@@ -41,7 +41,7 @@ public:
   template <class Tighten>
   Surface_polyline shortest(const Surface_location& p, const Surface_location& q, const Tighten& tighten)
   {
-    const auto find_path = [&](Index v, Index w) {
+    const auto find_path = [&](Vertex_index v, Vertex_index w) {
       if(v == w)
         throw Invalid_curve_error("two way points in a row are in one place");
       return shortest_intrinsic_edge_path(m_triangulation, v, w);
@@ -60,7 +60,7 @@ public:
     if(is_in_one_face(path))
       return {path.front(), path.back()};
     return pull(
-        path.front(), path.back(), [&](Index v, Index w) { return snapped(path, v, w); },
+        path.front(), path.back(), [&](Vertex_index v, Vertex_index w) { return snapped(path, v, w); },
         [](Network& network) { return shorten(network); });
   }
 
@@ -84,15 +84,15 @@ private:
     Surface_polyline result;
     try {
       Network network(m_triangulation, Beside_empty_network());
-      const Index v = network.insert(p), w = network.insert(q);
-      const std::vector<Index> path = make_path(v, w);
+      const Vertex_index v = network.insert(p), w = network.insert(q);
+      const std::vector<Halfedge_index> path = make_path(v, w);
       if(path.empty()) {
         result = {p, q};
       } else {
         network.add_curve(path, false);
         order_overlapping_curves(network);
         note(tighten(network), network);
-        for(const Surface_point& point : Curve_extractor<Network>(network).surface_points(0))
+        for(const Surface_point& point : Curve_extractor<Network>(network).surface_points(Curve_index(0)))
           result.push_back(canonical_location(m_triangulation.input(), surface_location(m_triangulation, point)));
         if(result.empty()) // contracted to its ends
           result = {p, q};
@@ -126,30 +126,31 @@ private:
 
   bool is_in_one_face(const Surface_polyline& path) const
   {
-    std::vector<Index> faces = faces_of_location(m_triangulation.input(), path.front());
+    std::vector<Input_halfedge_index> faces = faces_of_location(m_triangulation.input(), path.front());
     for(const Surface_location& p : path) {
-      const std::vector<Index> here = faces_of_location(m_triangulation.input(), p);
-      faces.erase(std::remove_if(faces.begin(), faces.end(),
-                                 [&](Index f) { return std::find(here.begin(), here.end(), f) == here.end(); }),
-                  faces.end());
+      const std::vector<Input_halfedge_index> here = faces_of_location(m_triangulation.input(), p);
+      faces.erase(
+          std::remove_if(faces.begin(), faces.end(),
+                         [&](Input_halfedge_index f) { return std::find(here.begin(), here.end(), f) == here.end(); }),
+          faces.end());
     }
     return !faces.empty();
   }
 
   // The path along edges from vertex v, the polyline's start, to w, its end: points on edges move to the nearer end.
-  std::vector<Index> snapped(const Surface_polyline& path, Index v, Index w) const
+  std::vector<Halfedge_index> snapped(const Surface_polyline& path, Vertex_index v, Vertex_index w) const
   {
     const auto& input = m_triangulation.input();
-    std::vector<Index> result;
+    std::vector<Halfedge_index> result;
     std::size_t last = 0; // the point at which the path has arrived
-    Index at = v;
+    Vertex_index at = v;
     for(std::size_t i = 1; i < path.size(); ++i) {
       const bool is_end = i + 1 == path.size();
       if(kind(path[i]) == Location_kind::FACE && !is_end)
         continue; // its neighbors lie in the same face
-      const Index face = common_face(input, path[last], path[last + 1]);
-      const Index next = is_end ? w : nearest_vertex(input, path[i]);
-      for(Index h : Path_in_face<Triangulation>(m_triangulation, face)(at, next))
+      const Input_halfedge_index face = common_face(input, path[last], path[last + 1]);
+      const Vertex_index next = is_end ? w : nearest_vertex(input, path[i]);
+      for(Halfedge_index h : Path_in_face<Triangulation>(m_triangulation, face)(at, next))
         if(!result.empty() && h == Triangulation::twin(result.back()))
           result.pop_back();
         else

@@ -6,8 +6,6 @@
 #include <CGAL/Flip_geodesics/internal/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
 
-#include <CGAL/assertions.h>
-
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
@@ -26,29 +24,25 @@ class Placed_halfedge
   using Turn = typename Triangulation::Turn;
 
 public:
-  /* \pre a face of the edge, or a label, was asked for before */
-  Placed_halfedge(const Triangulation& triangulation, Index h)
+  /* What a halfedge's place is kept in; default constructed it is none. */
+  using Place = Slot;
+
+  Placed_halfedge(const Triangulation& triangulation, Halfedge_index h)
     : m_triangulation(&triangulation)
-    , m_slot(store().slot(h))
+    , m_slot(store().taken(h))
   {
-    CGAL_assertion(index() == h);
   }
 
-  /* Any halfedge. */
-  static Placed_halfedge take(const Triangulation& triangulation, Index h)
-  {
-    return Placed_halfedge(triangulation, triangulation.m_halfedges.taken(h));
-  }
-
-  Placed_halfedge(const Triangulation& triangulation, Slot slot)
+  /* The side h of an edge of which the place of a side is known. */
+  Placed_halfedge(const Triangulation& triangulation, Place place, Halfedge_index h)
     : m_triangulation(&triangulation)
-    , m_slot(slot)
+    , m_slot(side_slot(place, h))
   {
   }
 
-  Slot slot() const { return m_slot; }
+  Place place() const { return m_slot; }
 
-  Index index() const { return store().halfedge(m_slot); }
+  Halfedge_index index() const { return store().halfedge(m_slot); }
   Index label() const { return store().label(m_slot); }
   void set_label(Index label) const { store().label(m_slot) = label; }
 
@@ -102,6 +96,12 @@ public:
   }
 
 private:
+  Placed_halfedge(const Triangulation& triangulation, Slot slot)
+    : m_triangulation(&triangulation)
+    , m_slot(slot)
+  {
+  }
+
   Store& store() const { return m_triangulation->m_halfedges; }
   Placed_halfedge at(Slot slot) const { return Placed_halfedge(*m_triangulation, slot); }
 

@@ -40,7 +40,7 @@ struct Has_exact_subfaces<Traits, std::void_t<typename Traits::Construct_subface
 /* What has become of an edge that was split: its halfedge, which is shorter now, and the one that leads on from it. */
 struct Edge_halves
 {
-  Index first = null_index, second = null_index;
+  Halfedge_index first = null_index, second = null_index;
 };
 
 /*
@@ -67,7 +67,7 @@ class Point_insertion
   // A halfedge of the old triangulation and the gap of its word whose input face holds the point.
   struct Place
   {
-    Index h;
+    Halfedge_index h;
     std::size_t gap;
     Crossing_word word;
 
@@ -75,7 +75,7 @@ class Point_insertion
   };
 
 public:
-  Point_insertion(Triangulation& triangulation, const Located_point& located, Index x)
+  Point_insertion(Triangulation& triangulation, const Located_point& located, Vertex_index x)
     : m_triangulation(triangulation)
     , m_log(triangulation)
     , m_place{located.halfedge, located.gap, triangulation.crossing_word(located.halfedge)}
@@ -86,9 +86,9 @@ public:
   /* Splits the face on the left of the halfedge. */
   void split_face()
   {
-    const Index h = m_place.h, hn = next(h), hp = next(hn);
+    const Halfedge_index h = m_place.h, hn = next(h), hp = next(hn);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    const Index a = m_log.add_edge(to_a), b = m_log.add_edge(to_b), o = m_log.add_edge(to_o);
+    const Halfedge_index a = m_log.add_edge(to_a), b = m_log.add_edge(to_b), o = m_log.add_edge(to_o);
     m_triangulation.link_face(h, twin(b), a);
     m_triangulation.link_face(hn, twin(o), b);
     m_triangulation.link_face(hp, twin(a), o);
@@ -99,22 +99,22 @@ public:
   /* Splits the edge of the halfedge. \pre its tail has not degree 1 within the face */
   Edge_halves split_edge()
   {
-    const Index h = m_place.h, t = twin(h);
+    const Halfedge_index h = m_place.h, t = twin(h);
     if(m_triangulation.is_border(t))
       return split_border_edge();
     return next(h) == t ? split_edge_to_degree_one() : split_inner_edge();
   }
 
 private:
-  static Index twin(Index h) { return Triangulation::twin(h); }
-  Index next(Index h) const { return m_triangulation.next(h); }
+  static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
+  Halfedge_index next(Halfedge_index h) const { return m_triangulation.next(h); }
 
   // ---------------------------------------------------------------- words
 
   // A path that starts at x in the input face of the gap.
   Word_path<Triangulation> path_from(const Place& place) const
   {
-    const Index face = Point_side<Triangulation>::face_of_gap(place.word, place.gap);
+    const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(place.word, place.gap);
     return {m_triangulation, m_x, anchor(m_triangulation, m_x, face)};
   }
 
@@ -129,14 +129,14 @@ private:
   {
     Word_path<Triangulation> path = path_from(place);
     for(std::size_t i = place.gap; i-- > 0;)
-      path.cross(twin(place.word.crossed[i]));
+      path.cross(twin_index(place.word.crossed[i]));
     return path.finish(place.word.tail, tail_anchor(m_triangulation, place.word));
   }
 
   // To the apex of the face on the left, over the head.
   Crossing_word word_to_apex(const Place& place) const
   {
-    const Index hn = next(place.h);
+    const Halfedge_index hn = next(place.h);
     const Crossing_word word = m_triangulation.crossing_word(hn);
     Word_path<Triangulation> path = path_over_head(place);
     path.cross(word.crossed, 0, word.crossed.size());
@@ -146,8 +146,8 @@ private:
   // From x along the edge to its head, and about that through the face on the left.
   Word_path<Triangulation> path_over_head(const Place& place) const
   {
-    const Index hn = next(place.h);
-    const auto number = [this](Index h) { return m_triangulation.crossings(Triangulation::edge(h)); };
+    const Halfedge_index hn = next(place.h);
+    const auto number = [this](Halfedge_index h) { return m_triangulation.crossings(Triangulation::edge(h)); };
     const Index turns = Triangle_crossings(number(place.h), number(hn), number(next(hn))).emanating[2];
     Word_path<Triangulation> path = path_from(place);
     path.cross(place.word.crossed, place.gap, place.word.crossed.size());
@@ -160,9 +160,10 @@ private:
   // With h = a->b, which keeps its id from a to x.
   Edge_halves split_border_edge()
   {
-    const Index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn), b = m_triangulation.tail(t);
+    const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn);
+    const Vertex_index b = m_triangulation.tail(t);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o);
+    const Halfedge_index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o);
     m_log.shorten_edge(t, to_a);
     auto& halfedges = m_triangulation.m_halfedges;
     halfedges[halfedges.slot(twin(xb))].encoded_next = Triangulation::Halfedge_record::border;
@@ -176,11 +177,11 @@ private:
 
   Edge_halves split_inner_edge()
   {
-    const Index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn), tn = next(t), tp = next(tn),
-                b = m_triangulation.tail(t);
+    const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
+    const Vertex_index b = m_triangulation.tail(t);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place),
                         to_p = word_to_apex(m_place.reversed());
-    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xp = m_log.add_edge(to_p);
+    const Halfedge_index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xp = m_log.add_edge(to_p);
     m_log.shorten_edge(t, to_a);
     auto& halfedges = m_triangulation.m_halfedges;
     halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
@@ -199,15 +200,16 @@ private:
    */
   Edge_halves split_edge_to_degree_one()
   {
-    const Index h = m_place.h, t = twin(h), hp = next(t), b = m_triangulation.tail(t);
+    const Halfedge_index h = m_place.h, t = twin(h), hp = next(t);
+    const Vertex_index b = m_triangulation.tail(t);
     const Place from_twin = m_place.reversed();
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
     Word_path<Triangulation> loop = path_over_head(m_place);
     loop.cross(from_twin.word.crossed, 0, from_twin.gap);
-    const Index face = Point_side<Triangulation>::face_of_gap(from_twin.word, from_twin.gap);
+    const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(from_twin.word, from_twin.gap);
     const Crossing_word around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
 
-    const Index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xx = m_log.add_edge(around_b);
+    const Halfedge_index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xx = m_log.add_edge(around_b);
     m_log.shorten_edge(t, to_a);
     auto& halfedges = m_triangulation.m_halfedges;
     halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
@@ -221,18 +223,18 @@ private:
 
   // ---------------------------------------------------------------- geometry
 
-  void lay_out_faces(std::initializer_list<Index> halfedges)
+  void lay_out_faces(std::initializer_list<Halfedge_index> halfedges)
   {
-    for(Index h : halfedges)
+    for(Halfedge_index h : halfedges)
       lay_out(h);
   }
 
-  void lay_out(Index h)
+  void lay_out(Halfedge_index h)
   {
-    const Index hn = next(h), hp = next(hn);
+    const Halfedge_index hn = next(h), hp = next(hn);
     const typename Traits::Face_geometry geometry = geometry_of_new_face({h, hn, hp});
     m_triangulation.set_geometries_of_face(h, geometry[0], geometry[1], geometry[2]);
-    for(Index side : {h, hn, hp})
+    for(Halfedge_index side : {h, hn, hp})
       if(!is_usable_length(m_triangulation.length(side)))
         fail("it is too close to a vertex");
   }
@@ -240,7 +242,7 @@ private:
   // An angle, in radians, by which rounded decisions may have been wrong.
   static constexpr double largest_drift = 1e-5;
 
-  typename Traits::Face_geometry geometry_of_new_face(const std::array<Index, 3>& sides)
+  typename Traits::Face_geometry geometry_of_new_face(const std::array<Halfedge_index, 3>& sides)
   {
     if constexpr(Has_exact_subfaces<Traits>::value) {
       return part_of_input_face(sides);
@@ -252,12 +254,13 @@ private:
     }
   }
 
-  typename Traits::Face_geometry part_of_input_face(const std::array<Index, 3>& sides)
+  typename Traits::Face_geometry part_of_input_face(const std::array<Halfedge_index, 3>& sides)
   {
-    for(Index h : sides)
+    for(Halfedge_index h : sides)
       if(m_triangulation.crossings(Triangulation::edge(h)) > 0)
         fail("an exact number type can express points only where no edge crosses an input edge yet");
-    const Index face = Point_side<Triangulation>::face_of_gap(m_triangulation.crossing_word(sides[0]), 0);
+    const Input_halfedge_index face =
+        Point_side<Triangulation>::face_of_gap(m_triangulation.crossing_word(sides[0]), 0);
     std::array<std::array<double, 3>, 3> weights;
     for(int i = 0; i < 3; ++i)
       weights[i] = vertex_weights(m_triangulation, m_triangulation.tail(sides[i]), face);
@@ -267,15 +270,16 @@ private:
 
   [[noreturn]] void fail(const std::string& reason) const
   {
-    const Index h = m_triangulation.location(m_x).halfedge;
-    throw Insertion_error("a point in the face of halfedge " + std::to_string(h) + " cannot be inserted: " + reason,
-                          {static_cast<std::size_t>(h)});
+    const Input_halfedge_index h = m_triangulation.location(m_x).halfedge;
+    throw Insertion_error("a point in the face of halfedge " + std::to_string(h.idx()) +
+                              " cannot be inserted: " + reason,
+                          {static_cast<std::size_t>(h.idx())});
   }
 
   Triangulation& m_triangulation;
   Insertion_log<Triangulation> m_log;
   Place m_place;
-  Index m_x;
+  Vertex_index m_x;
 };
 
 } // namespace internal

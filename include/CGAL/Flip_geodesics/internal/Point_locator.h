@@ -29,10 +29,11 @@ namespace internal {
 /* Where a point of an input face is in the intrinsic triangulation. */
 struct Located_point
 {
-  Index halfedge = null_index; // of the face that holds the point, or of the edge that it lies on, face on the left
+  Halfedge_index halfedge =
+      null_index;              // of the face that holds the point, or of the edge that it lies on, face on the left
   std::size_t gap = 0;         // of the halfedge's word: its input face, seen from the intrinsic face, holds the point
   bool is_on_edge = false;
-  Index vertex = null_index; // the vertex in the same place, if there is one
+  Vertex_index vertex = null_index; // the vertex in the same place, if there is one
 };
 
 /*
@@ -48,7 +49,7 @@ class Point_locator
 {
   struct Gap
   {
-    Index halfedge;
+    Halfedge_index halfedge;
     std::size_t gap;
 
     bool operator<(const Gap& other) const
@@ -89,7 +90,7 @@ private:
   static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
   // Takes the word of h from what a search may cost. Returns false if nothing is left then.
-  bool spend(Index h, std::size_t& letters_left) const
+  bool spend(Halfedge_index h, std::size_t& letters_left) const
   {
     letters_left -= (std::min)(letters_left, letters(h) + 1);
     return letters_left > 0;
@@ -127,27 +128,28 @@ private:
     return checked_miss(nearest, smallest_miss, point);
   }
 
-  std::size_t letters(Index h) const
+  std::size_t letters(Halfedge_index h) const
   {
     return static_cast<std::size_t>((std::max)(m_triangulation.crossings(Triangulation::edge(h)), 0));
   }
 
-  Triangle_crossings crossings(Index h) const
+  Triangle_crossings crossings(Halfedge_index h) const
   {
-    const Index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
-    const auto number = [this](Index side) { return m_triangulation.crossings(Triangulation::edge(side)); };
+    const Halfedge_index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
+    const auto number = [this](Halfedge_index side) { return m_triangulation.crossings(Triangulation::edge(side)); };
     return {number(h), number(hn), number(hp)};
   }
 
   // A piece at the corner of the input face at the tail of input halfedge c; nothing if the letters do not suffice.
-  std::optional<Gap> first_piece(Index c, std::size_t& letters_left) const
+  std::optional<Gap> first_piece(Input_halfedge_index c, std::size_t& letters_left) const
   {
-    if(m_triangulation.version(Triangulation::edge(c)) == 0)
-      return Gap{c, 0};
+    if(m_triangulation.version(Triangulation::edge(as_intrinsic(c))) == 0)
+      return Gap{as_intrinsic(c), 0};
     const auto& input = m_triangulation.input();
-    const Index start = m_triangulation.outgoing(input.tail(c));
-    Index g = start;
-    for(Index h = m_triangulation.clockwise(g); h != null_index && h != start; h = m_triangulation.clockwise(h)) {
+    const Halfedge_index start = m_triangulation.outgoing(input.tail(c));
+    Halfedge_index g = start;
+    for(Halfedge_index h = m_triangulation.clockwise(g); h != null_index && h != start;
+        h = m_triangulation.clockwise(h)) {
       g = h;
       if(!spend(h, letters_left))
         return {};
@@ -158,12 +160,12 @@ private:
       CGAL_assertion(g != null_index);
       if(!spend(g, letters_left))
         return {};
-      Index direction = tail_anchor(m_triangulation, m_triangulation.crossing_word(g));
+      Input_halfedge_index direction = tail_anchor(m_triangulation, m_triangulation.crossing_word(g));
       if(direction == c)
         return Gap{g, 0};
       const Triangle_crossings corner = crossings(m_triangulation.next(g)); // corner 0 is the tail of g, 1 its head
       for(Index i = 0; i < corner.emanating[0]; ++i) {
-        direction = Triangulation::twin(input.next(input.next(direction))); // counterclockwise
+        direction = twin_index(input.next(input.next(direction))); // counterclockwise
         if(direction == c)
           return Gap{m_triangulation.next(g), static_cast<std::size_t>(corner.cutting[1] + i + 1)};
       }
@@ -176,7 +178,7 @@ private:
    */
   std::vector<Gap> sides_of_piece(const Gap& start) const
   {
-    const Index h = start.halfedge, hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
+    const Halfedge_index h = start.halfedge, hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
     const Triangle_crossings c = crossings(h); // corners O, A, B
     const std::size_t at_a = c.cutting[1], at_b = c.cutting[2], n = letters(h);
     std::vector<Gap> result = {start};
@@ -194,7 +196,7 @@ private:
       return {start.halfedge, start.gap, false, null_index};
     Located_point result = {zeros.front().halfedge, zeros.front().gap, true, null_index};
     if(zeros.size() > 1) {
-      const Index a = zeros[0].halfedge, b = zeros[1].halfedge;
+      const Halfedge_index a = zeros[0].halfedge, b = zeros[1].halfedge;
       result.vertex = m_triangulation.next(a) == b ? m_triangulation.tail(b) : m_triangulation.tail(a);
     }
     return result;
@@ -223,7 +225,7 @@ private:
   {
     for(const std::vector<Gap>* list : {&sides, &beyond})
       for(const Gap& side : *list) {
-        const Index t = Triangulation::twin(side.halfedge);
+        const Halfedge_index t = Triangulation::twin(side.halfedge);
         if(m_triangulation.crossings(Triangulation::edge(t)) >= 0) // no edge of the input, such as those on the border
           pending.push_back({t, letters(t) - side.gap});
       }
@@ -232,9 +234,9 @@ private:
   Located_point checked_miss(const Located_point& nearest, double miss, const Surface_location& point) const
   {
     if(!(miss < largest_miss))
-      throw Insertion_error("a point in the face of halfedge " + std::to_string(point.halfedge) +
+      throw Insertion_error("a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
                                 " lies in no face of the triangulation, whose flips were wrong by rounding",
-                            {static_cast<std::size_t>(point.halfedge)});
+                            {static_cast<std::size_t>(point.halfedge.idx())});
     return nearest;
   }
 

@@ -67,7 +67,7 @@ public:
   }
 
   /* The halfedge that the corners of a gap's face are told from. */
-  static Index face_of_gap(const Crossing_word& word, std::size_t gap)
+  static Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t gap)
   {
     if(word.along != null_index)
       return word.along;

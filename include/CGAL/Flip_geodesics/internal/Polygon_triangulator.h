@@ -67,7 +67,8 @@ private:
 
   bool is_on_one_line(Index side, Index other) const
   {
-    const Index input = m_overlay.input_halfedge(side), intrinsic = m_overlay.intrinsic_halfedge(side);
+    const Input_halfedge_index input = m_overlay.input_halfedge(side);
+    const Halfedge_index intrinsic = m_overlay.intrinsic_halfedge(side);
     return (input != null_index && input == m_overlay.input_halfedge(other)) ||
            (intrinsic != null_index && intrinsic == m_overlay.intrinsic_halfedge(other));
   }

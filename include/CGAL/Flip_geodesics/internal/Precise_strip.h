@@ -31,7 +31,7 @@ struct Precise_edge
   double length = 0;                   // of `end`
   double end_error = std::numeric_limits<double>::infinity();
   double direction_error = std::numeric_limits<double>::infinity();
-  Index tail_reference = null_index, head_reference = null_index;
+  Input_halfedge_index tail_reference = null_index, head_reference = null_index;
   Index first_corner = 0; // 1 if it runs along its references: turns about an end start one corner farther then
 
   bool has_bound() const { return end_error < 1; }
@@ -47,7 +47,7 @@ struct Precise_edge
 };
 
 /* The input halfedge h as an edge, from any side of it. */
-inline Precise_edge precise_input_edge(Index h, const Precise_halfedge& side)
+inline Precise_edge precise_input_edge(Input_halfedge_index h, const Precise_halfedge& side)
 {
   return {{side.length, {}}, {{-1, 0}, {}}, side.length.high, side.error, 0, h, twin_index(h), 1};
 }
@@ -103,10 +103,10 @@ private:
     double error;
   };
 
-  Index next(Index h) const { return m_triangulation.input().next(h); }
-  const Precise_halfedge& face(Index h) const { return m_triangulation.precise_input_halfedge(h); }
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+  const Precise_halfedge& face(Input_halfedge_index h) const { return m_triangulation.precise_input_halfedge(h); }
 
-  Direction next_direction(Index h, const Direction& d) const
+  Direction next_direction(Input_halfedge_index h, const Direction& d) const
   {
     const Precise_halfedge& side = face(h);
     return {d.vector * side.next, d.error + side.error + double_double_vector_error};
@@ -115,7 +115,7 @@ private:
   static Direction opposite(const Direction& d) { return {-d.vector, d.error}; }
 
   // Before the sum, the position is no farther than after it and the length of the side together.
-  Point step(const Point& from, Index h, const Direction& d) const
+  Point step(const Point& from, Input_halfedge_index h, const Direction& d) const
   {
     const Precise_halfedge& side = face(h);
     const Double_double_vector position = from.position + side.length * d.vector;
@@ -125,16 +125,16 @@ private:
 
   void unfold(const Crossing_word& word, bool has_gates)
   {
-    Index crossed = word.crossed.front();
-    const Index reference = next(next(crossed));
+    Input_halfedge_index crossed = word.crossed.front();
+    const Input_halfedge_index reference = next(next(crossed));
     const Direction first = {{{1, 0}, {}}, 0};
     Direction along = next_direction(reference, first); // the crossed edge, from right to left
     Point right = step({{}, 0}, reference, first), left = step(right, crossed, along), apex = left;
-    Index arrival = null_index;
+    Input_halfedge_index arrival = null_index;
     for(std::size_t i = 0; i < word.crossed.size(); ++i) {
       if(has_gates)
         m_gates.push_back({right, left});
-      const Index entered = twin_index(crossed), to_apex = next(entered);
+      const Input_halfedge_index entered = twin_index(crossed), to_apex = next(entered);
       const Direction from_right = next_direction(entered, opposite(along));
       const Direction to_left = next_direction(to_apex, from_right);
       arrival = next(to_apex);
@@ -154,7 +154,8 @@ private:
     set_edge(reference, apex, arrival, along);
   }
 
-  void set_edge(Index reference, const Point& head, Index arrival, const Direction& direction)
+  void set_edge(Input_halfedge_index reference, const Point& head, Input_halfedge_index arrival,
+                const Direction& direction)
   {
     const double size = length(head.position);
     const double infinity = std::numeric_limits<double>::infinity();

@@ -25,7 +25,7 @@ template <class Triangulation>
 class Precise_wedge
 {
 public:
-  Precise_wedge(const Triangulation& triangulation, Index from, Index to)
+  Precise_wedge(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
     : m_triangulation(&triangulation)
     , m_from(triangulation.precise_edge(from))
     , m_to(triangulation.precise_edge(to))
@@ -68,9 +68,9 @@ private:
   template <class Visit>
   void for_each_corner(const Visit& visit) const
   {
-    Index spoke = m_from.tail_reference;
+    Input_halfedge_index spoke = m_from.tail_reference;
     for(Index i = 0; i < m_corners; ++i) {
-      const Index t = Triangulation::twin(spoke);
+      const Input_halfedge_index t = twin_index(spoke);
       visit(m_triangulation->precise_input_halfedge(t));
       spoke = m_triangulation->input().next(t);
     }

@@ -51,40 +51,43 @@ public:
       *this = Search_labels(m_size);
   }
 
-  bool is_reached(Index v) const { return arrival(v) != 0; }
-  bool is_settled(Index v) const { return (arrival(v) & settled_bit) != 0; }
+  bool is_reached(Vertex_index v) const { return arrival(v) != 0; }
+  bool is_settled(Vertex_index v) const { return (arrival(v) & settled_bit) != 0; }
 
   /* Any number if `v` is not reached. */
-  double distance(Index v) const { return block(v).distances[slot(v)]; }
+  double distance(Vertex_index v) const { return block(v).distances[slot(v)]; }
 
   /* The halfedge through which the path arrives, `null_index` at the source. \pre `v` is reached */
-  Index incoming(Index v) const { return static_cast<Index>(block(v).arrivals[slot(v)] & ~settled_bit) - 2; }
+  Input_halfedge_index incoming(Vertex_index v) const
+  {
+    return Input_halfedge_index(static_cast<Index>(block(v).arrivals[slot(v)] & ~settled_bit) - 2);
+  }
 
   /* Labels a vertex, which is not settled then. */
-  void reach(Index v, double distance, Index incoming)
+  void reach(Vertex_index v, double distance, Input_halfedge_index incoming)
   {
     Block& written = writable_block(v);
     written.distances[slot(v)] = distance;
-    written.arrivals[slot(v)] = static_cast<std::uint32_t>(incoming + 2);
+    written.arrivals[slot(v)] = static_cast<std::uint32_t>(incoming.idx() + 2);
   }
 
   /* \pre `v` is reached */
-  void settle(Index v) { m_blocks[index(v)].arrivals[slot(v)] |= settled_bit; }
+  void settle(Vertex_index v) { m_blocks[index(v)].arrivals[slot(v)] |= settled_bit; }
 
 private:
-  static Index place(Index v) { return static_cast<Index>(static_cast<std::uint32_t>(v) / block_size); }
-  static std::size_t slot(Index v) { return static_cast<std::uint32_t>(v) % block_size; }
+  static Index place(Vertex_index v) { return static_cast<Index>(static_cast<std::uint32_t>(v.idx()) / block_size); }
+  static std::size_t slot(Vertex_index v) { return static_cast<std::uint32_t>(v.idx()) % block_size; }
 
-  std::size_t index(Index v) const { return static_cast<std::size_t>(m_slots[place(v)]); }
-  const Block& block(Index v) const { return m_blocks[index(v)]; }
+  std::size_t index(Vertex_index v) const { return static_cast<std::size_t>(m_slots[place(v)]); }
+  const Block& block(Vertex_index v) const { return m_blocks[index(v)]; }
 
-  std::uint32_t arrival(Index v) const
+  std::uint32_t arrival(Vertex_index v) const
   {
     const Block& b = block(v);
     return b.search == m_search ? b.arrivals[slot(v)] : 0;
   }
 
-  Block& writable_block(Index v)
+  Block& writable_block(Vertex_index v)
   {
     std::size_t i = index(v);
     if(i == 0) {

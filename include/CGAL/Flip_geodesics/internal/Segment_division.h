@@ -32,7 +32,7 @@ public:
   {
   }
 
-  Index insert(const Surface_location& location, Known_piece* near)
+  Vertex_index insert(const Surface_location& location, Known_piece* near)
   {
     const auto on_split = [this](const Edge_halves& halves) {
       move_stack(halves.first, {{halves.first, halves.second}}, null_index);
@@ -40,7 +40,7 @@ public:
     return m_triangulation.insert(location, on_split, near);
   }
 
-  Index split_edge(Index h, const Surface_location& location, std::size_t gap)
+  Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
     return m_triangulation.split_edge(h, location, gap, [this](const Edge_halves& halves) {
       move_stack(halves.first, {{halves.first, halves.second}}, null_index);
@@ -60,7 +60,7 @@ public:
    *    .     /                  .  |  /
    *       d                        d
    */
-  Index divide(Index s, double t)
+  Segment_index divide(Segment_index s, double t)
   {
     for(int i = 0; i < most_slivers; ++i) {
       const Sliver sliver = sliver_beside(m_network.halfedge(s));
@@ -68,17 +68,17 @@ public:
         break;
       const bool is_along = sliver.halfedge == m_network.halfedge(s);
       const double at = is_along ? sliver.place : 1 - sliver.place; // of its apex, along s
-      const Index first = move_to_apex(sliver.halfedge, s);
+      const Segment_index first = move_to_apex(sliver.halfedge, s);
       if(std::abs(t - at) <= same_place)
         return first;
       s = t < at ? first : m_network.next(first);
       t = t < at ? t / at : (t - at) / (1 - at);
     }
-    const Index h = m_network.halfedge(s);
+    const Halfedge_index h = m_network.halfedge(s);
     const Crossing_word word = m_triangulation.crossing_word(h);
     Location_finder<Triangulation> finder(m_triangulation);
     finder.look_along(word, t);
-    Index half = null_index;
+    Segment_index half = null_index;
     m_triangulation.split_edge(h, word.along != null_index ? finder.result() : finder.result_inside(), finder.gap(),
                                [&](const Edge_halves& halves) {
                                  half = move_stack(halves.first, {{halves.first, halves.second}}, s);
@@ -95,16 +95,16 @@ private:
   // A face on the left of a halfedge whose apex is next to the halfedge, that part of the way along it.
   struct Sliver
   {
-    Index halfedge = null_index;
+    Halfedge_index halfedge = null_index;
     double place = 0;
   };
 
-  Sliver sliver_beside(Index h) const
+  Sliver sliver_beside(Halfedge_index h) const
   {
-    for(Index side : {h, Triangulation::twin(h)}) {
+    for(Halfedge_index side : {h, Triangulation::twin(h)}) {
       if(m_triangulation.is_border(side))
         continue;
-      const Index to_apex = Triangulation::twin(m_triangulation.previous(side));
+      const Halfedge_index to_apex = Triangulation::twin(m_triangulation.previous(side));
       const double place = m_triangulation.length(to_apex) / m_triangulation.length(side);
       if(place < 1 - same_place && wedge_angle(m_triangulation, to_apex, side).value * place <= same_place)
         return {side, place};
@@ -113,9 +113,9 @@ private:
   }
 
   // Moves the segments on the edge of h over the apex on its left.
-  Index move_to_apex(Index h, Index watched)
+  Segment_index move_to_apex(Halfedge_index h, Segment_index watched)
   {
-    const Index result = move_stack(
+    const Segment_index result = move_stack(
         h, {{Triangulation::twin(m_triangulation.previous(h)), Triangulation::twin(m_triangulation.next(h))}}, watched);
     if(m_triangulation.is_flippable(h))
       m_triangulation.flip(h);
@@ -124,19 +124,19 @@ private:
 
   // Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
   // them, in their order. Returns what the first half of a watched one has become.
-  Index move_stack(Index h, const std::array<Index, 2>& chain, Index watched)
+  Segment_index move_stack(Halfedge_index h, const std::array<Halfedge_index, 2>& chain, Segment_index watched)
   {
-    Index result = null_index;
-    std::vector<Index> segments = m_network.stack(Triangulation::edge(h));
-    if((h & 1) != 0)
+    Segment_index result = null_index;
+    std::vector<Segment_index> segments = m_network.stack(Triangulation::edge(h));
+    if(!is_first_side(h))
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
-    for(Index s : segments)
+    for(Segment_index s : segments)
       m_network.m_segments.unlink(s);
-    for(Index s : segments) {
+    for(Segment_index s : segments) {
       const bool is_along = m_network.halfedge(s) == h;
-      const Index curve = m_network.curve(s);
-      const Index a = m_network.m_segments.create(curve, is_along ? chain[0] : Triangulation::twin(chain[1]));
-      const Index b = m_network.m_segments.create(curve, is_along ? chain[1] : Triangulation::twin(chain[0]));
+      const Curve_index curve = m_network.curve(s);
+      const Segment_index a = m_network.m_segments.create(curve, is_along ? chain[0] : Triangulation::twin(chain[1]));
+      const Segment_index b = m_network.m_segments.create(curve, is_along ? chain[1] : Triangulation::twin(chain[0]));
       m_network.m_segments.link_outermost(a, is_along ? chain[0] : chain[1]);
       m_network.m_segments.link_outermost(b, is_along ? chain[1] : chain[0]);
       replace_in_curve(s, a, b);
@@ -146,7 +146,7 @@ private:
   }
 
   // Puts a and b into the place of s.
-  void replace_in_curve(Index s, Index a, Index b)
+  void replace_in_curve(Segment_index s, Segment_index a, Segment_index b)
   {
     const auto old = m_network.m_segments[s];
     auto& c = m_network.m_curves[old.curve];

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/Crossing_removal.h>
-#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/Strip.h>
 #include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
 
@@ -27,11 +26,12 @@ namespace internal {
  *              right
  */
 template <class Triangulation>
-std::vector<Index> left_side_of_strip(const Triangulation& triangulation, const std::vector<Index>& crossed)
+std::vector<Halfedge_index> left_side_of_strip(const Triangulation& triangulation,
+                                               const std::vector<Halfedge_index>& crossed)
 {
-  std::vector<Index> chain = {Triangulation::twin(triangulation.next(crossed.front()))};
+  std::vector<Halfedge_index> chain = {Triangulation::twin(triangulation.next(crossed.front()))};
   for(std::size_t i = 0; i < crossed.size(); ++i) {
-    const Index entered = Triangulation::twin(crossed[i]);
+    const Halfedge_index entered = Triangulation::twin(crossed[i]);
     const bool is_last = i + 1 == crossed.size();
     if(is_last || crossed[i + 1] == triangulation.next(entered))
       chain.push_back(Triangulation::twin(triangulation.previous(entered)));
@@ -41,11 +41,11 @@ std::vector<Index> left_side_of_strip(const Triangulation& triangulation, const 
 
 /* Is the angle clockwise from halfedge a to halfedge c below pi, with no border in between? */
 template <class Triangulation>
-bool is_bent_clockwise(const Triangulation& triangulation, Index a, Index c)
+bool is_bent_clockwise(const Triangulation& triangulation, Halfedge_index a, Halfedge_index c)
 {
   typename Triangulation::Turn turn;
-  const Placed_halfedge<Triangulation> last(triangulation, c);
-  Placed_halfedge<Triangulation> h(triangulation, a);
+  const auto last = triangulation.walker(c);
+  auto h = triangulation.walker(a);
   do {
     h = h.extend_turn_clockwise(turn);
     if(h.is_none() || triangulation.is_straight(turn, a, h.index()))
@@ -61,22 +61,22 @@ bool is_bent_clockwise(const Triangulation& triangulation, Index a, Index c)
  * are at least pi. Returns the number of flips.
  */
 template <class Triangulation>
-std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Index>& chain)
+std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Halfedge_index>& chain)
 {
   std::size_t flips = 0;
-  std::vector<Index> arc;
+  std::vector<Halfedge_index> arc;
   for(std::size_t i = 0; i + 1 < chain.size();) {
-    const Index back = Triangulation::twin(chain[i]), on = chain[i + 1];
+    const Halfedge_index back = Triangulation::twin(chain[i]), on = chain[i + 1];
     if(on == back || !is_bent_clockwise(triangulation, on, back)) {
       ++i;
       continue;
     }
-    flip_out_wedge(triangulation, on, back, arc, [&](Index h) {
+    flip_out_wedge(triangulation, on, back, arc, [&](Halfedge_index h) {
       triangulation.flip(h);
       ++flips;
     });
     // The arc leads back, from the head of `on` to the tail of chain[i].
-    std::vector<Index> replacement;
+    std::vector<Halfedge_index> replacement;
     for(std::size_t j = arc.size(); j-- > 0;)
       replacement.push_back(Triangulation::twin(arc[j]));
     const auto position =
@@ -89,9 +89,9 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<In
 
 /* Are all three edges of the face on the left of a halfedge the input's? */
 template <class Triangulation>
-bool is_untouched(const Triangulation& triangulation, Index h)
+bool is_untouched(const Triangulation& triangulation, Halfedge_index h)
 {
-  const Index hn = triangulation.next(h), hp = triangulation.next(hn);
+  const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
   return triangulation.version(Triangulation::edge(h)) == 0 && triangulation.version(Triangulation::edge(hn)) == 0 &&
          triangulation.version(Triangulation::edge(hp)) == 0;
 }
@@ -102,11 +102,11 @@ std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, cons
 {
   const Strip<Triangulation> strip(triangulation, word);
   std::vector<Crossed_edge> result;
-  Index right_side = null_index;
+  Input_halfedge_index right_side;
   for(const auto& gate : strip.gates()) {
     const double left_height = strip.end().real() * gate.left.imag() - strip.end().imag() * gate.left.real();
-    result.push_back({gate.crossed, result.empty() || gate.crossed == right_side, left_height});
-    right_side = triangulation.input().next(Triangulation::twin(gate.crossed));
+    result.push_back({as_intrinsic(gate.crossed), result.empty() || gate.crossed == right_side, left_height});
+    right_side = triangulation.input().next(twin_index(gate.crossed));
   }
   return result;
 }
@@ -117,13 +117,13 @@ std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, cons
  * where the triangulation's records would take more memory than given.
  */
 template <class Triangulation>
-bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Crossed_edge>& crossed,
-                std::vector<Index>& path, std::size_t& flips,
+bool insert_leg(Triangulation& triangulation, Input_halfedge_index along, const std::vector<Crossed_edge>& crossed,
+                std::vector<Halfedge_index>& path, std::size_t& flips,
                 std::size_t most_memory = (std::numeric_limits<std::size_t>::max)())
 {
   if(along != null_index) {
-    path.push_back(along);
-    return triangulation.version(Triangulation::edge(along)) == 0;
+    path.push_back(as_intrinsic(along));
+    return triangulation.version(Triangulation::edge(path.back())) == 0;
   }
   for(const Crossed_edge& c : crossed)
     if(!is_untouched(triangulation, c.halfedge))
@@ -135,12 +135,12 @@ bool insert_leg(Triangulation& triangulation, Index along, const std::vector<Cro
   flips += removal.number_of_flips();
   if(!is_done)
     return false;
-  const std::vector<Index> rest = removal.crossed();
+  const std::vector<Halfedge_index> rest = removal.crossed();
   if(rest.empty()) {
     path.push_back(removal.segment());
     return true;
   }
-  std::vector<Index> chain = left_side_of_strip(triangulation, rest);
+  std::vector<Halfedge_index> chain = left_side_of_strip(triangulation, rest);
   flips += straighten_on_the_right(triangulation, chain);
   path.insert(path.end(), chain.begin(), chain.end());
   return true;

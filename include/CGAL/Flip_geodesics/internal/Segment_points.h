@@ -23,7 +23,7 @@ public:
   /* On a segment: its ends, and how far they are. */
   struct Point
   {
-    std::array<Index, 2> ends;
+    std::array<Vertex_index, 2> ends;
     std::array<double, 2> distances;
   };
 
@@ -32,12 +32,12 @@ public:
   {
   }
 
-  void add(Index v, const Point& point) { m_points[v] = point; }
+  void add(Vertex_index v, const Point& point) { m_points[v] = point; }
 
   /* What a vertex will be that is to split the edge of h, as far from its tail as `length`. */
-  Point point(Index h, double length) const
+  Point point(Halfedge_index h, double length) const
   {
-    const std::array<Index, 2> at = {m_triangulation.tail(h), m_triangulation.head(h)};
+    const std::array<Vertex_index, 2> at = {m_triangulation.tail(h), m_triangulation.head(h)};
     const std::array<double, 2> halves = {length, m_triangulation.length(h) - length};
     Point result;
     for(int i = 0; i < 2; ++i) {
@@ -55,7 +55,7 @@ public:
   }
 
   /* Does h lead from one segment to another that shares an end with it, at equal distances from there? */
-  bool spans_small_angle(Index h) const
+  bool spans_small_angle(Halfedge_index h) const
   {
     const auto p = m_points.find(m_triangulation.tail(h)), q = m_points.find(m_triangulation.head(h));
     if(p == m_points.end() || q == m_points.end() || is_constrained_edge(m_triangulation, h))
@@ -71,7 +71,7 @@ public:
 
 private:
   // The end of the point's segment that does not lie towards vertex v, another vertex of the segment.
-  int end_beyond(const Point& point, Index v) const
+  int end_beyond(const Point& point, Vertex_index v) const
   {
     const auto found = m_points.find(v);
     if(found == m_points.end())
@@ -81,7 +81,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  std::unordered_map<Index, Point> m_points;
+  std::unordered_map<Vertex_index, Point> m_points;
 };
 
 } // namespace internal

@@ -3,9 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_STORE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SEGMENT_STORE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Joint.h>
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
 
 #include <algorithm>
 #include <array>
@@ -17,13 +16,14 @@ namespace Flip_geodesics {
 namespace internal {
 
 /* A segment of a curve. */
+template <class Place>
 struct Segment
 {
-  Index halfedge = null_index; // null_index if it is dead
-  Index next = null_index, previous = null_index;
-  std::array<Index, 2> beside = {{null_index, null_index}}; // by side, in the stack, circular, along the first halfedge
-  Index curve = null_index;
-  Slot place = Slot::NONE; // of a side of its edge
+  Halfedge_index halfedge; // none if it is dead
+  Segment_index next, previous;
+  std::array<Segment_index, 2> beside; // by side, in the stack, circular, along the first halfedge
+  Curve_index curve;
+  Place place = Place(); // of a side of its edge
   bool is_head_fixed = false;
   // By side: is the angle at the head known to be pi or more, or to hold the border? It stays so while the joint lives.
   std::array<bool, 2> is_head_straight = {{false, false}};
@@ -39,19 +39,23 @@ struct Segment
 template <class Triangulation>
 class Segment_store
 {
+  using Walker = typename Triangulation::Walker;
+
 public:
+  using Segment = internal::Segment<typename Walker::Place>;
+
   explicit Segment_store(Triangulation& triangulation)
     : m_triangulation(&triangulation)
     , m_segments(1) // id 0 is no segment, as label 0 is no stack
   {
   }
 
-  Segment& operator[](Index s) { return m_segments[static_cast<std::size_t>(s)]; }
-  const Segment& operator[](Index s) const { return m_segments[static_cast<std::size_t>(s)]; }
+  Segment& operator[](Segment_index s) { return m_segments[s]; }
+  const Segment& operator[](Segment_index s) const { return m_segments[s]; }
 
   Index end_of_ids() const { return static_cast<Index>(m_segments.size()); }
   void set_end_of_ids(Index end) { m_segments.resize(static_cast<std::size_t>(end)); }
-  bool is_alive(Index s) const { return (*this)[s].halfedge != null_index; }
+  bool is_alive(Segment_index s) const { return (*this)[s].halfedge != null_index; }
 
   /* Makes room for so many segments and one more: so one can always be created without memory being asked for, to take
    * back what failed. */
@@ -62,29 +66,27 @@ public:
   }
 
   /* A segment of a curve on a halfedge, in no chain and no stack. */
-  Index create(Index curve, Index h)
+  Segment_index create(Curve_index curve, Halfedge_index h)
   {
     m_segments.emplace_back();
     m_segments.back().curve = curve;
-    set_halfedge(end_of_ids() - 1, h);
-    return end_of_ids() - 1;
+    const Segment_index s(end_of_ids() - 1);
+    set_halfedge(s, h);
+    return s;
   }
 
   /* Puts s on a halfedge, but not into the stack there. */
-  void set_halfedge(Index s, Index h)
+  void set_halfedge(Segment_index s, Halfedge_index h)
   {
     (*this)[s].halfedge = h;
-    (*this)[s].place = Placed_halfedge<Triangulation>::take(*m_triangulation, h).slot();
+    (*this)[s].place = m_triangulation->walker(h).place();
   }
 
   /* A side of the edge of s. */
-  Placed_halfedge<Triangulation> placed(Index s, Index h) const
-  {
-    return Placed_halfedge<Triangulation>(*m_triangulation, side_slot((*this)[s].place, h));
-  }
+  Walker placed(Segment_index s, Halfedge_index h) const { return Walker(*m_triangulation, (*this)[s].place, h); }
 
   /* Puts t after s in their chain; either may be null_index. */
-  void link(Index s, Index t)
+  void link(Segment_index s, Segment_index t)
   {
     if(s != null_index)
       (*this)[s].next = t;
@@ -93,32 +95,32 @@ public:
   }
 
   /* The neighbour of s in its stack as seen along h, null_index if s is outermost. */
-  Index neighbor(Index s, Index h, Side side) const
+  Segment_index neighbor(Segment_index s, Halfedge_index h, Side side) const
   {
     const std::size_t i = side_along_first_halfedge(h, side);
-    const Index found = (*this)[s].beside[i];
+    const Segment_index found = (*this)[s].beside[i];
     if(found == s) // alone, as nearly always
       return null_index;
-    return chosen(i, s, found) == placed(s, h).label() ? null_index : found; // the circle closes at the leftmost
+    return chosen(i, s, found).idx() == placed(s, h).label() ? null_index : found; // the circle closes at the leftmost
   }
 
   /* The outermost segment on a side of the edge of h, as seen along h. \pre there is one */
-  Index outermost(Index h, Side side) const { return outermost(h, leftmost(h), side); }
+  Segment_index outermost(Halfedge_index h, Side side) const { return outermost(h, leftmost(h), side); }
 
   /* The same, with the label of the edge. */
-  Index outermost(Index h, Index first, Side side) const
+  Segment_index outermost(Halfedge_index h, Segment_index first, Side side) const
   {
     return chosen(side_along_first_halfedge(h, side), first, (*this)[first].beside[0]);
   }
 
   /* The segments on edge e, from left to right as seen along its first halfedge. */
-  std::vector<Index> stack(Index e) const
+  std::vector<Segment_index> stack(Edge_index e) const
   {
-    std::vector<Index> result;
-    const Index first = leftmost(2 * e);
-    if(first == 0)
+    std::vector<Segment_index> result;
+    const Segment_index first = leftmost(first_side(e));
+    if(first == no_segment)
       return result;
-    Index s = first;
+    Segment_index s = first;
     do {
       result.push_back(s);
       s = (*this)[s].beside[1];
@@ -127,61 +129,66 @@ public:
   }
 
   /* Puts s outermost on the right of its edge as seen along h. */
-  void link_outermost(Index s, Index h)
+  void link_outermost(Segment_index s, Halfedge_index h)
   {
-    const Placed_halfedge<Triangulation> place = placed(s, h);
-    const Index first = place.label();
-    if(first == 0) {
+    const Walker place = placed(s, h);
+    const Segment_index first(place.label());
+    if(first == no_segment) {
       (*this)[s].beside = {{s, s}};
-      place.set_label(s);
+      place.set_label(s.idx());
       return;
     }
     link_right_of(s, (*this)[first].beside[0]);
-    if((h & 1) != 0)
-      place.set_label(s);
+    if(!is_first_side(h))
+      place.set_label(s.idx());
   }
 
-  void link_right_of(Index s, Index left)
+  void link_right_of(Segment_index s, Segment_index left)
   {
-    const Index right = (*this)[left].beside[1];
+    const Segment_index right = (*this)[left].beside[1];
     (*this)[s].beside = {{left, right}};
     (*this)[left].beside[1] = s;
     (*this)[right].beside[0] = s;
   }
 
   /* Takes s out of its stack. */
-  void unlink(Index s)
+  void unlink(Segment_index s)
   {
-    const Placed_halfedge<Triangulation> place = placed(s, (*this)[s].halfedge);
+    const Walker place = placed(s, (*this)[s].halfedge);
     const auto [left, right] = (*this)[s].beside;
     (*this)[left].beside[1] = right;
     (*this)[right].beside[0] = left;
-    if(place.label() == s)
-      place.set_label(right == s ? 0 : right);
+    if(place.label() == s.idx())
+      place.set_label(right == s ? no_segment.idx() : right.idx());
   }
 
-  void remove(Index s)
+  void remove(Segment_index s)
   {
     unlink(s);
     (*this)[s].halfedge = null_index;
   }
 
 private:
-  Index leftmost(Index h) const { return m_triangulation->label(Triangulation::edge(h)); }
+  static constexpr Segment_index no_segment{0};
 
-  // What is a side along h, along the first halfedge of its edge: 0 left, 1 right.
-  static std::size_t side_along_first_halfedge(Index h, Side side)
+  Segment_index leftmost(Halfedge_index h) const
   {
-    return static_cast<std::size_t>((h & 1) ^ (side == Side::RIGHT ? 1 : 0));
+    return Segment_index(m_triangulation->label(Triangulation::edge(h)));
   }
 
-  static Index chosen(std::size_t i, Index first, Index second)
+  // What is a side along h, along the first halfedge of its edge: 0 left, 1 right.
+  static std::size_t side_along_first_halfedge(Halfedge_index h, Side side)
   {
-    return first ^ ((first ^ second) & -static_cast<Index>(i));
+    return static_cast<std::size_t>((h.idx() & 1) ^ (side == Side::RIGHT ? 1 : 0));
+  }
+
+  static Segment_index chosen(std::size_t i, Segment_index first, Segment_index second)
+  {
+    return Segment_index(first.idx() ^ ((first.idx() ^ second.idx()) & -static_cast<Index>(i)));
   }
 
   Triangulation* m_triangulation;
-  std::vector<Segment> m_segments;
+  Indexed_by<Segment_index, std::vector<Segment>> m_segments;
 };
 
 } // namespace internal

@@ -31,18 +31,18 @@ public:
   }
 
   /* Is the corner at the tail of h, in the face on its left, in a sharp sector? */
-  bool operator()(Index h)
+  bool operator()(Halfedge_index h)
   {
     m_walked.assign(1, h);
     double sum = angle_at_tail(h);
     bool is_known = is_noted(h);
-    for(Index g = h; !is_known && !is_constrained(g) && sum < sharp;) {
+    for(Halfedge_index g = h; !is_known && !is_constrained(g) && sum < sharp;) {
       g = m_triangulation.clockwise(g);
       if(g == h)
         return note(sum);
       is_known = walk_over(g, sum);
     }
-    for(Index g = m_triangulation.counterclockwise(h); !is_known && sum < sharp && !is_constrained(g);
+    for(Halfedge_index g = m_triangulation.counterclockwise(h); !is_known && sum < sharp && !is_constrained(g);
         g = m_triangulation.counterclockwise(g))
       is_known = walk_over(g, sum);
     return note(is_known ? 0 : sum);
@@ -54,7 +54,7 @@ private:
   static constexpr double margin = 1e-9;
 
   // Returns whether the sector is noted there.
-  bool walk_over(Index g, double& sum)
+  bool walk_over(Halfedge_index g, double& sum)
   {
     m_walked.push_back(g);
     sum += angle_at_tail(g);
@@ -64,27 +64,27 @@ private:
   bool note(double sum)
   {
     if(sum < sharp - margin)
-      for(Index g : m_walked) {
-        if(m_versions.size() <= static_cast<std::size_t>(g))
+      for(Halfedge_index g : m_walked) {
+        if(m_versions.size() <= static_cast<std::size_t>(g.idx()))
           m_versions.resize(static_cast<std::size_t>(m_triangulation.number_of_halfedges()), null_index);
-        m_versions[static_cast<std::size_t>(g)] = m_triangulation.version(Triangulation::edge(g));
+        m_versions[static_cast<std::size_t>(g.idx())] = m_triangulation.version(Triangulation::edge(g));
       }
     return sum < sharp;
   }
 
-  bool is_noted(Index g) const
+  bool is_noted(Halfedge_index g) const
   {
-    return static_cast<std::size_t>(g) < m_versions.size() &&
-           m_versions[static_cast<std::size_t>(g)] == m_triangulation.version(Triangulation::edge(g));
+    return static_cast<std::size_t>(g.idx()) < m_versions.size() &&
+           m_versions[static_cast<std::size_t>(g.idx())] == m_triangulation.version(Triangulation::edge(g));
   }
 
-  double angle_at_tail(Index h) const { return Face_shape<Triangulation>(m_triangulation, h).angle(0); }
+  double angle_at_tail(Halfedge_index h) const { return Face_shape<Triangulation>(m_triangulation, h).angle(0); }
 
-  bool is_constrained(Index h) const { return is_constrained_edge(m_triangulation, h); }
+  bool is_constrained(Halfedge_index h) const { return is_constrained_edge(m_triangulation, h); }
 
   const Triangulation& m_triangulation;
   std::vector<Index> m_versions; // by halfedge: of its edge, when its sector was found sharp
-  std::vector<Index> m_walked;
+  std::vector<Halfedge_index> m_walked;
 };
 
 } // namespace internal

@@ -51,13 +51,14 @@ public:
   }
 
   /* The vertices whose paths are longer than shortest ones, or pass such a vertex, the nearest first. */
-  std::vector<Index> longer() const
+  std::vector<Vertex_index> longer() const
   {
-    std::vector<Index> order = vertices_by_distance();
-    std::vector<char> is_longer(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
-    std::vector<Index> result;
-    for(Index v : order) {
-      const Index h = m_tree.incoming(v);
+    std::vector<Vertex_index> order = vertices_by_distance();
+    Indexed_by<Vertex_index, std::vector<char>> is_longer(
+        static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
+    std::vector<Vertex_index> result;
+    for(Vertex_index v : order) {
+      const Halfedge_index h = m_tree.incoming(v);
       const bool has_longer_parent = h != null_index && is_longer[m_triangulation.tail(h)] != 0;
       if(m_tree.distance(v) <= m_search.distance(v) * (1 + m_tolerance) && !has_longer_parent)
         continue;
@@ -68,17 +69,17 @@ public:
   }
 
   /* Replaces the paths of such vertices. */
-  Shortening_status run(const std::vector<Index>& longer)
+  Shortening_status run(const std::vector<Vertex_index>& longer)
   {
     m_is_taken_off.assign(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
-    for(Index v : longer)
+    for(Vertex_index v : longer)
       take_off(v);
-    for(Index v : inserted_behind_taken_off())
+    for(Vertex_index v : inserted_behind_taken_off())
       take_off(v);
-    const std::vector<Index> failed = insert_last_legs();
+    const std::vector<Vertex_index> failed = insert_last_legs();
     if(!failed.empty()) { // a leg that crosses one face several times; faces are compact now
       flip_to_delaunay_beside_tree();
-      for(Index v : failed)
+      for(Vertex_index v : failed)
         m_pending.insert({m_search.distance(v), v});
       insert_last_legs();
     }
@@ -89,11 +90,12 @@ public:
 
 private:
   // The search does not know inserted vertices; those whose paths pass a vertex that was taken off.
-  std::vector<Index> inserted_behind_taken_off() const
+  std::vector<Vertex_index> inserted_behind_taken_off() const
   {
-    std::vector<Index> result;
-    for(Index v = m_triangulation.input().number_of_vertices(); v < m_triangulation.number_of_vertices(); ++v) {
-      Index w = v;
+    std::vector<Vertex_index> result;
+    for(Vertex_index v(m_triangulation.input().number_of_vertices()); v.idx() < m_triangulation.number_of_vertices();
+        ++v) {
+      Vertex_index w = v;
       while(m_tree.incoming(w) != null_index)
         w = m_triangulation.tail(m_tree.incoming(w));
       if(m_tree.is_reached(v) && w != m_tree.source())
@@ -102,20 +104,20 @@ private:
     return result;
   }
 
-  std::vector<Index> vertices_by_distance() const
+  std::vector<Vertex_index> vertices_by_distance() const
   {
-    std::vector<Index> order;
-    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+    std::vector<Vertex_index> order;
+    for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.number_of_vertices()))
       if(m_search.distance(v) <= m_tree.max_distance() && m_search.is_reached(v))
         order.push_back(v);
-    std::sort(order.begin(), order.end(), [this](Index v, Index w) {
+    std::sort(order.begin(), order.end(), [this](Vertex_index v, Vertex_index w) {
       const double a = m_search.distance(v), b = m_search.distance(w);
       return a != b ? a < b : v < w;
     });
     return order;
   }
 
-  void take_off(Index v)
+  void take_off(Vertex_index v)
   {
     m_tree.take_off(v);
     m_taken_off.push_back(v);
@@ -124,23 +126,23 @@ private:
       m_pending.insert({m_search.distance(v), v});
   }
 
-  void take_off_subtree(Index v)
+  void take_off_subtree(Vertex_index v)
   {
-    std::vector<Index> subtree = {v};
+    std::vector<Vertex_index> subtree = {v};
     for(std::size_t i = 0; i < subtree.size(); ++i)
-      for(Index spoke : spokes(m_triangulation, subtree[i]))
+      for(Halfedge_index spoke : spokes(m_triangulation, subtree[i]))
         if(m_tree.incoming(m_triangulation.head(spoke)) == spoke)
           subtree.push_back(m_triangulation.head(spoke));
-    for(Index w : subtree)
+    for(Vertex_index w : subtree)
       take_off(w);
   }
 
   // Inserts the last legs of the paths that are pending, the nearest first. Returns the vertices where this failed.
-  std::vector<Index> insert_last_legs()
+  std::vector<Vertex_index> insert_last_legs()
   {
-    std::vector<Index> failed;
+    std::vector<Vertex_index> failed;
     while(!m_pending.empty()) {
-      const Index v = m_pending.begin()->second;
+      const Vertex_index v = m_pending.begin()->second;
       m_pending.erase(m_pending.begin());
       m_in_the_way = null_index;
       if(insert_last_leg(v))
@@ -157,14 +159,14 @@ private:
   }
 
   // Returns false, and leaves v without a path, if something is in the way, which only rounding can put there.
-  bool insert_last_leg(Index v)
+  bool insert_last_leg(Vertex_index v)
   {
     const auto leg = m_search.leg(v);
-    std::vector<Index> chain = traced(v, leg.from, Strip<Triangulation>(m_triangulation, leg.word.reversed()));
+    std::vector<Halfedge_index> chain = traced(v, leg.from, Strip<Triangulation>(m_triangulation, leg.word.reversed()));
     if(chain.empty())
       return false;
     m_flips += straighten_on_the_right(m_triangulation, chain);
-    const Index h = Triangulation::twin(chain.front());
+    const Halfedge_index h = Triangulation::twin(chain.front());
     const double length = m_tree.distance(m_triangulation.tail(h)) + m_triangulation.length(h);
     if(!(length <= m_search.distance(v) * (1 + m_tolerance))) // infinite if there is no path to the tail
       return false;
@@ -175,16 +177,16 @@ private:
   // Flips all edges that neither the tree nor a curve has.
   void flip_to_delaunay_beside_tree()
   {
-    std::vector<Index> labeled;
-    for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v) {
-      const Index h = m_tree.incoming(v);
+    std::vector<Edge_index> labeled;
+    for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.number_of_vertices())) {
+      const Halfedge_index h = m_tree.incoming(v);
       if(h == null_index || m_triangulation.label(Triangulation::edge(h)) != 0)
         continue;
       labeled.push_back(Triangulation::edge(h));
       m_triangulation.set_label(labeled.back(), 1);
     }
     m_flips += flip_to_delaunay(m_triangulation).flips;
-    for(Index e : labeled)
+    for(Edge_index e : labeled)
       m_triangulation.set_label(e, 0);
   }
 
@@ -193,13 +195,13 @@ private:
    * Returns halfedges from v to there along the left side of the faces passed; none if the line gets lost, or meets an
    * edge of the tree, whose farther end is noted.
    */
-  std::vector<Index> traced(Index v, Index end, const Strip<Triangulation>& strip)
+  std::vector<Halfedge_index> traced(Vertex_index v, Vertex_index end, const Strip<Triangulation>& strip)
   {
     constexpr double straight = 1e-9; // in radians
     const Vertex_directions<Triangulation> directions(m_triangulation, v);
     const double direction = directions(strip), length = strip.length();
     double offset = 0;
-    const Index spoke = last_spoke_before(directions, v, direction, offset);
+    const Halfedge_index spoke = last_spoke_before(directions, v, direction, offset);
     if(spoke == null_index)
       return {};
     if(offset <= straight)
@@ -211,14 +213,14 @@ private:
     Vector right = face[0], left = -face[2], gate = -face[1];
     if(std::abs(std::arg(left)) <= straight)
       return {Triangulation::twin(m_triangulation.previous(spoke))};
-    std::vector<Index> crossed = {m_triangulation.next(spoke)};
+    std::vector<Halfedge_index> crossed = {m_triangulation.next(spoke)};
     while(!is_in_tree(crossed.back()) && crossed.size() < most_crossings) {
-      const Index entered = Triangulation::twin(crossed.back());
+      const Halfedge_index entered = Triangulation::twin(crossed.back());
       if(m_triangulation.is_border(entered))
         return {};
       face = face_along(entered, gate);
       const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
-      const Index w = m_triangulation.tail(m_triangulation.previous(entered));
+      const Vertex_index w = m_triangulation.tail(m_triangulation.previous(entered));
       const bool is_end = w == end && std::abs(apex - length) <= straight * length;
       if(is_end || is_passed(apex, length))
         return left_side_of_strip(m_triangulation, crossed);
@@ -227,7 +229,8 @@ private:
       (is_leaving_right ? left : right) = apex;
       crossed.push_back(is_leaving_right ? m_triangulation.next(entered) : m_triangulation.previous(entered));
     }
-    const Index h = crossed.back(), w = m_triangulation.head(h);
+    const Halfedge_index h = crossed.back();
+    const Vertex_index w = m_triangulation.head(h);
     m_in_the_way = m_tree.incoming(w) == h ? w : m_triangulation.tail(h);
     return {};
   }
@@ -240,19 +243,19 @@ private:
     return x > 0 && beyond > 0 && std::abs(p.imag()) <= straight * (std::min)(x, beyond);
   }
 
-  bool is_in_tree(Index h) const
+  bool is_in_tree(Halfedge_index h) const
   {
     return m_tree.incoming(m_triangulation.head(h)) == h ||
            m_tree.incoming(m_triangulation.tail(h)) == Triangulation::twin(h);
   }
 
   // The spoke of v that a direction is at, or follows counterclockwise; and by which angle.
-  Index last_spoke_before(const Vertex_directions<Triangulation>& directions, Index v, double direction,
-                          double& offset) const
+  Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, Vertex_index v, double direction,
+                                   double& offset) const
   {
     constexpr double rounding = 1e-9;
-    Index best = null_index;
-    for(Index h : spokes(m_triangulation, v)) {
+    Halfedge_index best = null_index;
+    for(Halfedge_index h : spokes(m_triangulation, v)) {
       double angle = direction - directions(h);
       if(angle < -rounding)
         angle += directions.has_border() ? infinity : directions.total();
@@ -267,10 +270,10 @@ private:
   }
 
   // The vectors of h, next(h), previous(h) in the triangulation, turned so that h lies along the given vector.
-  std::array<Vector, 3> face_along(Index h, const Vector& along) const
+  std::array<Vector, 3> face_along(Halfedge_index h, const Vector& along) const
   {
     using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-    const Index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
+    const Halfedge_index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
     const auto face = Double_traits().construct_face_from_lengths_object()(
         m_triangulation.length(h), m_triangulation.length(hn), m_triangulation.length(hp));
     const Vector turn = along / face[0].x;
@@ -285,10 +288,10 @@ private:
   const Search& m_search;
   double m_tolerance;
   std::size_t m_flips = 0;
-  std::vector<Index> m_taken_off;
-  std::vector<char> m_is_taken_off;
-  std::set<std::pair<double, Index>> m_pending; // vertices without a path, by their distance from the source
-  Index m_in_the_way = null_index;
+  std::vector<Vertex_index> m_taken_off;
+  Indexed_by<Vertex_index, std::vector<char>> m_is_taken_off;
+  std::set<std::pair<double, Vertex_index>> m_pending; // vertices without a path, by their distance from the source
+  Vertex_index m_in_the_way = null_index;
 };
 
 } // namespace internal

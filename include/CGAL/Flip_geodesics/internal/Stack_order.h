@@ -21,28 +21,28 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-[[noreturn]] inline void throw_crossing(Index v)
+[[noreturn]] inline void throw_crossing(Vertex_index v)
 {
-  throw Crossing_curves_error("curves cross at vertex " + std::to_string(v), {static_cast<std::size_t>(v)});
+  throw Crossing_curves_error("curves cross at vertex " + std::to_string(v.idx()), {static_cast<std::size_t>(v.idx())});
 }
 
-[[noreturn]] inline void throw_ambiguous(Index v, Index w)
+[[noreturn]] inline void throw_ambiguous(Vertex_index v, Vertex_index w)
 {
-  throw Ambiguous_order_error("no order was found for the curves along the edge from vertex " + std::to_string(v) +
-                                  " to vertex " + std::to_string(w),
-                              {static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
+  throw Ambiguous_order_error("no order was found for the curves along the edge from vertex " +
+                                  std::to_string(v.idx()) + " to vertex " + std::to_string(w.idx()),
+                              {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
 }
 
 /* The halfedges, of either direction, of all edges that curves use: each vertex's side by side. */
 template <class Network>
-std::vector<Index> occupied_halfedges(const Network& network)
+std::vector<Halfedge_index> occupied_halfedges(const Network& network)
 {
   const auto& triangulation = network.triangulation();
-  std::vector<Index> result;
-  for(Index s = 1; s < network.end_of_segment_ids(); ++s)
+  std::vector<Halfedge_index> result;
+  for(Segment_index s(1); s.idx() < network.end_of_segment_ids(); ++s)
     if(network.is_alive(s))
       result.insert(result.end(), {network.halfedge(s), Network::Triangulation::twin(network.halfedge(s))});
-  std::sort(result.begin(), result.end(), [&](Index g, Index h) {
+  std::sort(result.begin(), result.end(), [&](Halfedge_index g, Halfedge_index h) {
     return std::make_pair(triangulation.tail(g), g) < std::make_pair(triangulation.tail(h), h);
   });
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -51,11 +51,13 @@ std::vector<Index> occupied_halfedges(const Network& network)
 
 /* Calls `function(begin, end)` for each range of halfedges with a common tail. */
 template <class Triangulation, class Function>
-void for_each_vertex(const Triangulation& triangulation, const std::vector<Index>& halfedges, Function function)
+void for_each_vertex(const Triangulation& triangulation, const std::vector<Halfedge_index>& halfedges,
+                     Function function)
 {
   for(auto first = halfedges.begin(); first != halfedges.end();) {
-    const Index v = triangulation.tail(*first);
-    const auto last = std::find_if(first, halfedges.end(), [&](Index h) { return triangulation.tail(h) != v; });
+    const Vertex_index v = triangulation.tail(*first);
+    const auto last =
+        std::find_if(first, halfedges.end(), [&](Halfedge_index h) { return triangulation.tail(h) != v; });
     function(first, last);
     first = last;
   }
@@ -71,7 +73,7 @@ class Stack_pairs
   using Triangulation = typename Network::Triangulation;
 
 public:
-  using Segment_pair = std::pair<Index, Index>;
+  using Segment_pair = std::pair<Segment_index, Segment_index>;
 
   explicit Stack_pairs(const Network& network)
     : m_network(network)
@@ -79,8 +81,8 @@ public:
     , m_rank(m_stack_of.size())
     , m_pairs(1, {null_index, null_index})
   {
-    for(Index h : occupied_halfedges(network))
-      if((h & 1) == 0)
+    for(Halfedge_index h : occupied_halfedges(network))
+      if(is_first_side(h))
         add_stack(Triangulation::edge(h));
     m_stacks = Buckets(static_cast<Index>(m_edges.size()), m_stack_of);
   }
@@ -89,37 +91,40 @@ public:
 
   /* Edges with more than one segment are numbered; their segments by age. */
   Index number_of_stacks() const { return static_cast<Index>(m_edges.size()); }
-  Index edge(Index stack) const { return m_edges[stack]; }
+  Edge_index edge(Index stack) const { return m_edges[stack]; }
   Buckets::Range segments(Index stack) const { return m_stacks[stack]; }
   /* The stack of a segment, `null_index` if it has its edge to itself. */
-  Index stack_of(Index s) const { return m_stack_of[s]; }
+  Index stack_of(Segment_index s) const { return m_stack_of[s]; }
 
   Index number_of_variables() const { return static_cast<Index>(m_pairs.size() + m_stack_of.size()); }
   Index end_of_pairs() const { return static_cast<Index>(m_pairs.size()); }
   const Segment_pair& segments_of_pair(Index v) const { return m_pairs[v]; }
-  Literal segment_literal(Index s) const { return 2 * (end_of_pairs() + s); }
+  Literal segment_literal(Segment_index s) const { return 2 * (end_of_pairs() + s.idx()); }
 
   /* Is s left of t as seen along the first halfedge of their edge? \pre they are on one edge, and differ */
-  Literal is_left(Index s, Index t) const
+  Literal is_left(Segment_index s, Segment_index t) const
   {
     const Index i = (std::min)(m_rank[s], m_rank[t]), j = (std::max)(m_rank[s], m_rank[t]);
     return opposite_if(s > t, 2 * (m_first_pair[m_stack_of[s]] + j * (j - 1) / 2 + i));
   }
 
   /* Is s left of t as seen along halfedge h? \pre they are on the edge of h, and differ */
-  Literal is_left(Index h, Index s, Index t) const { return opposite_if((h & 1) != 0, is_left(s, t)); }
+  Literal is_left(Halfedge_index h, Segment_index s, Segment_index t) const
+  {
+    return opposite_if(!is_first_side(h), is_left(s, t));
+  }
 
 private:
   // Literals, twice the variables, must fit into an Index.
   static constexpr std::size_t most_pairs = std::size_t(1) << 29;
 
-  void add_stack(Index e)
+  void add_stack(Edge_index e)
   {
-    std::vector<Index> segments = m_network.stack(e);
+    std::vector<Segment_index> segments = m_network.stack(e);
     if(segments.size() < 2)
       return;
     if(m_pairs.size() + segments.size() * (segments.size() - 1) / 2 > most_pairs)
-      throw_ambiguous(m_network.triangulation().tail(2 * e), m_network.triangulation().head(2 * e));
+      throw_ambiguous(m_network.triangulation().tail(first_side(e)), m_network.triangulation().head(first_side(e)));
     std::sort(segments.begin(), segments.end());
     m_first_pair.push_back(end_of_pairs());
     for(std::size_t j = 0; j < segments.size(); ++j) {
@@ -132,8 +137,9 @@ private:
   }
 
   const Network& m_network;
-  std::vector<Index> m_edges, m_first_pair; // by stack
-  std::vector<Index> m_stack_of, m_rank;    // by segment
+  std::vector<Edge_index> m_edges; // by stack
+  std::vector<Index> m_first_pair; // by stack
+  Indexed_by<Segment_index, std::vector<Index>> m_stack_of, m_rank;
   std::vector<Segment_pair> m_pairs;        // by variable
   Buckets m_stacks;
 };
@@ -189,7 +195,7 @@ public:
   struct Equation
   {
     std::array<Literal, 4> literals;
-    Index vertex;
+    Vertex_index vertex;
   };
 
   explicit Crossing_equations(const Stack_pairs<Network>& pairs)
@@ -222,14 +228,16 @@ private:
   template <class Iterator>
   void add_vertex(Iterator first, Iterator last)
   {
-    const auto is_shared = [&](Index h) { return m_pairs.stack_of(m_network.outermost(h, Side::LEFT)) != null_index; };
+    const auto is_shared = [&](Halfedge_index h) {
+      return m_pairs.stack_of(m_network.outermost(h, Side::LEFT)) != null_index;
+    };
     if(std::none_of(first, last, is_shared))
       return;
     m_vertex = m_triangulation.tail(*first);
     number_spokes();
     count_single_ends(first, last);
     for(auto h = first; h != last; ++h) {
-      const std::vector<Index> segments = m_network.stack(Triangulation::edge(*h));
+      const std::vector<Segment_index> segments = m_network.stack(Triangulation::edge(*h));
       for(auto s = segments.begin(); s != segments.end(); ++s) {
         add_joint({*h, *s});
         for(auto t = segments.begin(); t != s; ++t)
@@ -240,7 +248,7 @@ private:
 
   void number_spokes()
   {
-    const std::vector<Index> all = spokes(m_triangulation, m_vertex);
+    const std::vector<Halfedge_index> all = spokes(m_triangulation, m_vertex);
     for(std::size_t i = 0; i < all.size(); ++i)
       m_position[all[i]] = static_cast<Index>(i);
     m_has_border = m_triangulation.is_border(all.front());
@@ -251,7 +259,7 @@ private:
   void count_single_ends(Iterator first, Iterator last)
   {
     for(auto h = first; h != last; ++h)
-      for(Index s : m_network.stack(Triangulation::edge(*h)))
+      for(Segment_index s : m_network.stack(Triangulation::edge(*h)))
         m_single_ends_before[m_position[*h] + 1] += mate({*h, s}).is_none() ? 1 : 0;
     for(std::size_t i = 1; i < m_single_ends_before.size(); ++i)
       m_single_ends_before[i] += m_single_ends_before[i - 1];
@@ -262,7 +270,7 @@ private:
   // The end that a joint, if not fixed, connects with this one.
   Strand_end mate(const Strand_end& end) const
   {
-    const Index x = is_head(end) ? end.segment : m_network.previous(end.segment);
+    const Segment_index x = is_head(end) ? end.segment : m_network.previous(end.segment);
     if(x == null_index || m_network.is_head_fixed(x))
       return {};
     const auto [at_x, at_y] = m_network.ends({x, Side::LEFT});
@@ -389,9 +397,9 @@ private:
   std::vector<Equation> m_long_equations;
 
   // Of the vertex being looked at.
-  Index m_vertex = null_index;
+  Vertex_index m_vertex = null_index;
   bool m_has_border = false;
-  Lazy_array<Index> m_position;            // of a spoke, clockwise from the cut
+  Indexed_by<Halfedge_index, Lazy_array<Index>> m_position; // of a spoke, clockwise from the cut
   std::vector<Index> m_single_ends_before; // by position
 };
 

@@ -65,16 +65,16 @@ public:
     }
     for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
       if(!is_ordered(i))
-        throw_crossing(m_triangulation.tail(2 * m_pairs.edge(i)));
+        throw_crossing(m_triangulation.tail(first_side(m_pairs.edge(i))));
   }
 
   /* The segments of a stack from left to right. \pre `run()` has returned */
-  std::vector<Index> order(Index stack) const
+  std::vector<Segment_index> order(Index stack) const
   {
     const auto segments = m_pairs.segments(stack);
-    std::vector<Index> result(static_cast<std::size_t>(segments.size()));
-    for(Index s : segments)
-      result[number_on_left(stack, s)] = s;
+    std::vector<Segment_index> result(static_cast<std::size_t>(segments.size()));
+    for(Index i : segments)
+      result[static_cast<std::size_t>(number_on_left(stack, Segment_index(i)))] = Segment_index(i);
     return result;
   }
 
@@ -129,7 +129,7 @@ private:
     return m_value[variable(c)] == (is_opposite(c) ? Value::NO : Value::YES);
   }
 
-  bool is_left(Index s, Index t) const { return is_true(m_pairs.is_left(s, t)); }
+  bool is_left(Segment_index s, Segment_index t) const { return is_true(m_pairs.is_left(s, t)); }
 
   /// @}
   /// \name What follows from what
@@ -166,11 +166,11 @@ private:
   bool imply_in_stack(Index stack)
   {
     const auto segments = m_pairs.segments(stack);
-    const Bit_matrix right = bits_of([&](Index s, Index t) { return is_left(s, t); }, segments);
-    const Bit_matrix left = bits_of([&](Index s, Index t) { return is_left(t, s); }, segments);
+    const Bit_matrix right = bits_of([&](Segment_index s, Segment_index t) { return is_left(s, t); }, segments);
+    const Bit_matrix left = bits_of([&](Segment_index s, Segment_index t) { return is_left(t, s); }, segments);
     for(Index i = 0; i < segments.size(); ++i)
       for(Index j = 0; j < segments.size(); ++j) {
-        const Index s = segments.first[i], t = segments.first[j];
+        const Segment_index s(segments.first[i]), t(segments.first[j]);
         if(s != t && !is_left(s, t) && have_common_bit(right[i], left[j]) && !assign(m_pairs.is_left(s, t)))
           return fail_at_stack(s);
       }
@@ -186,7 +186,7 @@ private:
     Bit_matrix result(size, std::vector<std::uint64_t>((size + 63) / 64, 0));
     for(std::size_t i = 0; i < size; ++i)
       for(std::size_t j = 0; j < size; ++j)
-        if(i != j && relation(segments.first[i], segments.first[j]))
+        if(i != j && relation(Segment_index(segments.first[i]), Segment_index(segments.first[j])))
           result[i][j / 64] |= std::uint64_t(1) << (j % 64);
     return result;
   }
@@ -235,7 +235,8 @@ private:
     m_work += static_cast<std::size_t>(segments.size());
     if(!is_left(s, t))
       std::swap(s, t);
-    for(Index u : segments) {
+    for(Index i : segments) {
+      const Segment_index u(i);
       if(u == s || u == t)
         continue;
       if((is_left(u, s) && !assign(m_pairs.is_left(u, t))) || (is_left(t, u) && !assign(m_pairs.is_left(s, u))))
@@ -244,17 +245,17 @@ private:
     return true;
   }
 
-  bool fail_at_stack(Index s)
+  bool fail_at_stack(Segment_index s)
   {
-    m_conflict = m_triangulation.tail(2 * m_pairs.edge(m_pairs.stack_of(s)));
+    m_conflict = m_triangulation.tail(first_side(m_pairs.edge(m_pairs.stack_of(s))));
     return false;
   }
 
-  Index number_on_left(Index stack, Index s) const
+  Index number_on_left(Index stack, Segment_index s) const
   {
     Index count = 0;
     for(Index t : m_pairs.segments(stack))
-      count += t != s && is_left(t, s) ? 1 : 0;
+      count += t != s.idx() && is_left(Segment_index(t), s) ? 1 : 0;
     return count;
   }
 
@@ -264,7 +265,7 @@ private:
     const auto segments = m_pairs.segments(stack);
     std::vector<char> is_taken(static_cast<std::size_t>(segments.size()), 0);
     for(Index s : segments) {
-      char& place = is_taken[number_on_left(stack, s)];
+      char& place = is_taken[static_cast<std::size_t>(number_on_left(stack, Segment_index(s)))];
       if(place != 0)
         return false;
       place = 1;
@@ -310,13 +311,13 @@ private:
     std::vector<char> is_known(static_cast<std::size_t>(m_pairs.number_of_variables()), 0);
     std::vector<Index> problem;
     m_choices.clear();
-    const std::vector<Index> headings = initial_headings();
-    for(Index s = 1; s < m_pairs.network().end_of_segment_ids(); ++s) {
+    const std::vector<Halfedge_index> headings = initial_headings();
+    for(Segment_index s(1); s.idx() < m_pairs.network().end_of_segment_ids(); ++s) {
       if(m_pairs.stack_of(s) == null_index)
         continue;
       const auto segments = m_pairs.segments(m_pairs.stack_of(s));
-      for(auto t = std::upper_bound(segments.begin(), segments.end(), s); t != segments.end(); ++t) {
-        const Literal a = class_of(m_pairs.is_left(headings[s], s, *t));
+      for(auto t = std::upper_bound(segments.begin(), segments.end(), s.idx()); t != segments.end(); ++t) {
+        const Literal a = class_of(m_pairs.is_left(headings[static_cast<std::size_t>(s.idx())], s, Segment_index(*t)));
         if(!is_unknown(a) || is_known[variable(a)] != 0)
           continue;
         is_known[variable(a)] = 1;
@@ -328,17 +329,18 @@ private:
   }
 
   // The halfedge of each segment, or its twin if the curve has turned back an odd number of times before it.
-  std::vector<Index> initial_headings() const
+  std::vector<Halfedge_index> initial_headings() const
   {
     const Network& network = m_pairs.network();
-    std::vector<Index> result(static_cast<std::size_t>(network.end_of_segment_ids()), null_index);
-    for(Index c = 0; c < network.number_of_curves(); ++c) {
-      Index last = null_index; // the initial heading of the segment before
-      network.for_each_segment(c, [&](Index s) {
-        const Index h = network.halfedge(s), p = network.previous(s);
+    std::vector<Halfedge_index> result(static_cast<std::size_t>(network.end_of_segment_ids()));
+    for(Curve_index c : descriptors<Curve_index>(network.number_of_curves())) {
+      Halfedge_index last; // the initial heading of the segment before
+      network.for_each_segment(c, [&](Segment_index s) {
+        const Halfedge_index h = network.halfedge(s);
+        const Segment_index p = network.previous(s);
         const bool has_turned = last != null_index && h == Triangulation::twin(network.halfedge(p));
         const bool is_turned = last != null_index && (last != network.halfedge(p)) != has_turned;
-        last = result[s] = is_turned ? Triangulation::twin(h) : h;
+        last = result[s.idx()] = is_turned ? Triangulation::twin(h) : h;
       });
     }
     return result;
@@ -429,8 +431,8 @@ private:
 
   [[noreturn]] void give_up(Literal a) const
   {
-    const Index s = m_pairs.segments_of_pair(*m_members[variable(a)].begin()).first;
-    const Index h = m_pairs.network().halfedge(s);
+    const Segment_index s = m_pairs.segments_of_pair(*m_members[variable(a)].begin()).first;
+    const Halfedge_index h = m_pairs.network().halfedge(s);
     throw_ambiguous(m_triangulation.tail(h), m_triangulation.head(h));
   }
 
@@ -448,7 +450,7 @@ private:
   std::vector<Value> m_value;   // of a class
   std::vector<Index> m_trail;   // the classes that were given values, in order
   std::size_t m_propagated = 0; // how many of them have been followed up
-  Index m_conflict = null_index;
+  Vertex_index m_conflict;
 
   std::vector<Literal> m_choices;
   Buckets m_choices_of, m_stacks_of; // by problem

@@ -44,7 +44,7 @@ public:
   }
 
   /* Is the segment of halfedge h? */
-  bool operator()(Index h) const
+  bool operator()(Halfedge_index h) const
   {
     const Crossing_word word = m_triangulation.crossing_word(h);
     if(word.tail != m_triangulation.tail(h) || word.head != m_triangulation.head(h) || !is_strip(word))
@@ -71,38 +71,37 @@ private:
   bool is_strip(const Crossing_word& word) const
   {
     if(word.along != null_index)
-      return is_on(word.tail, word.along) && is_on(word.head, Triangulation::twin(word.along));
+      return is_on(word.tail, word.along) && is_on(word.head, twin_index(word.along));
     if(word.crossed.empty())
       return word.face != null_index && is_in_face(word.tail, word.face) && is_in_face(word.head, word.face);
     const auto& input = m_triangulation.input();
     for(std::size_t i = 0; i < word.crossed.size(); ++i) {
-      const Index entered = Triangulation::twin(word.crossed[i]);
+      const Input_halfedge_index entered = twin_index(word.crossed[i]);
       if(input.is_border(word.crossed[i]) || input.is_border(entered))
         return false;
-      const Index right_side = input.next(entered), left_side = input.next(right_side);
+      const Input_halfedge_index right_side = input.next(entered), left_side = input.next(right_side);
       if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
         return false;
     }
-    return is_opposite(word.tail, word.crossed.front()) &&
-           is_opposite(word.head, Triangulation::twin(word.crossed.back()));
+    return is_opposite(word.tail, word.crossed.front()) && is_opposite(word.head, twin_index(word.crossed.back()));
   }
 
   // Is a vertex the tail of input halfedge h, or a point inside its edge?
-  bool is_on(Index v, Index h) const
+  bool is_on(Vertex_index v, Input_halfedge_index h) const
   {
     if(!m_triangulation.is_inserted(v))
       return m_triangulation.input().tail(h) == v;
     return vertex_kind(m_triangulation, v) == Location_kind::EDGE &&
-           Triangulation::edge(m_triangulation.location(v).halfedge) == Triangulation::edge(h);
+           are_of_one_edge(m_triangulation.location(v).halfedge, h);
   }
 
   // Is a vertex somewhere in the face of input halfedge h, but not on its edge?
-  bool is_opposite(Index v, Index h) const
+  bool is_opposite(Vertex_index v, Input_halfedge_index h) const
   {
-    return is_in_face(v, h) && !is_on(v, h) && !is_on(v, Triangulation::twin(h));
+    return is_in_face(v, h) && !is_on(v, h) && !is_on(v, twin_index(h));
   }
 
-  bool is_in_face(Index v, Index h) const
+  bool is_in_face(Vertex_index v, Input_halfedge_index h) const
   {
     const auto& input = m_triangulation.input();
     const bool is_inside = m_triangulation.is_inserted(v) && vertex_kind(m_triangulation, v) == Location_kind::FACE;
@@ -137,8 +136,7 @@ private:
           return false;
         touched.add_edge(gate.crossed, along(strip, gate.right), along(strip, gate.left));
       } else if(sides.left == ZERO || sides.right == ZERO) {
-        touched.add_vertex(
-            m_triangulation.input().tail(sides.left == ZERO ? Triangulation::twin(gate.crossed) : gate.crossed));
+        touched.add_vertex(m_triangulation.input().tail(sides.left == ZERO ? twin_index(gate.crossed) : gate.crossed));
       }
     }
     m_statistics.by_strip += precise.is_exact_needed() ? 0 : 1;

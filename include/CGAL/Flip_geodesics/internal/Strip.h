@@ -58,7 +58,7 @@ public:
   /// The two ends of a crossed input edge as seen by the traveller.
   struct Gate
   {
-    Index crossed; // the input halfedge as in the word; its tail is on the right
+    Input_halfedge_index crossed; // the input halfedge as in the word; its tail is on the right
     Vector right, left;
     double right_error, left_error; // bounds
   };
@@ -82,7 +82,7 @@ public:
       unfold(word);
   }
 
-  Index reference() const { return m_reference; }
+  Input_halfedge_index reference() const { return m_reference; }
 
   /*
    * The corners of the face between gates i - 1 and i as positions of the tails of h, next(h) and previous(h), where h
@@ -98,7 +98,7 @@ public:
     if(i == 0)
       return {right, left, m_first_corner};
     const Gate& before = m_gates[i - 1];
-    const bool is_right_kept = gate.crossed == m_triangulation->input().next(Triangulation::twin(before.crossed));
+    const bool is_right_kept = gate.crossed == m_triangulation->input().next(twin_index(before.crossed));
     return {right, left,
             is_right_kept ? Corner{before.left, before.left_error} : Corner{before.right, before.right_error}};
   }
@@ -108,7 +108,7 @@ public:
 
   /* The reference of the edge's other direction, and a vector along that direction in the reference's frame; the
    * reference is `null_index` if an end of the edge is an inserted vertex. */
-  Index arrival_reference() const { return m_arrival_reference; }
+  Input_halfedge_index arrival_reference() const { return m_arrival_reference; }
   const Vector& arrival() const { return m_arrival; }
 
   double length() const { return std::abs(m_end); }
@@ -177,7 +177,7 @@ private:
   }
 
   // The vectors of h, next(h), previous(h) of an input face, turned so that h lies along the given vector.
-  Face_vectors face_along(Index h, const Vector& along) const
+  Face_vectors face_along(Input_halfedge_index h, const Vector& along) const
   {
     const auto face = known_input_face_geometry(*m_triangulation, h);
     const Vector turn = along / face[0].x; // the layout puts h on the positive real axis
@@ -186,13 +186,13 @@ private:
 
   void lay_out_edge(const Crossing_word& word)
   {
-    const Index h = word.along;
+    const Input_halfedge_index h = word.along;
     m_error = 0; // the direction is exact
     m_end = m_triangulation->metric().length(m_triangulation->input(), h);
     if(m_triangulation->is_inserted(word.tail) || m_triangulation->is_inserted(word.head)) {
       m_end *= barycentric_difference(weights(word.tail, h), weights(word.head, h))[1];
     } else {
-      m_arrival_reference = Triangulation::twin(h);
+      m_arrival_reference = twin_index(h);
       m_arrival = m_end;
     }
   }
@@ -211,7 +211,10 @@ private:
     return face_along(m_reference, m_triangulation->metric().length(m_triangulation->input(), m_reference));
   }
 
-  std::array<double, 3> weights(Index v, Index h) const { return vertex_weights(*m_triangulation, v, h); }
+  std::array<double, 3> weights(Vertex_index v, Input_halfedge_index h) const
+  {
+    return vertex_weights(*m_triangulation, v, h);
+  }
 
   // The corners of the first face, from the tail of the word: the tails of the reference, its next and previous.
   std::array<Corner, 3> first_corners(const Crossing_word& word) const
@@ -235,7 +238,7 @@ private:
   void unfold(const Crossing_word& word)
   {
     const auto& input = m_triangulation->input();
-    const std::vector<Index>& crossed = word.crossed;
+    const std::vector<Input_halfedge_index>& crossed = word.crossed;
     const std::array<Corner, 3> first = first_corners(word);
     const int side = crossed.front() == m_reference ? 0 : (crossed.front() == input.next(m_reference) ? 1 : 2);
     Vector right = first[side].position, left = first[(side + 1) % 3].position, gate = -first_face()[side];
@@ -251,7 +254,7 @@ private:
       here.left_error = left_error;
       // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never
       // differences of positions, which would magnify the error wherever a gate is short.
-      const Index entered = Triangulation::twin(crossed[i]);
+      const Input_halfedge_index entered = twin_index(crossed[i]);
       const Face_vectors face = face_along(entered, gate);
       const double to_right = magnitude(face[1]), to_left = magnitude(face[2]);
       const bool is_near_right = to_right < to_left;
@@ -298,7 +301,7 @@ private:
   }
 
   const Triangulation* m_triangulation;
-  Index m_reference = null_index, m_arrival_reference = null_index;
+  Input_halfedge_index m_reference = null_index, m_arrival_reference = null_index;
   std::vector<Gate> m_gates;
   Corner m_first_corner = {0, 0}, m_last_corner = {0, 0}; // of the first and last face, not on a gate
   Vector m_end, m_arrival;

@@ -37,16 +37,16 @@ public:
   /* A direction at a vertex: a spoke, turned counterclockwise by less than the corner of its face. */
   struct Direction
   {
-    Index spoke;
+    Input_halfedge_index spoke;
     Plane_vector turn; // of length 1
   };
 
   /* A straight line from vertex to vertex: along an edge, or across those of a range of crossings. */
   struct Leg
   {
-    Index along; // null_index if edges are crossed
+    Input_halfedge_index along; // null_index if edges are crossed
     std::size_t first, last;
-    Index tail, head;
+    Vertex_index tail, head;
     Direction at_tail, at_head; // at the head, backward
     double length;
     bool is_left_open = true, is_right_open = true; // can the angle on that side of the head be below pi?
@@ -58,7 +58,7 @@ public:
   }
 
   /* Is there something straighter than the path, which is an edge path? */
-  bool operator()(const std::vector<Index>& path)
+  bool operator()(const std::vector<Halfedge_index>& path)
   {
     try {
       return straighten(path);
@@ -86,7 +86,7 @@ public:
     for(std::size_t i = 0; i < m_word.size(); ++i) {
       const bool is_left_new = m_gates[i].side == LEFT_END;
       const double height = is_left_new ? cross(m_target - m_source, m_gates[i].end - m_source) : 0;
-      result.push_back({m_word[i].crossed, is_left_new, height});
+      result.push_back({as_intrinsic(m_word[i].crossed), is_left_new, height});
     }
     return result;
   }
@@ -96,7 +96,7 @@ private:
   // the side on the right as seen from there, and the third corner where the edge leads from 1 to 0.
   struct Crossing
   {
-    Index crossed, right_side;
+    Input_halfedge_index crossed, right_side;
     Plane_vector corner;
   };
 
@@ -105,12 +105,13 @@ private:
   // An angle, in radians, that is left to FlipOut.
   static constexpr double angle_tolerance = 1e-7;
 
-  bool straighten(const std::vector<Index>& path)
+  bool straighten(const std::vector<Halfedge_index>& path)
   {
     reserve(path.size());
     m_legs.clear();
     m_path_length = 0;
-    for(Index h : path) {
+    for(Halfedge_index of_path : path) {
+      const Input_halfedge_index h = as_input(of_path);
       if(!m_faces.has_halfedge(h) || (!m_legs.empty() && m_legs.back().head != m_faces.tail(h)))
         return false; // no chain, which whoever adds the path refuses
       m_legs.push_back(edge_leg(h));
@@ -188,7 +189,7 @@ private:
   }
 
   // From one spoke counterclockwise to another.
-  std::size_t number_of_corners(Index from, Index to) const
+  std::size_t number_of_corners(Input_halfedge_index from, Input_halfedge_index to) const
   {
     std::size_t result = 0;
     do {
@@ -212,7 +213,7 @@ private:
   {
     Plane_vector angle = std::conj(from.turn);
     if(!is_in_corner(from, to)) {
-      Index spoke = from.spoke;
+      Input_halfedge_index spoke = from.spoke;
       do {
         if(m_faces.is_border(spoke))
           return false;
@@ -235,9 +236,9 @@ private:
   // ---- crossings
 
   // What goes to and fro cancels.
-  void cross_edge(Index h)
+  void cross_edge(Input_halfedge_index h)
   {
-    const Index entered = twin_index(h);
+    const Input_halfedge_index entered = twin_index(h);
     if(!m_word.empty() && m_word.back().crossed == entered)
       m_word.pop_back();
     else
@@ -256,15 +257,16 @@ private:
   // Crosses the spokes on a side of the joint between two legs.
   void pass(const Leg& in, const Leg& out, Way way)
   {
-    const Index back = in.at_head.spoke, on = out.at_tail.spoke;
+    const Input_halfedge_index back = in.at_head.spoke, on = out.at_tail.spoke;
     if(way == Way::LEFT) {
-      for(Index s = in.along != null_index ? m_faces.clockwise(back) : back; s != on; s = m_faces.clockwise(s))
+      for(Input_halfedge_index s = in.along != null_index ? m_faces.clockwise(back) : back; s != on;
+          s = m_faces.clockwise(s))
         cross_edge(s);
       return;
     }
     if(is_in_corner(in.at_head, out.at_tail))
       return;
-    Index s = m_faces.counterclockwise(back);
+    Input_halfedge_index s = m_faces.counterclockwise(back);
     for(; s != on; s = m_faces.counterclockwise(s))
       cross_edge(twin_index(s));
     if(out.along == null_index)
@@ -272,28 +274,28 @@ private:
   }
 
   // The edge that cuts off the joint of two edges of a face.
-  Index edge_over(const Leg& in, const Leg& out, Way way) const
+  Input_halfedge_index edge_over(const Leg& in, const Leg& out, Way way) const
   {
     return way == Way::LEFT ? twin_index(m_faces.next(out.at_tail.spoke)) : m_faces.next(in.at_head.spoke);
   }
 
   // Drops crossings of edges that end where the path does. Returns the edge that is left if all are dropped.
-  Index trim(Index source, Index target)
+  Input_halfedge_index trim(Vertex_index source, Vertex_index target)
   {
-    const auto touches = [&](const Crossing& c, Index v) {
+    const auto touches = [&](const Crossing& c, Vertex_index v) {
       return m_faces.tail(c.crossed) == v || m_faces.head(c.crossed) == v;
     };
     std::size_t first = 0, last = m_word.size();
     while(first < last && touches(m_word[first], source))
       ++first;
     if(first == last) {
-      const Index entered = twin_index(m_word.back().crossed);
+      const Input_halfedge_index entered = twin_index(m_word.back().crossed);
       return m_faces.head(entered) == source ? m_faces.next(entered) : twin_index(m_faces.previous(entered));
     }
     while(first < last && touches(m_word[last - 1], target))
       --last;
     if(first == last) {
-      const Index h = m_word[last].crossed;
+      const Input_halfedge_index h = m_word[last].crossed;
       return m_faces.tail(h) == target ? m_faces.previous(h) : twin_index(m_faces.next(h));
     }
     m_word.resize(last);
@@ -305,7 +307,7 @@ private:
 
   // Pulls a string from vertex to vertex across the edges of m_word, or along an edge if there are none. Returns false
   // if these do not lead from one to the other.
-  bool pull(Index source, Index target, Index edge)
+  bool pull(Vertex_index source, Vertex_index target, Input_halfedge_index edge)
   {
     m_has_moved = true;
     if(!m_legs.empty())
@@ -321,11 +323,11 @@ private:
     unfold();
     m_string.pull(m_gates, m_source, m_target);
     const auto& bends = m_string.bends();
-    Index tail = source;
+    Vertex_index tail = source;
     for(std::size_t b = 0; b <= bends.size(); ++b) {
       const std::size_t first = b == 0 ? 0 : bends[b - 1].last + 1;
       const std::size_t last = b == bends.size() ? m_gates.size() : bends[b].first;
-      const Index head = b == bends.size() ? target : vertex(bends[b]);
+      const Vertex_index head = b == bends.size() ? target : vertex(bends[b]);
       if(first < last)
         add_leg(tail, head, first, last, b == 0 ? m_source : bends[b - 1].position,
                 b == bends.size() ? m_target : bends[b].position);
@@ -343,7 +345,7 @@ private:
   void unfold()
   {
     static constexpr double is_side[2][2] = {{1, 0}, {0, 1}};
-    const Index start = m_word.front().crossed;
+    const Input_halfedge_index start = m_word.front().crossed;
     const double length = m_faces.length(start);
     m_source = length * m_faces.corner(start);
     m_gates.resize(m_word.size());
@@ -366,33 +368,33 @@ private:
     m_target = Plane_vector(left_x, left_y) + product({across_x, across_y}, m_word[last].corner);
   }
 
-  Index vertex(const Taut_string::Bend& bend) const
+  Vertex_index vertex(const Taut_string::Bend& bend) const
   {
-    const Index h = m_word[bend.first].crossed;
+    const Input_halfedge_index h = m_word[bend.first].crossed;
     return bend.side == RIGHT_END ? m_faces.tail(h) : m_faces.head(h);
   }
 
   // The edge to bend b, or to the end, from the bend before or the start, if nothing is crossed in between.
-  Index edge_to_bend(std::size_t b) const
+  Input_halfedge_index edge_to_bend(std::size_t b) const
   {
     const auto& bends = m_string.bends();
     if(b == 0) {
-      const Index h = m_word.front().crossed;
+      const Input_halfedge_index h = m_word.front().crossed;
       return bends[b].side == RIGHT_END ? m_faces.previous(h) : twin_index(m_faces.next(h));
     }
     const bool is_on_right = bends[b - 1].side == RIGHT_END;
-    const Index h = m_word[bends[b - 1].last].crossed, entered = twin_index(h);
+    const Input_halfedge_index h = m_word[bends[b - 1].last].crossed, entered = twin_index(h);
     if(b < bends.size() && bends[b].side != bends[b - 1].side)
       return is_on_right ? h : entered;
     return is_on_right ? m_faces.next(entered) : twin_index(m_faces.previous(entered));
   }
 
-  Leg edge_leg(Index h) const
+  Leg edge_leg(Input_halfedge_index h) const
   {
     return {h, 0, 0, m_faces.tail(h), m_faces.head(h), {h, 1}, {twin_index(h), 1}, m_faces.length(h)};
   }
 
-  void add_leg(Index tail, Index head, std::size_t first, std::size_t last, const Plane_vector& from,
+  void add_leg(Vertex_index tail, Vertex_index head, std::size_t first, std::size_t last, const Plane_vector& from,
                const Plane_vector& to)
   {
     const Plane_vector along = to - from;

@@ -24,11 +24,12 @@ using Surface_polyline = std::vector<Surface_location>;
 
 /* The weights of a canonical location in the face of h, also of a vertex, summing to one. */
 template <class Input_mesh>
-std::array<double, 3> normalized_weights(const Input_mesh& input, const Surface_location& p, Index h)
+std::array<double, 3> normalized_weights(const Input_mesh& input, const Surface_location& p, Input_halfedge_index h)
 {
   std::array<double, 3> w;
   if(kind(p) == Location_kind::VERTEX) {
-    const Index v = input.tail(p.halfedge), hn = input.next(h);
+    const Vertex_index v = input.tail(p.halfedge);
+    const Input_halfedge_index hn = input.next(h);
     return {
         {input.tail(h) == v ? 1.0 : 0.0, input.tail(hn) == v ? 1.0 : 0.0, input.tail(input.next(hn)) == v ? 1.0 : 0.0}};
   }
@@ -80,7 +81,7 @@ private:
   double distance(const Surface_location& p, const Surface_location& q) const
   {
     const auto& input = m_triangulation.input();
-    const Index h = common_face(input, p, q);
+    const Input_halfedge_index h = common_face(input, p, q);
     const auto d = barycentric_difference(normalized_weights(input, p, h), normalized_weights(input, q, h));
     const auto f = input_face_geometry(m_triangulation, h);
     return std::abs(d[1] * std::complex<double>(f[0].x, f[0].y) - d[2] * std::complex<double>(f[2].x, f[2].y));
@@ -89,7 +90,7 @@ private:
   Surface_location between(const Surface_location& p, const Surface_location& q, double t) const
   {
     const auto& input = m_triangulation.input();
-    const Index h = common_face(input, p, q);
+    const Input_halfedge_index h = common_face(input, p, q);
     const auto a = normalized_weights(input, p, h), b = normalized_weights(input, q, h);
     Surface_location result = {h, {{0, 0, 0}}};
     for(int i = 0; i < 3; ++i) {

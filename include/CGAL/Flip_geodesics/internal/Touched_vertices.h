@@ -32,7 +32,7 @@ class Touched_vertices
 {
 public:
   /* For a segment of the given length between two vertices. */
-  Touched_vertices(const Triangulation& triangulation, Index tail, Index head, double length,
+  Touched_vertices(const Triangulation& triangulation, Vertex_index tail, Vertex_index head, double length,
                    Decision_statistics& statistics)
     : m_triangulation(triangulation)
     , m_tail(tail)
@@ -43,22 +43,22 @@ public:
   }
 
   /* Adds an end of a crossed edge that lies on the segment. */
-  void add_vertex(Index v) { m_vertices.push_back(v); }
+  void add_vertex(Vertex_index v) { m_vertices.push_back(v); }
 
   /* Adds an input edge on the line of the segment, from one to another distance from the segment's tail. */
-  void add_edge(Index h, double from, double to)
+  void add_edge(Input_halfedge_index h, double from, double to)
   {
     m_edges.push_back({h, from, to});
     for(; m_next < m_edges.size(); ++m_next) {
       const Edge e = m_edges[m_next];
       add_beyond(e);
-      add_beyond({Triangulation::twin(e.halfedge), e.to, e.from});
+      add_beyond({twin_index(e.halfedge), e.to, e.from});
     }
   }
 
   bool are_passed_straight() const
   {
-    for(Index v : m_vertices)
+    for(Vertex_index v : m_vertices)
       if(!has_full_angle(v))
         return false;
     return true;
@@ -67,7 +67,7 @@ public:
 private:
   struct Edge
   {
-    Index halfedge;
+    Input_halfedge_index halfedge;
     double from, to;
   };
 
@@ -78,15 +78,15 @@ private:
     if(is_outside((std::max)(e.from, e.to), (std::min)(e.from, e.to)) || input.is_border(e.halfedge) ||
        !has_no_area(e.halfedge))
       return;
-    const Index hn = input.next(e.halfedge), hp = input.next(hn), apex = input.tail(hp);
+    const Input_halfedge_index hn = input.next(e.halfedge), hp = input.next(hn);
+    const Vertex_index apex = input.tail(hp);
     const Exact_face& face = m_triangulation.exact_input_face(e.halfedge);
     const double share =
         -face.dot_previous.template convert_to<double>() / face.squared_length.template convert_to<double>();
     const double at_apex = e.from + share * (e.to - e.from);
     if(!is_outside(at_apex, at_apex) && apex != m_tail && apex != m_head)
       m_vertices.push_back(apex);
-    for(const Edge& side :
-        {Edge{Triangulation::twin(hn), at_apex, e.to}, Edge{Triangulation::twin(hp), e.from, at_apex}})
+    for(const Edge& side : {Edge{twin_index(hn), at_apex, e.to}, Edge{twin_index(hp), e.from, at_apex}})
       if(!is_known(side.halfedge))
         m_edges.push_back(side);
   }
@@ -98,13 +98,13 @@ private:
     return largest < -tolerance || smallest > m_length + tolerance;
   }
 
-  bool is_known(Index h) const
+  bool is_known(Input_halfedge_index h) const
   {
-    const auto has_edge = [h](const Edge& e) { return Triangulation::edge(e.halfedge) == Triangulation::edge(h); };
+    const auto has_edge = [h](const Edge& e) { return are_of_one_edge(e.halfedge, h); };
     return std::any_of(m_edges.begin(), m_edges.end(), has_edge);
   }
 
-  bool has_no_area(Index h) const
+  bool has_no_area(Input_halfedge_index h) const
   {
     constexpr double error = 64 * std::numeric_limits<double>::epsilon(); // of a layout, generously
     const auto face = input_face_geometry(m_triangulation, h);
@@ -114,14 +114,14 @@ private:
   }
 
   // Do the angles at an input vertex sum up to 2 pi or more, or is it on the border?
-  bool has_full_angle(Index v) const
+  bool has_full_angle(Vertex_index v) const
   {
     const auto& input = m_triangulation.input();
-    const Index first = input.outgoing(v);
+    const Input_halfedge_index first = input.outgoing(v);
     double sum = 0;
     Index count = 0;
-    for(Index h = first; count == 0 || h != first; ++count) {
-      const Index t = Triangulation::twin(h);
+    for(Input_halfedge_index h = first; count == 0 || h != first; ++count) {
+      const Input_halfedge_index t = twin_index(h);
       if(input.is_border(t))
         return true;
       sum += input_corner(m_triangulation, t);
@@ -135,10 +135,10 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Index m_tail, m_head;
+  Vertex_index m_tail, m_head;
   double m_length;
   Decision_statistics& m_statistics;
-  std::vector<Index> m_vertices;
+  std::vector<Vertex_index> m_vertices;
   std::vector<Edge> m_edges;
   std::size_t m_next = 0; // of the edges whose sides have not been looked at
 };

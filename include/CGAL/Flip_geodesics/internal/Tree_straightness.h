@@ -36,22 +36,22 @@ public:
 
   /* The smallest angle where paths to the given vertices leave their parents; writes the vertices whose are bent. */
   template <class OutputIterator>
-  double operator()(const std::vector<Index>& vertices, OutputIterator bent) const
+  double operator()(const std::vector<Vertex_index>& vertices, OutputIterator bent) const
   {
-    std::vector<std::pair<Index, Index>> edges; // parent and child
-    for(Index v : vertices)
+    std::vector<std::pair<Vertex_index, Vertex_index>> edges; // parent and child
+    for(Vertex_index v : vertices)
       if(m_tree.incoming(v) != null_index)
         edges.emplace_back(m_triangulation.tail(m_tree.incoming(v)), v);
     std::sort(edges.begin(), edges.end());
 
     double smallest = std::numeric_limits<double>::infinity();
     for(std::size_t i = 0; i < edges.size();) {
-      const Index u = edges[i].first;
+      const Vertex_index u = edges[i].first;
       const Vertex_directions<Triangulation> directions(m_triangulation, u);
-      const Index before = m_tree.incoming(u);
+      const Halfedge_index before = m_tree.incoming(u);
       const double back = before == null_index ? 0 : directions(Triangulation::twin(before));
       for(; i < edges.size() && edges[i].first == u; ++i) {
-        const Index h = m_tree.incoming(edges[i].second);
+        const Halfedge_index h = m_tree.incoming(edges[i].second);
         const Strip<Triangulation> strip(m_triangulation, m_triangulation.crossing_word(h));
         const double angle = before == null_index ? std::numeric_limits<double>::infinity()
                                                   : directions.smaller_wedge(back, directions(strip));
@@ -64,12 +64,13 @@ public:
   }
 
   /* Lays the faces afresh in the bent wedge before v; false if flips were wrong already. */
-  bool refresh(Index v)
+  bool refresh(Vertex_index v)
   {
-    const Index h = m_tree.incoming(v), u = m_triangulation.tail(h);
+    const Halfedge_index h = m_tree.incoming(v);
+    const Vertex_index u = m_triangulation.tail(h);
     if(m_tree.incoming(u) == null_index)
       return false;
-    const Index back = Triangulation::twin(m_tree.incoming(u));
+    const Halfedge_index back = Triangulation::twin(m_tree.incoming(u));
     const Vertex_directions<Triangulation> directions(m_triangulation, u);
     if(directions.counterclockwise(directions(h), directions(back)) < Straightness::straight_angle())
       return refresh_wedge(back, h);
@@ -78,11 +79,11 @@ public:
 
 private:
   // Clockwise from a to c.
-  bool refresh_wedge(Index a, Index c)
+  bool refresh_wedge(Halfedge_index a, Halfedge_index c)
   {
-    Index h = a;
+    Halfedge_index h = a;
     do {
-      const Index t = Triangulation::twin(h);
+      const Halfedge_index t = Triangulation::twin(h);
       if(m_triangulation.is_border(t) || !refresh_face(m_triangulation, t))
         return false;
       h = m_triangulation.next(t);

@@ -101,7 +101,7 @@ public:
     result.steps.reserve(number + 1);
     start(word, result);
     for(std::size_t i = 0; i < number; ++i) {
-      const Index entered = Triangulation::twin(word.crossed[i]);
+      const Input_halfedge_index entered = twin_index(word.crossed[i]);
       const bool is_leaving_right = i + 1 < word.crossed.size() && word.crossed[i + 1] == next(entered);
       result.steps.push_back({is_leaving_right ? Kind::NEW_LEFT : Kind::NEW_RIGHT, &face(entered)});
     }
@@ -117,10 +117,10 @@ public:
     const Weights n = integer_weights(w);
     if(gap == word.crossed.size())
       return point_in_face(word, gap, n);
-    const Index told_from = word.crossed[gap];
+    const Input_halfedge_index told_from = word.crossed[gap];
     if(gap > 0)
-      return point_in_face(word, gap, turned(n, told_from, Triangulation::twin(word.crossed[gap - 1])));
-    const Index h = tail_anchor(m_triangulation, word);
+      return point_in_face(word, gap, turned(n, told_from, twin_index(word.crossed[gap - 1])));
+    const Input_halfedge_index h = tail_anchor(m_triangulation, word);
     const Weights v = turned(n, told_from, h);
     const std::array<Weights, 3> corners = corners_from(word, h);
     Weights sum = {0, 0, 0};
@@ -134,11 +134,11 @@ public:
   }
 
   /* The turn over `count` input corners clockwise from input halfedge h. */
-  Unfolding_chain corners(Index h, Index count) const
+  Unfolding_chain corners(Input_halfedge_index h, Index count) const
   {
     Unfolding_chain result;
     for(Index i = 0; i < count; ++i) {
-      const Index t = Triangulation::twin(h);
+      const Input_halfedge_index t = twin_index(h);
       result.steps.push_back({Kind::CORNER, &face(t)}); // from next(t) to -t: -conj(q) up to a positive factor
       h = next(t);
     }
@@ -146,20 +146,23 @@ public:
   }
 
 private:
-  Index next(Index h) const { return m_triangulation.input().next(h); }
-  const Exact_face& face(Index h) const { return m_triangulation.exact_input_face(h); }
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+  const Exact_face& face(Input_halfedge_index h) const { return m_triangulation.exact_input_face(h); }
 
-  Weights weights(Index v, Index h) const { return integer_weights(vertex_weights(m_triangulation, v, h)); }
+  Weights weights(Vertex_index v, Input_halfedge_index h) const
+  {
+    return integer_weights(vertex_weights(m_triangulation, v, h));
+  }
 
   // Weights of a face's corners told from one halfedge, told from another.
-  Weights turned(const Weights& w, Index from, Index to) const
+  Weights turned(const Weights& w, Input_halfedge_index from, Input_halfedge_index to) const
   {
     const int shift = from == to ? 0 : (to == next(from) ? 1 : 2);
     return {w[shift], w[(shift + 1) % 3], w[(shift + 2) % 3]};
   }
 
   // The corners of the face of h as seen from the tail of a word in it, times the sum of its weights.
-  std::array<Weights, 3> corners_from(const Crossing_word& word, Index h) const
+  std::array<Weights, 3> corners_from(const Crossing_word& word, Input_halfedge_index h) const
   {
     const Weights w = weights(word.tail, h);
     std::array<Weights, 3> result;
@@ -173,7 +176,7 @@ private:
 
   void start(const Crossing_word& word, Unfolding_chain& chain) const
   {
-    const Index h = tail_anchor(m_triangulation, word), first = word.crossed.front();
+    const Input_halfedge_index h = tail_anchor(m_triangulation, word), first = word.crossed.front();
     if(!m_triangulation.is_inserted(word.tail)) {
       chain.steps.push_back({Kind::START, &face(h)});
       return;
@@ -192,7 +195,7 @@ private:
   // The vector between two points of one face.
   Unfolding_chain inside_face(const Crossing_word& word) const
   {
-    const Index h = tail_anchor(m_triangulation, word);
+    const Input_halfedge_index h = tail_anchor(m_triangulation, word);
     const Weights from = weights(word.tail, h), to = weights(word.head, h);
     const Integer from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
     Unfolding_chain result;

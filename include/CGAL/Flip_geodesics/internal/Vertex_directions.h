@@ -30,7 +30,7 @@ template <class Triangulation>
 class Vertex_directions
 {
 public:
-  Vertex_directions(const Triangulation& triangulation, Index vertex)
+  Vertex_directions(const Triangulation& triangulation, Vertex_index vertex)
     : m_triangulation(triangulation)
   {
     if(triangulation.is_inserted(vertex))
@@ -44,7 +44,7 @@ public:
   bool has_border() const { return m_has_border; }
 
   /* The angle at which an input halfedge starts at the vertex. */
-  double of_input(Index h) const
+  double of_input(Input_halfedge_index h) const
   {
     const auto found = std::find(m_spokes.begin(), m_spokes.end(), h);
     CGAL_assertion(found != m_spokes.end());
@@ -61,7 +61,7 @@ public:
   }
 
   /* The angle of a halfedge of the triangulation that starts at the vertex. */
-  double operator()(Index h) const
+  double operator()(Halfedge_index h) const
   {
     return (*this)(Strip<Triangulation>(m_triangulation, m_triangulation.crossing_word(h)));
   }
@@ -86,41 +86,41 @@ private:
   void start_at(const Surface_location& location)
   {
     constexpr double pi = boost::math::constants::pi<double>();
-    const Index h = location.halfedge;
+    const Input_halfedge_index h = location.halfedge;
     m_is_inside_face = kind(location) == Location_kind::FACE;
-    m_has_border = !m_is_inside_face && m_triangulation.input().is_border(Triangulation::twin(h));
-    m_spokes = {h, Triangulation::twin(h)};
+    m_has_border = !m_is_inside_face && m_triangulation.input().is_border(twin_index(h));
+    m_spokes = {h, twin_index(h)};
     m_angles = {0, pi};
     m_total = m_has_border ? pi : 2 * pi;
   }
 
-  void start_at_input_vertex(Index vertex)
+  void start_at_input_vertex(Vertex_index vertex)
   {
     const auto& input = m_triangulation.input();
-    const Index start = input.outgoing(vertex);
+    const Input_halfedge_index start = input.outgoing(vertex);
     if(start == null_index)
       return;
-    Index first = start;
+    Input_halfedge_index first = start;
     do { // clockwise up to the border, if there is one
-      const Index t = Triangulation::twin(first);
+      const Input_halfedge_index t = twin_index(first);
       m_has_border = input.is_border(t);
       first = m_has_border ? first : input.next(t);
     } while(!m_has_border && first != start);
 
-    Index h = first;
+    Input_halfedge_index h = first;
     do {
       m_spokes.push_back(h);
       m_angles.push_back(m_total);
       if(input.is_border(h))
         break;
-      const Index before = input.next(input.next(h));
+      const Input_halfedge_index before = input.next(input.next(h));
       m_total += input_corner(m_triangulation, before);
-      h = Triangulation::twin(before);
+      h = twin_index(before);
     } while(h != first);
   }
 
   const Triangulation& m_triangulation;
-  std::vector<Index> m_spokes;
+  std::vector<Input_halfedge_index> m_spokes;
   std::vector<double> m_angles;
   double m_total = 0;
   bool m_has_border = false, m_is_inside_face = false;

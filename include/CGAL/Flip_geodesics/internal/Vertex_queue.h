@@ -27,16 +27,16 @@ public:
   void clear() { m_heap.clear(); }
 
   /* \pre priority >= 0 */
-  void push(double priority, Index vertex)
+  void push(double priority, Vertex_index vertex)
   {
     CGAL_precondition(priority >= 0);
     m_heap.push({ordered_bits(priority), vertex});
   }
 
   /* Removes the first vertex. */
-  Index pop()
+  Vertex_index pop()
   {
-    const Index result = m_heap.top().vertex;
+    const Vertex_index result = m_heap.top().vertex;
     m_heap.pop();
     return result;
   }
@@ -45,7 +45,7 @@ private:
   struct Entry
   {
     std::uint64_t key;
-    Index vertex;
+    Vertex_index vertex;
 
     // The branch is foretold, since equal keys are rare, and the other comparison is none.
     static std::size_t is_before(const Entry& a, const Entry& b)

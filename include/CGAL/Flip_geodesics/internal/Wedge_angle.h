@@ -41,7 +41,7 @@ constexpr double input_corner_error = 100 * std::numeric_limits<double>::epsilon
 
 /* The input corner at the head of input halfedge h, as a complex number, in a face that is known. */
 template <class Triangulation>
-std::complex<double> input_corner_vector(const Triangulation& triangulation, Index h)
+std::complex<double> input_corner_vector(const Triangulation& triangulation, Input_halfedge_index h)
 {
   const auto face = known_input_face_geometry(triangulation, h);
   return {-face[1].x, face[1].y}; // the layout puts h on the positive real axis
@@ -49,7 +49,7 @@ std::complex<double> input_corner_vector(const Triangulation& triangulation, Ind
 
 /* The input corner at the head of input halfedge h, in any face; it has to be a triangle. */
 template <class Triangulation>
-double input_corner(const Triangulation& triangulation, Index h)
+double input_corner(const Triangulation& triangulation, Input_halfedge_index h)
 {
   check_triangle(triangulation.input(), h);
   return std::arg(input_corner_vector(triangulation, h));
@@ -78,11 +78,11 @@ private:
 
 /* The sum of so many input corners clockwise from input halfedge h about an input vertex. */
 template <class Triangulation>
-double sum_of_input_corners(const Triangulation& triangulation, Index h, Index steps)
+double sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index steps)
 {
   Angle_sum sum;
   for(Index i = 0; i < steps; ++i) {
-    const Index t = Triangulation::twin(h);
+    const Input_halfedge_index t = twin_index(h);
     sum.add(input_corner_vector(triangulation, t));
     h = triangulation.input().next(t);
   }
@@ -102,13 +102,15 @@ inline double angle_from_reference(const std::complex<double>& end)
  * told from one halfedge of the face, and how often they pass it is seen from edge to edge, in corners below pi.
  */
 template <class Triangulation>
-Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Index a, Index b)
+Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
   constexpr double pi = boost::math::constants::pi<double>();
-  const auto strip = [&](Index h) { return Strip<Triangulation>(triangulation, triangulation.crossing_word(h)); };
+  const auto strip = [&](Halfedge_index h) {
+    return Strip<Triangulation>(triangulation, triangulation.crossing_word(h));
+  };
   const Strip<Triangulation> from = strip(a);
   double sum = 0, error = from.relative_error(), direction = std::arg(from.end());
-  Index h = a;
+  Halfedge_index h = a;
   do {
     h = triangulation.clockwise(h);
     const Strip<Triangulation> to = strip(h);
@@ -127,7 +129,7 @@ Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Index a,
  * their reference halfedges, corrected by their strips at both ends. a == b means all the way round.
  */
 template <class Triangulation>
-Wedge_angle wedge_angle(const Triangulation& triangulation, Index a, Index b)
+Wedge_angle wedge_angle(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
   const Location_kind kind = vertex_kind(triangulation, triangulation.tail(a));
   if(kind == Location_kind::FACE)

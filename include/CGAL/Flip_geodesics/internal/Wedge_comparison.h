@@ -30,7 +30,7 @@ public:
   /* The wedge clockwise from one halfedge of a vertex to another; all the way round if they are the same. */
   struct Wedge
   {
-    Index from, to;
+    Halfedge_index from, to;
   };
 
   /* If a filter has failed, the angles that are left, or their sum, are known to be strictly between 0 and 2 pi where
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  Comparison_result operator()(Index from, Index to) const
+  Comparison_result operator()(Halfedge_index from, Halfedge_index to) const
   {
     if(!m_is_filtered) {
       const Comparison_result quick = by_strips({{from, to}});

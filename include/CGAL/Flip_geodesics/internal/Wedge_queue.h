@@ -25,9 +25,9 @@ class Queued_wedge
 {
 public:
   /* A key that rounding has made negative counts as 0. */
-  Queued_wedge(double key, const Joint& joint, Index outgoing)
+  Queued_wedge(double key, const Joint& joint, Segment_index outgoing)
     : m_key(ordered_bits((std::max)(key, 0.0)))
-    , m_segment_and_side(2 * static_cast<std::uint32_t>(joint.incoming) + (joint.side == Side::LEFT ? 0 : 1))
+    , m_segment_and_side(2 * static_cast<std::uint32_t>(joint.incoming.idx()) + (joint.side == Side::LEFT ? 0 : 1))
     , m_outgoing(outgoing)
   {
   }
@@ -41,10 +41,11 @@ public:
 
   Joint joint() const
   {
-    return {static_cast<Index>(m_segment_and_side / 2), m_segment_and_side % 2 == 0 ? Side::LEFT : Side::RIGHT};
+    return {Segment_index(static_cast<Index>(m_segment_and_side / 2)),
+            m_segment_and_side % 2 == 0 ? Side::LEFT : Side::RIGHT};
   }
 
-  Index outgoing() const { return m_outgoing; }
+  Segment_index outgoing() const { return m_outgoing; }
 
   // Without branches: on symmetric meshes many keys are equal.
   static std::size_t is_before(const Queued_wedge& a, const Queued_wedge& b)
@@ -56,7 +57,7 @@ public:
 private:
   std::uint64_t m_key; // the bits of the number
   std::uint32_t m_segment_and_side;
-  Index m_outgoing;
+  Segment_index m_outgoing;
 };
 
 using Wedge_queue = Heap_of_four<Queued_wedge>;

@@ -48,11 +48,11 @@ public:
   /* How a shortest path arrives at a vertex: straight from another, along a word. */
   struct Leg
   {
-    Index from = null_index;
+    Vertex_index from = null_index;
     Crossing_word word;
   };
 
-  Window_search(const Triangulation& triangulation, Index source, Index target = null_index)
+  Window_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target = null_index)
     : m_triangulation(triangulation)
     , m_source(source)
     , m_target(target)
@@ -77,8 +77,8 @@ public:
       m_heap.pop_back();
       if(!entry.is_vertex)
         propagate(entry.id);
-      else if(m_vertices[entry.id].distance == entry.distance)
-        start_from(entry.id);
+      else if(const Vertex_index v(entry.id); m_vertices[v].distance == entry.distance)
+        start_from(v);
     }
   }
 
@@ -89,7 +89,7 @@ public:
   }
 
   /* The length of the shortest path found to a vertex; infinite if there is none yet. */
-  double distance(Index v) const
+  double distance(Vertex_index v) const
   {
     return is_reached(v) ? m_vertices[v].distance : std::numeric_limits<double>::infinity();
   }
@@ -97,11 +97,11 @@ public:
   /* Were there faces so flat that rays can have been lost in them? Then there may be shorter paths. */
   bool has_flat_face() const { return m_has_flat_face; }
 
-  bool is_reached(Index v) const { return m_vertices[v].is_reached; }
+  bool is_reached(Vertex_index v) const { return m_vertices[v].is_reached; }
   std::size_t number_of_windows() const { return m_windows.size(); }
 
   /* The last leg of the shortest path found to a vertex that is not the source. */
-  Leg leg(Index v) const
+  Leg leg(Vertex_index v) const
   {
     const Vertex_record& record = m_vertices[v];
     Leg result;
@@ -111,7 +111,7 @@ public:
       return result;
     }
     for(Index w = record.window; w != null_index; w = m_windows[w].parent) {
-      result.word.crossed.push_back(Triangulation::twin(m_windows[w].halfedge));
+      result.word.crossed.push_back(twin_index(m_windows[w].halfedge));
       result.from = m_windows[w].root;
     }
     std::reverse(result.word.crossed.begin(), result.word.crossed.end());
@@ -122,7 +122,8 @@ private:
   struct Vertex_record
   {
     double distance;
-    Index window, along; // through which window, or along which halfedge, the path arrives
+    Index window; // through which window the path arrives, null_index if along a halfedge
+    Input_halfedge_index along;
     bool is_reached;
     char is_passable; // 0 if not known, 1 if shortest paths may pass the vertex, 2 if not
   };
@@ -143,14 +144,16 @@ private:
 
   struct Window
   {
-    Index halfedge, parent, root;
+    Input_halfedge_index halfedge;
+    Index parent; // the window before, null_index if there is none
+    Vertex_index root;
     double from, to, x, y, sigma;
   };
 
   struct Entry
   {
     double priority, distance;
-    Index id;
+    Index id; // of a window or a vertex
     bool is_vertex;
 
     // std heaps hand out the largest.
@@ -162,7 +165,7 @@ private:
     }
   };
 
-  const Face_record& face(Index h)
+  const Face_record& face(Input_halfedge_index h)
   {
     Face_record& record = m_faces[h];
     if(record.length == 0) {
@@ -180,7 +183,7 @@ private:
     std::push_heap(m_heap.begin(), m_heap.end());
   }
 
-  double to_target(Index v) const
+  double to_target(Vertex_index v) const
   {
     if(m_target == null_index)
       return 0;
@@ -190,7 +193,7 @@ private:
   }
 
   // A path to v has been found.
-  void offer(Index v, double distance, Index window, Index along)
+  void offer(Vertex_index v, double distance, Index window, Input_halfedge_index along)
   {
     Vertex_record& record = m_vertices[v];
     if(record.is_reached && record.distance <= distance)
@@ -200,11 +203,11 @@ private:
     record.along = along;
     record.is_reached = true;
     if(v == m_source || is_passable(v))
-      push(distance + to_target(v), distance, v, true);
+      push(distance + to_target(v), distance, v.idx(), true);
   }
 
   // Shortest paths bend at vertices on the border and where the angles add up to more than 2 pi, nowhere else.
-  bool is_passable(Index v)
+  bool is_passable(Vertex_index v)
   {
     char& known = m_vertices[v].is_passable;
     if(known == 0) {
@@ -218,23 +221,23 @@ private:
   }
 
   // Opens windows on all edges opposite to v, and paths along its edges.
-  void start_from(Index v)
+  void start_from(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
     const double sigma = m_vertices[v].distance;
-    const Index first = input.outgoing(v);
+    const Input_halfedge_index first = input.outgoing(v);
     if(first == null_index)
       return;
-    Index h = first;
+    Input_halfedge_index h = first;
     do {
-      offer(input.tail(Triangulation::twin(h)), sigma + m_triangulation.metric().length(input, h), null_index, h);
+      offer(input.tail(twin_index(h)), sigma + m_triangulation.metric().length(input, h), null_index, h);
       if(!input.is_border(h)) {
-        const Index opposite = input.next(h), entered = Triangulation::twin(opposite);
+        const Input_halfedge_index opposite = input.next(h), entered = twin_index(opposite);
         const Face_record& f = face(opposite);
         if(f.y > 0) // seen from the other side the edge is reversed
           open({entered, null_index, v, 0, f.length, f.length - f.x, f.y, sigma});
       }
-      h = input.next(Triangulation::twin(h));
+      h = input.next(twin_index(h));
     } while(h != first);
   }
 
@@ -244,7 +247,7 @@ private:
     const auto& input = m_triangulation.input();
     if(input.is_border(w.halfedge) || !(w.to > w.from))
       return;
-    const Index tail = input.tail(w.halfedge), head = input.tail(Triangulation::twin(w.halfedge));
+    const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
     const double length = face(w.halfedge).length;
     const double to_from = w.sigma + std::hypot(w.from - w.x, w.y), to_to = w.sigma + std::hypot(w.to - w.x, w.y);
     if(distance(tail) + w.to <= to_to || distance(head) + (length - w.from) <= to_from) // all through it are shorter
@@ -261,8 +264,7 @@ private:
     if(m_target == null_index)
       return 0;
     const auto& input = m_triangulation.input();
-    const double tail = to_target(input.tail(w.halfedge)),
-                 head = to_target(input.tail(Triangulation::twin(w.halfedge)));
+    const double tail = to_target(input.tail(w.halfedge)), head = to_target(input.tail(twin_index(w.halfedge)));
     const double length = m_faces[w.halfedge].length;
     return (std::max)({0.0, tail - w.to, head - (length - w.from)});
   }
@@ -272,15 +274,15 @@ private:
     const Window w = m_windows[id];
     const Face_record f = face(w.halfedge);
     const auto& input = m_triangulation.input();
-    const Index hn = input.next(w.halfedge), hp = input.next(hn);
+    const Input_halfedge_index hn = input.next(w.halfedge), hp = input.next(hn);
     if(!(w.y + f.y > 0))
       return;
     const double crossing = w.x + (f.x - w.x) * (w.y / (w.y + f.y)); // where the ray to the apex passes the edge
     const Vector apex(f.x, f.y), tail(0, 0), head(f.length, 0);
     if(crossing <= w.from)
-      return enter(id, Triangulation::twin(hn), apex, head, w.from, w.to);
+      return enter(id, twin_index(hn), apex, head, w.from, w.to);
     if(crossing >= w.to)
-      return enter(id, Triangulation::twin(hp), tail, apex, w.from, w.to);
+      return enter(id, twin_index(hp), tail, apex, w.from, w.to);
 
     const double through = w.sigma + std::hypot(f.x - w.x, f.y + w.y);
     offer(input.tail(hp), through, id, null_index);
@@ -294,13 +296,13 @@ private:
       split = {through, crossing, true};
     // One that is not the best at the apex is of no use beyond the best one's ray.
     if(is_best || is_left_of_best)
-      enter(id, Triangulation::twin(hp), tail, apex, w.from, crossing);
+      enter(id, twin_index(hp), tail, apex, w.from, crossing);
     if(is_best || is_right_of_best)
-      enter(id, Triangulation::twin(hn), apex, head, crossing, w.to);
+      enter(id, twin_index(hn), apex, head, crossing, w.to);
   }
 
   // Carries the rays of a window between two of its points on to the edge of h, which runs from p to q.
-  void enter(Index id, Index h, const Vector& p, const Vector& q, double from, double to)
+  void enter(Index id, Input_halfedge_index h, const Vector& p, const Vector& q, double from, double to)
   {
     const Window& w = m_windows[id];
     const Vector start(w.x, -w.y), axis = (q - p) / std::abs(q - p);
@@ -318,10 +320,10 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Index m_source, m_target;
-  Lazy_array<Vertex_record> m_vertices;
-  Lazy_array<Face_record> m_faces;
-  Lazy_array<Split> m_splits;
+  Vertex_index m_source, m_target;
+  Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
+  Indexed_by<Input_halfedge_index, Lazy_array<Face_record>> m_faces;
+  Indexed_by<Input_halfedge_index, Lazy_array<Split>> m_splits;
   std::vector<Window> m_windows;
   std::vector<Entry> m_heap;
   bool m_has_flat_face = false;

@@ -18,27 +18,28 @@ namespace internal {
 
 /* What an intrinsic vertex is on the input. */
 template <class Triangulation>
-Location_kind vertex_kind(const Triangulation& triangulation, Index v)
+Location_kind vertex_kind(const Triangulation& triangulation, Vertex_index v)
 {
   return triangulation.is_inserted(v) ? kind(triangulation.location(v)) : Location_kind::VERTEX;
 }
 
 /* The word of an edge does not lead to the end that it is to have. */
-[[noreturn]] inline void throw_wrong_flips(Index face)
+[[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
 {
-  throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face) +
+  throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face.idx()) +
                             " were wrong by rounding",
-                        {static_cast<std::size_t>(face)});
+                        {static_cast<std::size_t>(face.idx())});
 }
 
 /* The side of an input face, given by any of its halfedges, that a point of an edge lies on; inside, its halfedge. */
 template <class Input_mesh>
-Index location_anchor(const Input_mesh& input, const Surface_location& location, Index face)
+Input_halfedge_index location_anchor(const Input_mesh& input, const Surface_location& location,
+                                     Input_halfedge_index face)
 {
   if(kind(location) == Location_kind::FACE)
     return location.halfedge;
-  for(Index h : {face, input.next(face), input.next(input.next(face))})
-    if(h >> 1 == location.halfedge >> 1)
+  for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
+    if(are_of_one_edge(h, location.halfedge))
       return h;
   throw_wrong_flips(location.halfedge);
 }
@@ -48,12 +49,12 @@ Index location_anchor(const Input_mesh& input, const Surface_location& location,
  * halfedge that starts there, a point of an edge by the side of that edge, a point inside by its location's halfedge.
  */
 template <class Triangulation>
-Index anchor(const Triangulation& triangulation, Index v, Index face)
+Input_halfedge_index anchor(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index face)
 {
   const auto& input = triangulation.input();
   if(triangulation.is_inserted(v))
     return location_anchor(input, triangulation.location(v), face);
-  for(Index h : {face, input.next(face), input.next(input.next(face))})
+  for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
     if(input.tail(h) == v)
       return h;
   throw_wrong_flips(face);
@@ -63,7 +64,8 @@ Index anchor(const Triangulation& triangulation, Index v, Index face)
  * halfedge of its first face, each `null_index` if there is none; and the vertex. */
 struct Word_end
 {
-  Index along, crossed, face, vertex;
+  Input_halfedge_index along, crossed, face;
+  Vertex_index vertex;
 };
 
 inline Word_end tail_end(const Crossing_word& word)
@@ -82,7 +84,7 @@ inline Word_end head_end(const Crossing_word& word)
  * whose face is on the left. The directions of edges at a vertex are told from here.
  */
 template <class Triangulation>
-Index tail_anchor(const Triangulation& triangulation, const Word_end& tail)
+Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Word_end& tail)
 {
   if(tail.along != null_index)
     return tail.along;
@@ -92,7 +94,7 @@ Index tail_anchor(const Triangulation& triangulation, const Word_end& tail)
 }
 
 template <class Triangulation>
-Index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
+Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
 {
   return tail_anchor(triangulation, tail_end(word));
 }
@@ -102,33 +104,33 @@ Index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
  * first direction of an input edge, strictly, that a turn clockwise about the head meets.
  */
 template <class Triangulation>
-Index head_anchor(const Triangulation& triangulation, const Word_end& head)
+Input_halfedge_index head_anchor(const Triangulation& triangulation, const Word_end& head)
 {
   if(head.along == null_index)
     return tail_anchor(triangulation, head);
-  const Index along = twin_index(head.along);
+  const Input_halfedge_index along = twin_index(head.along);
   return triangulation.is_inserted(head.vertex) ? along : triangulation.input().next(along);
 }
 
 template <class Triangulation>
-Index head_anchor(const Triangulation& triangulation, const Crossing_word& word)
+Input_halfedge_index head_anchor(const Triangulation& triangulation, const Crossing_word& word)
 {
   return head_anchor(triangulation, head_end(word));
 }
 
 /* The direction of an input edge after `spoke`, clockwise about vertex v. */
 template <class Triangulation>
-Index next_spoke(const Triangulation& triangulation, Index v, Index spoke)
+Input_halfedge_index next_spoke(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index spoke)
 {
-  const Index t = twin_index(spoke);
+  const Input_halfedge_index t = twin_index(spoke);
   return triangulation.is_inserted(v) ? t : triangulation.input().next(t);
 }
 
 /* The weights of a canonical location, of an edge or inside, in the face of h, told from h on. */
 template <class Input_mesh>
-std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Index h)
+std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index h)
 {
-  const Index side = location_anchor(input, location, h);
+  const Input_halfedge_index side = location_anchor(input, location, h);
   const int i = side == h ? 0 : (side == input.next(h) ? 1 : 2);
   const bool is_along = location.halfedge == side;
   std::array<double, 3> result;
@@ -140,12 +142,12 @@ std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_loc
 
 /* The weights of a vertex in the face of h, told from h on. */
 template <class Triangulation>
-std::array<double, 3> vertex_weights(const Triangulation& triangulation, Index v, Index h)
+std::array<double, 3> vertex_weights(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
 {
   const auto& input = triangulation.input();
   if(triangulation.is_inserted(v))
     return weights_in_face(input, triangulation.location(v), h);
-  const Index corner = anchor(triangulation, v, h);
+  const Input_halfedge_index corner = anchor(triangulation, v, h);
   return {{corner == h ? 1.0 : 0.0, corner == input.next(h) ? 1.0 : 0.0, input.next(corner) == h ? 1.0 : 0.0}};
 }
 

@@ -27,7 +27,8 @@ class Word_path
 {
 public:
   /* A path that starts at a vertex, into the input face of its anchor. The memory of old letters can be reused. */
-  Word_path(const Triangulation& triangulation, Index start, Index start_anchor, std::vector<Index> memory = {})
+  Word_path(const Triangulation& triangulation, Vertex_index start, Input_halfedge_index start_anchor,
+            std::vector<Input_halfedge_index> memory = {})
     : m_triangulation(triangulation)
     , m_start_anchor(start_anchor)
   {
@@ -36,7 +37,7 @@ public:
     m_word.tail = start;
   }
 
-  void cross(Index letter)
+  void cross(Input_halfedge_index letter)
   {
     if(is_taken_back(letter))
       m_word.crossed.pop_back();
@@ -45,7 +46,7 @@ public:
   }
 
   /* Crosses some letters of a word. As it is reduced, letters cancel where the two meet and nowhere else. */
-  void cross(const std::vector<Index>& letters, std::size_t first, std::size_t last)
+  void cross(const std::vector<Input_halfedge_index>& letters, std::size_t first, std::size_t last)
   {
     for(; first < last && is_taken_back(letters[first]); ++first)
       m_word.crossed.pop_back();
@@ -68,17 +69,17 @@ public:
   }
 
   /* Turns clockwise about vertex v over a number of input edges, that in the direction of `spoke` first. */
-  void turn(Index v, Index spoke, Index number)
+  void turn(Vertex_index v, Input_halfedge_index spoke, Index number)
   {
     for(Index i = 0; i < number; ++i, spoke = next_spoke(m_triangulation, v, spoke))
       cross(spoke);
   }
 
   /* Hands out the word of the straight path; this one ends at a vertex, in the input face of its anchor. */
-  Crossing_word finish(Index end, Index end_anchor)
+  Crossing_word finish(Vertex_index end, Input_halfedge_index end_anchor)
   {
     m_word.head = end;
-    Index first_anchor = m_start_anchor, last_anchor = end_anchor;
+    Input_halfedge_index first_anchor = m_start_anchor, last_anchor = end_anchor;
     auto first = m_word.crossed.begin(), last = m_word.crossed.end();
     for(; first != last && touches(m_word.tail, first_anchor, *first); ++first) {
       m_is_left_turn = m_is_left_turn && *first != first_anchor;
@@ -107,13 +108,13 @@ private:
   const auto& input() const { return m_triangulation.input(); }
 
   // Does a letter cross back what was crossed last?
-  bool is_taken_back(Index letter) const
+  bool is_taken_back(Input_halfedge_index letter) const
   {
     return !m_word.crossed.empty() && m_word.crossed.back() == twin_index(letter);
   }
 
   // Does a side of the anchor's face touch the vertex?
-  bool touches(Index v, Index anchor, Index side) const
+  bool touches(Vertex_index v, Input_halfedge_index anchor, Input_halfedge_index side) const
   {
     switch(vertex_kind(m_triangulation, v)) {
     case Location_kind::VERTEX:
@@ -127,14 +128,14 @@ private:
   }
 
   // The anchor in the face on the other side of a side that touches the vertex.
-  Index across(Index v, Index side, Index anchor) const
+  Input_halfedge_index across(Vertex_index v, Input_halfedge_index side, Input_halfedge_index anchor) const
   {
-    const Index t = twin_index(side);
+    const Input_halfedge_index t = twin_index(side);
     return !m_triangulation.is_inserted(v) && side == anchor ? input().next(t) : t;
   }
 
   // What crosses nothing runs along an input edge or through the inside of a face.
-  void place_in_face(Index k, Index l)
+  void place_in_face(Input_halfedge_index k, Input_halfedge_index l)
   {
     const Location_kind at_k = vertex_kind(m_triangulation, m_word.tail);
     const Location_kind at_l = vertex_kind(m_triangulation, m_word.head);
@@ -151,7 +152,7 @@ private:
   }
 
   // Of two points of an input edge, is the first nearer to the tail of halfedge h?
-  bool is_before(Index v, Index w, Index h) const
+  bool is_before(Vertex_index v, Vertex_index w, Input_halfedge_index h) const
   {
     const auto a = vertex_weights(m_triangulation, v, h), b = vertex_weights(m_triangulation, w, h);
     const auto n = to_integers<4>({{a[0], a[1], b[0], b[1]}});
@@ -159,7 +160,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Index m_start_anchor;
+  Input_halfedge_index m_start_anchor;
   Crossing_word m_word;
   Index m_spokes_at_start = 0, m_spokes_at_end = 0;
   bool m_is_left_turn = true;

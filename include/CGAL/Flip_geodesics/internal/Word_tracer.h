@@ -47,9 +47,9 @@ public:
    * derived otherwise. Linear in the degree of the tail and in the triangles that bundles pass. \pre no point was
    * inserted
    */
-  bool operator()(Index h, Crossing_word& word)
+  bool operator()(Halfedge_index h, Crossing_word& word)
   {
-    const Index spoke = spoke_before(h);
+    const Input_halfedge_index spoke = spoke_before(h);
     if(spoke == null_index)
       return false;
     word.tail = m_triangulation.tail(h);
@@ -57,15 +57,15 @@ public:
     word.face = null_index;
     const Index number = crossings(h);
     word.along = number == 0 ? spoke : null_index;
-    word.crossed.assign(static_cast<std::size_t>(number), meets_on_right);
+    word.crossed.assign(static_cast<std::size_t>(number), meets_on_right); // where the letters will stand
     if(number == 0)
       return true;
     find_meetings_on_left(h, word.crossed);
-    Index crossed = input().next(spoke);
-    for(Index& letter : word.crossed) {
+    Input_halfedge_index crossed = input().next(spoke);
+    for(Input_halfedge_index& letter : word.crossed) {
       const bool is_left_kept = letter == meets_on_left;
       letter = crossed;
-      const Index right_side = input().next(twin_index(crossed));
+      const Input_halfedge_index right_side = input().next(twin_index(crossed));
       crossed = is_left_kept ? input().next(right_side) : right_side;
     }
     return true;
@@ -73,47 +73,48 @@ public:
 
 private:
   // Where an input edge meets the next one that is crossed.
-  enum Meeting : Index { meets_on_right, meets_on_left };
+  static constexpr Input_halfedge_index meets_on_right{0}, meets_on_left{1};
 
   // Input edges that cross side `halfedge` one after the other, numbered from its tail, and go on into the face on its
   // left; the first of them is letter `letter` of the word.
   struct Bundle
   {
-    Index halfedge, first, letter, size;
+    Halfedge_index halfedge;
+    Index first, letter, size;
   };
 
   const auto& input() const { return m_triangulation.input(); }
 
-  Index crossings(Index h) const { return (std::max)(m_triangulation.crossings(Triangulation::edge(h)), 0); }
+  Index crossings(Halfedge_index h) const { return (std::max)(m_triangulation.crossings(Triangulation::edge(h)), 0); }
 
-  bool is_along(Index h) const { return m_triangulation.crossings(Triangulation::edge(h)) < 0; }
+  bool is_along(Halfedge_index h) const { return m_triangulation.crossings(Triangulation::edge(h)) < 0; }
 
   // The input halfedge at the tail of h along which h lies, or else the first one clockwise; null if that is not known.
-  Index spoke_before(Index h) const
+  Input_halfedge_index spoke_before(Halfedge_index h) const
   {
     Index passed = is_along(h) ? 1 : 0;
-    for(Index g = h; m_triangulation.version(Triangulation::edge(g)) != 0;) {
-      const Index t = Triangulation::twin(g), on = m_triangulation.next(t);
+    for(Halfedge_index g = h; m_triangulation.version(Triangulation::edge(g)) != 0;) {
+      const Halfedge_index t = Triangulation::twin(g), on = m_triangulation.next(t);
       passed += Triangle_crossings(crossings(m_triangulation.next(on)), crossings(t), crossings(on)).emanating[0];
       if(on == h)
         return null_index;
       g = on;
       if(m_triangulation.version(Triangulation::edge(g)) == 0)
-        return turned(g, passed);
+        return turned(as_input(g), passed);
       passed += is_along(g) ? 1 : 0;
     }
-    return h;
+    return as_input(h);
   }
 
   // Input halfedge h, turned counterclockwise over a number of input corners.
-  Index turned(Index h, Index number) const
+  Input_halfedge_index turned(Input_halfedge_index h, Index number) const
   {
     for(; number > 0; --number)
       h = twin_index(input().next(input().next(h)));
     return h;
   }
 
-  void find_meetings_on_left(Index h, std::vector<Index>& meetings)
+  void find_meetings_on_left(Halfedge_index h, std::vector<Input_halfedge_index>& meetings)
   {
     m_bundles.reserve(16);
     m_bundles.push_back({h, 0, 0, crossings(h)});
@@ -124,9 +125,9 @@ private:
     }
   }
 
-  void follow(const Bundle& bundle, std::vector<Index>& meetings)
+  void follow(const Bundle& bundle, std::vector<Input_halfedge_index>& meetings)
   {
-    const Index x = bundle.halfedge, to_m = m_triangulation.next(x), to_k = m_triangulation.next(to_m);
+    const Halfedge_index x = bundle.halfedge, to_m = m_triangulation.next(x), to_k = m_triangulation.next(to_m);
     const Index number = crossings(x), number_at_l = crossings(to_m);
     const Triangle_crossings passing(number_at_l, crossings(to_k), number); // corners k, l, m
     const auto clamped = [&](Index i) { return (std::min)((std::max)(i - bundle.first, 0), bundle.size); };

@@ -3,8 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_CHECK_CHAIN_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_CHECK_CHAIN_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/mistakes.h>
 
 #include <cstddef>
 #include <string>
@@ -17,10 +18,12 @@ namespace internal {
 template <class Triangulation, class HalfedgeRange>
 void check_chain(const Triangulation& triangulation, const HalfedgeRange& halfedges, bool is_closed)
 {
+  static_assert(is_range_of<HalfedgeRange, Halfedge_index>,
+                "the curve is no range of halfedges of the triangulation, Halfedge_index");
   std::size_t position = 0;
-  Index first = null_index, last = null_index;
-  for(Index h : halfedges) {
-    if(h < 0 || h >= triangulation.number_of_halfedges())
+  Halfedge_index first = null_index, last = null_index;
+  for(Halfedge_index h : halfedges) {
+    if(!h.is_valid() || h.idx() >= triangulation.number_of_halfedges())
       throw Invalid_curve_error("a curve has a halfedge that the mesh does not have", {position});
     if(last != null_index && triangulation.head(last) != triangulation.tail(h))
       throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});

@@ -18,14 +18,14 @@ namespace internal {
 
 /* Names the vertices of the face on the left of h, the first of them if there are many. */
 template <class Input_mesh>
-[[noreturn]] BOOST_NOINLINE void throw_no_triangle(const Input_mesh& input, Index h)
+[[noreturn]] BOOST_NOINLINE void throw_no_triangle(const Input_mesh& input, Input_halfedge_index h)
 {
   constexpr std::size_t most_vertices = 8;
   std::string names;
   std::vector<std::size_t> vertices;
-  Index side = h;
+  Input_halfedge_index side = h;
   do {
-    vertices.push_back(static_cast<std::size_t>(input.tail(side)));
+    vertices.push_back(static_cast<std::size_t>(input.tail(side).idx()));
     names += (names.empty() ? "" : ", ") + std::to_string(vertices.back());
     side = input.next(side);
   } while(side != h && vertices.size() < most_vertices);
@@ -39,7 +39,7 @@ template <class Input_mesh>
  * another polygon, as if there were three, need not end.
  */
 template <class Input_mesh>
-void check_triangle(const Input_mesh& input, Index h)
+void check_triangle(const Input_mesh& input, Input_halfedge_index h)
 {
   if(!input.is_triangle(h))
     throw_no_triangle(input, h);

@@ -36,7 +36,7 @@ struct Shortening_state
     : wedges(network)
     , curves(static_cast<std::size_t>(network.number_of_curves()))
   {
-    for(Index c = 0; c < network.number_of_curves(); ++c) {
+    for(Curve_index c : descriptors<Curve_index>(network.number_of_curves())) {
       curves[c].length = curves[c].shortest = network.length(c);
       length += curves[c].length;
       initial_length += network.initial_length(c);
@@ -47,7 +47,7 @@ struct Shortening_state
   }
 
   Free_wedges<Network> wedges;
-  std::vector<Curve_state> curves;
+  Indexed_by<Curve_index, std::vector<Curve_state>> curves;
   double length = 0, initial_length = 0;
   std::size_t flips = 0, steps = 0;
 };
@@ -96,7 +96,7 @@ public:
 private:
   bool is_current(const Queued_wedge& candidate)
   {
-    const Index x = candidate.joint().incoming;
+    const Segment_index x = candidate.joint().incoming;
     if(!m_network.is_alive(x) || m_network.next(x) != candidate.outgoing())
       return false;
     const Shortening_status status = m_curves[m_network.curve(x)].status;
@@ -112,7 +112,7 @@ private:
       m_end = Shortening_status::STOPPED_BY_VISITOR;
       return;
     }
-    const Index curve = m_network.curve(candidate.joint().incoming);
+    const Curve_index curve = m_network.curve(candidate.joint().incoming);
     const std::size_t flips_before = m_state.flips;
     if(candidate.joint().incoming == candidate.outgoing())
       shorten_single_segment_loop(candidate);
@@ -123,7 +123,7 @@ private:
 
   void shorten_joint(const Queued_wedge& candidate)
   {
-    const Index curve = m_network.curve(candidate.joint().incoming);
+    const Curve_index curve = m_network.curve(candidate.joint().incoming);
     const auto start = m_triangulation.log_position();
     const double change = flip_out(candidate.joint());
     const bool is_longer = can_err && is_visible(change, curve) && change > 0;
@@ -144,10 +144,10 @@ private:
     const double change = -m_triangulation.length(a.halfedge) - m_triangulation.length(c.halfedge);
     if(m_network.is_turning_back(joint))
       return change;
-    return change + flip_out_wedge(m_triangulation, a.halfedge, c.halfedge, m_arc, [&](Index h) { flip(h); });
+    return change + flip_out_wedge(m_triangulation, a.halfedge, c.halfedge, m_arc, [&](Halfedge_index h) { flip(h); });
   }
 
-  void flip(Index h)
+  void flip(Halfedge_index h)
   {
     CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge holds no strand");
     m_triangulation.flip(h);
@@ -161,7 +161,7 @@ private:
     m_network.replace_joint(joint, m_arc, m_affected);
   }
 
-  void finish_step(Index curve)
+  void finish_step(Curve_index curve)
   {
     ++m_state.steps;
     m_visitor.after_flip_out(m_network, curve);
@@ -173,14 +173,14 @@ private:
   }
 
   // Is the change larger than what rounding makes of the length?
-  bool is_visible(double change, Index curve) const { return std::abs(change) > 1e-14 * m_curves[curve].length; }
+  bool is_visible(double change, Curve_index curve) const { return std::abs(change) > 1e-14 * m_curves[curve].length; }
 
   /*
    * Every step shortens, but by less than doubles see where the angle is within 1e-7 of pi. Exact decisions end all the
    * same; those of doubles could go round in circles, and a curve that has not become visibly shorter than ever before
    * in so many steps is given up. As each round shortens it visibly, there are finitely many.
    */
-  void count_blind_step(Index curve)
+  void count_blind_step(Curve_index curve)
   {
     constexpr std::size_t patience = 10000;
     Curve_state& state = m_curves[curve];
@@ -201,7 +201,8 @@ private:
    */
   void shorten_single_segment_loop(const Queued_wedge& candidate)
   {
-    const Index s = candidate.joint().incoming, curve = m_network.curve(s);
+    const Segment_index s = candidate.joint().incoming;
+    const Curve_index curve = m_network.curve(s);
     const auto start = m_triangulation.log_position();
     const auto place = m_network.stack_place(s);
     const double length_before = m_curves[curve].length;
@@ -231,25 +232,26 @@ private:
       add_length(curve, change);
       return finish_step(curve);
     }
-    const Index restored = take_back();
+    const Segment_index restored = take_back();
     obey(decision, {candidate.key(), {restored, candidate.joint().side}, restored}, curve);
   }
 
   void perturb_and_flip_out(const Joint& loop)
   {
-    const Index curve = m_network.curve(loop.incoming);
-    const Index h = m_network.halfedge(loop.incoming);
-    const Index arriving = m_network.perturb_loop(loop.incoming, loop.side == Side::LEFT ? h : Triangulation::twin(h));
+    const Curve_index curve = m_network.curve(loop.incoming);
+    const Halfedge_index h = m_network.halfedge(loop.incoming);
+    const Segment_index arriving =
+        m_network.perturb_loop(loop.incoming, loop.side == Side::LEFT ? h : Triangulation::twin(h));
     add_length(curve, m_network.length(curve) - m_curves[curve].length);
     const Joint old_node = {arriving, loop.side};
     apply(old_node, flip_out(old_node));
   }
 
   // One step at the first joint of a curve whose wedge on a side is free; false if there is none.
-  bool shorten_somewhere(Index curve, Side side)
+  bool shorten_somewhere(Curve_index curve, Side side)
   {
-    Index found = null_index;
-    m_network.for_each_segment(curve, [&](Index s) {
+    Segment_index found = null_index;
+    m_network.for_each_segment(curve, [&](Segment_index s) {
       if(found == null_index && m_network.next(s) != s && m_wedges.is_free({s, side}))
         found = s;
     });
@@ -265,13 +267,13 @@ private:
     return true;
   }
 
-  void add_length(Index curve, double change)
+  void add_length(Curve_index curve, double change)
   {
     m_curves[curve].length += change;
     m_state.length += change;
   }
 
-  Stop_decision ask(double key, Index curve, double change) const
+  Stop_decision ask(double key, Curve_index curve, double change) const
   {
     return m_stop(Shortening_step{curve, key, m_state.steps - m_first_step, m_network.initial_length(curve),
                                   m_curves[curve].length + change, m_state.initial_length, m_state.length + change,
@@ -279,7 +281,7 @@ private:
   }
 
   // Does what a predicate has decided on a candidate, which waits for another run if it was refused.
-  void obey(Stop_decision decision, const Queued_wedge& candidate, Index curve)
+  void obey(Stop_decision decision, const Queued_wedge& candidate, Curve_index curve)
   {
     if(decision != Stop_decision::CONTINUE)
       m_wedges.hold(candidate);
@@ -308,12 +310,12 @@ private:
   Triangulation& m_triangulation;
   Shortening_state<Network>& m_state;
   Free_wedges<Network>& m_wedges;
-  std::vector<Curve_state>& m_curves;
+  Indexed_by<Curve_index, std::vector<Curve_state>>& m_curves;
   const StopPredicate& m_stop;
   Visitor& m_visitor;
   std::size_t m_first_step;
   Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST;
-  std::vector<Index> m_arc;
+  std::vector<Halfedge_index> m_arc;
   std::vector<Joint> m_affected;
 };
 

@@ -3,8 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WEDGE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WEDGE_H
 
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/Placed_halfedge.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 
 #include <vector>
 
@@ -27,16 +26,18 @@ namespace internal {
  *                  b
  */
 template <class Triangulation, class Flip>
-double flip_out_wedge(const Triangulation& triangulation, Index a, Index c, std::vector<Index>& arc, Flip flip)
+double flip_out_wedge(const Triangulation& triangulation, Halfedge_index a, Halfedge_index c,
+                      std::vector<Halfedge_index>& arc, Flip flip)
 {
-  const Placed_halfedge<Triangulation> first(triangulation, a), last(triangulation, c);
-  Placed_halfedge<Triangulation> spoke = first.clockwise();
+  using Walker = typename Triangulation::Walker;
+  const Walker first = triangulation.walker(a), last = triangulation.walker(c);
+  Walker spoke = first.clockwise();
   while(spoke != last) {
     if(spoke.is_reflex_at_head()) {
       spoke = spoke.clockwise();
       continue;
     }
-    const Placed_halfedge<Triangulation> before = spoke.counterclockwise(), after = spoke.clockwise();
+    const Walker before = spoke.counterclockwise(), after = spoke.clockwise();
     flip(spoke.index());
     spoke = before == first ? after : before;
   }
@@ -45,7 +46,7 @@ double flip_out_wedge(const Triangulation& triangulation, Index a, Index c, std:
   arc.clear();
   spoke = first;
   do { // a == c is all the way round
-    const Placed_halfedge<Triangulation> outer = spoke.twin().previous().twin();
+    const Walker outer = spoke.twin().previous().twin();
     outer.prefetch_face(); // to be looked at when the curve lies on the arc
     arc.push_back(outer.index());
     length += outer.length();

@@ -13,7 +13,7 @@ namespace internal {
 
 /* The vectors of the input face on the left of h, from h on, in the numbers of some traits; it has to be a triangle. */
 template <class Triangulation, class Traits>
-auto input_face_geometry(const Triangulation& triangulation, Index h, const Traits& traits)
+auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h, const Traits& traits)
 {
   check_triangle(triangulation.input(), h);
   return triangulation.metric().face_geometry(triangulation.input(), h, traits);
@@ -21,7 +21,7 @@ auto input_face_geometry(const Triangulation& triangulation, Index h, const Trai
 
 /* The same in double, with h on the positive real axis, of a face that has been found to be a triangle. */
 template <class Triangulation>
-auto known_input_face_geometry(const Triangulation& triangulation, Index h)
+auto known_input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h)
 {
   using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
   return triangulation.metric().face_geometry(triangulation.input(), h, Double_traits());
@@ -29,7 +29,7 @@ auto known_input_face_geometry(const Triangulation& triangulation, Index h)
 
 /* The same of any face. */
 template <class Triangulation>
-auto input_face_geometry(const Triangulation& triangulation, Index h)
+auto input_face_geometry(const Triangulation& triangulation, Input_halfedge_index h)
 {
   check_triangle(triangulation.input(), h);
   return known_input_face_geometry(triangulation, h);

@@ -14,9 +14,9 @@ namespace internal {
 
 /* Does the face on the left of h close, and, if the twin's face is known, do both sides have one length and vertex? */
 template <class Triangulation>
-bool is_valid_halfedge(const Triangulation& triangulation, Index h, double tolerance, bool is_twin_known)
+bool is_valid_halfedge(const Triangulation& triangulation, Halfedge_index h, double tolerance, bool is_twin_known)
 {
-  const Index t = Triangulation::twin(h), hn = triangulation.next(h), hp = triangulation.next(hn);
+  const Halfedge_index t = Triangulation::twin(h), hn = triangulation.next(h), hp = triangulation.next(hn);
   if(triangulation.next(hp) != h || (is_twin_known && triangulation.tail(t) != triangulation.tail(hn)))
     return false;
   const double a = triangulation.length(h), b = triangulation.length(hn), c = triangulation.length(hp);

@@ -22,10 +22,10 @@ namespace internal {
 
 /* The input faces that a canonical location lies in, each by its smallest halfedge. */
 template <class Input_mesh>
-std::vector<Index> faces_of_location(const Input_mesh& input, const Surface_location& location)
+std::vector<Input_halfedge_index> faces_of_location(const Input_mesh& input, const Surface_location& location)
 {
-  std::vector<Index> result;
-  const auto add = [&](Index h) {
+  std::vector<Input_halfedge_index> result;
+  const auto add = [&](Input_halfedge_index h) {
     if(input.is_border(h))
       return;
     check_triangle(input, h);
@@ -37,9 +37,9 @@ std::vector<Index> faces_of_location(const Input_mesh& input, const Surface_loca
       add(twin_index(location.halfedge));
     return result;
   }
-  const Index v = input.tail(location.halfedge);
-  Index h = input.outgoing(v);
-  const Index first = h;
+  const Vertex_index v = input.tail(location.halfedge);
+  Input_halfedge_index h = input.outgoing(v);
+  const Input_halfedge_index first = h;
   do {
     add(h);
     h = input.next(twin_index(h)); // along the border, too
@@ -49,10 +49,10 @@ std::vector<Index> faces_of_location(const Input_mesh& input, const Surface_loca
 
 /* An input face that two canonical locations lie in; null_index if there is none. */
 template <class Input_mesh>
-Index common_face(const Input_mesh& input, const Surface_location& p, const Surface_location& q)
+Input_halfedge_index common_face(const Input_mesh& input, const Surface_location& p, const Surface_location& q)
 {
-  const std::vector<Index> faces = faces_of_location(input, p);
-  for(Index f : faces_of_location(input, q))
+  const std::vector<Input_halfedge_index> faces = faces_of_location(input, p);
+  for(Input_halfedge_index f : faces_of_location(input, q))
     if(std::find(faces.begin(), faces.end(), f) != faces.end())
       return f;
   return null_index;
@@ -63,17 +63,18 @@ template <class Triangulation>
 class Path_in_face
 {
 public:
-  Path_in_face(const Triangulation& triangulation, Index face)
+  Path_in_face(const Triangulation& triangulation, Input_halfedge_index face)
     : m_triangulation(triangulation)
     , m_face(face)
   {
   }
 
   /* None if the edges in the face do not join the vertices. */
-  std::vector<Index> operator()(Index source, Index target) const
+  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target) const
   {
-    std::map<Index, std::pair<double, Index>> labels = {{source, {0, null_index}}}; // length, last halfedge
-    using Entry = std::pair<double, Index>;
+    std::map<Vertex_index, std::pair<double, Halfedge_index>> labels = {
+        {source, {0, null_index}}}; // length, last halfedge
+    using Entry = std::pair<double, Vertex_index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     queue.push({0, source});
     while(!queue.empty()) {
@@ -83,7 +84,7 @@ public:
         break;
       if(length > labels[v].first)
         continue;
-      for(Index h : spokes(m_triangulation, v)) {
+      for(Halfedge_index h : spokes(m_triangulation, v)) {
         if(!is_in_face(h))
           continue;
         const double longer = length + m_triangulation.length(h);
@@ -94,40 +95,40 @@ public:
         queue.push({longer, m_triangulation.head(h)});
       }
     }
-    std::vector<Index> path;
+    std::vector<Halfedge_index> path;
     if(labels.count(target) != 0)
-      for(Index v = target; v != source; v = m_triangulation.tail(path.back()))
+      for(Vertex_index v = target; v != source; v = m_triangulation.tail(path.back()))
         path.push_back(labels[v].second);
     std::reverse(path.begin(), path.end());
     return path;
   }
 
 private:
-  bool is_in_face(Index h) const
+  bool is_in_face(Halfedge_index h) const
   {
     if(m_triangulation.crossings(Triangulation::edge(h)) > 0)
       return false;
     const Crossing_word word = m_triangulation.crossing_word(h);
     return word.along == null_index ? is_of_face(word.face)
-                                    : is_of_face(word.along) || is_of_face(Triangulation::twin(word.along));
+                                    : is_of_face(word.along) || is_of_face(twin_index(word.along));
   }
 
-  bool is_of_face(Index h) const
+  bool is_of_face(Input_halfedge_index h) const
   {
     const auto& input = m_triangulation.input();
     return h == m_face || h == input.next(m_face) || input.next(h) == m_face;
   }
 
   const Triangulation& m_triangulation;
-  Index m_face;
+  Input_halfedge_index m_face;
 };
 
 /* The input vertex with the largest weight. */
 template <class Input_mesh>
-Index nearest_vertex(const Input_mesh& input, const Surface_location& p)
+Vertex_index nearest_vertex(const Input_mesh& input, const Surface_location& p)
 {
   const auto nearest = (std::max_element)(p.weights.begin(), p.weights.end()) - p.weights.begin();
-  const Index h = p.halfedge, hn = input.next(h);
+  const Input_halfedge_index h = p.halfedge, hn = input.next(h);
   return input.tail(nearest == 0 ? h : (nearest == 1 ? hn : input.next(hn)));
 }
 

@@ -40,11 +40,11 @@ public:
    */
   bool operator()(const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
   {
-    const Index ends = m_mesh.number_of_vertices();
+    const Vertex_index ends(m_mesh.number_of_vertices());
     if(a.tail >= ends || a.head >= ends || b.head >= ends)
       return false;
-    Index h = reference(a);
-    const Index some_face = a.along != null_index ? twin_index(h) : h;
+    Input_halfedge_index h = reference(a);
+    const Input_halfedge_index some_face = a.along != null_index ? twin_index(h) : h;
     if(!is_flat(a) || !is_flat(b))
       return false;
     for(Index i = 0; i < steps; ++i) {
@@ -67,19 +67,19 @@ public:
   }
 
 private:
-  Index reference(const Crossing_word& word) const
+  Input_halfedge_index reference(const Crossing_word& word) const
   {
     return word.along != null_index ? word.along : m_mesh.next(m_mesh.next(word.crossed.front()));
   }
 
-  Index head(const Crossing_word& word) const
+  Vertex_index head(const Crossing_word& word) const
   {
     return word.along != null_index ? m_mesh.tail(twin_index(word.along)) : apex(twin_index(word.crossed.back()));
   }
 
-  Index apex(Index h) const { return m_mesh.tail(m_mesh.next(m_mesh.next(h))); }
+  Vertex_index apex(Input_halfedge_index h) const { return m_mesh.tail(m_mesh.next(m_mesh.next(h))); }
 
-  Point_3 corner(Index h, int i) const
+  Point_3 corner(Input_halfedge_index h, int i) const
   {
     for(; i > 0; --i)
       h = m_mesh.next(h);
@@ -88,13 +88,13 @@ private:
 
   bool is_flat(const Crossing_word& word) const
   {
-    for(Index h : word.crossed)
+    for(Input_halfedge_index h : word.crossed)
       if(!is_flat_across(h))
         return false;
     return true;
   }
 
-  bool is_flat_across(Index h) const
+  bool is_flat_across(Input_halfedge_index h) const
   {
     const Point_3 p = m_point_of(m_mesh.tail(h)), q = m_point_of(m_mesh.tail(twin_index(h)));
     const Point_3 r = m_point_of(apex(h)), s = m_point_of(apex(twin_index(h)));

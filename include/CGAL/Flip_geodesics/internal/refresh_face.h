@@ -55,11 +55,11 @@ std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits
 
 /* Lays out the face on the left of h from the input alone, by strips in double; nothing as above. */
 template <class Triangulation>
-std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Triangulation& triangulation, Index h,
-                                                                        double tolerance)
+std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Triangulation& triangulation,
+                                                                        Halfedge_index h, double tolerance)
 {
-  const Index hn = triangulation.next(h), hp = triangulation.next(hn);
-  const auto edge = [&](Index side) {
+  const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
+  const auto edge = [&](Halfedge_index side) {
     const Strip<Triangulation> strip(triangulation, triangulation.crossing_word(side));
     return Face_measures::Length{strip.length(), strip.relative_error()};
   };
@@ -72,9 +72,10 @@ std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Tr
 
 /* The same from edges as vectors of about 100 bits, where flips are never wrong. Nothing if these have no bound. */
 template <class Triangulation>
-std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const Triangulation& triangulation, Index h)
+std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const Triangulation& triangulation,
+                                                                          Halfedge_index h)
 {
-  const Index hn = triangulation.next(h), hp = triangulation.next(hn);
+  const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
   const Precise_wedge<Triangulation> at_tail(triangulation, Triangulation::twin(hp), h);
   const Precise_wedge<Triangulation> at_head(triangulation, Triangulation::twin(h), hn);
   const auto edge = [](const Precise_edge& e) { return Face_measures::Length{e.length, e.end_error}; };
@@ -87,7 +88,7 @@ std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const 
 
 /* Lays out the face on the left of h afresh. Returns false, and changes nothing, if flips were wrong already. */
 template <class Triangulation>
-bool refresh_face(Triangulation& triangulation, Index h)
+bool refresh_face(Triangulation& triangulation, Halfedge_index h)
 {
   std::optional<typename Triangulation::Traits::Face_geometry> geometry;
   if constexpr(!Triangulation::Traits::Has_drift::value)

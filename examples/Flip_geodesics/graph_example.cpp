@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A surface divided by the three geodesics between three vertices: the triangulation has them as edges and is a graph
+// of CGAL's, so that a function of Polygon Mesh Processing finds the regions.
+//
+//   graph_example [MESH [VERTEX VERTEX VERTEX]]
+
+#include "torus.h"
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/graph_traits.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+
+// Heron's formula, in Kahan's order.
+double area(const Triangulation& triangulation, FG::Face_index f)
+{
+  std::vector<double> sides;
+  for(FG::Halfedge_index h : halfedges_around_face(halfedge(f, triangulation), triangulation))
+    sides.push_back(get(boost::edge_weight, triangulation, edge(h, triangulation)));
+  std::sort(sides.begin(), sides.end());
+  const double c = sides[0], b = sides[1], a = sides[2];
+  return std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c)))) / 4;
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
+  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
+    std::cerr << "This is not a triangle mesh.\n";
+    return EXIT_FAILURE;
+  }
+  const auto n = static_cast<FG::Index>(mesh.number_of_vertices());
+  std::vector<FG::Vertex_index> corners = {FG::Vertex_index(0), FG::Vertex_index(n / 12), FG::Vertex_index(n / 23)};
+  for(int i = 0; i < 3 && argc > 4; ++i)
+    corners[i] = FG::Vertex_index(std::atoi(argv[2 + i]));
+  try {
+    Triangulation triangulation(mesh);
+    FG::Edge_path_network<Triangulation> network(triangulation);
+    FG::Shortest_edge_path<Triangulation> search(triangulation);
+    for(int i = 0; i < 3; ++i)
+      network.add_curve(search(corners[i], corners[(i + 1) % 3]), false);
+    FG::order_overlapping_curves(network);
+    FG::shorten(network);
+
+    const auto is_on_geodesic = boost::make_function_property_map<FG::Edge_index>(
+        [&](FG::Edge_index e) { return network.is_occupied(e.halfedge()); });
+    auto region = get(CGAL::dynamic_face_property_t<std::size_t>(), triangulation);
+    std::vector<double> areas(CGAL::Polygon_mesh_processing::connected_components(
+        triangulation, region, CGAL::parameters::edge_is_constrained_map(is_on_geodesic)));
+    for(FG::Face_index f : faces(triangulation))
+      areas[get(region, f)] += area(triangulation, f);
+    for(std::size_t i = 0; i < areas.size(); ++i)
+      std::cout << "region " << i << " has the area " << areas[i] << '\n';
+    return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch(const FG::Error& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

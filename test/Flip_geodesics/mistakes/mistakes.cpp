@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Mistakes that are made with the interface, by their number; without any, MISTAKE=0, all of it compiles.
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <iterator>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+
+void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
+         const std::vector<FG::Vertex_index>& vertices, const std::vector<FG::Halfedge_index>& halfedges)
+{
+  std::vector<Kernel::Point_3> points;
+  const auto out = std::back_inserter(points);
+  const FG::Iteration_stop_predicate stop(3);
+  Triangulation triangulation(mesh);
+  FG::Edge_path_network<Triangulation> network(triangulation);
+
+#if MISTAKE == 1
+  FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);
+#elif MISTAKE == 2
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
+#elif MISTAKE == 3
+  FG::geodesic_loop(mesh, std::vector<Mesh::Halfedge_index>(), out);
+#elif MISTAKE == 4
+  network.add_curve(vertices, false);
+#elif MISTAKE == 5
+  FG::halfedges_through(triangulation, of_mesh, false);
+#else
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), stop);
+  FG::geodesic_loop(mesh, of_mesh, out);
+  network.add_curve(halfedges, false);
+  network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);
+#endif
+}
