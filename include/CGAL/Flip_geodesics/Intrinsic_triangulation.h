@@ -98,7 +98,7 @@ public:
   /// Descriptors of `Triangle_mesh`.
   using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  /// A halfedge held by where it is kept, for walks of many steps; see the concept `IntrinsicTriangulation`.
+  /// A halfedge held by where it is kept, for walks of many steps; of a type that is not documented.
   using Walker = internal::Placed_halfedge<Intrinsic_triangulation>;
 
   /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge. Where `hp` is
