@@ -494,6 +494,42 @@ BOOST_AUTO_TEST_CASE(runs_look_at_nothing_twice)
   }
 }
 
+// What waits in the queue is looked at again: nodes may have been fixed since.
+BOOST_AUTO_TEST_CASE(wedges_at_nodes_that_were_fixed_meanwhile_are_not_free)
+{
+  Curve_setting setting(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 3));
+  auto& network = setting.network;
+  setting.add_path(0_v, 48_v);
+  FG::internal::Free_wedges<Curve_setting::Network> wedges(network);
+  wedges.look_at_curve(0_c);
+  BOOST_REQUIRE(wedges.has_next());
+  while(wedges.has_next()) {
+    const FG::Joint joint = wedges.pop().joint();
+    const Vertex_index node = setting.triangulation.head(network.halfedge(joint.incoming));
+    BOOST_TEST(wedges.is_still_free(joint));
+    network.fix_nodes_at(node);
+    BOOST_TEST(!wedges.is_still_free(joint));
+    network.set_head_fixed(joint.incoming, false);
+  }
+}
+
+// Between two runs all nodes are fixed: no step is left to take.
+BOOST_AUTO_TEST_CASE(a_stopped_shortener_leaves_nodes_that_were_fixed)
+{
+  Curve_setting setting(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 3));
+  auto& network = setting.network;
+  setting.add_path(0_v, 48_v);
+  const std::vector<FG::Halfedge_index> before = network.halfedges(0_c);
+  FG::Shortener<Curve_setting::Network> shortener(network);
+  BOOST_TEST(!shortener.run(FG::Iteration_stop_predicate(0)));
+  for(FG::Halfedge_index h : before)
+    network.fix_nodes_at(setting.triangulation.head(h));
+  BOOST_TEST(shortener.run());
+  BOOST_TEST(shortener.number_of_steps() == 0u);
+  BOOST_TEST(network.halfedges(0_c) == before, boost::test_tools::per_element());
+  BOOST_TEST(setting.triangulation.log_position() == 0u);
+}
+
 // ---------------------------------------------------------------- small regions
 
 // A limit on the total length lets a speck vanish; a limit on each curve keeps it.
