@@ -410,6 +410,40 @@ BOOST_AUTO_TEST_CASE(needles_end)
     }
 }
 
+// Flips behind a tree's back: it is not valid where a path is no longer there, or not as long as it says.
+BOOST_AUTO_TEST_CASE(trees_whose_edges_were_flipped_are_not_valid)
+{
+  Double_tree_setting setting(bumpy_sphere(3, 0.2, 1));
+  auto& t = setting.triangulation;
+  const auto& tree = setting.tree;
+  setting.tree.grow(0_v);
+  const auto start = t.log_position();
+  Random_numbers random(1);
+  int of_other_lengths = 0;
+  for(int i = 0; i < 1000; ++i) {
+    const Vertex_index v(1 + random.below(setting.size() - 1));
+    const Halfedge_index last = tree.incoming(v);
+    const auto flip = [&](Halfedge_index h) {
+      const bool is_in_tree = tree.incoming(t.head(h)) == h || tree.incoming(t.tail(h)) == t.twin(h);
+      if(t.is_flippable(h) && (!is_in_tree || t.edge(h) == t.edge(last)))
+        t.flip(h);
+    };
+    for(int k = 0; k < 8; ++k) { // four turn it once around, between other vertices if its quad has changed
+      flip(last);
+      const bool is_there = t.head(last) == v;
+      const bool is_right = is_close(tree.distance(t.tail(last)) + t.length(last), tree.distance(v));
+      BOOST_TEST(((is_there && is_right) || !tree.is_valid()));
+      of_other_lengths += is_there && !is_right ? 1 : 0;
+      for(int j = 0; j < 6; ++j)
+        if(const Halfedge_index h = j % 2 == 0 ? last : t.twin(last); random.below(2) == 0)
+          flip(random.below(2) == 0 ? t.next(h) : t.previous(h));
+    }
+    t.rollback(start);
+    BOOST_TEST(tree.is_valid());
+  }
+  BOOST_TEST(of_other_lengths > 0);
+}
+
 // Inserted vertices are sources and ends of paths like others; in the plane the map shows every point in its place.
 BOOST_AUTO_TEST_CASE(inserted_vertices)
 {
