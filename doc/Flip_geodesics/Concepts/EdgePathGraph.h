@@ -31,7 +31,7 @@ public:
   /// \name Types
   /// @{
 
-  /// The triangulation: an `Intrinsic_triangulation`, or a class that has all of its members.
+  /// The triangulation: a model of `IntrinsicTriangulation`.
   typedef unspecified_type Triangulation;
 
   /// What `wedge()` returns: a class with the members `state`, a `Wedge_state`, and `turn`, a `Triangulation::Turn`,

@@ -32,6 +32,11 @@ class Network_access;
 
 } // namespace internal
 
+/// \ingroup PkgFlipGeodesicsRef
+/// The place for a network in a triangulation, which has one: a model of `IntrinsicTriangulation` has a member of this
+/// type. It refuses to be moved while it is taken.
+using Network_place = internal::Network_place;
+
 /*!
  * \ingroup PkgFlipGeodesicsRef
  *
@@ -53,7 +58,8 @@ class Network_access;
  * takes them out again in its destructor. The triangulation must outlive the network, of which nothing but the
  * destructor may be called afterwards.
  *
- * \tparam Triangulation an `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, an
+ *         `Intrinsic_triangulation`
  *
  * \cgalModels{EdgePathGraph}
  */

@@ -70,6 +70,8 @@ enum class Zero_length_edges {
  *
  * Not safe to be used from two threads at once, not even for reading; give each thread a triangulation of its own.
  *
+ * \cgalModels{IntrinsicTriangulation}
+ *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
  *         `Surface_mesh` without removed vertices or edges
  * \tparam Traits_ a model of `IntrinsicTriangulationTraits`
@@ -98,7 +100,7 @@ public:
   /// Descriptors of `Triangle_mesh`.
   using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  /// A halfedge held by where it is kept, for walks of many steps; of a type that is not documented.
+  /// A model of `IntrinsicTriangulationWalker`.
   using Walker = internal::Placed_halfedge<Intrinsic_triangulation>;
 
   /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge. Where `hp` is

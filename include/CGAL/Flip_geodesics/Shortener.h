@@ -14,10 +14,28 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+namespace internal {
+
+/* Does a triangulation tell the words of its edges on an input? */
+template <class Triangulation, class = void>
+struct Has_words : std::false_type
+{
+};
+
+template <class Triangulation>
+struct Has_words<Triangulation,
+                 std::void_t<decltype(std::declval<const Triangulation&>().crossing_word(Halfedge_index()))>>
+  : std::true_type
+{
+};
+
+} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsRef
@@ -35,6 +53,10 @@ namespace Flip_geodesics {
 template <class Network_>
 class Shortener
 {
+  static_assert(internal::Has_words<typename Network_::Triangulation>::value ||
+                    !Network_::Triangulation::Traits::Has_drift::value,
+                "decisions that can err are measured from the input, with which the triangulation does not correspond");
+
   using Traits = typename Network_::Triangulation::Traits;
   using Straightnesses = internal::Indexed_by<Curve_index, std::vector<Straightness>>;
 
@@ -91,8 +113,8 @@ public:
   /// A curve's length, as above.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
-  /// What has become of the curves so far, measured afresh from the input. Linear in the network and in the input edges
-  /// that it crosses.
+  /// What has become of the curves so far, measured afresh from the input if the triangulation corresponds with one.
+  /// Linear in the network and in the input edges that it crosses.
   Shortening_report report() const
   {
     const Straightnesses straightness = m_straightness.empty() ? measured() : m_straightness;
@@ -130,11 +152,17 @@ private:
 
   Straightnesses measured() const
   {
-    Straightnesses result;
+    Straightnesses result(static_cast<std::size_t>(m_network.number_of_curves()));
+    if constexpr(internal::Has_words<typename Network::Triangulation>::value)
+      measure(result);
+    return result;
+  }
+
+  void measure(Straightnesses& straightness) const
+  {
     Straightness_meter<Network> meter(m_network);
     for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
-      result.push_back(meter(c));
-    return result;
+      straightness[c] = meter(c);
   }
 
   // Measures the curves, and goes on until they are as straight as the input says, or fresh vectors no longer help.

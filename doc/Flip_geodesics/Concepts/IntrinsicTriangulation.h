@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+/*!
+ * \ingroup PkgFlipGeodesicsConcepts
+ * \cgalConcept
+ *
+ * An intrinsic triangulation: vertices joined by straight edges in a surface, which can be flipped. It is what
+ * `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
+ * `flip_to_delaunay()`, `is_delaunay()` and `edges_near_curves()` ask for.
+ *
+ * Its descriptors are the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, numbered from 0. An edge with
+ * number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: there may be loops, several
+ * edges between two vertices, and faces that are glued to themselves. Faces are triangles, and lie on the left of their
+ * halfedges; a border halfedge has none. The surface is oriented and a manifold.
+ *
+ * Where `Traits::Has_drift` is `CGAL::Tag_true`, finished curves are measured from the input; `shorten()` then needs
+ * the correspondence with it as well, which only `Intrinsic_triangulation` has.
+ *
+ * \cgalHasModelsBegin
+ * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation<TriangleMesh\,Traits\,Metric>}
+ * \cgalHasModelsEnd
+ *
+ * \sa `EdgePathGraph`
+ */
+class IntrinsicTriangulation
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// A model of `IntrinsicTriangulationTraits`. The algorithms use its types `Turn` and `Has_drift`, and its functor
+  /// `Turn_key`.
+  typedef unspecified_type Traits;
+
+  /// `Traits::Turn`.
+  typedef unspecified_type Turn;
+
+  /// A halfedge, held by where the triangulation keeps it: for walks of many steps. Copyable, assignable, compared by
+  /// `==` and `!=`. The members of a walker are below.
+  typedef unspecified_type Walker;
+
+  /// A position in the log of flips, an integer.
+  typedef unspecified_type Log_position;
+
+  /// @}
+  /// \name Elements
+  /// @{
+
+  /// The number of vertices.
+  Index number_of_vertices() const;
+  /// The number of halfedges, twice that of edges.
+  Index number_of_halfedges() const;
+  /// The number of edges.
+  Index number_of_edges() const;
+
+  /// The other side of the edge.
+  static Halfedge_index twin(Halfedge_index h);
+  /// The edge of a halfedge.
+  static Edge_index edge(Halfedge_index h);
+  /// The next halfedge of the face. \pre `h` is not on the border
+  Halfedge_index next(Halfedge_index h) const;
+  /// The previous halfedge of the face. \pre `h` is not on the border
+  Halfedge_index previous(Halfedge_index h) const;
+  /// The vertex at which `h` starts.
+  Vertex_index tail(Halfedge_index h) const;
+  /// The vertex at which `h` ends.
+  Vertex_index head(Halfedge_index h) const;
+  /// Has `h` no face on its left?
+  bool is_border(Halfedge_index h) const;
+  /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
+  Halfedge_index clockwise(Halfedge_index h) const;
+  /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
+  Halfedge_index counterclockwise(Halfedge_index h) const;
+  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
+  Halfedge_index outgoing(Vertex_index v) const;
+  /// Says that the face on the left of `h` will be read soon. It may do nothing.
+  void prefetch_face(Halfedge_index h) const;
+
+  /// @}
+  /// \name Geometry
+  /// @{
+
+  /// The traits.
+  const Traits& traits() const;
+  /// The length of the edge of `h`, rounded.
+  double length(Halfedge_index h) const;
+  /// Adds to a turn the corner on the right of `h` at its tail, and returns `clockwise(h)`; where that is `null_index`,
+  /// nothing is added.
+  Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const;
+  /// Is the turn, which leads clockwise from `from` to `to` about a vertex, at least \f$\pi\f$?
+  bool is_straight(const Turn& turn, Halfedge_index from, Halfedge_index to) const;
+  /// Is the edge of `h` on the border, or are the angles opposite to it together at most \f$\pi\f$?
+  bool is_locally_delaunay(Halfedge_index h) const;
+
+  /// @}
+  /// \name Flips
+  /// @{
+
+  /// Flips the edge of `h`. With the faces `(h, hn, hp)` and `(t, tn, tp)` on its two sides, the new faces are
+  /// `(h, hp, tn)` and `(t, tp, hn)`. \pre its quad is convex, and it is the only edge at neither of its ends
+  void flip(Halfedge_index h);
+  /// The end of the log: it grows with each flip.
+  Log_position log_position() const;
+  /// Takes flips back, the last first, until the log ends at `position`; bit for bit.
+  void rollback(Log_position position);
+  /// The bytes that the records of flips take, for `Memory_stop_predicate`.
+  std::size_t memory_of_records() const;
+
+  /// @}
+  /// \name What a network keeps
+  /// @{
+
+  /// An integer per edge, 0 at first.
+  Index label(Edge_index e) const;
+  /// Sets it.
+  void set_label(Edge_index e, Index label);
+  /// An object of type `CGAL::Flip_geodesics::Network_place`, default constructed at first.
+  Network_place& network_place();
+
+  /// @}
+  /// \name Walkers
+  /// @{
+
+  /// A walker that stands at `h`.
+  Walker walker(Halfedge_index h) const;
+
+  /// @}
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsConcepts
+ * \cgalConcept
+ *
+ * What stands at a halfedge of an `IntrinsicTriangulation`, and goes from there to others. All but the last members do
+ * what those of the triangulation do.
+ *
+ * \sa `IntrinsicTriangulation`
+ */
+class IntrinsicTriangulationWalker
+{
+public:
+  /// What an edge's place is kept in; default constructible, copyable.
+  typedef unspecified_type Place;
+
+  /// At the side `h` of an edge, given the place of a walker at either side.
+  IntrinsicTriangulationWalker(const Triangulation& triangulation, Place place, Halfedge_index h);
+
+  /// The halfedge.
+  Halfedge_index index() const;
+  /// Its place.
+  Place place() const;
+  /// Does it stand nowhere, since the border intervened?
+  bool is_none() const;
+
+  /// At the other side of the edge.
+  IntrinsicTriangulationWalker twin() const;
+  /// At the previous halfedge of the face. \pre there is one
+  IntrinsicTriangulationWalker previous() const;
+  /// At the next halfedge clockwise about the tail, or nowhere.
+  IntrinsicTriangulationWalker clockwise() const;
+  /// At the next halfedge counterclockwise about the tail, or nowhere.
+  IntrinsicTriangulationWalker counterclockwise() const;
+
+  /// The length of the edge.
+  double length() const;
+  /// As for the triangulation.
+  void prefetch_face() const;
+  /// Adds the corner on the right at the tail, and goes clockwise; where that leads nowhere, nothing is added.
+  IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
+  /// Is the angle at the head, in the two faces of the edge, at least \f$\pi\f$? \pre both faces exist
+  bool is_reflex_at_head() const;
+
+  /// The label of the edge.
+  Index label() const;
+  /// Sets it.
+  void set_label(Index label) const;
+};
