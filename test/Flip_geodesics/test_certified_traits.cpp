@@ -11,8 +11,8 @@
 #include "lawson.h"
 #include "random_curves.h"
 
-#include <CGAL/Flip_geodesics/internal/Precise_wedge.h>
-#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/strips/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -9,11 +9,11 @@
 #include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/Double_double.h>
-#include <CGAL/Flip_geodesics/internal/Exact_sign.h>
-#include <CGAL/Flip_geodesics/internal/Parity_classes.h>
-#include <CGAL/Flip_geodesics/internal/Precise_face.h>
-#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/strand_order/Parity_classes.h>
+#include <CGAL/Flip_geodesics/internal/strips/Precise_face.h>
+#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>

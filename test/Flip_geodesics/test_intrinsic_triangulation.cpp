@@ -11,12 +11,12 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/internal/Crossing_words.h>
-#include <CGAL/Flip_geodesics/internal/Strip.h>
-#include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
-#include <CGAL/Flip_geodesics/internal/Word_tracer.h>
-#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/words/Crossing_words.h>
+#include <CGAL/Flip_geodesics/internal/words/Word_tracer.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 

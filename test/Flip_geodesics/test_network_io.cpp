@@ -8,7 +8,7 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>

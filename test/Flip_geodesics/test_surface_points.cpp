@@ -15,8 +15,8 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/Face_chart.h>
-#include <CGAL/Flip_geodesics/internal/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/delaunay/Face_chart.h>
+#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

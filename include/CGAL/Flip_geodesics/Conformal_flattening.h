@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/Cut_surface.h>
-#include <CGAL/Flip_geodesics/internal/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/linear_algebra/Cut_surface.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>

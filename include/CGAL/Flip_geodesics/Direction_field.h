@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/Tangent_spaces.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Constrained_system.h>
-#include <CGAL/Flip_geodesics/internal/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/linear_algebra/Constrained_system.h>
 
 #include <CGAL/assertions.h>
 

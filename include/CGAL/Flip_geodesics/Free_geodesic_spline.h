@@ -7,8 +7,8 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Path_straightener.h>
-#include <CGAL/Flip_geodesics/internal/Surface_polyline.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
 
 #include <cmath>
 #include <cstddef>

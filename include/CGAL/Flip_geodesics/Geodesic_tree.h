@@ -7,10 +7,10 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
-#include <CGAL/Flip_geodesics/internal/Tree_straightness.h>
-#include <CGAL/Flip_geodesics/internal/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/shortening/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/assertions.h>

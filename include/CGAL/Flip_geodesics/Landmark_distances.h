@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_LANDMARK_DISTANCES_H
 #define CGAL_FLIP_GEODESICS_LANDMARK_DISTANCES_H
 
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 
 #include <algorithm>
 #include <array>

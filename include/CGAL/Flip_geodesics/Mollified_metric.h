@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_MOLLIFIED_METRIC_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>

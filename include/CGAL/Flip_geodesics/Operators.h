@@ -5,9 +5,9 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/Matrix_pattern.h>
-#include <CGAL/Flip_geodesics/internal/Plane_triangle.h>
-#include <CGAL/Flip_geodesics/internal/for_each_index.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
+#include <CGAL/Flip_geodesics/internal/linear_algebra/Matrix_pattern.h>
 
 #include <CGAL/tags.h>
 

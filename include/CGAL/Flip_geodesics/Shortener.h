@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
-#include <CGAL/Flip_geodesics/internal/flip_out.h>
+#include <CGAL/Flip_geodesics/internal/shortening/flip_out.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/verify.h>
 

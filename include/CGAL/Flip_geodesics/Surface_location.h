@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_SURFACE_LOCATION_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

@@ -4,10 +4,10 @@
 #define CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H
 
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/Overlay.h>
-#include <CGAL/Flip_geodesics/internal/Overlay_layout.h>
-#include <CGAL/Flip_geodesics/internal/Polygon_triangulator.h>
-#include <CGAL/Flip_geodesics/internal/overlay_to_mesh.h>
+#include <CGAL/Flip_geodesics/internal/overlay/Overlay.h>
+#include <CGAL/Flip_geodesics/internal/overlay/Overlay_layout.h>
+#include <CGAL/Flip_geodesics/internal/overlay/Polygon_triangulator.h>
+#include <CGAL/Flip_geodesics/internal/overlay/overlay_to_mesh.h>
 
 #include <CGAL/boost/graph/properties.h>
 

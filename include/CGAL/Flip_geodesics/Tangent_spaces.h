@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_TANGENT_SPACES_H
 
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
 
 #include <boost/math/constants/constants.hpp>
 

@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/internal/Straight_strip.h>
-#include <CGAL/Flip_geodesics/internal/Wedge_comparison.h>
+#include <CGAL/Flip_geodesics/internal/strips/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
 
 #include <CGAL/enum.h>
 

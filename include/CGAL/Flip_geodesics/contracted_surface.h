@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Contraction.h>
-#include <CGAL/Flip_geodesics/internal/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/input/Contraction.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <cstddef>

@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
-#include <CGAL/Flip_geodesics/internal/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/surface_points.h>

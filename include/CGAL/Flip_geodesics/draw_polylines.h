@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Path_straightener.h>
-#include <CGAL/Flip_geodesics/internal/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

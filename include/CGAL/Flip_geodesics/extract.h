@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/internal/Strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>

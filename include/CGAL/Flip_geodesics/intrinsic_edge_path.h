@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/Lazy_array.h>
-#include <CGAL/Flip_geodesics/internal/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 
 #include <CGAL/assertions.h>
 

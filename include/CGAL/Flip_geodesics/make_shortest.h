@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Shortest_tree_repair.h>
-#include <CGAL/Flip_geodesics/internal/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
+#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/assertions.h>

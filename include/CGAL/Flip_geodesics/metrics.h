@@ -4,9 +4,9 @@
 #define CGAL_FLIP_GEODESICS_METRICS_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Exact_face.h>
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/planar_sine.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/metric/planar_sine.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>

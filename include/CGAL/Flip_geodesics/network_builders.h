@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <boost/property_map/property_map.hpp>

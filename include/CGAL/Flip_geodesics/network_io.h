@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Network_state.h>
-#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/strands/Network_state.h>
+#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 
 #include <CGAL/assertions.h>
 

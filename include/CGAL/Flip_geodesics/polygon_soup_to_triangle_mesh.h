@@ -13,9 +13,9 @@
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Soup_polygons.h>
-#include <CGAL/Flip_geodesics/internal/Soup_repair.h>
-#include <CGAL/Flip_geodesics/internal/Triangle_soup.h>
+#include <CGAL/Flip_geodesics/internal/soup/Soup_polygons.h>
+#include <CGAL/Flip_geodesics/internal/soup/Soup_repair.h>
+#include <CGAL/Flip_geodesics/internal/soup/Triangle_soup.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>

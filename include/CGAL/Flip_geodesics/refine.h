@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Delaunay_refiner.h>
+#include <CGAL/Flip_geodesics/internal/delaunay/Delaunay_refiner.h>
 
 #include <CGAL/assertions.h>
 

@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/Search_labels.h>
-#include <CGAL/Flip_geodesics/internal/Vertex_queue.h>
-#include <CGAL/Flip_geodesics/internal/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/search/Search_labels.h>
+#include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>

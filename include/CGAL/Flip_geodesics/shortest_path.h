@@ -5,9 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
-#include <CGAL/Flip_geodesics/internal/Segment_insertion.h>
-#include <CGAL/Flip_geodesics/internal/Shortest_tree_repair.h>
-#include <CGAL/Flip_geodesics/internal/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
+#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 
 #include <CGAL/assertions.h>
 

@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/Point_side.h>
-#include <CGAL/Flip_geodesics/internal/Strip.h>
-#include <CGAL/Flip_geodesics/internal/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 
 #include <CGAL/number_utils.h>
 

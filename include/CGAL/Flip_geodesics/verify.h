@@ -5,9 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/internal/Strip.h>
-#include <CGAL/Flip_geodesics/internal/Wedge_angle.h>
-#include <CGAL/Flip_geodesics/internal/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 
 #include <boost/math/constants/constants.hpp>
 

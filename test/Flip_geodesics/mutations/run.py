@@ -162,6 +162,12 @@ def fail(message):
 # ---------------------------------------------------------------- the list
 
 
+def digest_of(header, kind, original, replacement):
+    """What a result is known by, wherever its header moves to."""
+    texts = (os.path.basename(header), kind, original, replacement)
+    return hashlib.sha1("\0".join(texts).encode()).hexdigest()[:12]
+
+
 def read_list(name):
     entries, header = [], None
     lines = open(name, encoding="utf-8").read().split("\n")
@@ -188,7 +194,7 @@ def read_list(name):
         kind = words[1] if len(words) > 1 else "expression"
         if kind not in ("expression", "drop", "statement", "alone") or not original:
             fail(f"{name}:{start}: a kind and the lines of an entry expected")
-        digest = hashlib.sha1("\0".join((header, kind, original, replacement)).encode()).hexdigest()[:12]
+        digest = digest_of(header, kind, original, replacement)
         entries.append(Entry(int(words[0]), kind, words[2:], header, original, replacement, " ".join(parts["="]), digest,
                              start))
     numbers = collections.Counter(e.number for e in entries)

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_POINT_SIDE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_POINT_SIDE_H
+
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * On which side of an intrinsic edge does a point of an input face lie that the edge passes: the sign of the exact
+ * number that the input and the point's weights define. POSITIVE is on the left.
+ *
+ * The edge passes the face of gap i of its word, that between letters i - 1 and i; the face at the tail is gap 0.
+ */
+template <class Triangulation>
+class Point_side
+{
+public:
+  Point_side(const Triangulation& triangulation, Decision_statistics& statistics)
+    : m_triangulation(triangulation)
+    , m_statistics(statistics)
+  {
+  }
+
+  Sign operator()(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  {
+    const std::array<double, 3> weights = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
+    if(word.along != null_index)
+      return weights[2] > 0 ? POSITIVE : ZERO;
+    if(word.crossed.empty())
+      return in_one_face(word, weights);
+    const Uncertain<Sign> quick = in_double(word, gap, weights);
+    if(quick.is_certain()) {
+      ++m_statistics.by_strip;
+      return quick.make_certain();
+    }
+    return exactly(word, gap, weights);
+  }
+
+  /* How far on the left the point lies, rounded. */
+  double distance(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  {
+    const std::array<double, 3> w = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
+    if(word.crossed.empty())
+      return 0; // decided by weights alone, exactly
+    const Strip<Triangulation> strip(m_triangulation, word);
+    std::complex<double> position = 0;
+    for(int i = 0; i < 3; ++i)
+      position += w[i] / (w[0] + w[1] + w[2]) * strip.face(gap)[i].position;
+    return std::imag(std::conj(strip.end()) * position) / strip.length();
+  }
+
+  /* The halfedge that the corners of a gap's face are told from. */
+  static Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t gap)
+  {
+    if(word.along != null_index)
+      return word.along;
+    return gap < word.crossed.size() ? word.crossed[gap] : word.last_face();
+  }
+
+private:
+  Sign in_one_face(const Crossing_word& word, const std::array<double, 3>& weights) const
+  {
+    const std::array<double, 3> tail = vertex_weights(m_triangulation, word.tail, word.face);
+    const std::array<double, 3> head = vertex_weights(m_triangulation, word.head, word.face);
+    // Weights are not negative: a sum of six products of three, each with less than six roundings.
+    const double quick = determinant(tail, head, weights, -1.0), bound = determinant(tail, head, weights, 1.0);
+    if(std::abs(quick) > 8 * std::numeric_limits<double>::epsilon() * bound)
+      return quick > 0 ? POSITIVE : NEGATIVE;
+    const Integer exact =
+        determinant<Integer>(integer_weights(tail), integer_weights(head), integer_weights(weights), Integer(-1));
+    return exact > 0 ? POSITIVE : (exact < 0 ? NEGATIVE : ZERO);
+  }
+
+  template <class Number>
+  static Number determinant(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                            const std::array<Number, 3>& r, const Number& sign)
+  {
+    return p[0] * (q[1] * r[2] + sign * q[2] * r[1]) + p[1] * (q[2] * r[0] + sign * q[0] * r[2]) +
+           p[2] * (q[0] * r[1] + sign * q[1] * r[0]);
+  }
+
+  Uncertain<Sign> in_double(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
+  {
+    const Strip<Triangulation> strip(m_triangulation, word);
+    const auto corners = strip.face(gap);
+    const double sum = w[0] + w[1] + w[2];
+    std::complex<double> position = 0;
+    double error = 0;
+    for(int i = 0; i < 3; ++i) {
+      position += w[i] / sum * corners[i].position;
+      error +=
+          w[i] / sum * (corners[i].error + 8 * std::numeric_limits<double>::epsilon() * std::abs(corners[i].position));
+    }
+    const double sine = std::imag(std::conj(strip.end()) * position);
+    const double bound = (strip.length() + strip.end_error()) * error + strip.end_error() * std::abs(position) +
+                         8 * std::numeric_limits<double>::epsilon() * strip.length() * std::abs(position);
+    if(!(std::abs(sine) > bound))
+      return Uncertain<Sign>::indeterminate();
+    return sine > 0 ? POSITIVE : NEGATIVE;
+  }
+
+  Sign exactly(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& weights) const
+  {
+    const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+    return Exact_sign(m_statistics)({unfolding.point(word, gap, weights), unfolding.head(word, true)});
+  }
+
+  const Triangulation& m_triangulation;
+  Decision_statistics& m_statistics;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_POINT_SIDE_H

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_STRAIGHT_STRIP_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_STRAIGHT_STRIP_H
+
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/strips/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Touched_vertices.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Is the straight line from the tail to the head of a word a path through its strip that is locally shortest, exactly?
+ * It must pass between the ends of each crossed edge. Where faces without area lie along it, it may touch vertices with
+ * a full angle, and run along crossed edges on their inside.
+ */
+template <class Triangulation>
+class Straight_strip
+{
+  using Strip_in_double = Strip<Triangulation>;
+  using Gate = typename Strip_in_double::Gate;
+  using Touched = Touched_vertices<Triangulation>;
+
+public:
+  Straight_strip(const Triangulation& triangulation, Decision_statistics& statistics)
+    : m_triangulation(triangulation)
+    , m_statistics(statistics)
+  {
+  }
+
+  /* Is the segment of halfedge h? */
+  bool operator()(Halfedge_index h) const
+  {
+    const Crossing_word word = m_triangulation.crossing_word(h);
+    if(word.tail != m_triangulation.tail(h) || word.head != m_triangulation.head(h) || !is_strip(word))
+      return false;
+    if(word.along == null_index && word.crossed.empty())
+      return true;
+    const Strip_in_double strip(m_triangulation, word);
+    Touched touched(m_triangulation, m_triangulation.tail(h), m_triangulation.head(h), strip.length(), m_statistics);
+    if(word.along != null_index)
+      add_edge_along(word, touched);
+    else if(!is_inside(word, strip, touched))
+      return false;
+    return touched.are_passed_straight();
+  }
+
+private:
+  /* On which sides of the line do the ends of a gate lie? POSITIVE is the right side. */
+  struct Gate_sides
+  {
+    Sign left, right;
+  };
+
+  // Do the faces follow on one another, from one that has the tail to one that has the head? Numbers have no say here.
+  bool is_strip(const Crossing_word& word) const
+  {
+    if(word.along != null_index)
+      return is_on(word.tail, word.along) && is_on(word.head, twin_index(word.along));
+    if(word.crossed.empty())
+      return word.face != null_index && is_in_face(word.tail, word.face) && is_in_face(word.head, word.face);
+    const auto& input = m_triangulation.input();
+    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
+      const Input_halfedge_index entered = twin_index(word.crossed[i]);
+      if(input.is_border(word.crossed[i]) || input.is_border(entered))
+        return false;
+      const Input_halfedge_index right_side = input.next(entered), left_side = input.next(right_side);
+      if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
+        return false;
+    }
+    return is_opposite(word.tail, word.crossed.front()) && is_opposite(word.head, twin_index(word.crossed.back()));
+  }
+
+  // Is a vertex the tail of input halfedge h, or a point inside its edge?
+  bool is_on(Vertex_index v, Input_halfedge_index h) const
+  {
+    if(!m_triangulation.is_inserted(v))
+      return m_triangulation.input().tail(h) == v;
+    return vertex_kind(m_triangulation, v) == Location_kind::EDGE &&
+           are_of_one_edge(m_triangulation.location(v).halfedge, h);
+  }
+
+  // Is a vertex somewhere in the face of input halfedge h, but not on its edge?
+  bool is_opposite(Vertex_index v, Input_halfedge_index h) const
+  {
+    return is_in_face(v, h) && !is_on(v, h) && !is_on(v, twin_index(h));
+  }
+
+  bool is_in_face(Vertex_index v, Input_halfedge_index h) const
+  {
+    const auto& input = m_triangulation.input();
+    const bool is_inside = m_triangulation.is_inserted(v) && vertex_kind(m_triangulation, v) == Location_kind::FACE;
+    for(int i = 0; i < 3; ++i, h = input.next(h))
+      if(is_inside ? m_triangulation.location(v).halfedge == h : is_on(v, h))
+        return true;
+    return false;
+  }
+
+  // All of the input edge, of which the segment can be a part.
+  void add_edge_along(const Crossing_word& word, Touched& touched) const
+  {
+    const double length = m_triangulation.metric().length(m_triangulation.input(), word.along);
+    const auto w = vertex_weights(m_triangulation, word.tail, word.along);
+    const double from = -length * (w[1] / (w[0] + w[1]));
+    touched.add_edge(word.along, from, from + length);
+  }
+
+  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched) const
+  {
+    double passed = 0; // the part of the line that has been followed
+    Gate_sides_beyond_doubles precise(*this, word);
+    for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+      const Gate& gate = strip.gates()[i];
+      Gate_sides sides = in_double(strip, gate);
+      sides.left = sides.left == ZERO ? precise.side(i, true) : sides.left;
+      sides.right = sides.right == ZERO ? precise.side(i, false) : sides.right;
+      if(sides.left == NEGATIVE || sides.right == NEGATIVE)
+        return false;
+      if(sides.left == ZERO && sides.right == ZERO) {
+        if(!runs_along(strip, gate, passed))
+          return false;
+        touched.add_edge(gate.crossed, along(strip, gate.right), along(strip, gate.left));
+      } else if(sides.left == ZERO || sides.right == ZERO) {
+        touched.add_vertex(m_triangulation.input().tail(sides.left == ZERO ? twin_index(gate.crossed) : gate.crossed));
+      }
+    }
+    m_statistics.by_strip += precise.is_exact_needed() ? 0 : 1;
+    return true;
+  }
+
+  static double along(const Strip_in_double& strip, const std::complex<double>& p)
+  {
+    return std::real(std::conj(strip.end()) * p) / strip.length();
+  }
+
+  // Goes on to the first point of the line that is inside of a gate on it, if there is one.
+  static bool runs_along(const Strip_in_double& strip, const Gate& gate, double& passed)
+  {
+    const double right = along(strip, gate.right), left = along(strip, gate.left);
+    const double error = gate.right_error + gate.left_error + 4 * strip.relative_error() * strip.length();
+    passed = (std::max)(passed, (std::min)(right, left) + error);
+    return passed < (std::max)(right, left) - error && passed <= strip.length() - error;
+  }
+
+  static Gate_sides in_double(const Strip_in_double& strip, const Gate& gate)
+  {
+    if(!(strip.relative_error() < 1))
+      return {ZERO, ZERO};
+    const std::complex<double> end = strip.end();
+    const double left_error = std::abs(end) * (gate.left_error + 2 * strip.relative_error() * std::abs(gate.left));
+    const double right_error = std::abs(end) * (gate.right_error + 2 * strip.relative_error() * std::abs(gate.right));
+    return {sign(std::imag(std::conj(end) * gate.left), left_error),
+            sign(-std::imag(std::conj(end) * gate.right), right_error)};
+  }
+
+  static Sign sign(double value, double error) { return value > error ? POSITIVE : (value < -error ? NEGATIVE : ZERO); }
+
+  // On which side of the line an end of a gate lies, by a strip of about 100 bits that is unfolded when it is first
+  // needed, or else exactly.
+  class Gate_sides_beyond_doubles
+  {
+    using Strip_beyond_doubles = Precise_strip<Triangulation>;
+
+  public:
+    Gate_sides_beyond_doubles(const Straight_strip& owner, const Crossing_word& word)
+      : m_triangulation(owner.m_triangulation)
+      , m_statistics(owner.m_statistics)
+      , m_word(word)
+    {
+    }
+
+    Sign side(std::size_t gate, bool is_left)
+    {
+      const Uncertain<Sign> quick = quick_side(gate, is_left);
+      const Sign result = quick.is_certain() ? quick.make_certain() : exact_side(gate, is_left);
+      return is_left ? result : CGAL::opposite(result);
+    }
+
+    bool is_exact_needed() const { return m_is_exact_needed; }
+
+  private:
+    Uncertain<Sign> quick_side(std::size_t gate, bool is_left)
+    {
+      if(m_triangulation.is_inserted(m_word.tail) || m_triangulation.is_inserted(m_word.head))
+        return Uncertain<Sign>::indeterminate();
+      if(!m_strip)
+        m_strip.emplace(m_triangulation, m_word, true);
+      const auto& ends = m_strip->gates()[gate];
+      return m_strip->side(is_left ? ends.left : ends.right);
+    }
+
+    // The sign of the sine of the angle from the line to an end of a gate.
+    Sign exact_side(std::size_t gate, bool is_left)
+    {
+      m_is_exact_needed = true;
+      const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+      return Exact_sign(m_statistics)({unfolding.gate(m_word, gate, is_left), unfolding.head(m_word, true)});
+    }
+
+    const Triangulation& m_triangulation;
+    Decision_statistics& m_statistics;
+    const Crossing_word& m_word;
+    std::optional<Strip_beyond_doubles> m_strip;
+    bool m_is_exact_needed = false;
+  };
+
+  const Triangulation& m_triangulation;
+  Decision_statistics& m_statistics;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_STRAIGHT_STRIP_H

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_ANGLE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_ANGLE_H
+
+#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/enum.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* An angle, in radians, and a bound of its error. */
+struct Wedge_angle
+{
+  double value;
+  double error;
+
+  /* EQUAL if the error hides which it is. */
+  Comparison_result compare_with_straight() const
+  {
+    const double pi = boost::math::constants::pi<double>();
+    if(!(std::abs(value - pi) > error))
+      return EQUAL;
+    return value < pi ? SMALLER : LARGER;
+  }
+};
+
+/* Bounds the error of an input corner, and of a sum of few. */
+constexpr double input_corner_error = 100 * std::numeric_limits<double>::epsilon();
+
+/* The input corner at the head of input halfedge h, as a complex number, in a face that is known. */
+template <class Triangulation>
+std::complex<double> input_corner_vector(const Triangulation& triangulation, Input_halfedge_index h)
+{
+  const auto face = known_input_face_geometry(triangulation, h);
+  return {-face[1].x, face[1].y}; // the layout puts h on the positive real axis
+}
+
+/* The input corner at the head of input halfedge h, in any face; it has to be a triangle. */
+template <class Triangulation>
+double input_corner(const Triangulation& triangulation, Input_halfedge_index h)
+{
+  check_triangle(triangulation.input(), h);
+  return std::arg(input_corner_vector(triangulation, h));
+}
+
+/* The sum of angles between 0 and pi, given as complex numbers: their product, and the half turns that it has lost. */
+class Angle_sum
+{
+public:
+  void add(const std::complex<double>& corner)
+  {
+    const double x = m_x * corner.real() - m_y * corner.imag(), y = m_x * corner.imag() + m_y * corner.real();
+    const double scale = 1 / (std::abs(x) + std::abs(y));
+    const bool is_past_straight = y < 0 || (y == 0 && x < 0);
+    m_half_turns += is_past_straight ? 1 : 0;
+    m_x = is_past_straight ? -x * scale : x * scale;
+    m_y = std::abs(y) * scale;
+  }
+
+  double value() const { return m_half_turns * boost::math::constants::pi<double>() + std::atan2(m_y, m_x); }
+
+private:
+  double m_x = 1, m_y = 0; // with an angle of at least 0 and below pi
+  int m_half_turns = 0;
+};
+
+/* The sum of so many input corners clockwise from input halfedge h about an input vertex. */
+template <class Triangulation>
+double sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index steps)
+{
+  Angle_sum sum;
+  for(Index i = 0; i < steps; ++i) {
+    const Input_halfedge_index t = twin_index(h);
+    sum.add(input_corner_vector(triangulation, t));
+    h = triangulation.input().next(t);
+  }
+  return sum.value();
+}
+
+/* The angle of an edge from its reference halfedge: between 0 and pi, up to rounding, which can turn pi into -pi. */
+inline double angle_from_reference(const std::complex<double>& end)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const double angle = std::arg(end);
+  return angle < -pi / 2 ? angle + 2 * pi : angle;
+}
+
+/*
+ * The angle clockwise from halfedge a to halfedge b about an inserted point inside an input face: the directions are
+ * told from one halfedge of the face, and how often they pass it is seen from edge to edge, in corners below pi.
+ */
+template <class Triangulation>
+Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const auto strip = [&](Halfedge_index h) {
+    return Strip<Triangulation>(triangulation, triangulation.crossing_word(h));
+  };
+  const Strip<Triangulation> from = strip(a);
+  double sum = 0, error = from.relative_error(), direction = std::arg(from.end());
+  Halfedge_index h = a;
+  do {
+    h = triangulation.clockwise(h);
+    const Strip<Triangulation> to = strip(h);
+    const double next_direction = std::arg(to.end()), corner = direction - next_direction;
+    sum += corner < -pi / 2 ? corner + 2 * pi : (corner > 3 * pi / 2 ? corner - 2 * pi : corner);
+    error += 16 * std::numeric_limits<double>::epsilon();
+    direction = next_direction;
+    if(h == b)
+      error += to.relative_error();
+  } while(h != b);
+  return {sum, 1.6 * error};
+}
+
+/*
+ * The angle clockwise from halfedge a to halfedge b of one vertex, afresh from the input: the input corners between
+ * their reference halfedges, corrected by their strips at both ends. a == b means all the way round.
+ */
+template <class Triangulation>
+Wedge_angle wedge_angle(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+{
+  const Location_kind kind = vertex_kind(triangulation, triangulation.tail(a));
+  if(kind == Location_kind::FACE)
+    return wedge_angle_inside_face(triangulation, a, b);
+  const Crossing_word word_a = triangulation.crossing_word(a), word_b = triangulation.crossing_word(b);
+  const Strip<Triangulation> from(triangulation, word_a), to(triangulation, word_b);
+  const Index steps = triangulation.input_edges_in_wedge(a, b) + (word_a.along != null_index ? 1 : 0);
+  const double between = kind == Location_kind::EDGE ? steps * boost::math::constants::pi<double>()
+                                                     : sum_of_input_corners(triangulation, from.reference(), steps);
+  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
+  const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
+  return {sum, strip_error + static_cast<double>(steps + 4) * input_corner_error};
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_ANGLE_H

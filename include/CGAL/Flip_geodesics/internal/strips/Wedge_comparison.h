@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_COMPARISON_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_COMPARISON_H
+
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/strips/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
+
+#include <CGAL/enum.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+/*
+ * Compares angles with pi: the sign of the exact real number that the input defines. In stages: strips in double,
+ * unless a filter as good as them has failed; points in one plane; edges as vectors of about 100 bits; arithmetic in
+ * the field of all roots.
+ */
+template <class Triangulation>
+class Wedge_comparison
+{
+public:
+  /* The wedge clockwise from one halfedge of a vertex to another; all the way round if they are the same. */
+  struct Wedge
+  {
+    Halfedge_index from, to;
+  };
+
+  /* If a filter has failed, the angles that are left, or their sum, are known to be strictly between 0 and 2 pi where
+   * no face is without area. */
+  Wedge_comparison(const Triangulation& triangulation, Decision_statistics& statistics, bool is_filtered = false)
+    : m_triangulation(triangulation)
+    , m_statistics(statistics)
+    , m_is_filtered(is_filtered)
+  {
+  }
+
+  Comparison_result operator()(Halfedge_index from, Halfedge_index to) const
+  {
+    if(!m_is_filtered) {
+      const Comparison_result quick = by_strips({{from, to}});
+      if(quick != EQUAL)
+        return quick;
+    }
+    const Wedge_words words = words_of({from, to});
+    Sign sine;
+    if(m_triangulation.metric().sine_in_plane(m_triangulation.input(), words.from, words.to, words.steps, sine)) {
+      count_plane(sine);
+      return comparison(sine);
+    }
+    const Comparison_result quick = by_vectors({{from, to}});
+    return quick != EQUAL ? quick : comparison(exact_sine({words}));
+  }
+
+  /* The sum of two angles, each at most pi, after a filter has failed. */
+  Comparison_result compare_sum(const Wedge& a, const Wedge& b) const
+  {
+    const Comparison_result quick = by_vectors({a, b});
+    return quick != EQUAL ? quick : comparison(exact_sine({words_of(a), words_of(b)}));
+  }
+
+private:
+  struct Wedge_words
+  {
+    Crossing_word from, to;
+    Index steps; // input corners between their reference halfedges
+  };
+
+  // The sum of angles; EQUAL if the errors hide the sign.
+  Comparison_result by_vectors(const std::vector<Wedge>& wedges) const
+  {
+    Precise_angle_sum<Triangulation> sum;
+    for(const Wedge& wedge : wedges)
+      sum.add(Precise_wedge<Triangulation>(m_triangulation, wedge.from, wedge.to));
+    if(m_is_filtered && !sum.has_bound())
+      return by_strips(wedges);
+    const Comparison_result result = sum.compare_with_straight();
+    m_statistics.by_strip += result != EQUAL ? 1 : 0;
+    return result;
+  }
+
+  Comparison_result by_strips(const std::vector<Wedge>& wedges) const
+  {
+    Wedge_angle sum = {0, 0};
+    for(const Wedge& wedge : wedges) {
+      const Wedge_angle angle = wedge_angle(m_triangulation, wedge.from, wedge.to);
+      sum = {sum.value + angle.value, sum.error + angle.error};
+    }
+    const Comparison_result result = sum.compare_with_straight();
+    m_statistics.by_strip += result != EQUAL ? 1 : 0;
+    return result;
+  }
+
+  // Near pi, and wherever the angle is between 0 and 2 pi, the sine's sign is that of pi - angle.
+  static Comparison_result comparison(Sign sine)
+  {
+    return sine == POSITIVE ? SMALLER : (sine == ZERO ? EQUAL : LARGER);
+  }
+
+  void count_plane(Sign sine) const
+  {
+    ++m_statistics.by_plane;
+    m_statistics.zeros_by_plane += sine == ZERO ? 1 : 0;
+  }
+
+  Wedge_words words_of(const Wedge& wedge) const
+  {
+    Wedge_words result = {m_triangulation.crossing_word(wedge.from), m_triangulation.crossing_word(wedge.to), 0};
+    result.steps =
+        m_triangulation.input_edges_in_wedge(wedge.from, wedge.to) + (result.from.along != null_index ? 1 : 0);
+    return result;
+  }
+
+  Sign exact_sine(const std::vector<Wedge_words>& wedges) const
+  {
+    const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+    std::vector<Unfolding_chain> chains;
+    chains.reserve(3 * wedges.size());
+    bool is_opposite = false;
+    for(const Wedge_words& w : wedges) {
+      chains.push_back(unfolding.head(w.from, false));
+      chains.push_back(unfolding.head(w.to, true));
+      if(!m_triangulation.is_inserted(w.from.tail))
+        chains.push_back(unfolding.corners(tail_anchor(m_triangulation, w.from), w.steps));
+      else // at a point of an edge, corners are straight angles
+        is_opposite = is_opposite != (w.steps % 2 != 0);
+    }
+    const Sign sine = Exact_sign(m_statistics)(chains);
+    return is_opposite ? CGAL::opposite(sine) : sine;
+  }
+
+  const Triangulation& m_triangulation;
+  Decision_statistics& m_statistics;
+  bool m_is_filtered;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_COMPARISON_H

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_REFRESH_FACE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_REFRESH_FACE_H
+
+#include <CGAL/Flip_geodesics/internal/strips/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* What is measured of the face on the left of h: the lengths of h, next(h), previous(h), with bounds of their relative
+ * errors, and the corners at the ends of h. */
+struct Face_measures
+{
+  struct Length
+  {
+    double value, error;
+  };
+
+  std::array<Length, 3> lengths;
+  Wedge_angle at_tail, at_head;
+};
+
+/*
+ * Lays out a face. Nothing if its corners are not between 0 and pi, up to their error and a given one: then flips were
+ * wrong.
+ */
+template <class Traits>
+std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits, Face_measures face, double tolerance)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  for(Wedge_angle* angle : {&face.at_tail, &face.at_head}) {
+    if(angle->value < -angle->error - tolerance || angle->value > pi + angle->error + tolerance)
+      return {};
+    angle->value = (std::min)((std::max)(angle->value, 0.0), pi);
+  }
+  const auto& [first, second, third] = face.lengths;
+  const std::complex<double> vn = std::polar(second.value, pi - face.at_head.value);
+  const std::complex<double> vp = -std::polar(third.value, face.at_tail.value);
+  const double error = (std::max)({first.error, second.error + face.at_head.error, third.error + face.at_tail.error}) +
+                       8 * std::numeric_limits<double>::epsilon();
+  return traits.construct_face_2_object()({{{first.value, 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}, error);
+}
+
+/* Lays out the face on the left of h from the input alone, by strips in double; nothing as above. */
+template <class Triangulation>
+std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Triangulation& triangulation,
+                                                                        Halfedge_index h, double tolerance)
+{
+  const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
+  const auto edge = [&](Halfedge_index side) {
+    const Strip<Triangulation> strip(triangulation, triangulation.crossing_word(side));
+    return Face_measures::Length{strip.length(), strip.relative_error()};
+  };
+  return laid_out_face(triangulation.traits(),
+                       {{{edge(h), edge(hn), edge(hp)}},
+                        wedge_angle(triangulation, Triangulation::twin(hp), h),
+                        wedge_angle(triangulation, Triangulation::twin(h), hn)},
+                       tolerance);
+}
+
+/* The same from edges as vectors of about 100 bits, where flips are never wrong. Nothing if these have no bound. */
+template <class Triangulation>
+std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const Triangulation& triangulation,
+                                                                          Halfedge_index h)
+{
+  const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
+  const Precise_wedge<Triangulation> at_tail(triangulation, Triangulation::twin(hp), h);
+  const Precise_wedge<Triangulation> at_head(triangulation, Triangulation::twin(h), hn);
+  const auto edge = [](const Precise_edge& e) { return Face_measures::Length{e.length, e.end_error}; };
+  const Face_measures face = {
+      {{edge(at_tail.to()), edge(at_head.to()), edge(at_tail.from())}}, at_tail.angle(), at_head.angle()};
+  if(!(face.at_tail.error + face.at_head.error < 1)) // infinite if an edge has no bound
+    return {};
+  return laid_out_face(triangulation.traits(), face, 0);
+}
+
+/* Lays out the face on the left of h afresh. Returns false, and changes nothing, if flips were wrong already. */
+template <class Triangulation>
+bool refresh_face(Triangulation& triangulation, Halfedge_index h)
+{
+  std::optional<typename Triangulation::Traits::Face_geometry> geometry;
+  if constexpr(!Triangulation::Traits::Has_drift::value)
+    geometry = precise_face(triangulation, h);
+  if(!geometry)
+    geometry = fresh_face(triangulation, h, 0);
+  if(geometry)
+    triangulation.set_face_geometry(h, *geometry);
+  return geometry.has_value();
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_REFRESH_FACE_H

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Reads the table of rooms in the manual and the headers, and compares them.
+
+    check_rooms.py SOURCE_DIR
+
+Each header is in one room: a public one in the row that names it, an internal one in the row of its folder. It includes
+headers of its own room and of rooms above it in the table, and never, over others, itself.
+"""
+
+import collections
+import re
+import sys
+from pathlib import Path
+
+ROW = re.compile(r'^\| (\w+) \| (.*) \| .* \|$')
+INCLUDE = re.compile(r'^ *# *include +<CGAL/Flip_geodesics/([^>]+)>', re.MULTILINE)
+
+
+def rooms_of_table(manual):
+    """The rooms in the order of the table, and the room of each public header; what is wrong with the table."""
+    lines = manual.read_text().split('\n')
+    start = next((i for i, line in enumerate(lines) if line.startswith('| Room |')), len(lines))
+    order, room_of, wrong = [], {}, []
+    for line in lines[start + 2:]:
+        row = ROW.match(line)
+        if not row:
+            break
+        room, headers = row.group(1), re.findall(r'`([\w/]+\.h)`', row.group(2))
+        order.append(room)
+        wrong += [f'{h} is in {room_of[h]} and in {room}' for h in headers if h in room_of]
+        room_of.update((h, room) for h in headers)
+    return order, room_of, wrong if order else ['the manual has no table of rooms']
+
+
+def room_of_header(name, room_of):
+    parts = name.split('/')
+    return parts[1] if parts[0] == 'internal' and len(parts) > 2 else room_of.get(name)
+
+
+def find_circles(includes):
+    """Headers that include themselves over others."""
+    below = collections.defaultdict(set)
+
+    def reach(name, trail):
+        if name in trail:
+            return [' -> '.join(trail[trail.index(name):] + [name])]
+        if name in below:
+            return []
+        below[name].update(includes.get(name, ()))
+        return [c for other in includes.get(name, ()) for c in reach(other, trail + [name])]
+
+    return [c for name in includes for c in reach(name, [])]
+
+
+def main():
+    source = Path(sys.argv[1])
+    folder = source / 'include/CGAL/Flip_geodesics'
+    order, room_of, wrong = rooms_of_table(source / 'doc/Flip_geodesics/Design.txt')
+    includes = {str(p.relative_to(folder)): INCLUDE.findall(p.read_text()) for p in sorted(folder.rglob('*.h'))}
+    wrong += [f'{h} of the table does not exist' for h in room_of if h not in includes]
+    for name, others in includes.items():
+        room = room_of_header(name, room_of)
+        if room not in order:
+            wrong.append(f'{name} is in no room of the table')
+            continue
+        for other in others:
+            its_room = room_of_header(other, room_of)
+            if its_room in order and order.index(its_room) > order.index(room):
+                wrong.append(f'{name} in {room} includes {other} of {its_room}, further down')
+    wrong += [f'a circle: {c}' for c in find_circles(includes)]
+    print('\n'.join(wrong) if wrong else f'{len(includes)} headers in {len(order)} rooms')
+    return 1 if wrong or not includes else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
