@@ -20,7 +20,7 @@ build_dir=$(cd "$build_dir" && pwd)
 work=$build_dir/examples
 data=$work/data
 results=$work/results
-program=$work/examples/Flip_geodesics/flip_geodesics
+program=$work/examples/Flip_geodesics_program/flip_geodesics
 checker=$work/benchmark/Flip_geodesics/check_polylines
 jobs=${JOBS:-$(nproc 2>/dev/null || echo 2)}
 
@@ -113,7 +113,7 @@ scan=$(find_mesh bunny00.off refined_elephant.off armadillo.off)
 part=$(find_mesh fandisk.off anchor_dense.off anchor.off)
 torus=$results/torus.off
 around=400 along=200
-"$work/examples/Flip_geodesics/generate_torus" "$torus" $around $along
+"$work/examples/Flip_geodesics_program/generate_torus" "$torus" $around $along
 {
   seq -s ' ' 0 $((along - 1))                                # around the tube
   seq -s ' ' 0 $along $((along * around - 1))                # around the hole, outside

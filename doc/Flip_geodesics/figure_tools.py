@@ -16,16 +16,17 @@ class Tools:
     """The programs, the meshes, and a folder for what is in between."""
 
     def __init__(self, build, folder):
-        self.programs = build / 'examples/Flip_geodesics'
+        self.build = build
         self.data = build / 'data'
         self.folder = Path(folder)
 
     def run(self, program, *arguments):
         """Runs a program in the folder; examples that run.sh does not build are built first."""
-        if not (self.programs / program).exists():
-            subprocess.run(['cmake', '--build', self.programs.parents[1], '--target', program], check=True)
-        subprocess.run([self.programs / program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL,
-                       cwd=self.folder)
+        kind = 'Flip_geodesics' if program.endswith('_example') else 'Flip_geodesics_program'
+        path = self.build / 'examples' / kind / program
+        if not path.exists():
+            subprocess.run(['cmake', '--build', self.build, '--target', program], check=True)
+        subprocess.run([path, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL, cwd=self.folder)
 
     def mesh(self, name):
         """A mesh of CGAL's data set."""

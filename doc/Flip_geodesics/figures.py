@@ -23,7 +23,7 @@ if not os.environ.get('DISPLAY') and shutil.which('xvfb-run'):
 
 here = Path(__file__).resolve().parent
 root = here.parents[1]
-sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics/page')]
+sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
 from figure_drawing import BLUE, GREEN, INK, ORANGE, RED, WHITE, Panel, make_small, size_of, write_png  # noqa: E402
 from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_polylines  # noqa: E402

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Runs the examples on a mesh that they make themselves, and the program on a generated mesh with good and bad input.
+# Runs the examples on a mesh that they make themselves.
 
+set(run_program ${CMAKE_CURRENT_SOURCE_DIR}/../run_program.cmake)
 set(example_dir ${CMAKE_CURRENT_BINARY_DIR}/run)
 file(MAKE_DIRECTORY ${example_dir})
 
@@ -29,7 +30,7 @@ foreach(
     add_test(
       NAME ${example}_bad_input
       COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${example}> -D STATUS=1 -D PATTERN=. -D
-              ARGUMENTS=no_such_mesh.off -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
+              ARGUMENTS=no_such_mesh.off -P ${run_program}
       WORKING_DIRECTORY ${example_dir})
     if(EXISTS /dev/full)
       add_test(NAME ${example}_full_output COMMAND sh -c "\"$1\" > /dev/full; test $? -eq 1" sh $<TARGET_FILE:${example}>
@@ -45,365 +46,33 @@ if(TARGET cut_and_refine_example)
   add_test(
     NAME cut_and_refine_example_input_kept
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:cut_and_refine_example> -D STATUS=1 -D PATTERN=replace -D
-            ARGUMENTS=./cut.off -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
+            ARGUMENTS=./cut.off -P ${run_program}
     WORKING_DIRECTORY ${example_dir})
   set_tests_properties(cut_and_refine_example_input_kept PROPERTIES DEPENDS cut_and_refine_example RESOURCE_LOCK
                                                                     cut_and_refine_example)
 endif()
 
-# What is read by other programs than ours, and what happens to files and streams.
-find_package(Python3 COMPONENTS Interpreter QUIET)
+# The listing of README.md.
+add_test(NAME readme_input COMMAND $<TARGET_FILE:generate_torus> torus.off 24 12 WORKING_DIRECTORY ${example_dir})
+set_tests_properties(readme_input PROPERTIES FIXTURES_SETUP readme_input)
+file(WRITE ${example_dir}/no_vertex.off "OFF\n0 0 0\n")
+file(WRITE ${example_dir}/one_vertex.off "OFF\n1 0 0\n0 0 0\n")
+file(WRITE ${example_dir}/two_parts.off
+     "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n3 3 4 5\n")
 
-# flip_geodesics_add_program_test(name status pattern arguments...): the exit status and what is printed.
-function(flip_geodesics_add_program_test name status pattern)
-  string(REPLACE ";" "|" arguments "${ARGN}")
+# flip_geodesics_add_readme_test(name status pattern arguments...)
+function(flip_geodesics_add_readme_test name status pattern)
   add_test(
-    NAME program_${name}
+    NAME readme_example${name}
     COMMAND
-      ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:flip_geodesics> -D STATUS=${status} -D PATTERN=${pattern} -D
-      ARGUMENTS=${arguments} -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
+      ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:readme_example> -D STATUS=${status} -D PATTERN=${pattern} -D
+      ARGUMENTS=${ARGN} -P ${run_program}
     WORKING_DIRECTORY ${example_dir})
-  set_tests_properties(program_${name} PROPERTIES FIXTURES_REQUIRED program_input)
+  set_tests_properties(readme_example${name} PROPERTIES FIXTURES_REQUIRED readme_input)
 endfunction()
-
-if(TARGET flip_geodesics AND TARGET generate_torus)
-  add_test(NAME program_input COMMAND generate_torus torus.off 24 12 WORKING_DIRECTORY ${example_dir})
-  set_tests_properties(program_input PROPERTIES FIXTURES_SETUP program_input)
-
-  # A torus of 24 x 12 vertices; vertex 12 i + j.
-  file(WRITE ${example_dir}/pairs.txt "0 150\n# a comment\n3 77 # another\n")
-  file(WRITE ${example_dir}/path.txt "0 1 2 14 26 25 37\n5 6 7\n")
-  file(WRITE ${example_dir}/loop.txt "0 1 2 3 4 5 6 7 8 9 10 11 0\n")
-  file(WRITE ${example_dir}/trivial_loop.txt "0 12 13\n")
-  file(WRITE ${example_dir}/network.txt "o 0 1 2 3 4 5 6 7 8 9 10 11\n24 36 48 49\n49 50 51\n25 24\n! 36\n")
-  file(WRITE ${example_dir}/gap.txt "0 1 2\n0 1 5\n")
-  file(WRITE ${example_dir}/crossing.txt "5 6 7\n3 4 5 17 16 4 280\n")
-  file(WRITE ${example_dir}/crossing_network.txt "3 4 5\n16 4 280\n")
-  file(WRITE ${example_dir}/joined_network.txt "3 4 5\n16 4 280\n! 4\n")
-  file(WRITE ${example_dir}/loose_network.txt "3 4 5\n! 9\n")
-  file(WRITE ${example_dir}/no_curve.txt "# nothing\n\n")
-  file(WRITE ${example_dir}/equal.txt "0 1\n4 4\n")
-  file(WRITE ${example_dir}/far.txt "0 1\n4 400\n")
-  file(WRITE ${example_dir}/word.txt "0 one\n")
-  file(WRITE ${example_dir}/points.txt "0 150\n0,1,0.25 13,14,26,0.3,0.3 100\n")
-  file(WRITE ${example_dir}/crossing_bezier.txt "0 39 3 36 26 1 38\n0 15 40 65\n")
-  file(WRITE ${example_dir}/crossing_line.txt "0 39 3 36 26 1 38\n")
-  file(WRITE ${example_dir}/bezier.txt "0,12,13,0.3,0.3 15 40,41,0.5 65\ns 0 15 40 65\n")
-  file(WRITE ${example_dir}/drawn.txt "0,12,13,0.3,0.3 15 40,41,0.5 65\no 0,12,13,0.3,0.3 48,60,61,0.2,0.3 3 # closed\n")
-  file(WRITE ${example_dir}/pen.polylines.txt
-       "9 1.4 0 0 1 1 0 0 1.4 0 -1 1 0 -1.4 0 0 -1 -1 0 0 -1.4 0 1 -1 0 1.4 0 0\n")
-  file(WRITE ${example_dir}/short.polylines.txt "3 0 0 0 1 1 1\n")
-  file(WRITE ${example_dir}/bad_points.txt "0,1,1.5 7\n")
-  file(WRITE ${example_dir}/no_face.txt "0,1,100,0.2,0.2 7\n")
-  file(WRITE ${example_dir}/empty.off "")
-  file(WRITE ${example_dir}/two_points.txt "0,1,2,0.3,0.3 3,4,5,0.3,0.3\n")
-  file(WRITE ${example_dir}/quad.off "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
-  file(WRITE ${example_dir}/turned.off "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n")
-  file(WRITE ${example_dir}/book.off "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n")
-  file(WRITE ${example_dir}/bow.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n")
-  file(WRITE ${example_dir}/repeated.off "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 1\n")
-  file(WRITE ${example_dir}/range.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n")
-  file(WRITE ${example_dir}/nan.obj "v 0 0 0\nv 1 0 nan\nv 1 1 0\nf 1 2 3\n")
-  file(WRITE ${example_dir}/truncated.off "OFF\n3 1 0\n0 0 0\n1 0 0\n")
-  file(WRITE ${example_dir}/huge.off "OFF\n900000000000 1 0\n0 0 0\n")
-  file(WRITE ${example_dir}/early_property.ply "ply\nformat ascii 1.0\nproperty float x\nelement vertex 1\nend_header\n0\n")
-  string(ASCII 27 escape)
-  string(ASCII 239 187 191 byte_order_mark)
-  file(WRITE ${example_dir}/escape.txt "0 1\n2 ${escape}c7\n")
-  file(WRITE ${example_dir}/marked.txt "${byte_order_mark}0 150\r\n3 77\r")
-  file(WRITE ${example_dir}/beyond.txt "0 99999999999999999999\n")
-  file(WRITE ${example_dir}/no_vertex.off "OFF\n0 0 0\n")
-  file(WRITE ${example_dir}/one_vertex.off "OFF\n1 0 0\n0 0 0\n")
-  file(WRITE ${example_dir}/two_parts.off
-       "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n3 3 4 5\n")
-  # Vertices 3 and 4 are one point; the path from 0 to 2 stays away from them.
-  file(WRITE ${example_dir}/zero_length.off
-       "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n9 9 0\n9 9 0\n3 0 1 2\n3 0 2 3\n3 3 2 4\n")
-  file(WRITE ${example_dir}/zero_length.txt "0 4\n0 1\n")
-  # The points of the face 1 0 3, which has no area, are moved to the other face.
-  file(WRITE ${example_dir}/flat.off "OFF\n4 2 0\n0 0 0\n2 0 0\n1 1 0\n3 0 0\n3 0 1 2\n3 1 0 3\n")
-  file(WRITE ${example_dir}/flat.polylines.txt "2 2.7 0 0 1 0.9 0\n")
-  file(WRITE ${example_dir}/no_area.off "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n")
-  file(WRITE ${example_dir}/tiny.off "OFF\n3 1 0\n0 0 0\n1e-170 0 0\n0 1e-170 0\n3 0 1 2\n")
-  file(WRITE ${example_dir}/far.polylines.txt "2 1 0 0 1e308 0 0\n")
-
-  # A square pyramid: a quadrilateral, a face turned over, one that is there twice, two points in the place of vertex 4,
-  # a point that is none, a triangle at vertex 0 alone.
-  file(WRITE ${example_dir}/pyramid.off
-       "OFF\n10 8 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 2\n1 1 2\n1 1 2\n0 nan 0\n-1 0 0\n-1 -1 0\n"
-       "4 3 2 1 0\n3 0 1 4\n3 1 5 2\n3 2 3 4\n3 3 0 6\n3 0 1 4\n3 0 1 7\n3 0 8 9\n")
-  file(WRITE ${example_dir}/pyramid_edges.txt "0 5 2\n")
-  file(WRITE ${example_dir}/pyramid.seg "0\n1\n1\n1\n1\n1\n1\n1\n")
-  file(WRITE ${example_dir}/collapsed.off "OFF\n3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n")
-  file(WRITE ${example_dir}/quad_seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
-                                          "vt 0 1\nvt 5 5\nf 1/1 2/2 3/3 4/4\nf 2/5 5/2 6/3 3/4\n")
-
-  flip_geodesics_add_program_test(pair 0 LOCALLY_SHORTEST torus.off --from 0 --to 150)
-  flip_geodesics_add_program_test(pairs 0 "2 LOCALLY_SHORTEST" torus.off --pairs pairs.txt --mesh pairs.vtp)
-  flip_geodesics_add_program_test(random 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --mesh random.ply)
-  flip_geodesics_add_program_test(dijkstra 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search dijkstra)
-  flip_geodesics_add_program_test(astar 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search astar)
-  if(TARGET CGAL::TBB_support)
-    flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --threads 2)
-  endif()
-  flip_geodesics_add_program_test(no_threads 2 "--threads must lie" torus.off --random 2 --threads 0)
-  flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj)
-  flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" torus.off --points points.txt --polylines points.out)
-  flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt)
-  flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt --page
-                                  crossing.html)
-  flip_geodesics_add_program_test(crossing_inserted 1 "line 1.*cross.*vertex 26" torus.off --bezier crossing_line.txt
-                                  --insert crossing.off)
-  flip_geodesics_add_program_test(bezier 0 "2 LOCALLY_SHORTEST.*length  *[1-9][0-9.]* of [1-9]" torus.off --bezier bezier.txt
-                                  --kernel certified)
-  flip_geodesics_add_program_test(draw 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --mesh drawn.polylines.txt)
-  flip_geodesics_add_program_test(draw_snapped 0 "1 CONTRACTED 1 LOCALLY" torus.off --draw drawn.txt --snap)
-  flip_geodesics_add_program_test(draw_in_space 0 "LOCALLY_SHORTEST" torus.off --draw pen.polylines.txt)
-  flip_geodesics_add_program_test(draw_short 2 "short.polylines.txt line 1: point 2 is cut off" torus.off --draw short.polylines.txt)
-  flip_geodesics_add_program_test(points_outside 2 "is outside" torus.off --points bad_points.txt)
-  flip_geodesics_add_program_test(points_in_no_face 2 "not those of an edge or face" torus.off --bezier no_face.txt)
-  flip_geodesics_add_program_test(reads_its_obj 0 LOCALLY_SHORTEST path.obj --from 0 --to 150)
-  set_tests_properties(program_reads_its_obj PROPERTIES DEPENDS program_path)
-  flip_geodesics_add_program_test(not_repaired 2 "turned.off: the edge.*or give --repair" turned.off --from 0 --to 1)
-  flip_geodesics_add_program_test(repair 0 "LOCALLY_SHORTEST.*repair: 1 polygon of more than three corners"
-                                  pyramid.off --repair --repaired repaired.off --from 0 --to 2)
-  flip_geodesics_add_program_test(repair_again 0 "11 vertices, 7 tri" repaired.off --from 0 --to 2)
-  set_tests_properties(program_repair_again PROPERTIES DEPENDS program_repair)
-  flip_geodesics_add_program_test(repair_merged 0 "0  *4 " pyramid.off --repair --from 0 --to 5)
-  flip_geodesics_add_program_test(repair_split 0 "vertex 0 was split by the repair, into 0 10; 0 is taken"
-                                  pyramid.off --repair --from 0 --to 2)
-  flip_geodesics_add_program_test(repair_dropped 2 "vertex 7 has no faces after the repair" pyramid.off --repair --from 0
-                                  --to 7)
-  flip_geodesics_add_program_test(repair_edges 0 "1 LOCALLY_SHORTEST" pyramid.off --repair --edges pyramid_edges.txt)
-  flip_geodesics_add_program_test(repair_segmentation 0 "1 CONTRACTED" pyramid.off --repair --segmentation
-                                  pyramid.seg)
-  flip_geodesics_add_program_test(repair_seams 0 "1 LOCALLY_SHORTEST" quad_seam.obj --repair --seams)
-  flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 triangle"
-                                  collapsed.off --repair --from 0 --to 1)
-  flip_geodesics_add_program_test(repaired_alone 2 "--repaired belongs to --repair" torus.off --from 0 --to 1 --repaired
-                                  x.off)
-  flip_geodesics_add_program_test(bad_repaired 2 "x.xyz" torus.off --repair --from 0 --to 1 --repaired x.xyz)
-  flip_geodesics_add_program_test(loop 0 LOCALLY_SHORTEST torus.off --loop loop.txt)
-  flip_geodesics_add_program_test(trivial_loop 0 CONTRACTED torus.off --loop trivial_loop.txt --mesh none.vtp)
-  flip_geodesics_add_program_test(network 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt)
-  flip_geodesics_add_program_test(joined_network 0 "2 LOCALLY_SHORTEST" torus.off --network joined_network.txt)
-  flip_geodesics_add_program_test(stop_length 0 LENGTH_LIMIT torus.off --edges path.txt --stop-length 0.99)
-  # A label for each of the 576 faces: three parts, of which two meet the third; and those of one part only.
-  set(labels "")
-  set(one_label "")
-  foreach(face RANGE 575)
-    math(EXPR label "${face} / 200")
-    string(APPEND labels "${label}\n")
-    string(APPEND one_label "5\n")
-  endforeach()
-  file(WRITE ${example_dir}/parts.seg "${labels}")
-  file(WRITE ${example_dir}/one_part.seg "${one_label}")
-  file(WRITE ${example_dir}/short.seg "0\n1\n")
-  file(WRITE ${example_dir}/word.seg "0\none\n")
-  # Two triangles that are textured apart, and two that are not.
-  file(WRITE ${example_dir}/seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 5\n"
-                                     "f 1/1 2/2 3/3\nf 1/1 3/5 4/-2\n")
-  file(WRITE ${example_dir}/no_seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-                                        "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
-  file(WRITE ${example_dir}/half_textured.obj
-       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n")
-  flip_geodesics_add_program_test(segmentation 0 "LOCALLY_SHORTEST" torus.off --segmentation parts.seg)
-  flip_geodesics_add_program_test(segmentation_stop 0 "LENGTH_LIMIT" torus.off --segmentation parts.seg --stop-length
-                                  0.97)
-  flip_geodesics_add_program_test(segmentation_free 0 "curves: " torus.off --segmentation parts.seg --free-junctions)
-  flip_geodesics_add_program_test(one_part 2 "one_part.seg: all faces" torus.off --segmentation one_part.seg)
-  flip_geodesics_add_program_test(too_few_labels 2 "2 labels for 576" torus.off --segmentation short.seg)
-  flip_geodesics_add_program_test(label_no_number 2 "label 1, 'one'" torus.off --segmentation word.seg)
-  flip_geodesics_add_program_test(no_labels 2 "missing.seg" torus.off --segmentation missing.seg)
-  flip_geodesics_add_program_test(free_without_segmentation 2 "--segmentation" torus.off --from 0 --to 1
-                                  --free-junctions)
-  flip_geodesics_add_program_test(seams 0 "1 LOCALLY_SHORTEST" seam.obj --seams)
-  flip_geodesics_add_program_test(no_seams 2 "no seam" no_seam.obj --seams)
-  flip_geodesics_add_program_test(untextured_face 2 "line 9: face 1 has a corner" half_textured.obj --seams)
-  flip_geodesics_add_program_test(seams_of_off 2 "obj file" torus.off --seams)
-  flip_geodesics_add_program_test(tree 0 "287 LOCALLY_SHORTEST" torus.off --source 5 --map map.csv --mesh tree.ply)
-  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST" torus.off --source 5 --shortest --kernel
-                                  certified)
-  flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
-  flip_geodesics_add_program_test(map_without_source 2 "--source" torus.off --from 0 --to 1 --map map.csv)
-  flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" torus.off --from 0 --to 150 --delaunay --refine
-                                  25 --subdivision subdivision.off --insert inserted.ply)
-  flip_geodesics_add_program_test(cut 0 "4 LOCALLY_SHORTEST" torus.off --network network.txt --cut cut.off)
-  # An edge with both ends inside opens at its middle: vertices 288 and 289 are new.
-  flip_geodesics_add_program_test(cut_one_edge 0 "1 LOCALLY_SHORTEST" torus.off --from 0 --to 1 --cut slit.off)
-  flip_geodesics_add_program_test(slit_of_one_edge 0 "289 LOCALLY_SHORTEST" slit.off --source 289)
-  set_tests_properties(program_slit_of_one_edge PROPERTIES DEPENDS program_cut_one_edge)
-  file(WRITE ${example_dir}/thread.off
-       "OFF\n6 8 0\n0 0 0\n1e-6 0 0\n0 1e-6 0\n0 0 1\n1e-6 0 1\n0 1e-6 1\n3 0 2 1\n3 3 4 5\n"
-       "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 2 0 3\n3 2 3 5\n")
-  flip_geodesics_add_program_test(refine_thread 0 "bounds cannot be reached: [1-9][0-9]* faces" thread.off --from 0
-                                  --to 1 --refine 25 --most-vertices 5000)
-  flip_geodesics_add_program_test(refine_edges 0 "vertices inserted.* [1-9][0-9]* missed; ended" torus.off
-                                  --from 0 --to 150 --refine 0 --longest-edge 0.02 --most-vertices 30)
-  flip_geodesics_add_program_test(edges_of_nothing 2 "--refine" torus.off --from 0 --to 150 --longest-edge 0.1)
-  flip_geodesics_add_program_test(bad_longest_edge 2 "--longest-edge" torus.off --from 0 --to 150 --refine 9
-                                  --longest-edge 0)
-  flip_geodesics_add_program_test(bad_refine 2 "--refine" torus.off --from 0 --to 150 --refine 50)
-  flip_geodesics_add_program_test(bad_cut 2 "cut.xyz" torus.off --from 0 --to 150 --cut cut.xyz)
-  flip_geodesics_add_program_test(unwritable_cut 2 "no_such_folder/x.off" torus.off --from 0 --to 150 --cut
-                                  no_such_folder/x.off)
-  flip_geodesics_add_program_test(vtp 0 LOCALLY_SHORTEST torus.off --from 0 --to 150 --cut cut.vtp --insert insert.stl)
-  # A failure leaves what an earlier run has written, and nothing half-written.
-  file(WRITE ${example_dir}/earlier.csv "kept\n")
-  flip_geodesics_add_program_test(failure_after_output 2 "no_such_folder/x.html" torus.off --from 0 --to 150 --stats
-                                  earlier.csv --page no_such_folder/x.html)
-  add_test(NAME program_earlier_results COMMAND ${CMAKE_COMMAND} -E compare_files earlier.csv kept.csv
-           WORKING_DIRECTORY ${example_dir})
-  file(WRITE ${example_dir}/kept.csv "kept\n")
-  set_tests_properties(program_earlier_results PROPERTIES DEPENDS program_failure_after_output)
-  flip_geodesics_add_program_test(one_file_for_two 2 "twice.csv: two" torus.off --random 2 --stats twice.csv
-                                  --polylines twice.csv)
-  flip_geodesics_add_program_test(cut_of_many 2 "one curve" torus.off --random 3 --cut cut.off)
-  flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
-  flip_geodesics_add_program_test(help 0 "--network" --help)
-  flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
-                                  zero_length.txt --refuse-zero-edges)
-  flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met edges of length zero"
-                                  zero_length.off --pairs zero_length.txt --kernel certified)
-  flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" zero_length.off --source 0 --map
-                                  zero_length.csv)
-  flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170" tiny.off --from 0 --to 1)
-  flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" flat.off --draw flat.polylines.txt)
-  flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" no_area.off --draw flat.polylines.txt)
-  flip_geodesics_add_program_test(far_point 2 "far.polylines.txt line 1: point 1 has a coordinate beyond" torus.off --draw
-                                  far.polylines.txt)
-
-  # flip_geodesics_add_readme_test(name status pattern arguments...)
-  function(flip_geodesics_add_readme_test name status pattern)
-    add_test(
-      NAME readme_example${name}
-      COMMAND
-        ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:readme_example> -D STATUS=${status} -D PATTERN=${pattern} -D
-        ARGUMENTS=${ARGN} -P ${CMAKE_CURRENT_SOURCE_DIR}/run_program.cmake
-      WORKING_DIRECTORY ${example_dir})
-    set_tests_properties(readme_example${name} PROPERTIES FIXTURES_REQUIRED program_input)
-  endfunction()
-  flip_geodesics_add_readme_test("" 0 "LOCALLY_SHORTEST" torus.off)
-  flip_geodesics_add_readme_test(_disconnected 1 "^no path of edges joins vertex 0 and vertex 5\n$" two_parts.off)
-  flip_geodesics_add_readme_test(_no_mesh 1 "triangle mesh" missing.off)
-  flip_geodesics_add_readme_test(_no_vertex 1 "triangle mesh" no_vertex.off)
-  flip_geodesics_add_readme_test(_one_vertex 1 "." one_vertex.off)
-  flip_geodesics_add_readme_test(_no_argument 1 "triangle mesh" "")
-
-  # The curve passes a vertex at a distance that rounding does not see: it crosses the edges of that vertex inside.
-  file(WRITE ${example_dir}/below.off
-       "OFF\n5 4 0\n-1 0 0\n1 0 0\n0 -1e-30 0\n0 1 0\n0 -1 0\n3 0 2 3\n3 2 1 3\n3 0 4 2\n3 4 1 2\n")
-  file(WRITE ${example_dir}/there_and_back.txt "0 2 1\n1 2 0\n")
-  flip_geodesics_add_program_test(near_vertex 0 "2 LOCALLY_SHORTEST" below.off --edges there_and_back.txt --kernel
-                                  certified --polylines near_vertex.txt)
-  flip_geodesics_add_program_test(near_vertex_legs 0 "2 LOCALLY_SHORTEST" below.off --points ends.txt --kernel certified
-                                  --polylines near_vertex_legs.txt)
-  file(WRITE ${example_dir}/ends.txt "0 1\n1 0\n")
-  set_target_properties(check_polylines PROPERTIES EXCLUDE_FROM_ALL OFF) # otherwise built on demand
-  foreach(name near_vertex near_vertex_legs)
-    add_test(NAME program_${name}_checked COMMAND check_polylines below.off ${name}.txt WORKING_DIRECTORY ${example_dir})
-    set_tests_properties(program_${name}_checked PROPERTIES DEPENDS program_${name})
-  endforeach()
-
-  if(Python3_Interpreter_FOUND AND UNIX)
-    foreach(case inputs results places interruption full_disk closed_streams progress)
-      add_test(NAME program_files_${case}
-               COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_program_files.py --program
-                       $<TARGET_FILE:flip_geodesics> --torus $<TARGET_FILE:generate_torus> ${case})
-    endforeach()
-    set_tests_properties(program_files_progress PROPERTIES PROCESSORS 3)
-  else()
-    message(STATUS "Flip_geodesics: what the program does to files and streams is NOT checked, for want of Python 3")
-  endif()
-
-  # What is written for viewers is read back by readers that share nothing with the program.
-  find_program(FLIP_GEODESICS_CHROMIUM NAMES chromium chromium-browser google-chrome
-               DOC "A browser to load pages of flip_geodesics with; none if it is not found")
-  mark_as_advanced(FLIP_GEODESICS_CHROMIUM)
-  if(NOT Python3_Interpreter_FOUND)
-    message(STATUS "Flip_geodesics: files for viewers are NOT checked, because there is no Python 3")
-  elseif(NOT FLIP_GEODESICS_CHROMIUM)
-    message(STATUS "Flip_geodesics: pages are not loaded by a browser in tests, because there is no Chromium")
-  endif()
-  # flip_geodesics_add_viewer_test(name arguments...)
-  function(flip_geodesics_add_viewer_test name)
-    if(Python3_Interpreter_FOUND)
-      add_test(
-        NAME viewer_files_${name}
-        COMMAND
-          ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_viewer_files.py --program
-          $<TARGET_FILE:flip_geodesics> --mesh torus.off -- ${ARGN}
-        WORKING_DIRECTORY ${example_dir})
-      set_tests_properties(viewer_files_${name} PROPERTIES FIXTURES_REQUIRED program_input)
-    endif()
-  endfunction()
-  flip_geodesics_add_viewer_test(pairs --random 8)
-  flip_geodesics_add_viewer_test(network --network network.txt)
-  flip_geodesics_add_viewer_test(contracted --loop trivial_loop.txt)
-  flip_geodesics_add_viewer_test(tree --source 0)
-  if(Python3_Interpreter_FOUND AND FLIP_GEODESICS_CHROMIUM)
-    add_test(
-      NAME page_in_browser
-      COMMAND
-        ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_viewer_files.py --program
-        $<TARGET_FILE:flip_geodesics> --mesh torus.off --chromium ${FLIP_GEODESICS_CHROMIUM} -- --random 3
-      WORKING_DIRECTORY ${example_dir})
-    set_tests_properties(page_in_browser PROPERTIES FIXTURES_REQUIRED program_input)
-  endif()
-  add_test(NAME page_is_built COMMAND ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/page/check_sources.cmake)
-
-  flip_geodesics_add_program_test(unknown_option 2 "--wrong" torus.off --wrong)
-  flip_geodesics_add_program_test(no_curves 2 "--random" torus.off)
-  flip_geodesics_add_program_test(two_sets_of_curves 2 "one of" torus.off --random 2 --pairs pairs.txt)
-  flip_geodesics_add_program_test(from_without_to 2 "both" torus.off --from 3)
-  flip_geodesics_add_program_test(certified 0 "LOCALLY_SHORTEST" torus.off --random 5 --kernel certified)
-  flip_geodesics_add_program_test(mollified 0 "LOCALLY_SHORTEST" torus.off --random 5 --mollify 1e-5)
-  flip_geodesics_add_program_test(bad_mollify 2 "--mollify" torus.off --random 5 --mollify 2)
-  flip_geodesics_add_program_test(unknown_kernel 2 "--kernel fast" torus.off --random 2 --kernel fast)
-  flip_geodesics_add_program_test(unknown_search 2 "--search best" torus.off --random 2 --search best)
-  flip_geodesics_add_program_test(bad_stop_length 2 "--stop-length" torus.off --random 2 --stop-length 2)
-  flip_geodesics_add_program_test(bad_most_memory 2 "--most-memory" torus.off --random 2 --most-memory 0)
-  flip_geodesics_add_program_test(most_memory 1 "curve 0 .*--most-memory" torus.off --edges path.txt
-                                  --kernel certified --most-memory 0.0001)
-  flip_geodesics_add_program_test(unwritable 2 "no_such_folder/x" torus.off --random 2 --stats no_such_folder/x)
-  flip_geodesics_add_program_test(unwritable_page 2 "no_such_folder/x" torus.off --random 2 --page no_such_folder/x)
-  flip_geodesics_add_program_test(viewer_format 2 "x.xyz" torus.off --random 2 --mesh x.xyz)
-  flip_geodesics_add_program_test(out_of_range 2 "vertex 288" torus.off --from 0 --to 288)
-  flip_geodesics_add_program_test(out_of_range_in_file 2 "far.txt line 2: vertex 400" torus.off --pairs far.txt)
-  flip_geodesics_add_program_test(equal_ends 2 "equal.txt line 2.*vertex 4" torus.off --pairs equal.txt)
-  flip_geodesics_add_program_test(not_a_number 2 "word.txt line 1.*one" torus.off --pairs word.txt)
-  flip_geodesics_add_program_test(gap 2 "gap.txt line 2.*1 and 5" torus.off --edges gap.txt)
-  flip_geodesics_add_program_test(disconnected 2 "0 and 3" two_parts.off --from 0 --to 3)
-  flip_geodesics_add_program_test(disconnected_points 2 "two_points.txt line 1: points 0 and 1 lie in different" two_parts.off
-                                  --points two_points.txt)
-  flip_geodesics_add_program_test(no_file 2 "missing.off" missing.off --random 2)
-  flip_geodesics_add_program_test(unknown_format 2 "pairs.txt" pairs.txt --random 2)
-  flip_geodesics_add_program_test(empty_file 2 "empty.off" empty.off --random 2)
-  flip_geodesics_add_program_test(quad 2 "quad.off: face 0 has 4" quad.off --random 2)
-  flip_geodesics_add_program_test(misoriented 2 "turned.off.*0 and 2.*orient" turned.off --random 2)
-  flip_geodesics_add_program_test(nonmanifold_edge 2 "book.off.*0 and 1 has 3 faces" book.off --random 2)
-  flip_geodesics_add_program_test(nonmanifold_vertex 2 "bow.off: vertex 0" bow.off --random 2)
-  flip_geodesics_add_program_test(repeated_vertex 2 "repeated.off: face 0" repeated.off --random 2)
-  flip_geodesics_add_program_test(face_out_of_range 2 "range.obj line 4: face 0 has a vertex" range.obj --random 2)
-  flip_geodesics_add_program_test(not_a_coordinate 2 "nan.obj line 2: vertex 1 has 'nan'" nan.obj --random 2)
-  flip_geodesics_add_program_test(truncated 2 "truncated.off line 4: vertex 2 is missing" truncated.off --random 2)
-  flip_geodesics_add_program_test(huge_header 2 "huge.off line 2: .*number of vertices" huge.off --random 2)
-  flip_geodesics_add_program_test(early_property 2 "early_property.ply line 3: .*property before any element"
-                                  early_property.ply --random 2)
-  flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is no whole number" torus.off --pairs escape.txt)
-  flip_geodesics_add_program_test(escape_in_name 2 "no[?]c.off: cannot be opened" "no${escape}c.off" --random 2)
-  flip_geodesics_add_program_test(escape_in_option 2 "--kernel [?]c: not known" torus.off --random 2 --kernel
-                                  "${escape}c")
-  flip_geodesics_add_program_test(marked 0 "2 LOCALLY_SHORTEST" torus.off --pairs marked.txt)
-  flip_geodesics_add_program_test(beyond 2 "beyond the range" torus.off --pairs beyond.txt)
-  flip_geodesics_add_program_test(none_at_random 2 "--random 0" torus.off --random 0)
-  flip_geodesics_add_program_test(too_many_at_random 2 "--random 99" torus.off --random 99999999999)
-  flip_geodesics_add_program_test(bad_seed 2 "--seed -1" torus.off --random 2 --seed -1)
-  flip_geodesics_add_program_test(rounds_of_nothing 2 "--bezier" torus.off --random 2 --rounds 3)
-  flip_geodesics_add_program_test(less_than_none 2 "--random -3" torus.off --random -3)
-  flip_geodesics_add_program_test(no_curve 2 "no_curve.txt" torus.off --network no_curve.txt)
-  flip_geodesics_add_program_test(loose_fixed_vertex 2 "vertex 9" torus.off --network loose_network.txt)
-  flip_geodesics_add_program_test(crossing_itself 2 "crossing.txt line 2.*cross.*vertex 4" torus.off --edges
-                                  crossing.txt)
-  flip_geodesics_add_program_test(crossing_network 2 "cross.*vertex 4" torus.off --network crossing_network.txt)
-endif()
+flip_geodesics_add_readme_test("" 0 "LOCALLY_SHORTEST" torus.off)
+flip_geodesics_add_readme_test(_disconnected 1 "^no path of edges joins vertex 0 and vertex 5\n$" two_parts.off)
+flip_geodesics_add_readme_test(_no_mesh 1 "triangle mesh" missing.off)
+flip_geodesics_add_readme_test(_no_vertex 1 "triangle mesh" no_vertex.off)
+flip_geodesics_add_readme_test(_one_vertex 1 "." one_vertex.off)
+flip_geodesics_add_readme_test(_no_argument 1 "triangle mesh" "")

@@ -18,7 +18,7 @@ import tempfile
 import xml.etree.ElementTree
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[2] / 'examples/Flip_geodesics/page'))
+sys.path.insert(0, str(Path(__file__).parents[2] / 'examples/Flip_geodesics_program/page'))
 from read_page import Page  # noqa: E402
 
 

@@ -3,11 +3,11 @@
 #ifndef FLIP_GEODESICS_TEST_READER_TARGETS_H
 #define FLIP_GEODESICS_TEST_READER_TARGETS_H
 
-#include "curve_input.h"
-#include "data_input.h"
-#include "drawn_input.h"
-#include "mesh_input.h"
-#include "point_input.h"
+#include "input/curve_input.h"
+#include "input/data_input.h"
+#include "input/drawn_input.h"
+#include "input/mesh_input.h"
+#include "input/point_input.h"
 
 #include <CGAL/Flip_geodesics/network_io.h>
 

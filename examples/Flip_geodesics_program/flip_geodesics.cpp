@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Computes geodesic curves on a triangle mesh from the command line; see --help.
+//
+// Exit status: 0 on success, 1 if a curve could not be computed or a result not be written (the others are), 2 on bad
+// input, 128 and the signal's number if it is interrupted.
+
+#include "bad_input.h"
+#include "file_name.h"
+#include "input/program_input.h"
+#include "output/program_output.h"
+#include "output/run_files.h"
+#include "printable.h"
+#include "program_options.h"
+#include "run/curve_engine.h"
+#include "run/machine_memory.h"
+#include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
+#include "run/progress.h"
+#include "run/watcher.h"
+
+#include <CGAL/assertions_behaviour.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace program;
+
+constexpr int success = 0, incomplete = 1, bad_input = 2;
+
+void add_options(CLI::App& app, Options& options)
+{
+  app.add_option("MESH", options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL")->required();
+  app.add_flag(
+      "--repair", options.is_repaired,
+      "Make a triangle mesh of any polygons: triangulate, orient, cut apart, stitch, drop; and say what was done");
+  app.add_option("--repaired", options.results.repaired,
+                 "With --repair: write the repaired mesh, which the results are about: .off, .obj, .ply, .stl or .vtp");
+  app.add_option("--from", options.from, "Source of one geodesic; vertices are counted from 0");
+  app.add_option("--to", options.to, "Target of one geodesic");
+  app.add_option("--pairs", options.pairs, "File: a geodesic per line `source target`; # starts a comment");
+  app.add_option("--random", options.random, "So many geodesics between random vertices of a component");
+  app.add_option("--seed", options.seed, "Seed of --random")->capture_default_str();
+  app.add_option("--edges", options.edges, "File: a path of edges per line, as vertices, each straightened by itself");
+  app.add_option("--loop", options.loop, "File: a closed loop of edges per line, each straightened by itself");
+  app.add_option("--network", options.network,
+                 "File: curves straightened together: a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
+  app.add_option(
+      "--points", options.points,
+      "File: a geodesic per line, through points anywhere: `v`, `a,b,t` on an edge or `a,b,c,t,u` in a face");
+  app.add_option(
+      "--bezier", options.bezier,
+      "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
+  app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved; 5 if not given");
+  app.add_option(
+      "--draw", options.draw,
+      "File: a polyline per line, drawn on the mesh and pulled tight: points as above, after `o` closed; or, in "
+      "a file .polylines.txt, points in space");
+  app.add_flag("--snap", options.is_snapped,
+               "Move the polylines of --draw to edges first, and do not insert their points");
+  app.add_option("--segmentation", options.segmentation,
+                 "File: a label per line for each face; the network of the boundaries between labels");
+  app.add_flag("--free-junctions", options.has_free_junctions,
+               "Where boundaries meet they need not stay: each region of --segmentation has its own closed curves");
+  app.add_flag("--seams", options.has_seams, "The network of the texture seams of an OBJ file");
+  app.add_option("--source", options.source,
+                 "The tree of geodesics from this vertex to all others; a curve per edge of the tree");
+  app.add_flag("--shortest", options.is_shortest, "With --source: replace paths that are not globally shortest");
+  app.add_option("--kernel", options.kernel, "Arithmetic: double, or certified, which decides and proves exactly")
+      ->capture_default_str();
+  app.add_option("--mollify", options.mollify,
+                 "Lengthen all edges until triangles have this margin of the mean edge length: for degenerate meshes");
+  app.add_flag("--refuse-zero-edges", options.are_zero_edges_refused,
+               "Curves that meet an edge of length zero fail; else such edges are contracted for them");
+  app.add_option("--search", options.search,
+                 "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
+      ->capture_default_str();
+  app.add_option("--stop-length", options.stop_length,
+                 "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
+  app.add_option("--most-memory", options.most_memory,
+                 "Stop where the flips of a curve, or a network, take more megabytes; not given, three quarters of the "
+                 "machine's memory");
+  app.add_option("--map", options.results.map,
+                 "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
+  app.add_option("--threads", options.threads, "Compute so many curves at the same time")->capture_default_str();
+  app.add_option("--polylines", options.results.polylines,
+                 "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
+  app.add_option("--stats", options.results.stats, "Write a line per curve, comma-separated, with a header");
+  app.add_option("--mesh", options.results.viewer,
+                 "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
+  app.add_option("--page", options.results.page,
+                 "Write a page for a browser: surface, curves, and the flips step by step");
+  app.add_flag("--delaunay", options.meshes.is_delaunay, "Flip the other edges to constrained Delaunay");
+  app.add_option("--refine", options.meshes.refine, "Insert vertices until no angle is smaller, in degrees");
+  app.add_option("--longest-edge", options.meshes.longest_edge, "With --refine: until no edge is longer, too");
+  app.add_option("--most-vertices", options.meshes.most_vertices,
+                 "With --refine: insert no more than so many; a million if not given");
+  app.add_option("--subdivision", options.meshes.subdivision,
+                 "Write the common subdivision of mesh and triangulation: .off, .obj, .ply, .stl or .vtp");
+  app.add_option("--insert", options.meshes.insertion, "Write the mesh with the curves as edges, as above");
+  app.add_option("--cut", options.meshes.cut, "Write the mesh cut open along the curves, as above");
+  app.add_flag("--force", options.is_replacing_input, "Let a result replace the mesh or a file of curves that is read");
+  app.add_flag("--quiet", options.is_quiet, "No table and no progress");
+}
+
+CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
+{
+  using CGAL::Flip_geodesics::Search_method;
+  if(name == "lookback")
+    return Search_method::LOOK_BACK;
+  if(name == "astar")
+    return Search_method::A_STAR;
+  if(name == "dijkstra")
+    return Search_method::DIJKSTRA;
+  throw Bad_input("--search " + printable(name) + ": not known; use lookback, astar or dijkstra");
+}
+
+// Each result in a file of its own, and none of them in one that is read.
+void check_names_of_results(const Options& options)
+{
+  std::vector<std::string> results;
+  for(const std::string& name : {options.results.polylines, options.results.stats, options.results.viewer,
+                                 options.results.page, options.results.map, options.results.repaired,
+                                 options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
+  {
+    if(name.empty())
+      continue;
+    for(const std::string& other : results)
+      if(is_same_file(name, other))
+        throw Bad_input(printable(name) + ": two results cannot go to one file; name another one");
+    for(const std::string& input : {options.mesh, options.pairs, options.edges, options.loop, options.network,
+                                    options.segmentation, options.points, options.bezier, options.draw})
+      if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
+        throw Bad_input(printable(name) + ": a result would replace what is read; name another file, or add --force");
+    results.push_back(name);
+  }
+}
+
+void check_mesh_results(const Mesh_result_options& options, const std::string& repaired)
+{
+  if(options.refine && !(*options.refine >= 0 && *options.refine <= 30))
+    throw Bad_input("--refine takes the smallest angle, in degrees, between 0 and 30");
+  if((options.longest_edge || options.most_vertices) && !options.refine)
+    throw Bad_input("--longest-edge and --most-vertices belong to --refine; give an angle, 0 for any");
+  if(options.longest_edge && !(*options.longest_edge > 0))
+    throw Bad_input("--longest-edge must be greater than 0");
+  if(options.most_vertices && *options.most_vertices < 0)
+    throw Bad_input("--most-vertices must not be negative");
+  const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};
+  for(const std::string& name : {options.subdivision, options.insertion, options.cut, repaired})
+    if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
+      throw Bad_input(printable(name) +
+                      ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
+}
+
+void check_options(const Options& options)
+{
+  const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
+                   (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
+                   (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
+                   (options.has_seams ? 1 : 0) + (options.source ? 1 : 0) + (options.points.empty() ? 0 : 1) +
+                   (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1);
+  if(jobs != 1)
+    throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
+                    "--points, --bezier, --draw, --segmentation, --seams, --source");
+  if(!options.is_repaired && !options.results.repaired.empty())
+    throw Bad_input("--repaired belongs to --repair; give both");
+  if(!options.source && (options.is_shortest || !options.results.map.empty()))
+    throw Bad_input("--shortest and --map belong to --source; give a source");
+  if(options.source && options.stop_length)
+    throw Bad_input("--stop-length is of no use with --source; leave one of them out");
+  if(options.is_snapped && options.draw.empty())
+    throw Bad_input("--snap belongs to --draw; give polylines");
+  if(options.has_free_junctions && options.segmentation.empty())
+    throw Bad_input("--free-junctions belongs to --segmentation; give a segmentation");
+  if(options.from.has_value() != options.to.has_value())
+    throw Bad_input("--from and --to belong together; give both");
+  constexpr long long most_at_random = 10000000;
+  if(options.random && (*options.random < 1 || *options.random > most_at_random))
+    throw Bad_input("--random " + std::to_string(*options.random) + ": give 1 to " + std::to_string(most_at_random));
+  if(options.seed < 0)
+    throw Bad_input("--seed " + std::to_string(options.seed) + ": give 0 or more");
+  if(options.kernel != "double" && options.kernel != "certified")
+    throw Bad_input("--kernel " + printable(options.kernel) + ": not known; use double or certified");
+  if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
+    throw Bad_input("--mollify must lie between 0 and 1");
+  if(options.rounds && (*options.rounds < 0 || *options.rounds > 16))
+    throw Bad_input("--rounds " + std::to_string(*options.rounds) + ": give 0 to 16");
+  if(options.rounds && options.bezier.empty())
+    throw Bad_input("--rounds belongs to --bezier; give control points");
+  if(!options.bezier.empty() && options.stop_length)
+    throw Bad_input("--stop-length does not go with --bezier; leave it out");
+  search_method(options.search);
+  if(options.stop_length && !(*options.stop_length >= 0 && *options.stop_length <= 1))
+    throw Bad_input("--stop-length must lie between 0 and 1");
+  if(options.most_memory && !(*options.most_memory > 0 && *options.most_memory <= 1e9))
+    throw Bad_input("--most-memory must be above 0 and at most 1e9, in megabytes");
+  if(options.threads < 1 || options.threads > 1024)
+    throw Bad_input("--threads must lie between 1 and 1024");
+  if(options.threads > 1 && !has_threads)
+    throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
+  check_mesh_results(options.meshes, options.results.repaired);
+  check_names_of_results(options);
+  if(options.threads > 1 && !options.results.page.empty())
+    throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
+}
+
+// What the records of flips may take in each thread, in bytes.
+std::size_t most_memory(const Options& options)
+{
+  constexpr double megabyte = 1e6;
+  const double most = options.most_memory ? *options.most_memory * megabyte : 0.75 * memory_of_machine();
+  return static_cast<std::size_t>(most / options.threads);
+}
+
+// What becomes of the curves, and a line for people above them.
+int run(const Options& options, const Input_mesh& input, const Program_metric& metric, const std::string& title,
+        Progress& progress)
+{
+  const Mesh& mesh = input;
+  progress.enter("reading curves");
+  const std::vector<Network_request> requests = read_requests(options, input);
+  if(requests.size() != 1 && options.meshes.is_any_wanted())
+    throw Bad_input("--delaunay, --refine, --subdivision, --insert and --cut take one curve, or a network of several");
+  std::size_t number_of_curves = 0;
+  for(const Network_request& request : requests)
+    number_of_curves += request.curves.size();
+  progress.expect_curves(number_of_curves);
+  const bool is_certified = options.kernel == "certified";
+  const Run_options run_options = {
+      search_method(options.search), is_certified,       options.stop_length, options.is_shortest,
+      options.rounds.value_or(5),    options.is_snapped, options.are_zero_edges_refused, options.meshes,
+      most_memory(options)};
+  const auto make_engine = [&] {
+    return (is_certified ? make_certified_engine : make_double_engine)(mesh, metric, run_options, progress);
+  };
+  const std::unique_ptr<Curve_engine> engine = make_engine();
+  for(const Network_request& request : requests)
+    if(!request.tree_source && !request.curves.front().is_pair)
+      engine->check(request);
+
+  const std::unique_ptr<Outputs> outputs = make_outputs(options);
+  if(!options.is_quiet)
+    for(const std::string& remark : input.remarks())
+      std::cerr << "flip_geodesics: " << remark << '\n';
+  const auto write = [&](const Network_request&, const std::vector<Curve_result>& results) {
+    progress.enter("writing");
+    outputs->write(results, engine->record());
+    if(engine->map())
+      outputs->write(*engine->map());
+    outputs->write(engine->meshes());
+  };
+  if(options.threads > 1 && requests.size() > 1) {
+    run_in_parallel(requests, options.threads, make_engine, write);
+  } else {
+    for(const Network_request& request : requests) {
+      engine->set_most_recorded_points(outputs->most_recorded_points());
+      write(request, engine->run(request));
+    }
+  }
+  progress.enter("writing");
+  outputs->close(mesh);
+  if(!options.is_quiet) {
+    outputs->print_summary(std::cout << title);
+    std::cout << engine->mesh_results();
+  }
+  return outputs->has_failed() ? incomplete : success;
+}
+
+int run(const Options& options)
+{
+  check_options(options);
+  Progress progress;
+  const Watcher watcher(progress, options.is_quiet);
+  progress.enter("reading the mesh");
+  const Stopwatch stopwatch;
+  const Input_mesh input = read_input_mesh(options);
+  const Mesh& mesh = input;
+  std::ostringstream title;
+  title << printable(options.mesh) << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
+        << " triangles, read in " << stopwatch.seconds() << " s\n";
+  const Program_metric metric(mesh, options.mollify);
+  if(options.mollify)
+    title << metric.added_length() << " added to the length of every edge\n";
+  return run(options, input, metric, title.str(), progress);
+}
+
+// What is left of standard output goes out.
+int flushed(int status)
+{
+  if(std::cout.flush())
+    return status;
+  std::cerr << "flip_geodesics: standard output: could not be written to its end; look for space on the disk\n";
+  return status == success ? incomplete : status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("Pulls curves on a triangle mesh tight: geodesics by edge flips", "flip_geodesics");
+  Options options;
+  add_options(app, options);
+  try {
+    if(std::find(argv + 1, argv + argc, std::string()) != argv + argc)
+      throw Bad_input("an argument is empty; leave its option out or give it a value");
+    app.parse(argc, argv);
+    CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+    return flushed(run(options));
+  } catch(const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return flushed(success);
+  } catch(const CLI::ParseError& error) {
+    std::cerr << "flip_geodesics: " << printable(error.what(), 300) << "; see --help\n";
+  } catch(const std::exception& error) {
+    std::cerr << "flip_geodesics: " << without_controls(error.what()) << '\n';
+  }
+  return bad_input;
+}

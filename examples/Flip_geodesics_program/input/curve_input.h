@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_INPUT_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_INPUT_H
+
+#include "input/curve_requests.h"
+#include "input/input_mesh.h"
+#include "input/input_text.h"
+#include "input/text_scanner.h"
+#include "program_mesh.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Which curves the program is to compute: read from files or drawn at random, and checked before the first is computed.
+namespace program {
+
+/// Vertices joined by edges, as a union-find forest: pairs in different components have no geodesic.
+class Components
+{
+public:
+  explicit Components(const Mesh& mesh)
+    : m_parents(mesh.vertices().begin(), mesh.vertices().end())
+  {
+    for(const auto e : mesh.edges())
+      join(mesh.vertex(e, 0), mesh.vertex(e, 1));
+  }
+
+  Mesh::Vertex_index root(Mesh::Vertex_index v)
+  {
+    while(m_parents[v] != v) {
+      m_parents[v] = m_parents[m_parents[v]];
+      v = m_parents[v];
+    }
+    return v;
+  }
+
+private:
+  void join(Mesh::Vertex_index v, Mesh::Vertex_index w)
+  {
+    m_parents[(std::max)(root(v), root(w))] = (std::min)(root(v), root(w));
+  }
+
+  std::vector<Mesh::Vertex_index> m_parents;
+};
+
+inline void check_pair(Components& components, const Curve_request& pair)
+{
+  const Vertex_index s = pair.vertices[0], t = pair.vertices[1];
+  if(s == t)
+    throw Bad_input(pair.name + ": source and target are both vertex " + std::to_string(s.idx()) +
+                    "; give two vertices");
+  if(components.root(mesh_vertex(s)) != components.root(mesh_vertex(t)))
+    throw Bad_input(pair.name + ": vertices " + std::to_string(s.idx()) + " and " + std::to_string(t.idx()) +
+                    " lie in different components; choose both in one");
+}
+
+/// Are all points of the curve of a line in one component? \throws Bad_input
+inline void check_points_are_joined(const Mesh& mesh, Components& components, const Curve_request& curve)
+{
+  const auto root = [&](std::size_t i) {
+    return components.root(mesh.target(mesh_halfedge(curve.points[i].halfedge)));
+  };
+  for(std::size_t i = 1; i < curve.points.size(); ++i)
+    if(root(i) != root(0))
+      throw Bad_input(curve.name + ": points 0 and " + std::to_string(i) +
+                      " lie in different components; choose all in one");
+}
+
+inline void check_chain(const Mesh& mesh, const Curve_request& curve)
+{
+  const std::vector<Vertex_index>& v = curve.vertices;
+  if(v.size() < 2)
+    throw Bad_input(curve.name + ": a curve needs two vertices or more; add vertices or remove the line");
+  for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < v.size(); ++i) {
+    const Vertex_index a = v[i], b = v[(i + 1) % v.size()];
+    if(mesh.halfedge(mesh_vertex(a), mesh_vertex(b)) == Mesh::null_halfedge())
+      throw Bad_input(curve.name + ": the curve is not connected, no edge joins vertices " + std::to_string(a.idx()) +
+                      " and " + std::to_string(b.idx()) + "; list every vertex on the way");
+  }
+}
+
+inline void check_not_empty(const std::vector<Curve_request>& curves, const Input_text& input)
+{
+  if(curves.empty())
+    throw Bad_input(input.name() + ": there is no curve in it; write one per line");
+}
+
+inline void check_fixed_vertices(const Network_request& network, const Input_text& input)
+{
+  for(Vertex_index v : network.fixed_vertices) {
+    const bool is_passed = std::any_of(network.curves.begin(), network.curves.end(), [&](const Curve_request& curve) {
+      return std::find(curve.vertices.begin(), curve.vertices.end(), v) != curve.vertices.end();
+    });
+    if(!is_passed)
+      throw Bad_input(input.name() + ": no curve passes the fixed vertex " + std::to_string(v.idx()) +
+                      "; remove it, or correct it");
+  }
+}
+
+// Calls `use(words)` for each line that is neither empty nor a comment.
+template <class Function>
+void for_each_line(const Input_text& input, Function use)
+{
+  Text_scanner words(input, '#');
+  while(words.next_line_with_words())
+    use(words);
+}
+
+inline std::vector<Vertex_index> read_vertices(const Input_mesh& mesh, Text_scanner& words)
+{
+  const std::string name = words.place();
+  std::vector<Vertex_index> vertices;
+  for(std::string_view word; !(word = words.next_word()).empty();) {
+    long long v = 0;
+    if(const char* const error = parse_number(word, v))
+      words.fail("'" + printable(word) + "' " + error + "; write 0-based numbers of vertices between blanks");
+    vertices.push_back(mesh.vertex(v, name));
+  }
+  return vertices;
+}
+
+inline Curve_request make_pair_request(Vertex_index s, Vertex_index t, const std::string& name)
+{
+  Curve_request pair;
+  pair.name = name;
+  pair.vertices = {s, t};
+  pair.is_pair = true;
+  return pair;
+}
+
+/// The tree from a vertex.
+inline Network_request tree_request(const Input_mesh& mesh, long long source)
+{
+  return {{}, {}, mesh.vertex(source, "--source")};
+}
+
+/// The pair of the command line.
+inline std::vector<Curve_request> single_pair(const Input_mesh& mesh, long long s, long long t)
+{
+  Components components(mesh);
+  const std::string name = "--from, --to";
+  std::vector<Curve_request> pairs = {make_pair_request(mesh.vertex(s, name), mesh.vertex(t, name), name)};
+  check_pair(components, pairs.front());
+  return pairs;
+}
+
+/// Lines `s t`.
+inline std::vector<Curve_request> read_pairs(const Input_mesh& mesh, const Input_text& input)
+{
+  Components components(mesh);
+  std::vector<Curve_request> pairs;
+  for_each_line(input, [&](Text_scanner& words) {
+    const std::vector<Vertex_index> v = read_vertices(mesh, words);
+    if(v.size() != 2)
+      words.fail("a pair is two vertices, not " + std::to_string(v.size()) + "; write `source target`");
+    pairs.push_back(make_pair_request(v[0], v[1], words.place()));
+    check_pair(components, pairs.back());
+  });
+  check_not_empty(pairs, input);
+  return pairs;
+}
+
+/// `count` pairs of different vertices of one component, the same ones for the same mesh and seed on any machine.
+inline std::vector<Curve_request> random_pairs(const Mesh& mesh, std::size_t count, std::uint64_t seed)
+{
+  Components components(mesh);
+  std::vector<std::vector<Mesh::Vertex_index>> members(mesh.number_of_vertices());
+  std::vector<Mesh::Vertex_index> candidates; // faces make components of three vertices or more; others are isolated
+  for(const auto v : mesh.vertices())
+    members[components.root(v)].push_back(v);
+  for(const auto v : mesh.vertices())
+    if(members[components.root(v)].size() > 1)
+      candidates.push_back(v);
+
+  std::mt19937_64 random(seed);
+  std::vector<Curve_request> pairs;
+  while(pairs.size() < count) {
+    const Mesh::Vertex_index s = candidates[random() % candidates.size()];
+    const std::vector<Mesh::Vertex_index>& component = members[components.root(s)];
+    const Mesh::Vertex_index t = component[random() % component.size()];
+    if(s != t)
+      pairs.push_back(make_pair_request(index_of(s), index_of(t), "random pair " + std::to_string(pairs.size())));
+  }
+  return pairs;
+}
+
+/// Lines of vertices, each joined to the next by an edge. A closed curve may repeat its first vertex at the end.
+inline std::vector<Curve_request> read_curves(const Input_mesh& mesh, const Input_text& input, bool are_closed)
+{
+  std::vector<Curve_request> curves;
+  for_each_line(input, [&](Text_scanner& words) {
+    Curve_request curve;
+    curve.name = words.place();
+    curve.vertices = read_vertices(mesh, words);
+    curve.is_closed = are_closed;
+    if(are_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
+      curve.vertices.pop_back();
+    check_chain(mesh, curve);
+    curves.push_back(curve);
+  });
+  check_not_empty(curves, input);
+  return curves;
+}
+
+/// Lines of vertices as in `read_curves()`; after `o` the curve is closed, after `!` the vertices are fixed.
+inline Network_request read_network(const Input_mesh& mesh, const Input_text& input)
+{
+  Network_request network;
+  for_each_line(input, [&](Text_scanner& words) {
+    Curve_request curve;
+    curve.name = words.place();
+    const bool are_fixed = words.take('!');
+    curve.is_closed = !are_fixed && words.take('o');
+    curve.vertices = read_vertices(mesh, words);
+    if(are_fixed) {
+      network.fixed_vertices.insert(network.fixed_vertices.end(), curve.vertices.begin(), curve.vertices.end());
+      return;
+    }
+    if(curve.is_closed && curve.vertices.size() > 1 && curve.vertices.front() == curve.vertices.back())
+      curve.vertices.pop_back();
+    check_chain(mesh, curve);
+    network.curves.push_back(curve);
+  });
+  check_not_empty(network.curves, input);
+  check_fixed_vertices(network, input);
+  return network;
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_CURVE_INPUT_H

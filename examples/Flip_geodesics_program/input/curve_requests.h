@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace program {
+
+using CGAL::Flip_geodesics::Vertex_index;
+
+/// A curve to compute. Two vertices of a pair need not be neighbours; those of a curve given by its edges are.
+struct Curve_request
+{
+  std::string name;                   ///< for messages: where it comes from
+  std::vector<Vertex_index> vertices; ///< a closed curve does not repeat the first
+  bool is_pair = false;
+  bool is_closed = false;
+  std::vector<CGAL::Flip_geodesics::Surface_location> points; ///< instead of vertices: points anywhere
+  bool is_drawn = false;                                      ///< are the points those of a polyline?
+  std::optional<CGAL::Flip_geodesics::Spline_kind> spline;    ///< of the points, if they are control points
+};
+
+/// Curves that are shortened together, with the vertices where they are fixed; or instead the source of a tree.
+struct Network_request
+{
+  std::vector<Curve_request> curves;
+  std::vector<Vertex_index> fixed_vertices;
+  std::optional<Vertex_index> tree_source;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_INPUT_MESH_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_INPUT_MESH_H
+
+#include "bad_input.h"
+#include "program_mesh.h"
+
+#include <CGAL/Flip_geodesics/Repair_report.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+/*!
+ * The mesh of the program, and what its elements are called in the file.
+ *
+ * A repair leaves vertices the numbers that they have in the file, and appends those that it adds; numbers of results
+ * are those of the mesh. Faces are numbered anew.
+ */
+class Input_mesh
+{
+  using Repair_report = CGAL::Flip_geodesics::Repair_report;
+
+public:
+  /// A mesh that is as in the file.
+  explicit Input_mesh(Mesh mesh)
+    : m_mesh(std::move(mesh))
+  {
+  }
+
+  /// A mesh that was repaired.
+  Input_mesh(Mesh mesh, Repair_report report)
+    : m_mesh(std::move(mesh))
+    , m_report(std::move(report))
+  {
+  }
+
+  const Mesh& mesh() const { return m_mesh; }
+  operator const Mesh&() const { return m_mesh; }
+
+  /*!
+   * The vertex that a user names by its number: another one if a repair merged it into that, the first of its parts if
+   * it was split. \param name where the user does so, for messages \throws Bad_input if there is none
+   */
+  Vertex_index vertex(long long v, const std::string& name) const
+  {
+    if(v < 0 || v >= static_cast<long long>(m_mesh.number_of_vertices()))
+      throw Bad_input(name + ": vertex " + std::to_string(v) + " does not exist; use 0 to " +
+                      std::to_string(m_mesh.number_of_vertices() - 1));
+    const auto point = static_cast<std::size_t>(v);
+    if(!m_report || point >= m_report->number_of_points())
+      return Vertex_index(static_cast<Index>(v));
+    const auto parts = m_report->vertices_of_point(point);
+    if(parts.empty())
+      throw Bad_input(name + ": vertex " + std::to_string(v) + " has no faces after the repair; choose another one");
+    if(parts.size() > 1)
+      note_split(parts, name, point);
+    return Vertex_index(static_cast<Index>(parts.front()));
+  }
+
+  /// The number of faces in the file.
+  std::size_t number_of_faces_in_file() const
+  {
+    return m_report ? m_report->number_of_polygons() : m_mesh.number_of_faces();
+  }
+
+  /// The face in the file that a face of the mesh comes from.
+  std::size_t face_in_file(Mesh::Face_index f) const { return m_report ? m_report->polygon_of_face(f) : f; }
+
+  /// Is a vertex of the mesh, or one merged into it, the vertex with this number in the file?
+  bool comes_from(Mesh::Vertex_index v, std::size_t point) const
+  {
+    const auto number = static_cast<std::size_t>(v);
+    if(!m_report)
+      return number == point;
+    const auto parts = m_report->vertices_of_point(point);
+    return std::find(parts.begin(), parts.end(), number) != parts.end();
+  }
+
+  /// Lines that say what a repair did, and which vertices that the user named it has split.
+  std::vector<std::string> remarks() const
+  {
+    std::vector<std::string> lines;
+    if(m_report)
+      for(const std::string& line : m_report->lines())
+        lines.push_back("repair: " + line);
+    for(const auto& point_and_line : m_splits)
+      lines.push_back(point_and_line.second);
+    return lines;
+  }
+
+private:
+  void note_split(const Repair_report::Elements& parts, const std::string& name, std::size_t point) const
+  {
+    std::string line = name + ": vertex " + std::to_string(point) + " was split by the repair, into";
+    for(const std::size_t part : parts)
+      line += ' ' + std::to_string(part);
+    m_splits.emplace(point, line + "; " + std::to_string(parts.front()) + " is taken");
+  }
+
+  Mesh m_mesh;
+  std::optional<Repair_report> m_report;
+  mutable std::map<std::size_t, std::string> m_splits; // that were asked for, by the vertex in the file
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_INPUT_MESH_H

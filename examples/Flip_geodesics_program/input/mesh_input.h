@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_MESH_INPUT_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_MESH_INPUT_H
+
+#include "file_name.h"
+#include "input/input_mesh.h"
+#include "input/input_text.h"
+#include "input/read_obj.h"
+#include "input/read_off.h"
+#include "input/read_ply.h"
+#include "input/read_stl.h"
+#include "input/read_ts.h"
+#include "input/soup_checks.h"
+#include "program_mesh.h"
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/polygon_soup_to_triangle_mesh.h>
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+
+#include <map>
+#include <string>
+#include <utility>
+
+// Reads the mesh of the program, as a soup first, so that an error can name its element and vertices keep the numbers
+// that they have in the file.
+namespace program {
+
+using Format_reader = Soup (*)(const Input_text&);
+
+/// How meshes are read, by the extensions of their files.
+inline const std::map<std::string, Format_reader>& mesh_formats()
+{
+  static const std::map<std::string, Format_reader> formats = {
+      {"off", read_off},
+      {"obj", [](const Input_text& input) { return read_obj(input); }},
+      {"ply", read_ply},
+      {"stl", read_stl},
+      {"ts", read_ts}};
+  return formats;
+}
+
+/// The soup in the text of a mesh. \throws Bad_input
+inline Soup read_soup(const Input_text& input)
+{
+  const auto format = mesh_formats().find(extension(input.file()));
+  if(format != mesh_formats().end())
+    return format->second(input);
+  std::string known;
+  for(const auto& [name, reader] : mesh_formats())
+    known += " ." + name;
+  throw Bad_input(input.name() + ": the format is not known by the extension; convert the mesh to one of" + known);
+}
+
+/// The mesh in a text, an oriented manifold of triangles. \throws Bad_input with one line that names the file and the
+/// element
+inline Mesh read_mesh(const Input_text& input)
+{
+  const Soup soup = read_soup(input);
+  try {
+    check_soup(soup);
+  } catch(const Bad_input& error) {
+    throw Bad_input(input.name() + ": " + error.what() + (soup.faces.empty() ? "" : ", or give --repair"));
+  }
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
+  if(mesh.number_of_faces() != soup.faces.size())
+    throw Bad_input(input.name() + ": the faces do not form an oriented manifold; give --repair");
+  return mesh;
+}
+
+/// Reads whatever a file holds and repairs it. \throws Bad_input if nothing is left
+inline Input_mesh repair_mesh(Input_text input)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  input.allow_points_not_finite();
+  const Soup soup = read_soup(input);
+  Mesh mesh;
+  try {
+    FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh);
+    return Input_mesh(std::move(mesh), std::move(report));
+  } catch(const FG::Error& error) {
+    throw Bad_input(input.name() + ": " + error.what() + "; give another mesh");
+  }
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_MESH_INPUT_H

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_INPUT_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_INPUT_H
+
+#include "input/curve_requests.h"
+#include "input/input_mesh.h"
+#include "program_options.h"
+
+#include <string>
+#include <vector>
+
+// What the files of the command line hold, for those who compute: without the readers, which are compiled by
+// themselves.
+namespace program {
+
+/// The mesh, which is an oriented manifold of triangles: as it is in the file, or repaired. \throws Bad_input
+Input_mesh read_input_mesh(const Options& options);
+
+/// The independent runs: one curve each, or all curves of a network. \throws Bad_input
+std::vector<Network_request> read_requests(const Options& options, const Input_mesh& mesh);
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_INPUT_H

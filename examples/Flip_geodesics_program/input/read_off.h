@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_READ_OFF_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_READ_OFF_H
+
+#include "input/byte_scanner.h"
+#include "input/soup.h"
+#include "input/text_scanner.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace program {
+
+/*!
+ * Reads an OFF file, as Geomview describes the format: an optional keyword `[ST][C][N][4][n]OFF`, with `BINARY` after
+ * it or not; the numbers of vertices, faces and edges; the vertices and the faces, with or without colors, normals and
+ * texture coordinates, which are passed over. With a 4 there is a fourth coordinate, by which the others are divided.
+ *
+ * In a text every vertex and face has its own line, and what is behind the vertices of a face is its color. If the file
+ * is not like that, it is read by words, as many for each element as the keyword says, and none for the color of a
+ * face.
+ */
+class Off_reader
+{
+public:
+  explicit Off_reader(const Input_text& input)
+    : m_input(input)
+    , m_words(input, '#')
+  {
+  }
+
+  /// \throws Bad_input
+  Soup read()
+  {
+    read_keyword();
+    if(m_is_binary)
+      return read_binary();
+    read_counts();
+    const Text_scanner start = m_words;
+    try {
+      return read_text(true);
+    } catch(const Bad_input&) {
+      m_words = start;
+      try {
+        return read_text(false);
+      } catch(const Bad_input&) {
+      }
+      throw; // lines are the rule: what is wrong with them says more
+    }
+  }
+
+private:
+  // Takes a prefix off a word if it is there.
+  static bool take(std::string_view& word, std::string_view prefix)
+  {
+    const bool is_there = word.substr(0, prefix.size()) == prefix;
+    if(is_there)
+      word.remove_prefix(prefix.size());
+    return is_there;
+  }
+
+  void read_keyword()
+  {
+    const std::string_view first = m_words.next_word_of_text();
+    std::string_view word = first;
+    const bool has_texture = take(word, "ST"), has_color = take(word, "C"), has_normal = take(word, "N");
+    m_is_homogeneous = take(word, "4");
+    const bool has_dimension = take(word, "n");
+    double number = 0;
+    if(!take(word, "OFF")) {
+      if(parse_number(first, number) != nullptr)
+        m_words.fail("the first word, '" + printable(first) +
+                     "', is not OFF, so that this is no OFF file; correct the file or its extension");
+      word = first;
+      m_is_homogeneous = false;
+    }
+    m_words.go_back(word.size());
+    m_words_of_vertex = (has_normal ? 3 : 0) + (has_color ? 4 : 0) + (has_texture ? 2 : 0);
+    if(has_dimension && m_words.next_word_of_text() != "3")
+      m_words.fail("only surfaces in space will do, with three coordinates; project the mesh");
+    const std::string_view next = m_words.next_word_of_text();
+    m_is_binary = next == "BINARY";
+    if(!m_is_binary)
+      m_words.go_back(next.size());
+  }
+
+  std::size_t count(const char* of_what, long long number) const
+  {
+    if(number < 0 || static_cast<unsigned long long>(number) > m_input.bytes().size())
+      m_words.fail("the header promises a number of " + std::string(of_what) + " that " +
+                   std::to_string(m_input.bytes().size()) + " bytes cannot hold; correct the header");
+    return static_cast<std::size_t>(number);
+  }
+
+  long long read_number_of(const char* what)
+  {
+    const std::string_view word = m_words.next_word_of_text();
+    long long number = 0;
+    if(const char* const error = parse_number(word, number))
+      m_words.fail("the number of " + std::string(what) + ", '" + printable(word) + "', " + error +
+                   "; correct the header");
+    return number;
+  }
+
+  // The number of edges is of no use. Some files leave it out.
+  void read_counts()
+  {
+    m_vertices = count("vertices", read_number_of("vertices"));
+    m_faces = count("faces", read_number_of("faces"));
+    if(m_words.has_word()) {
+      read_number_of("edges");
+      return;
+    }
+    const Text_scanner before = m_words;
+    m_words.next_word_of_text();
+    if(m_words.has_word())
+      m_words = before;
+  }
+
+  // Goes to where the next vertex or face starts.
+  void start(const Element& element)
+  {
+    if(!m_is_by_lines)
+      return;
+    if(m_words.has_word())
+      m_words.fail(element, "does not start on a line of its own; give it one");
+    if(!m_words.next_line_with_words())
+      m_words.fail(element, "is missing at the end of the file; complete it, or correct the counts");
+  }
+
+  template <class T>
+  T read_number(const Element& element)
+  {
+    return m_words.number<T>(m_is_by_lines ? m_words.next_word() : m_words.next_word_of_text(), element);
+  }
+
+  // Colors and the like.
+  void skip_numbers(const Element& element)
+  {
+    double number = 0;
+    for(std::string_view word; !(word = m_words.next_word()).empty();)
+      if(parse_number(word, number) != nullptr && std::isfinite(number))
+        m_words.fail(element, "is followed by '" + printable(word) + "', which is no number; correct it");
+  }
+
+  template <class Scanner>
+  Soup::Point_3 point(const std::array<double, 4>& x, const Element& element, const Scanner& scanner) const
+  {
+    if(x[3] == 0)
+      scanner.fail(element, "lies at infinity, its fourth coordinate is 0; correct it");
+    const std::array<double, 3> divided = {x[0] / x[3], x[1] / x[3], x[2] / x[3]};
+    for(double coordinate : divided)
+      if(!std::isfinite(coordinate) && !m_input.may_have_points_not_finite())
+        scanner.fail(element, "has a coordinate that is beyond the range of the numbers here; correct it");
+    return Soup::Point_3(divided[0], divided[1], divided[2]);
+  }
+
+  void read_vertex(Soup& soup)
+  {
+    const Element element = {"vertex", soup.points.size()};
+    start(element);
+    std::array<double, 4> x = {0, 0, 0, 1};
+    for(std::size_t i = 0; i < number_of_coordinates(); ++i)
+      x[i] = read_number<double>(element);
+    soup.points.push_back(point(x, element, m_words));
+    if(m_is_by_lines)
+      skip_numbers(element);
+    for(std::size_t i = 0; i < m_words_of_vertex && !m_is_by_lines; ++i)
+      read_number<double>(element);
+  }
+
+  template <class Scanner>
+  std::size_t vertex(long long v, const Element& face, const Scanner& scanner) const
+  {
+    if(v < 0 || static_cast<unsigned long long>(v) >= m_vertices)
+      scanner.fail(face,
+                   "has a vertex that is not one of the " + std::to_string(m_vertices) + " in the file; correct it");
+    return static_cast<std::size_t>(v);
+  }
+
+  void read_face(Soup& soup)
+  {
+    const Element element = {"face", soup.faces.size()};
+    start(element);
+    const long long corners = read_number<long long>(element);
+    if(corners < 0)
+      m_words.fail(element, "has a negative number of vertices; correct it");
+    soup.faces.emplace_back();
+    for(long long i = 0; i < corners; ++i)
+      soup.faces.back().push_back(vertex(read_number<long long>(element), element, m_words));
+    if(m_is_by_lines)
+      skip_numbers(element);
+  }
+
+  Soup read_text(bool is_by_lines)
+  {
+    m_is_by_lines = is_by_lines;
+    Soup soup;
+    soup.points.reserve(m_vertices);
+    while(soup.points.size() < m_vertices)
+      read_vertex(soup);
+    while(soup.faces.size() < m_faces)
+      read_face(soup);
+    if(!m_words.next_word_of_text().empty())
+      m_words.fail("there is more after the last face; remove it, or correct the counts");
+    return soup;
+  }
+
+  // All numbers have four bytes, the highest first: counts, coordinates, and for a face its vertices and its color.
+  Soup read_binary()
+  {
+    Byte_scanner bytes(m_input, m_words.next_position(), boost::endian::order::big);
+    const Element header = {"header", 0};
+    m_vertices = count("vertices", bytes.get<std::int32_t>(header));
+    m_faces = count("faces", bytes.get<std::int32_t>(header));
+    bytes.get<std::int32_t>(header);
+    Soup soup;
+    soup.points.reserve(m_vertices);
+    while(soup.points.size() < m_vertices) {
+      const Element element = {"vertex", soup.points.size()};
+      std::array<double, 4> x = {0, 0, 0, 1};
+      for(std::size_t i = 0; i < number_of_coordinates(); ++i)
+        x[i] = bytes.coordinate<float>(element);
+      soup.points.push_back(point(x, element, bytes));
+      bytes.skip(sizeof(float) * m_words_of_vertex, element);
+    }
+    while(soup.faces.size() < m_faces)
+      read_face(soup, bytes);
+    return soup;
+  }
+
+  void read_face(Soup& soup, Byte_scanner& bytes)
+  {
+    const Element element = {"face", soup.faces.size()};
+    const auto read_size = [&] {
+      const std::int32_t size = bytes.get<std::int32_t>(element);
+      if(size < 0 || static_cast<std::size_t>(size) > bytes.bytes_left() / 4)
+        bytes.fail(element, "is cut off; complete it");
+      return static_cast<std::size_t>(size);
+    };
+    soup.faces.emplace_back(read_size());
+    for(std::size_t& v : soup.faces.back())
+      v = vertex(bytes.get<std::int32_t>(element), element, bytes);
+    bytes.skip(sizeof(float) * read_size(), element);
+  }
+
+  std::size_t number_of_coordinates() const { return m_is_homogeneous ? 4 : 3; }
+
+  const Input_text& m_input;
+  Text_scanner m_words;
+  bool m_is_homogeneous = false, m_is_binary = false, m_is_by_lines = true;
+  std::size_t m_words_of_vertex = 0; // behind its coordinates
+  std::size_t m_vertices = 0, m_faces = 0;
+};
+
+/// \throws Bad_input
+inline Soup read_off(const Input_text& input) { return Off_reader(input).read(); }
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_READ_OFF_H

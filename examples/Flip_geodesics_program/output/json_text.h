@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_JSON_TEXT_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_JSON_TEXT_H
+
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <boost/endian/conversion.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+// Pieces of JSON, and arrays of numbers in bytes, as the formats for browsers want them.
+namespace program {
+
+/// A JSON string with its quotes. It may stand inside an HTML script element: `<` is escaped.
+inline std::string json_string(const std::string& text)
+{
+  std::string result = "\"";
+  for(unsigned char c : text) {
+    if(c == '"' || c == '\\') {
+      result += '\\';
+      result += static_cast<char>(c);
+    } else if(c < 0x20 || c == '<') {
+      char escaped[8];
+      std::snprintf(escaped, sizeof escaped, "\\u%04x", c);
+      result += escaped;
+    } else {
+      result += static_cast<char>(c);
+    }
+  }
+  return result + '"';
+}
+
+/// A JSON number with all digits; `null` if it is none.
+inline std::string json_number(double x)
+{
+  if(!std::isfinite(x))
+    return "null";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+/// Appends a number of four bytes, the lowest first.
+template <class Number>
+void append_bytes(std::string& bytes, Number x)
+{
+  static_assert(sizeof(Number) == 4, "the formats have numbers of 32 bits");
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, 4);
+  boost::endian::native_to_little_inplace(bits);
+  char piece[4];
+  std::memcpy(piece, &bits, 4);
+  bytes.append(piece, 4);
+}
+
+/// The bytes of an array of `float` or `std::uint32_t`.
+template <class Number>
+std::string to_bytes(const std::vector<Number>& numbers)
+{
+  std::string bytes;
+  bytes.reserve(4 * numbers.size());
+  for(Number x : numbers)
+    append_bytes(bytes, x);
+  return bytes;
+}
+
+/// An array as a JSON string in base 64.
+template <class Number>
+std::string json_base64(const std::vector<Number>& numbers)
+{
+  using namespace boost::archive::iterators;
+  using Encoder = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  std::string bytes = to_bytes(numbers);
+  const std::size_t missing = (3 - bytes.size() % 3) % 3;
+  bytes.append(missing, '\0');
+  std::string text(Encoder(bytes.cbegin()), Encoder(bytes.cend()));
+  text.replace(text.size() - missing, missing, missing, '=');
+  return '"' + text + '"';
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_JSON_TEXT_H

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_OUTPUT_FILE_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_OUTPUT_FILE_H
+
+#include "bad_input.h"
+#include "output/run_files.h"
+#include "printable.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <system_error>
+
+namespace program {
+
+/*!
+ * A file that is written with all digits of a double, and that complains if it cannot be.
+ *
+ * What is written goes to a file of its own beside it first, which takes its place, with its permissions, in `close()`:
+ * a run that fails leaves the results of an earlier one, and two runs do not mix theirs. What is no plain file, and
+ * anything in /dev, is written directly.
+ */
+class Output_file
+{
+public:
+  /// An empty name means that nothing is to be written. \throws Bad_input if it cannot be begun
+  explicit Output_file(const std::string& name)
+    : m_name(name)
+  {
+    if(m_name.empty())
+      return;
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(m_name, failure); // of what a link leads to
+    const bool exists = std::filesystem::exists(status);
+    m_is_direct = m_name.rfind("/dev/", 0) == 0 || (exists && !std::filesystem::is_regular_file(status));
+    m_place = m_is_direct ? std::filesystem::path(m_name) : destination(m_name);
+    const bool may_be_written = !exists || m_is_direct || std::ofstream(m_place, std::ios::app).is_open();
+    if(may_be_written && !m_is_direct)
+      m_part = Run_files::instance().create_beside(m_place);
+    if(exists && !m_part.empty())
+      std::filesystem::permissions(m_part, status.permissions(), failure);
+    m_out.open(m_is_direct ? m_place : m_part, std::ios::binary);
+    m_out.precision(std::numeric_limits<double>::max_digits10);
+    if(!m_out || !may_be_written) {
+      abandon();
+      throw Bad_input(printable(m_name) + ": cannot be written; choose another place");
+    }
+    m_is_open = true;
+  }
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+  ~Output_file() { abandon(); }
+
+  bool is_wanted() const { return !m_name.empty(); }
+  std::ostream& stream() { return m_out; }
+  const std::string& name() const { return m_name; }
+
+  /// Looks whether all could be written so far. If not, says so, once, and takes nothing more.
+  void check()
+  {
+    if(m_is_open && !m_out)
+      fail();
+  }
+
+  /// Completes the file, or says that this is not possible.
+  void close()
+  {
+    if(!m_is_open)
+      return;
+    m_out.close();
+    if(!m_out || (!m_is_direct && !Run_files::instance().complete(m_part, m_place)))
+      return fail();
+    m_is_open = false;
+    m_part.clear();
+  }
+
+private:
+  void fail()
+  {
+    abandon();
+    Run_files::instance().note_failure();
+    std::cerr << "flip_geodesics: " + printable(m_name) +
+                     ": could not be written to its end; look for space on the disk\n";
+  }
+
+  // Leaves what was there before.
+  void abandon()
+  {
+    m_is_open = false;
+    if(m_part.empty())
+      return;
+    m_out.close();
+    m_out.setstate(std::ios::badbit);
+    Run_files::instance().remove(m_part);
+    m_part.clear();
+  }
+
+  std::string m_name;
+  std::filesystem::path m_place, m_part; // the latter empty if there is none
+  std::ofstream m_out;
+  bool m_is_direct = false, m_is_open = false;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_OUTPUT_FILE_H

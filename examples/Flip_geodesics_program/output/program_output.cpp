@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "output/program_output.h"
+
+#include "output/mesh_file.h"
+#include "output/page_file.h"
+#include "output/result_files.h"
+#include "output/run_summary.h"
+#include "output/viewer_files.h"
+#include "printable.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace program {
+
+namespace {
+
+class Output_files : public Outputs
+{
+public:
+  explicit Output_files(const Options& options)
+    : m_polylines(options.results.polylines)
+    , m_stats(options.results.stats)
+    , m_viewer(options.results.viewer)
+    , m_page(options.results.page)
+    , m_map(options.results.map)
+    , m_subdivision(options.meshes.subdivision)
+    , m_insertion(options.meshes.insertion)
+    , m_cut(options.meshes.cut)
+    , m_repaired(options.results.repaired)
+  {
+    m_scene.title = printable(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
+  }
+
+  std::size_t most_recorded_points() const override { return m_page.is_wanted() ? m_most_recorded_points : 0; }
+
+  void write(const std::vector<Curve_result>& run, const std::optional<Shortening_record>& record) override
+  {
+    for(std::size_t i = 0; i < run.size(); ++i, ++m_curve) {
+      m_polylines.write(m_curve, run[i]);
+      m_stats.write(m_curve, run[i]);
+      m_summary.add(m_curve, run[i], i > 0);
+      if(m_viewer.is_wanted() || m_page.is_wanted())
+        m_scene.curves.push_back(scene_curve(run[i]));
+      if(!run[i].error.empty())
+        std::cerr << "flip_geodesics: curve " << m_curve << " (" << run[i].name << "): " << run[i].error << '\n';
+      m_has_failed = m_has_failed || !run[i].error.empty();
+    }
+    ++m_run;
+    if(!m_page.is_wanted())
+      return;
+    m_scene.records.push_back(record.value_or(Shortening_record()));
+    m_most_recorded_points -= (std::min)(m_most_recorded_points, number_of_points(m_scene.records.back()));
+  }
+
+  void write(const CGAL::Flip_geodesics::Logarithmic_map& map) override { m_map.write(map); }
+
+  void write(const Result_meshes& meshes) override
+  {
+    write(meshes.subdivision, m_subdivision);
+    write(meshes.insertion, m_insertion);
+    write(meshes.cut, m_cut);
+  }
+
+  void close(const Mesh& mesh) override
+  {
+    m_map.close();
+    m_polylines.close();
+    m_stats.close();
+    if(m_repaired.is_wanted()) {
+      m_repaired.write(mesh);
+      m_repaired.close();
+    }
+    m_viewer.write(mesh, m_scene);
+    m_page.write(mesh, m_scene);
+  }
+
+  void print_summary(std::ostream& out) const override { m_summary.print(out); }
+  bool has_failed() const override { return m_has_failed || Run_files::instance().has_failed(); }
+
+private:
+  // What a run that failed does not have leaves the file of an earlier one.
+  static void write(const std::optional<Mesh>& mesh, Mesh_file& file)
+  {
+    if(!mesh)
+      return;
+    file.write(*mesh);
+    file.close();
+  }
+
+  Scene_curve scene_curve(const Curve_result& r) const
+  {
+    Scene_curve curve = {m_curve,          r.name,   r.status, r.certificate,
+                         r.initial_length, r.length, r.flips,  r.is_closed,
+                         r.is_of_tree,     m_run,    {}};
+    for(const Curve_point& p : r.points)
+      curve.points.push_back(p.in_space);
+    return curve;
+  }
+
+  Polylines_file m_polylines;
+  Stats_file m_stats;
+  Viewer_file m_viewer;
+  Page_file m_page;
+  Map_file m_map;
+  Mesh_file m_subdivision, m_insertion, m_cut, m_repaired;
+  Scene m_scene;
+  std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
+  Run_summary m_summary;
+  std::size_t m_curve = 0;
+  bool m_has_failed = false;
+};
+
+} // namespace
+
+std::unique_ptr<Outputs> make_outputs(const Options& options) { return std::make_unique<Output_files>(options); }
+
+} // namespace program

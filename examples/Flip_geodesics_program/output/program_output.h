@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OUTPUT_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OUTPUT_H
+
+#include "program_mesh.h"
+#include "program_options.h"
+#include "run/curve_engine.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+// Where the results go, for those who compute: without the writers, which are compiled by themselves.
+namespace program {
+
+class Outputs
+{
+public:
+  virtual ~Outputs() = default;
+
+  /// How many points of the next run are to be recorded for the page.
+  virtual std::size_t most_recorded_points() const = 0;
+
+  /// Writes the results of a run, and errors on standard error.
+  virtual void write(const std::vector<Curve_result>& run, const std::optional<Shortening_record>& record) = 0;
+  virtual void write(const CGAL::Flip_geodesics::Logarithmic_map& map) = 0;
+  virtual void write(const Result_meshes& meshes) = 0;
+
+  /// Completes the files.
+  virtual void close(const Mesh& mesh) = 0;
+
+  /// Prints the table of the curves.
+  virtual void print_summary(std::ostream& out) const = 0;
+
+  virtual bool has_failed() const = 0;
+};
+
+/// Opens the files. \throws Bad_input
+std::unique_ptr<Outputs> make_outputs(const Options& options);
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OUTPUT_H

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_RUN_SUMMARY_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_RUN_SUMMARY_H
+
+#include "run/curve_engine.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// The table on standard output: a line per curve if there are few, and the sums.
+class Run_summary
+{
+public:
+  void add(std::size_t curve, const Curve_result& result, bool shares_run)
+  {
+    ++m_counts[result.status];
+    if(m_lines.size() < most_lines)
+      m_lines.push_back(line(curve, result));
+    ++m_number_of_curves;
+    m_number_on_contracted += result.are_zero_edges_contracted ? 1 : 0;
+    if(result.is_error())
+      return;
+    m_initial_length += result.initial_length;
+    m_length += result.length;
+    m_search.push_back(result.search_s);
+    m_extract.push_back(result.extract_s);
+    if(shares_run) // the run is counted with its first curve
+      return;
+    m_flips.push_back(static_cast<double>(result.flips));
+    m_shorten.push_back(result.shorten_s);
+  }
+
+  void print(std::ostream& out) const
+  {
+    if(m_number_of_curves <= most_lines) {
+      out << "curve    source    target  segments     edge path      geodesic     flips  status               ms\n";
+      for(const std::string& line : m_lines)
+        out << line;
+    }
+    out << m_number_of_curves << " curves:";
+    for(const auto& [status, count] : m_counts)
+      out << ' ' << count << ' ' << status;
+    out << '\n';
+    if(m_number_on_contracted > 0)
+      out << m_number_on_contracted << " met edges of length zero, which were contracted for them\n";
+    if(m_length > 0)
+      out << format("length   %.6g of %.6g along edges (%.2f %%)\n", m_length, m_initial_length,
+                    100 * m_length / m_initial_length);
+    print_sums(out, "flips   ", m_flips, 1, "");
+    print_sums(out, "search  ", m_search, 1e3, " ms");
+    print_sums(out, "shorten ", m_shorten, 1e3, " ms");
+    print_sums(out, "extract ", m_extract, 1e3, " ms");
+  }
+
+private:
+  static constexpr std::size_t most_lines = 20;
+
+  template <class... Arguments>
+  static std::string format(const char* pattern, Arguments... arguments)
+  {
+    char text[256];
+    std::snprintf(text, sizeof text, pattern, arguments...);
+    return text;
+  }
+
+  static std::string line(std::size_t curve, const Curve_result& r)
+  {
+    return format("%5zu %9d %9d %9zu %13.6g %13.6g %9zu  %-16s %8.3f\n", curve, static_cast<int>(r.source.idx()),
+                  static_cast<int>(r.target.idx()), r.initial_segments, r.initial_length, r.length, r.flips,
+                  r.status.c_str(), 1e3 * (r.search_s + r.shorten_s + r.extract_s));
+  }
+
+  static void print_sums(std::ostream& out, const char* name, std::vector<double> values, double scale,
+                         const char* unit)
+  {
+    if(values.empty())
+      return;
+    double sum = 0;
+    for(double value : values)
+      sum += value;
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    out << format("%s %.6g%s, median %.4g%s\n", name, scale * sum, unit, scale * values[values.size() / 2], unit);
+  }
+
+  std::map<std::string, std::size_t> m_counts;
+  std::vector<std::string> m_lines;
+  std::size_t m_number_of_curves = 0, m_number_on_contracted = 0;
+  double m_initial_length = 0, m_length = 0;
+  std::vector<double> m_flips, m_search, m_shorten, m_extract;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_RUN_SUMMARY_H

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_MESH_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_MESH_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+// The mesh of the program, and how the library numbers its elements.
+namespace program {
+
+using CGAL::Flip_geodesics::Index;
+using CGAL::Flip_geodesics::Input_halfedge_index;
+using CGAL::Flip_geodesics::Vertex_index;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+
+/// The index of an element of the mesh: it has the same number.
+inline Vertex_index index_of(Mesh::Vertex_index v) { return Vertex_index(static_cast<Index>(v)); }
+inline Input_halfedge_index index_of(Mesh::Halfedge_index h) { return Input_halfedge_index(static_cast<Index>(h)); }
+
+/// The element of the mesh with an index.
+inline Mesh::Vertex_index mesh_vertex(Vertex_index v)
+{
+  return Mesh::Vertex_index(static_cast<Mesh::size_type>(v.idx()));
+}
+inline Mesh::Halfedge_index mesh_halfedge(Input_halfedge_index h)
+{
+  return Mesh::Halfedge_index(static_cast<Mesh::size_type>(h.idx()));
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_MESH_H

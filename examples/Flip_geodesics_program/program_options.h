@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OPTIONS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OPTIONS_H
+
+#include <optional>
+#include <string>
+
+// What the command line says.
+namespace program {
+
+/// What becomes of the triangulation once its curves are finished.
+struct Mesh_result_options
+{
+  bool is_delaunay = false;
+  std::optional<double> refine; ///< the smallest angle, in degrees
+  std::optional<double> longest_edge;
+  std::optional<long long> most_vertices; ///< that are inserted
+  std::string subdivision, insertion, cut;
+
+  bool is_any_wanted() const { return is_delaunay || refine || has_files(); }
+  bool has_files() const { return !subdivision.empty() || !insertion.empty() || !cut.empty(); }
+};
+
+/// The names of the other files that are written; empty for those that are not wanted.
+struct Result_names
+{
+  std::string polylines, stats, viewer, page, map, repaired;
+};
+
+struct Options
+{
+  std::string mesh;
+  bool is_repaired = false;
+  std::optional<long long> from, to;
+  std::string pairs, edges, loop, network, segmentation, points, bezier, draw;
+  bool is_snapped = false;
+  std::optional<int> rounds;
+  bool has_seams = false, has_free_junctions = false, is_shortest = false;
+  std::optional<long long> source;
+  std::optional<long long> random;
+  long long seed = 1;
+  std::string kernel = "double", search = "lookback";
+  std::optional<double> stop_length, mollify, most_memory;
+  bool are_zero_edges_refused = false;
+  int threads = 1;
+  Result_names results;
+  Mesh_result_options meshes;
+  bool is_replacing_input = false, is_quiet = false;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_PROGRAM_OPTIONS_H

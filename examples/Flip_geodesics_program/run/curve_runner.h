@@ -1,0 +1,522 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_RUNNER_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_RUNNER_H
+
+#include "bad_input.h"
+#include "run/curve_engine.h"
+#include "run/mesh_results.h"
+#include "run/progress.h"
+#include "run/shortening_recorder.h"
+#include "run/surface_request.h"
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/draw_polylines.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/logarithmic_map.h>
+#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Computes the curves: each by itself on the same triangulation, whose flips are taken back in between, or a network.
+namespace program {
+
+/// \tparam Traits the arithmetic, a model of `IntrinsicTriangulationTraits`
+template <class Traits>
+class Curve_runner : public Curve_engine
+{
+  using Curve_index = CGAL::Flip_geodesics::Curve_index;
+  using Halfedge_index = CGAL::Flip_geodesics::Halfedge_index;
+  using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh, Traits, Program_metric>;
+  using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
+  using Recorder = std::optional<Shortening_recorder<Network>>;
+
+public:
+  Curve_runner(
+      const Mesh& mesh, const Program_metric& metric, const Run_options& options, Progress& progress,
+      CGAL::Flip_geodesics::Zero_length_edges zero_length_edges = CGAL::Flip_geodesics::Zero_length_edges::REFUSE)
+    : m_mesh(mesh)
+    , m_metric(metric)
+    , m_options(options)
+    , m_progress(progress)
+    , m_zero_length_edges(zero_length_edges)
+    , m_triangulation(mesh, metric, Traits(), zero_length_edges)
+    , m_search(m_triangulation, options.search)
+  {
+  }
+
+  /// Where an edge of length zero is met, such edges are contracted, and all is computed again.
+  std::vector<Curve_result> run(const Network_request& request) override
+  {
+    forget_last_run();
+    const std::vector<Curve_result> results = results_or_failures(request);
+    m_progress.add_curves(request.curves.size());
+    return results;
+  }
+
+  void check(const Network_request& request) override
+  {
+    if(!request.curves.empty() && !request.curves.front().points.empty())
+      return;
+    namespace FG = CGAL::Flip_geodesics;
+    m_progress.enter("looking for curves that cross");
+    const std::string name = request.curves.size() == 1 ? request.curves.front().name + ": " : "the network: ";
+    std::vector<Curve_result> results(request.curves.size());
+    try {
+      Network network(m_triangulation);
+      build(network, request, results);
+      network.clear();
+      m_triangulation.rollback();
+    } catch(const FG::Crossing_curves_error& error) {
+      throw Bad_input(name + error.what() + "; separate the curves, or fix the vertex in a network");
+    } catch(const FG::Ambiguous_order_error& error) {
+      throw Bad_input(name + error.what() + "; move the curves to different edges");
+    } catch(const FG::Error&) {
+      m_triangulation.rollback(); // not a matter of the curves: reported when they are computed
+    }
+  }
+
+private:
+  // What an error says, but for a vertex that was inserted for a point: the mesh does not have it.
+  std::string message(const std::exception& error) const
+  {
+    const auto* const crossing = dynamic_cast<const CGAL::Flip_geodesics::Crossing_curves_error*>(&error);
+    const bool is_inserted = crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices();
+    return is_inserted ? "strands cross at one of the given points" : error.what();
+  }
+
+  std::vector<Curve_result> results_or_failures(const Network_request& request)
+  {
+    try {
+      return compute(request);
+    } catch(const CGAL::Flip_geodesics::Degenerate_face_error& error) {
+      start_afresh();
+      return m_options.are_zero_edges_refused ? failures(request, error.what()) : run_on_surface(request, error.what());
+    } catch(const std::bad_alloc&) {
+      start_afresh();
+      return failures(request, "there is not enough memory");
+    } catch(const std::exception& error) {
+      start_afresh();
+      return failures(request, message(error));
+    }
+  }
+
+  std::vector<Curve_result> compute(const Network_request& request)
+  {
+    std::vector<Curve_result> results;
+    for(const Curve_request& curve : request.curves)
+      results.push_back(make_result(curve));
+    if(may_have_free_legs(request) && m_most_recorded_points == 0)
+      run_free_legs(request.curves.front(), results.front());
+    else
+      run_network(request, results);
+    return results;
+  }
+
+  // After a failure, whatever it left.
+  void start_afresh()
+  {
+    forget_last_run();
+    m_triangulation = Triangulation(m_mesh, m_metric, Traits(), m_zero_length_edges);
+  }
+
+  std::vector<Curve_result> failures(const Network_request& request, const std::string& why) const
+  {
+    std::vector<Curve_result> results;
+    for(const Curve_request& curve : request.curves)
+      results.push_back(make_result(curve));
+    if(request.tree_source)
+      results.assign(1, tree_result(*request.tree_source));
+    for(Curve_result& result : results)
+      result.error = why.substr(0, why.find('\n'));
+    return results;
+  }
+
+  // With the edges of length zero contracted; `why` is what went wrong with them.
+  std::vector<Curve_result> run_on_surface(const Network_request& request, const std::string& why)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    try {
+      if(!m_on_surface)
+        m_on_surface =
+            std::make_unique<Curve_runner>(m_mesh, m_metric, m_options, m_progress, FG::Zero_length_edges::CONTRACT);
+      m_on_surface->set_most_recorded_points(m_most_recorded_points);
+      const std::vector<Curve_result> results = m_on_surface->compute_on_surface(request);
+      take_results(*m_on_surface);
+      return results;
+    } catch(const FG::Disconnected_endpoints_error&) { // by faces without area, or in a point
+      m_on_surface.reset();
+      return failures(request, why);
+    } catch(const std::exception& error) {
+      m_on_surface.reset();
+      return failures(request, message(error));
+    }
+  }
+
+  std::vector<Curve_result> compute_on_surface(const Network_request& request)
+  {
+    forget_last_run();
+    const Surface_request left = surface_request(m_triangulation, request);
+    std::vector<Curve_result> computed, results;
+    if(left.request.tree_source || !left.request.curves.empty())
+      computed = compute(left.request);
+    if(left.request.tree_source) {
+      put_on_mesh(m_triangulation, computed, *m_map);
+      return computed;
+    }
+    std::size_t next = 0;
+    for(std::size_t c = 0; c < request.curves.size(); ++c) {
+      if(left.places[c]) {
+        results.push_back(make_result(request.curves[c]));
+        make_point(m_triangulation, *left.places[c], m_options.is_certifying, results.back());
+      } else {
+        results.push_back(std::move(computed[next++]));
+      }
+      put_on_mesh(request.curves[c], results.back());
+    }
+    return results;
+  }
+
+  void take_results(Curve_runner& other)
+  {
+    m_record = std::move(other.m_record);
+    m_map = std::move(other.m_map);
+    m_meshes = std::move(other.m_meshes);
+    m_mesh_results = std::move(other.m_mesh_results);
+  }
+
+  void forget_last_run()
+  {
+    m_record.reset();
+    m_map.reset();
+    m_meshes = Result_meshes();
+    m_mesh_results.clear();
+  }
+
+  void build(Network& network, const Network_request& request, std::vector<Curve_result>& results)
+  {
+    for(std::size_t c = 0; c < request.curves.size(); ++c) {
+      const Stopwatch stopwatch;
+      if(request.curves[c].is_drawn) {
+        m_progress.enter("drawing");
+        draw(network, request.curves[c], results[c]);
+        continue;
+      }
+      m_progress.enter("searching");
+      if(!request.curves[c].points.empty()) {
+        const auto curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
+        results[c].search_s = stopwatch.seconds();
+        results[c].initial_segments = network.halfedges(curve).size();
+        continue;
+      }
+      const std::vector<Halfedge_index> halfedges = initial_halfedges(request.curves[c]);
+      results[c].search_s = stopwatch.seconds();
+      results[c].initial_segments = halfedges.size();
+      if(is_straightened(request)) {
+        m_progress.enter("straightening");
+        results[c].flips = add_straightened_path(network, halfedges, m_options.most_memory);
+        m_progress.add_flips(results[c].flips);
+        results[c].shorten_s = stopwatch.seconds() - results[c].search_s;
+      } else {
+        network.add_curve(halfedges, request.curves[c].is_closed);
+      }
+    }
+    for(Vertex_index v : request.fixed_vertices)
+      network.fix_nodes_at(v);
+    if(!request.curves.front().is_drawn || m_options.is_snapped)
+      order_overlapping_curves(network);
+  }
+
+  // Is there one curve, of which only the ends are given, and nobody to see how it is pulled tight?
+  bool is_straightened(const Network_request& request) const
+  {
+    return request.curves.size() == 1 && request.curves.front().is_pair && request.fixed_vertices.empty() &&
+           !m_options.stop_length && m_most_recorded_points == 0;
+  }
+
+  void run_network(const Network_request& request, std::vector<Curve_result>& results)
+  {
+    Network network(m_triangulation);
+    Recorder recorder;
+    if(request.tree_source) {
+      grow(network, *request.tree_source, results);
+    } else {
+      try {
+        build(network, request, results);
+      } catch(const CGAL::Flip_geodesics::Crossing_curves_error&) {
+        if(!may_have_free_legs(request))
+          throw;
+        network.clear();
+        m_triangulation.rollback();
+        results.assign(1, make_result(request.curves.front()));
+        return run_free_legs(request.curves.front(), results.front()); // the page has no triangulation to show then
+      }
+      if(request.curves.front().spline)
+        subdivide(network, request.curves.front(), results.front());
+      else
+        shorten(network, results, recorder);
+    }
+    certify(network, results);
+    extract(network, results);
+    m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
+    record(network, recorder);
+    if(m_options.meshes.has_files())
+      m_progress.enter("making meshes of the curves");
+    m_meshes = result_meshes(m_options.meshes, m_mesh, network);
+    network.clear();
+    m_triangulation.rollback();
+  }
+
+  // May the curve's legs be pulled straight each by itself? Then they can cross, and no triangulation has them all.
+  bool may_have_free_legs(const Network_request& request) const
+  {
+    return !request.tree_source && !request.curves.front().points.empty() && !request.curves.front().is_drawn &&
+           !m_options.meshes.is_any_wanted() && !m_options.stop_length;
+  }
+
+  void run_free_legs(const Curve_request& request, Curve_result& result)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    FG::Free_legs path;
+    if(request.spline) {
+      m_progress.enter("subdividing", "rounds");
+      FG::Free_geodesic_spline<Triangulation> spline(m_triangulation, request.points, *request.spline);
+      for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
+        spline.refine();
+      path.legs = spline.finish();
+      path.report = spline.report();
+      path.certificate = spline.certificate();
+      m_progress.add_flips(path.report.flips);
+    } else {
+      m_progress.enter("shortening", "steps");
+      Progress_visitor visitor(m_progress);
+      path = FG::geodesics_through(m_triangulation, request.points, memory_limit(), visitor);
+    }
+    note(path.report, path.report.curves.front(), result);
+    result.initial_segments = path.legs.size();
+    result.shorten_s = stopwatch.seconds();
+    if(m_options.is_certifying)
+      result.certificate = to_string(path.certificate.verdict);
+    for(const std::vector<FG::Surface_location>& leg : path.legs)
+      for(std::size_t i = &leg == &path.legs.front() ? 0 : 1; i < leg.size(); ++i) { // a leg starts where one ends
+        const FG::Surface_point p = FG::surface_point(m_triangulation, leg[i]);
+        result.points.push_back({p, FG::point_in_space(m_triangulation, p), i == 0 || i + 1 == leg.size()});
+      }
+    note_ends(result);
+  }
+
+  static void note(const CGAL::Flip_geodesics::Shortening_report& run, const CGAL::Flip_geodesics::Curve_report& curve,
+                   Curve_result& result)
+  {
+    result.initial_length = curve.initial_length;
+    result.length = curve.length;
+    result.flips = run.flips;
+    result.flip_outs = run.flip_outs;
+    result.smallest_angle = curve.smallest_angle;
+    result.status = to_string(curve.status);
+    if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
+      result.error = "it is not pulled tight to its end, as its flips take too much memory; give more with --most-memory";
+  }
+
+  // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
+  void draw(Network& network, const Curve_request& request, Curve_result& result)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    const auto polyline = FG::complete_polyline(m_triangulation, request.points, request.is_closed);
+    Curve_index curve;
+    if(m_options.is_snapped) {
+      const std::vector<Vertex_index> path = FG::snap_polyline(m_triangulation, polyline, request.is_closed);
+      curve = network.add_curve(FG::halfedges_through(m_triangulation, path, request.is_closed), request.is_closed);
+    } else {
+      curve = FG::draw_polyline(network, polyline, request.is_closed);
+      FG::order_overlapping_curves(network);
+      FG::shorten(network, memory_limit());
+      network.reset_initial_length(curve);
+      network.free_nodes(curve);
+    }
+    result.initial_segments = network.halfedges(curve).size();
+    result.search_s = stopwatch.seconds();
+  }
+
+  // Grows the tree from a source, with a curve for each of its edges.
+  void grow(Network& network, Vertex_index source, std::vector<Curve_result>& results)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    m_progress.enter("growing the tree", "steps");
+    Progress_visitor visitor(m_progress);
+    FG::Geodesic_tree<Triangulation> tree(m_triangulation);
+    const FG::Geodesic_tree_report report = tree.grow(source, std::numeric_limits<double>::infinity(), visitor);
+    FG::Shortest_tree_report shortest;
+    shortest.status = report.status;
+    if(m_options.is_shortest) {
+      m_progress.enter("looking for shorter paths");
+      shortest = FG::make_shortest(tree);
+      m_progress.add_flips(shortest.flips);
+    }
+    m_map = FG::logarithmic_map(tree);
+    Curve_result common;
+    common.flips = report.flips + shortest.flips;
+    common.flip_outs = report.flip_outs;
+    common.smallest_angle = report.smallest_angle;
+    common.status = to_string(shortest.status);
+    common.initial_segments = 1;
+    common.shorten_s = stopwatch.seconds();
+    for(Vertex_index v(0); v.idx() < m_triangulation.number_of_vertices(); ++v) {
+      const Halfedge_index h = tree.incoming(v);
+      if(!h.is_valid())
+        continue;
+      network.add_curve(std::vector<Halfedge_index>{h}, false);
+      results.push_back(common);
+      results.back().is_of_tree = true;
+      results.back().name = "to vertex " + std::to_string(v.idx());
+      results.back().source = m_triangulation.tail(h);
+      results.back().target = v;
+      results.back().length = results.back().initial_length = m_triangulation.length(h);
+    }
+  }
+
+  std::vector<Halfedge_index> initial_halfedges(const Curve_request& request)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    if(request.is_pair)
+      return FG::shortest_halfedges_through(m_search, request.vertices);
+    return FG::halfedges_on_surface(m_triangulation, request.vertices, request.is_closed);
+  }
+
+  CGAL::Flip_geodesics::Memory_stop_predicate memory_limit() const
+  {
+    return CGAL::Flip_geodesics::Memory_stop_predicate(m_options.most_memory);
+  }
+
+  auto length_limit() const
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    return FG::Any_stop_predicate<FG::Length_ratio_stop_predicate, FG::Memory_stop_predicate>(
+        FG::Length_ratio_stop_predicate(*m_options.stop_length), memory_limit());
+  }
+
+  void shorten(Network& network, std::vector<Curve_result>& results, Recorder& recorder)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    if(m_most_recorded_points > 0)
+      recorder.emplace(network, m_most_recorded_points);
+    const Stopwatch stopwatch;
+    m_progress.enter("shortening", "steps");
+    Recording_visitor<Network> visitor(m_progress, recorder);
+    const FG::Shortening_report report = m_options.stop_length ? FG::shorten(network, length_limit(), visitor)
+                                                               : FG::shorten(network, memory_limit(), visitor);
+    const double seconds = stopwatch.seconds();
+    for(std::size_t c = 0; c < results.size(); ++c) {
+      const std::size_t flips_before = results[c].flips;
+      note(report, report.curves[c], results[c]);
+      results[c].flips += flips_before;
+      results[c].shorten_s += seconds;
+    }
+  }
+
+  // Where vertices are inserted the record has no steps but the finished triangulation.
+  void record(const Network& network, Recorder& recorder)
+  {
+    if(m_most_recorded_points == 0)
+      return;
+    if(!recorder || m_options.meshes.refine)
+      recorder.emplace(network, m_most_recorded_points);
+    m_record = recorder->finish();
+    if(m_record->steps.empty() && number_of_points(*m_record) > m_most_recorded_points)
+      m_record.reset();
+  }
+
+  // The control polygon becomes the spline.
+  void subdivide(Network& network, const Curve_request& request, Curve_result& result)
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    const Stopwatch stopwatch;
+    m_progress.enter("subdividing", "rounds");
+    const Curve_index curve(0);
+    auto spline = *request.spline == FG::Spline_kind::BEZIER
+                      ? FG::Geodesic_spline<Network>(network, curve)
+                      : FG::Geodesic_spline<Network>::cubic_b_spline(network, curve);
+    for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
+      spline.refine();
+    const FG::Shortening_report& report = spline.finish();
+    m_progress.add_flips(report.flips);
+    note(report, report.curves.front(), result);
+    result.shorten_s = stopwatch.seconds();
+  }
+
+  // The vertices where an open curve that has been read off starts and ends.
+  static void note_ends(Curve_result& result)
+  {
+    if(result.is_closed || result.points.empty())
+      return;
+    result.source = vertex_at(result.points.front().on_surface);
+    result.target = vertex_at(result.points.back().on_surface);
+  }
+
+  static Vertex_index vertex_at(const CGAL::Flip_geodesics::Surface_point& p)
+  {
+    return p.is_vertex() ? p.a : Vertex_index();
+  }
+
+  void extract(Network& network, std::vector<Curve_result>& results)
+  {
+    m_progress.enter("reading curves off", "curves");
+    CGAL::Flip_geodesics::Curve_extractor<Network> extractor(network);
+    for(std::size_t c = 0; c < results.size(); ++c) {
+      const Stopwatch stopwatch;
+      for(const auto& p : extractor.surface_points(Curve_index(static_cast<Index>(c))))
+        results[c].points.push_back({p, extractor.point(p), p.vertex.is_valid()});
+      note_ends(results[c]);
+      results[c].extract_s = stopwatch.seconds();
+      m_progress.add_steps(1);
+    }
+  }
+
+  // Proves the finished curves from the input alone.
+  void certify(Network& network, std::vector<Curve_result>& results)
+  {
+    if(!m_options.is_certifying)
+      return;
+    m_progress.enter("certifying");
+    //! [Certify]
+    const CGAL::Flip_geodesics::Network_certificate certificate = CGAL::Flip_geodesics::certify(network);
+    for(std::size_t c = 0; c < results.size(); ++c)
+      results[c].certificate = to_string(certificate.curves[c].verdict);
+    //! [Certify]
+  }
+
+  const Mesh& m_mesh;
+  const Program_metric& m_metric;
+  Run_options m_options;
+  Progress& m_progress;
+  CGAL::Flip_geodesics::Zero_length_edges m_zero_length_edges;
+  Triangulation m_triangulation;
+  CGAL::Flip_geodesics::Shortest_edge_path<Triangulation> m_search;
+  std::unique_ptr<Curve_runner> m_on_surface; // with edges of length zero contracted, once there is need of it
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_CURVE_RUNNER_H

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_MESH_RESULTS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_MESH_RESULTS_H
+
+#include "run/curve_engine.h"
+#include "run/progress.h"
+
+#include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
+
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <string>
+
+// What becomes of the triangulation once its curves are finished: flips, refinement, and meshes with the curves.
+namespace program {
+
+/// How a refinement has ended, if not as wanted.
+inline std::string ending(const CGAL::Flip_geodesics::Refinement_report& report)
+{
+  using CGAL::Flip_geodesics::Refinement_status;
+  switch(report.status) {
+  case Refinement_status::BOUNDS_REACHED:
+    return "";
+  case Refinement_status::BOUNDS_NOT_REACHABLE:
+    return "; the bounds cannot be reached: " + std::to_string(report.given_up) +
+           " faces would take far more vertices than allowed, " + std::to_string(report.missed - report.given_up) +
+           " are as fine as numbers can tell or lie beside such";
+  case Refinement_status::VERTEX_LIMIT:
+    return "; ended since no more vertices are allowed";
+  case Refinement_status::STOPPED_BY_VISITOR:
+    return "; interrupted";
+  }
+  return "";
+}
+
+/// Counts vertices inserted, instead of faces looked at.
+class Refinement_progress : public Progress_visitor
+{
+public:
+  explicit Refinement_progress(Progress& progress)
+    : Progress_visitor(progress)
+    , m_progress(progress)
+  {
+  }
+
+  bool go_further() { return true; }
+
+  template <class Triangulation>
+  void on_insertion(const Triangulation&, CGAL::Flip_geodesics::Vertex_index)
+  {
+    m_progress.add_steps(1);
+  }
+
+private:
+  Progress& m_progress;
+};
+
+/// Flips and refines the triangulation of a network whose curves are finished. Returns lines for people.
+template <class Network>
+std::string improve_triangulation(const Mesh_result_options& options, Network& network, Progress& progress)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  std::ostringstream text;
+  if(options.is_delaunay) {
+    progress.enter("flipping to Delaunay");
+    auto& triangulation = network.triangulation();
+    const FG::Delaunay_report report = FG::flip_to_delaunay(
+        triangulation, FG::default_maximum_of_flips(triangulation.number_of_edges()), Progress_visitor(progress));
+    text << "delaunay " << report.flips << " flips, " << report.constrained << " edges held by curves\n";
+  }
+  if(options.refine) {
+    FG::Refinement_options bounds;
+    bounds.smallest_angle = *options.refine;
+    bounds.longest_edge = options.longest_edge.value_or(bounds.longest_edge);
+    if(options.most_vertices)
+      bounds.maximum_insertions = static_cast<std::size_t>(*options.most_vertices);
+    progress.enter("refining", "vertices inserted");
+    const FG::Refinement_report report = FG::refine(network, bounds, Refinement_progress(progress));
+    text << "refined  " << report.insertions << " vertices inserted, " << report.splits
+         << " edges split; smallest angle " << report.smallest_angle << " degrees, " << report.smallest_free_angle
+         << " without " << report.exempt << " exempt faces; " << report.missed << " missed" << ending(report) << '\n';
+  }
+  return text.str();
+}
+
+/// The meshes that were asked for.
+template <class Network>
+Result_meshes result_meshes(const Mesh_result_options& options, const Mesh& mesh, const Network& network)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  Result_meshes meshes;
+  if(!options.subdivision.empty())
+    meshes.subdivision = FG::common_subdivision(network.triangulation(), mesh).mesh();
+  if(!options.insertion.empty())
+    meshes.insertion = FG::insert_curves(network, mesh).mesh();
+  if(!options.cut.empty())
+    meshes.cut = FG::cut_along_curves(network, mesh).mesh();
+  return meshes;
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_MESH_RESULTS_H

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRESS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_PROGRESS_H
+
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace program {
+
+class Stopwatch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+
+private:
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+/*!
+ * What a run is doing and how far it has come: written by those who work, in several threads or one, and read by a
+ * `Watcher`. A figure is as it was a moment ago, for flips and steps up to `portion` of each thread less.
+ */
+class Progress
+{
+public:
+  static constexpr std::size_t portion = 64;
+
+  /// Something else begins. \param name, steps a literal; the latter what `add_steps()` counts, null if it is not
+  /// called
+  void enter(const char* name, const char* steps = nullptr)
+  {
+    m_steps.store(0, std::memory_order_relaxed);
+    m_name_of_steps.store(steps, std::memory_order_relaxed);
+    m_phase.store(name, std::memory_order_relaxed);
+  }
+
+  void expect_curves(std::size_t count) { m_expected_curves.store(count, std::memory_order_relaxed); }
+  void add_curves(std::size_t count) { m_curves.fetch_add(count, std::memory_order_relaxed); }
+  void add_flips(std::size_t count) { m_flips.fetch_add(count, std::memory_order_relaxed); }
+  void add_steps(std::size_t count) { m_steps.fetch_add(count, std::memory_order_relaxed); }
+
+  /// A line for people, as `reading the mesh, 2 s` or `shortening, 131 steps, 7 of 20 curves, 94413 flips, 4 s`.
+  std::string line() const
+  {
+    const auto figure = [](const std::atomic<std::size_t>& count) {
+      return std::to_string(count.load(std::memory_order_relaxed));
+    };
+    std::string text = m_phase.load(std::memory_order_relaxed);
+    if(const char* const name = m_name_of_steps.load(std::memory_order_relaxed))
+      text += ", " + figure(m_steps) + ' ' + name;
+    if(m_expected_curves.load(std::memory_order_relaxed) > 0)
+      text += ", " + figure(m_curves) + " of " + figure(m_expected_curves) + " curves";
+    if(m_flips.load(std::memory_order_relaxed) > 0)
+      text += ", " + figure(m_flips) + " flips";
+    return text + ", " + std::to_string(static_cast<long long>(m_stopwatch.seconds())) + " s";
+  }
+
+private:
+  Stopwatch m_stopwatch;
+  std::atomic<const char*> m_phase = "starting", m_name_of_steps = nullptr;
+  std::atomic<std::size_t> m_steps = 0, m_expected_curves = 0, m_curves = 0, m_flips = 0;
+};
+
+/// Passes flips and steps on to the progress, some at a time.
+class Progress_visitor : public CGAL::Flip_geodesics::Default_shortening_visitor
+{
+public:
+  explicit Progress_visitor(Progress& progress)
+    : m_progress(progress)
+  {
+  }
+  Progress_visitor(const Progress_visitor&) = delete;
+  Progress_visitor& operator=(const Progress_visitor&) = delete;
+  ~Progress_visitor()
+  {
+    m_progress.add_flips(m_flips);
+    m_progress.add_steps(m_steps);
+  }
+
+  template <class Triangulation>
+  void on_flip(const Triangulation&, CGAL::Flip_geodesics::Halfedge_index)
+  {
+    if(++m_flips == Progress::portion) {
+      m_progress.add_flips(m_flips);
+      m_flips = 0;
+    }
+  }
+
+  /// What is asked before each step counts it.
+  bool go_further()
+  {
+    if(++m_steps == Progress::portion) {
+      m_progress.add_steps(m_steps);
+      m_steps = 0;
+    }
+    return true;
+  }
+
+private:
+  Progress& m_progress;
+  std::size_t m_flips = 0, m_steps = 0;
+};
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_PROGRESS_H

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_REQUEST_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_REQUEST_H
+
+#include "input/curve_requests.h"
+#include "run/curve_engine.h"
+
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/logarithmic_map.h>
+
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+// What is asked for on a mesh, on the surface that is left when its edges of length zero are contracted.
+namespace program {
+
+/// A request on the surface, and which of its curves are left; the others have shrunk to a point.
+struct Surface_request
+{
+  Network_request request;
+  /// Of each curve that was asked for: the point that it has become, if that is all that is left of it.
+  std::vector<std::optional<CGAL::Flip_geodesics::Surface_point>> places;
+};
+
+/// A curve of which nothing is known but what was asked for.
+inline Curve_result make_result(const Curve_request& request)
+{
+  Curve_result result;
+  result.name = request.name;
+  result.is_closed = request.is_closed;
+  if(!request.is_closed && !request.vertices.empty()) {
+    result.source = request.vertices.front();
+    result.target = request.vertices.back();
+  }
+  return result;
+}
+
+/// The same for a tree.
+inline Curve_result tree_result(Vertex_index source)
+{
+  Curve_result result;
+  result.name = "the tree";
+  result.source = source;
+  return result;
+}
+
+/// Where a curve lies. Curves along edges keep the mesh's vertices, since these tell which edges are meant.
+/// \return the point, if that is all that is left of it
+template <class Triangulation>
+std::optional<CGAL::Flip_geodesics::Surface_point> put_on_surface(const Triangulation& triangulation,
+                                                                  Curve_request& curve)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  if(!curve.points.empty()) {
+    curve.points = FG::points_on_surface(triangulation, curve.points);
+    return curve.points.size() == 1 ? std::make_optional(FG::surface_point(triangulation, curve.points.front()))
+                                    : std::nullopt;
+  }
+  bool is_point = false;
+  const Vertex_index v = FG::vertex_on_surface(triangulation, curve.vertices.front());
+  if(curve.is_pair) {
+    curve.vertices = {v, FG::vertex_on_surface(triangulation, curve.vertices.back())};
+    is_point = v == curve.vertices.back();
+  } else {
+    is_point = FG::halfedges_on_surface(triangulation, curve.vertices, curve.is_closed).empty();
+  }
+  return is_point ? std::make_optional(FG::Surface_point{v, v, 0, FG::null_index, FG::null_index, 0, v}) : std::nullopt;
+}
+
+/// The request on the surface of a triangulation over it.
+template <class Triangulation>
+Surface_request surface_request(const Triangulation& triangulation, const Network_request& request)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  Surface_request result;
+  for(Curve_request curve : request.curves) {
+    result.places.push_back(put_on_surface(triangulation, curve));
+    if(!result.places.back())
+      result.request.curves.push_back(curve);
+  }
+  for(Vertex_index v : request.fixed_vertices)
+    result.request.fixed_vertices.push_back(FG::vertex_on_surface(triangulation, v));
+  if(request.tree_source)
+    result.request.tree_source = FG::vertex_on_surface(triangulation, *request.tree_source);
+  return result;
+}
+
+/// A curve that has shrunk to a point.
+template <class Triangulation>
+void make_point(const Triangulation& triangulation, const CGAL::Flip_geodesics::Surface_point& p, bool is_certifying,
+                Curve_result& result)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  result.status = to_string(FG::Shortening_status::CONTRACTED);
+  result.initial_length = result.length = 0;
+  result.smallest_angle = std::numeric_limits<double>::infinity();
+  if(is_certifying)
+    result.certificate = to_string(FG::Certificate_verdict::PROVEN);
+  if(!result.is_closed)
+    result.points.assign(2, {p, FG::point_in_space(triangulation, p), true});
+}
+
+/// What is known of a vertex in a tree holds for all vertices of the mesh that lie in its place.
+template <class Triangulation>
+void put_on_mesh(const Triangulation& triangulation, std::vector<Curve_result>& tree,
+                 CGAL::Flip_geodesics::Logarithmic_map& map)
+{
+  for(Curve_result& result : tree)
+    result.are_zero_edges_contracted = true;
+  for(Vertex_index v(0); v.idx() < triangulation.number_of_vertices(); ++v)
+    map.vertices[v.idx()] = map.vertices[CGAL::Flip_geodesics::vertex_on_surface(triangulation, v).idx()];
+}
+
+/// Lets a curve that ends at vertices start and end at those that were asked for, which lie in the same places.
+inline void put_on_mesh(const Curve_request& request, Curve_result& result)
+{
+  result.are_zero_edges_contracted = true;
+  if(request.is_closed || request.vertices.empty() || result.points.empty())
+    return;
+  result.source = request.vertices.front();
+  result.target = request.vertices.back();
+  for(auto [point, v] :
+      {std::make_pair(&result.points.front(), result.source), std::make_pair(&result.points.back(), result.target)})
+    point->on_surface.a = point->on_surface.b = v;
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_SURFACE_REQUEST_H
