@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
 #include <CGAL/Flip_geodesics/internal/input/Contraction.h>
 
 #include <CGAL/boost/graph/properties.h>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -26,14 +26,6 @@ class Surface_mesh;
 namespace Flip_geodesics {
 
 namespace internal {
-
-template <class Count>
-Index checked_index_bound(Count count)
-{
-  if(static_cast<std::uint64_t>(count) >= static_cast<std::uint64_t>((std::numeric_limits<Index>::max)()))
-    throw Invalid_mesh_error("the mesh has more elements than 32-bit indices can number");
-  return static_cast<Index>(count);
-}
 
 /* The graph functions, found by the mesh's own namespace; inside classes, members would hide them. */
 template <class Descriptor, class TriangleMesh>

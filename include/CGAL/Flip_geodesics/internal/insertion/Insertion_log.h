@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
 

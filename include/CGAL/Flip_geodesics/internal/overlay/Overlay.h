@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
 
 #include <CGAL/assertions.h>
 
