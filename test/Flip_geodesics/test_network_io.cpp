@@ -380,7 +380,6 @@ BOOST_AUTO_TEST_CASE(impossible_flips_are_refused)
 // A state changed in one place is none, leaves the network empty, and ready for another one.
 BOOST_AUTO_TEST_CASE(forged_states)
 {
-  using Access = FG::internal::Network_access<Curve_setting::Network>;
   using State = FG::internal::Network_state;
   Curve_setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
   const auto vertex = [](int i, int j) { return Vertex_index(grid_vertex(4, i, j)); };
@@ -388,7 +387,7 @@ BOOST_AUTO_TEST_CASE(forged_states)
   setting.add({vertex(1, 1), vertex(1, 2), vertex(2, 2), vertex(2, 1)}, false); // on the right of the first one
   setting.add({vertex(3, 3), vertex(4, 3), vertex(4, 4)}, true);
   BOOST_REQUIRE(setting.network.is_valid());
-  const State state = Access::state(setting.network);
+  const State state = setting.network.state();
   BOOST_REQUIRE_EQUAL(state.stacks.size(), 1u);
   const Index halfedges = setting.triangulation.number_of_halfedges();
   const std::vector<std::function<void(State&)>> forgeries = {
@@ -410,13 +409,13 @@ BOOST_AUTO_TEST_CASE(forged_states)
   for(std::size_t i = 0; i < forgeries.size(); ++i) {
     State forged = state;
     forgeries[i](forged);
-    BOOST_TEST(!Access::restore(setting.network, forged), "forgery " << i);
+    BOOST_TEST(!setting.network.restore(forged), "forgery " << i);
     BOOST_TEST(setting.network.number_of_curves() == 0);
     BOOST_TEST(!setting.triangulation.has_curves());
     for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
       BOOST_REQUIRE(setting.network.stack(e).empty());
   }
-  BOOST_REQUIRE(Access::restore(setting.network, state));
+  BOOST_REQUIRE(setting.network.restore(state));
   BOOST_TEST(setting.network.stack(state.stacks[0].edge) == state.stacks[0].segments, boost::test_tools::per_element());
 }
 

@@ -25,13 +25,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-namespace internal {
-
-template <class Network>
-class Network_access;
-
-} // namespace internal
-
 /// \ingroup PkgFlipGeodesicsRef
 /// The place for a network in a triangulation, which has one: a model of `IntrinsicTriangulation` has a member of this
 /// type. It refuses to be moved while it is taken.
@@ -120,15 +113,9 @@ public:
   Curve_index add_curve(const HalfedgeRange& halfedges, bool is_closed)
   {
     internal::check_chain(*m_triangulation, halfedges, is_closed);
-    m_segments.make_room(static_cast<std::size_t>(std::distance(std::begin(halfedges), std::end(halfedges))));
-    const Curve_index curve(static_cast<Index>(m_curves.size()));
-    m_curves.push_back({null_index, null_index, is_closed, 0});
+    const Curve_index curve = m_segments.add_curve(halfedges, is_closed);
     m_claim.set_has_curves(true);
-    for(Halfedge_index h : halfedges)
-      append(curve, h);
-    if(is_closed)
-      m_segments.link(m_curves[curve].last, m_curves[curve].first);
-    m_curves[curve].initial_length = length(curve);
+    reset_initial_length(curve);
     return curve;
   }
 
@@ -137,11 +124,11 @@ public:
   {
     for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
       if(is_alive(s) && m_triangulation->head(halfedge(s)) == v)
-        m_segments[s].is_head_fixed = true;
+        set_head_fixed(s, true);
   }
 
   /// Fixes or frees the node at the head of `s`. \pre if it is freed, the strands there do not cross
-  void set_head_fixed(Segment_index s, bool is_fixed) { m_segments[s].is_head_fixed = is_fixed; }
+  void set_head_fixed(Segment_index s, bool is_fixed) { m_segments.set_head_fixed(s, is_fixed); }
 
   /// Frees all nodes of a curve, but the ends of an open one.
   /// \throws Crossing_curves_error if strands cross at one of them; nothing is changed then
@@ -167,19 +154,13 @@ public:
   }
 
   /// Takes the present length of a curve for its initial one, for instance once it is the polyline that was drawn.
-  void reset_initial_length(Curve_index curve) { m_curves[curve].initial_length = length(curve); }
+  void reset_initial_length(Curve_index curve) { set_initial_length(curve, length(curve)); }
 
   /// Sets the initial length of a curve that was shorter already when it was added.
-  void set_initial_length(Curve_index curve, double length) { m_curves[curve].initial_length = length; }
+  void set_initial_length(Curve_index curve, double length) { m_segments.set_initial_length(curve, length); }
 
   /// Rearranges the stack of edge `e`. \pre `order` is a permutation of `stack(e)`
-  void set_stack(Edge_index e, const std::vector<Segment_index>& order)
-  {
-    for(Segment_index s : order)
-      m_segments.unlink(s);
-    for(Segment_index s : order)
-      m_segments.link_outermost(s, internal::first_side(e));
-  }
+  void set_stack(Edge_index e, const std::vector<Segment_index>& order) { m_segments.set_stack(e, order); }
 
   /*!
    * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()`. Segments on an
@@ -189,7 +170,7 @@ public:
    */
   Vertex_index insert(const Surface_location& location, internal::Known_piece* near = nullptr)
   {
-    return internal::Segment_division<Edge_path_network>(*this).insert(location, near);
+    return Division(*m_triangulation, m_segments).insert(location, near);
   }
 
   /*!
@@ -201,23 +182,19 @@ public:
    */
   Segment_index divide_segment(Segment_index s, double t)
   {
-    return internal::Segment_division<Edge_path_network>(*this).divide(s, t);
+    return Division(*m_triangulation, m_segments).divide(s, t);
   }
 
   /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()`.
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
-    return internal::Segment_division<Edge_path_network>(*this).split_edge(h, location, gap);
+    return Division(*m_triangulation, m_segments).split_edge(h, location, gap);
   }
 
   /// Removes all curves. Linear in the segments.
   void clear()
   {
-    for(Segment_index s(1); s.idx() < m_segments.end_of_ids(); ++s)
-      if(is_alive(s))
-        m_triangulation->set_label(Triangulation::edge(halfedge(s)), 0);
-    m_segments.set_end_of_ids(1);
-    m_curves.clear();
+    m_segments.clear();
     m_claim.set_has_curves(false);
   }
 
@@ -226,22 +203,22 @@ public:
   /// @{
 
   /// The number of curves added, those that have contracted included; curves are numbered from 0.
-  Index number_of_curves() const { return static_cast<Index>(m_curves.size()); }
+  Index number_of_curves() const { return m_segments.number_of_curves(); }
 
   /// One more than the largest segment id given so far; ids start at 1.
   Index end_of_segment_ids() const { return m_segments.end_of_ids(); }
 
   /// The first segment of a curve, `null_index` if the curve has shrunk to a point.
-  Segment_index first_segment(Curve_index curve) const { return m_curves[curve].first; }
+  Segment_index first_segment(Curve_index curve) const { return m_segments.first(curve); }
   /// The last segment of a curve, `null_index` if the curve has shrunk to a point.
-  Segment_index last_segment(Curve_index curve) const { return m_curves[curve].last; }
+  Segment_index last_segment(Curve_index curve) const { return m_segments.last(curve); }
   /// Is the curve a loop without ends?
-  bool is_closed(Curve_index curve) const { return m_curves[curve].is_closed; }
+  bool is_closed(Curve_index curve) const { return m_segments.is_closed(curve); }
   /// Has the curve shrunk to a point?
-  bool is_contracted(Curve_index curve) const { return m_curves[curve].first == null_index; }
+  bool is_contracted(Curve_index curve) const { return first_segment(curve) == null_index; }
 
   /// The length of a curve when it was added.
-  double initial_length(Curve_index curve) const { return m_curves[curve].initial_length; }
+  double initial_length(Curve_index curve) const { return m_segments.initial_length(curve); }
 
   /// The length of a curve, summed over its segments.
   double length(Curve_index curve) const
@@ -255,13 +232,7 @@ public:
   template <class Function>
   void for_each_segment(Curve_index curve, Function function) const
   {
-    const Segment_index first = m_curves[curve].first;
-    for(Segment_index s = first; s != null_index;) {
-      function(s);
-      s = m_segments[s].next;
-      if(s == first)
-        return;
-    }
+    m_segments.for_each_segment(curve, function);
   }
 
   /// The halfedges of a curve, in order.
@@ -279,15 +250,15 @@ public:
   /// Is `s` a segment of a curve now? Ids of segments that were replaced stay dead.
   bool is_alive(Segment_index s) const { return m_segments.is_alive(s); }
   /// The halfedge that segment `s` runs along, `null_index` if it is dead.
-  Halfedge_index halfedge(Segment_index s) const { return m_segments[s].halfedge; }
+  Halfedge_index halfedge(Segment_index s) const { return m_segments.halfedge(s); }
   /// The curve of segment `s`.
-  Curve_index curve(Segment_index s) const { return m_segments[s].curve; }
+  Curve_index curve(Segment_index s) const { return m_segments.curve(s); }
   /// The next segment of the curve, `null_index` at the end of a path.
-  Segment_index next(Segment_index s) const { return m_segments[s].next; }
+  Segment_index next(Segment_index s) const { return m_segments.next(s); }
   /// The previous segment of the curve, `null_index` at the start of a path.
-  Segment_index previous(Segment_index s) const { return m_segments[s].previous; }
+  Segment_index previous(Segment_index s) const { return m_segments.previous(s); }
   /// Is the node at the head of `s` fixed? So is the end of a path.
-  bool is_head_fixed(Segment_index s) const { return next(s) == null_index || m_segments[s].is_head_fixed; }
+  bool is_head_fixed(Segment_index s) const { return m_segments.is_head_fixed(s); }
 
   /// Does any segment lie on the edge of `h`?
   bool is_occupied(Halfedge_index h) const { return m_triangulation->label(Triangulation::edge(h)) != 0; }
@@ -344,8 +315,8 @@ public:
   Wedge wedge(const Joint& joint) const
   {
     const Wedge result = look_into_wedge(joint);
-    m_segments[joint.incoming].is_head_straight[static_cast<std::size_t>(joint.side)] =
-        result.state == Wedge_state::STRAIGHT || result.state == Wedge_state::BORDER;
+    m_segments.note_straight(joint.incoming, joint.side,
+                             result.state == Wedge_state::STRAIGHT || result.state == Wedge_state::BORDER);
     return result;
   }
 
@@ -372,7 +343,7 @@ public:
    */
   Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected)
   {
-    return internal::Joint_replacement<Edge_path_network>(*this)(joint, arc, affected);
+    return internal::Joint_replacement<Edge_path_network>(*this, m_segments)(joint, arc, affected);
   }
 
   /*!
@@ -380,53 +351,38 @@ public:
    * halfedge or its twin [SC20, Appendix B].
    * \return the new segment that arrives at the old node
    */
-  Segment_index perturb_loop(Segment_index s, Halfedge_index h)
-  {
-    const Halfedge_index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
-    const Curve_index curve = m_segments[s].curve;
-    const bool is_along = h == halfedge(s);
-    m_segments.make_room(2);
-    m_segments.remove(s);
-    const Segment_index a = m_segments.create(curve, is_along ? Triangulation::twin(hp) : hn);
-    const Segment_index b = m_segments.create(curve, is_along ? Triangulation::twin(hn) : hp);
-    // The face lies to the left of hn and hp.
-    m_segments.link_outermost(a, is_along ? Triangulation::twin(hp) : Triangulation::twin(hn));
-    m_segments.link_outermost(b, is_along ? Triangulation::twin(hn) : Triangulation::twin(hp));
-    m_segments.link(a, b);
-    m_segments.link(b, a);
-    m_curves[curve].first = a;
-    m_curves[curve].last = b;
-    return b;
-  }
+  Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }
 
   /// Where a segment lies in its stack: what is needed to put another one into its place.
-  struct Stack_place
-  {
-    Halfedge_index halfedge;
-    Segment_index left, right;
-  };
+  using Stack_place = internal::Stack_place;
 
   /// The place of segment `s`, to be kept for `restore_loop()`.
-  Stack_place stack_place(Segment_index s) const
-  {
-    const Halfedge_index first = internal::first_side(Triangulation::edge(halfedge(s)));
-    return {halfedge(s), m_segments.neighbor(s, first, Side::LEFT), m_segments.neighbor(s, first, Side::RIGHT)};
-  }
+  Stack_place stack_place(Segment_index s) const { return m_segments.stack_place(s); }
 
   /// Replaces a closed curve by the one segment that it was when `place` was taken. \pre the flips since are undone
   Segment_index restore_loop(Curve_index curve, const Stack_place& place)
   {
-    remove_segments(curve);
-    const Segment_index s = m_segments.create(curve, place.halfedge);
-    if(place.left != null_index)
-      m_segments.link_right_of(s, place.left);
-    else if(place.right != null_index)
-      m_segments.link_outermost(s, Triangulation::twin(internal::first_side(Triangulation::edge(place.halfedge))));
-    else
-      m_segments.link_outermost(s, place.halfedge);
-    m_segments.link(s, s);
-    m_curves[curve].first = m_curves[curve].last = s;
-    return s;
+    return m_segments.restore_loop(curve, place);
+  }
+
+  /// @}
+  /// \name State
+  /// @{
+
+  /// All that the network is, apart from its triangulation, ids of segments included: what `write_network()` saves. Of
+  /// a type that is not documented. Linear in the edges and segments.
+  internal::Network_state state() const { return m_segments.state(); }
+
+  /// Takes a state back. Returns false, and is empty, if it is none of a valid network in the triangulation as it is.
+  /// \pre there are no curves
+  bool restore(const internal::Network_state& state)
+  {
+    CGAL_precondition(number_of_curves() == 0);
+    const bool is_restored = m_segments.restore(state) && is_valid();
+    m_claim.set_has_curves(number_of_curves() > 0);
+    if(!is_restored)
+      clear();
+    return is_restored;
   }
 
   /// @}
@@ -444,18 +400,8 @@ public:
   }
 
 private:
-  friend class internal::Network_access<Edge_path_network>;
-  friend class internal::Joint_replacement<Edge_path_network>;
-  friend class internal::Segment_division<Edge_path_network>;
-
   using Walker = typename Triangulation::Walker;
-
-  struct Curve
-  {
-    Segment_index first, last;
-    bool is_closed;
-    double initial_length;
-  };
+  using Division = internal::Segment_division<Triangulation>;
 
   Wedge look_into_wedge(const Joint& joint) const
   {
@@ -478,29 +424,9 @@ private:
     return {b == end ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
   }
 
-  void append(Curve_index curve, Halfedge_index h)
-  {
-    const Segment_index s = m_segments.create(curve, h);
-    m_segments.link_outermost(s, h);
-    if(m_curves[curve].first == null_index)
-      m_curves[curve].first = s;
-    else
-      m_segments.link(m_curves[curve].last, s);
-    m_curves[curve].last = s;
-  }
-
-  void remove_segments(Curve_index curve)
-  {
-    std::vector<Segment_index> segments;
-    for_each_segment(curve, [&](Segment_index s) { segments.push_back(s); });
-    for(Segment_index s : segments)
-      m_segments.remove(s);
-  }
-
   internal::Network_claim m_claim;
   Triangulation* m_triangulation;
-  mutable internal::Segment_store<Triangulation> m_segments; // mutable, since what is known of wedges is kept
-  internal::Indexed_by<Curve_index, std::vector<Curve>> m_curves;
+  internal::Segment_store<Triangulation> m_segments;
 };
 
 } // namespace Flip_geodesics

@@ -344,7 +344,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
   text << "input " << triangulation.input().number_of_vertices() << ' ' << triangulation.input().number_of_halfedges()
        << ' ' << internal::input_fingerprint(triangulation) << '\n';
   internal::write_log(text, triangulation);
-  internal::write_state(text, internal::Network_access<Network>::state(network));
+  internal::write_state(text, network.state());
   internal::Fingerprint fingerprint;
   fingerprint.add(text.str().data(), text.str().size());
   return out << text.str() << "end " << std::to_string(fingerprint.value()) << '\n';
@@ -391,7 +391,7 @@ void read_network(std::istream& in, Network& network)
     words.fail("number of segments");
   try {
     internal::replay(triangulation, log);
-    if(!internal::Network_access<Network>::restore(network, state))
+    if(!network.restore(state))
       words.fail("network of curves");
   } catch(...) {
     network.clear();
