@@ -7,9 +7,9 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/internal/tree/Tree_labels.h>
 #include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
@@ -22,13 +22,6 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-namespace internal {
-
-template <class Tree>
-class Shortest_tree_repair;
-
-} // namespace internal
 
 /// \ingroup PkgFlipGeodesicsTree
 /// What growing a tree did.
@@ -98,11 +91,6 @@ public:
     internal::check_vertex(source, m_triangulation->number_of_vertices());
     if(m_triangulation->has_curves())
       throw Occupied_triangulation_error("a tree cannot be grown in a triangulation that has curves");
-    const bool is_small = m_labels.size() < static_cast<std::size_t>(m_triangulation->number_of_vertices());
-    if(is_small || m_epoch > (std::numeric_limits<Index>::max)() - 8) { // some were inserted, or no epoch is left
-      m_labels = Labels(static_cast<std::size_t>(m_triangulation->number_of_vertices()));
-      m_epoch = 0;
-    }
     start(source, max_distance);
     run(visitor);
     if constexpr(Triangulation::Traits::Has_drift::value)
@@ -120,16 +108,16 @@ public:
   double max_distance() const { return m_max_distance; }
 
   /// Has the tree a path to vertex `v`? \pre `v` was there when the tree was grown
-  bool is_reached(Vertex_index v) const { return state(v) == SETTLED; }
+  bool is_reached(Vertex_index v) const { return m_labels.is_settled(v); }
 
   /// The length of the path to `v`; infinite if there is none.
   double distance(Vertex_index v) const
   {
-    return is_reached(v) ? m_labels[v].distance : std::numeric_limits<double>::infinity();
+    return is_reached(v) ? m_labels.distance(v) : std::numeric_limits<double>::infinity();
   }
 
   /// The last halfedge of the path to `v`, which ends there; `null_index` at the source and where there is no path.
-  Halfedge_index incoming(Vertex_index v) const { return is_reached(v) ? m_labels[v].incoming : null_index; }
+  Halfedge_index incoming(Vertex_index v) const { return is_reached(v) ? m_labels.incoming(v) : null_index; }
 
   /// The halfedges of the path from the source to `v`; none at the source and where there is no path.
   std::vector<Halfedge_index> path(Vertex_index v) const
@@ -139,6 +127,53 @@ public:
       result.push_back(h);
     std::reverse(result.begin(), result.end());
     return result;
+  }
+
+  /// What `replace_paths()` hands out: by it vertices are taken off the tree, and hung up again elsewhere.
+  class Grafts
+  {
+  public:
+    /// Takes `v` off, alone: those whose paths pass it are to be taken off as well.
+    void take_off(Vertex_index v)
+    {
+      m_tree.m_labels.forget(v);
+      m_taken_off.push_back(v);
+    }
+
+    /// Hangs `v` on a halfedge. \pre `h` leads to `v` from a vertex in the tree, which `v` is not in
+    void hang(Vertex_index v, Halfedge_index h)
+    {
+      const Triangulation& t = m_tree.triangulation();
+      CGAL_precondition(t.head(h) == v && !m_tree.is_reached(v) && m_tree.is_reached(t.tail(h)));
+      m_tree.m_labels.settle(v, m_tree.distance(t.tail(h)) + t.length(h), h);
+      m_tree.m_settled.push_back(v);
+    }
+
+  private:
+    friend Geodesic_tree;
+
+    explicit Grafts(Geodesic_tree& tree)
+      : m_tree(tree)
+    {
+    }
+
+    Geodesic_tree& m_tree;
+    std::vector<Vertex_index> m_taken_off;
+  };
+
+  /*!
+   * Replaces paths by others, as `make_shortest()` does. The tree grows again from what it has, to what was taken off
+   * and not hung up, and to what new edges are shorter ways to.
+   *
+   * \param function is called with a `Grafts&`. It may flip edges that the tree does not have then
+   * \pre `grow()` was not stopped
+   */
+  template <class Function>
+  Geodesic_tree_report replace_paths(Function function)
+  {
+    Grafts grafts(*this);
+    function(grafts);
+    return regrow(grafts.m_taken_off);
   }
 
   /// Checks the invariant, lengths up to a relative `tolerance`. Linear in the mesh.
@@ -159,78 +194,44 @@ public:
   }
 
 private:
-  friend class internal::Shortest_tree_repair<Geodesic_tree>;
-
-  enum State : Index { UNKNOWN = 0, REACHED = 1, SETTLED = 2 };
-
-  struct Label
-  {
-    double distance;
-    Halfedge_index incoming;
-    Index stamp; // the epoch, a multiple of 4, plus the state
-  };
-
-  using Labels = internal::Indexed_by<Vertex_index, internal::Lazy_array<Label>>;
-
-  struct Entry
-  {
-    double distance;
-    Vertex_index vertex;
-
-    // std heaps hand out the largest.
-    bool operator<(const Entry& other) const
-    {
-      return distance != other.distance ? distance > other.distance : vertex > other.vertex;
-    }
-  };
-
-  Index state(Vertex_index v) const
-  {
-    const Index stamp = m_labels[v].stamp - m_epoch;
-    return m_epoch == 0 || stamp < 0 ? static_cast<Index>(UNKNOWN) : stamp;
-  }
-
   void start(Vertex_index source, double max_distance)
   {
-    m_epoch += 4;
+    m_labels.start(static_cast<std::size_t>(m_triangulation->number_of_vertices())); // some may have been inserted
     m_source = source;
     m_max_distance = max_distance;
     m_report = Geodesic_tree_report();
     m_idle = m_lengthened = 0;
-    m_heap.clear();
     m_settled.clear();
-    offer(source, 0, null_index);
+    m_labels.offer(source, 0, null_index);
   }
 
   template <class Visitor>
   void run(Visitor& visitor)
   {
-    while(!m_heap.empty()) {
+    while(m_labels.has_offers()) {
       if(!visitor.go_further()) {
         m_report.status = Shortening_status::STOPPED_BY_VISITOR;
         return;
       }
-      std::pop_heap(m_heap.begin(), m_heap.end());
-      const Entry entry = m_heap.back();
-      m_heap.pop_back();
-      if(state(entry.vertex) == REACHED && m_labels[entry.vertex].distance == entry.distance)
-        accept_or_straighten(entry.vertex, visitor);
+      const Vertex_index v = m_labels.pop();
+      if(v != null_index)
+        accept_or_straighten(v, visitor);
     }
   }
 
   template <class Visitor>
   void accept_or_straighten(Vertex_index v, Visitor& visitor)
   {
-    const Halfedge_index h = m_labels[v].incoming;
+    const Halfedge_index h = m_labels.incoming(v);
     if(h != null_index && m_triangulation->tail(h) != m_source) {
-      const Halfedge_index back = Triangulation::twin(m_labels[m_triangulation->tail(h)].incoming);
+      const Halfedge_index back = Triangulation::twin(m_labels.incoming(m_triangulation->tail(h)));
       const double left = key(back, h), right = key(h, back);
       if((left < straight || right < straight) && has_patience())
         return left <= right ? flip_out(v, back, h, visitor) : flip_out(v, h, back, visitor);
     }
-    if(m_labels[v].distance > m_max_distance)
+    if(m_labels.distance(v) > m_max_distance)
       return;
-    m_labels[v].stamp = m_epoch + SETTLED;
+    m_labels.settle(v);
     m_settled.push_back(v);
     for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
       relax(spoke);
@@ -276,14 +277,14 @@ private:
   template <class Visitor>
   void flip_out(Vertex_index v, Halfedge_index a, Halfedge_index c, Visitor& visitor)
   {
-    const double old_distance = m_labels[v].distance;
+    const double old_distance = m_labels.distance(v);
     const double old_length = m_triangulation->length(a) + m_triangulation->length(c);
     m_orphans = {v};
     m_flipped.clear();
     ++m_idle;
     const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Halfedge_index spoke) {
       const Vertex_index w = m_triangulation->head(spoke);
-      if(state(w) == REACHED && m_labels[w].incoming == spoke)
+      if(m_labels.is_offered(w) && m_labels.incoming(w) == spoke)
         m_orphans.push_back(w);
       m_flipped.push_back(spoke);
       m_triangulation->flip(spoke);
@@ -293,7 +294,7 @@ private:
     });
     ++m_report.flip_outs;
     m_lengthened += Triangulation::Traits::Has_drift::value && new_length >= old_length ? 1 : 0;
-    adopt_orphans(Triangulation::edge(m_labels[v].incoming));
+    adopt_orphans(Triangulation::edge(m_labels.incoming(v)));
     prefer_arc(v, old_distance);
     for(Halfedge_index h : m_flipped) {
       relax(h);
@@ -307,18 +308,18 @@ private:
     const bool is_at_end = m_triangulation->head(m_arc.back()) == v;
     const Halfedge_index last = is_at_end ? m_arc.back() : Triangulation::twin(m_arc.front());
     const Vertex_index u = m_triangulation->tail(last);
-    if(state(u) != SETTLED || u == v)
+    if(!is_reached(u) || u == v)
       return;
-    const double distance = m_labels[u].distance + m_triangulation->length(last);
+    const double distance = m_labels.distance(u) + m_triangulation->length(last);
     if(distance <= old_distance * (1 + rounding))
-      offer(v, distance, last);
+      m_labels.offer(v, distance, last);
   }
 
   // Looks for new ways to vertices that have lost theirs, but not along `edge`.
   void adopt_orphans(Edge_index edge)
   {
     for(Vertex_index v : m_orphans)
-      m_labels[v].stamp = m_epoch;
+      m_labels.forget(v);
     for(Vertex_index v : m_orphans)
       for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
         if(Triangulation::edge(spoke) != edge)
@@ -329,35 +330,19 @@ private:
   void relax(Halfedge_index h)
   {
     const Vertex_index u = m_triangulation->tail(h), v = m_triangulation->head(h);
-    if(state(u) != SETTLED || u == v || v == m_source)
+    if(!is_reached(u) || u == v || v == m_source)
       return;
-    const double distance = m_labels[u].distance + m_triangulation->length(h);
-    if(state(v) == SETTLED) {
-      if(distance >= m_labels[v].distance * (1 - rounding))
+    const double distance = m_labels.distance(u) + m_triangulation->length(h);
+    if(is_reached(v)) {
+      if(distance >= m_labels.distance(v) * (1 - rounding))
         return;
       reopen(v);
-      if(state(u) != SETTLED) // it hung on v
+      if(!is_reached(u)) // it hung on v
         return;
     }
-    if(state(v) == UNKNOWN || distance < m_labels[v].distance)
-      offer(v, distance, h);
+    if(m_labels.is_unknown(v) || distance < m_labels.distance(v))
+      m_labels.offer(v, distance, h);
   }
-
-  void offer(Vertex_index v, double distance, Halfedge_index h)
-  {
-    m_labels[v] = {distance, h, m_epoch + REACHED};
-    m_heap.push_back({distance, v});
-    std::push_heap(m_heap.begin(), m_heap.end());
-  }
-
-  // Hangs v on h, whose tail is accepted.
-  void hang(Vertex_index v, Halfedge_index h)
-  {
-    m_labels[v] = {m_labels[m_triangulation->tail(h)].distance + m_triangulation->length(h), h, m_epoch + SETTLED};
-    m_settled.push_back(v);
-  }
-
-  void take_off(Vertex_index v) { m_labels[v].stamp = m_epoch; }
 
   // Grows paths to what was taken off and not hung up again.
   Geodesic_tree_report regrow(const std::vector<Vertex_index>& taken_off)
@@ -379,14 +364,14 @@ private:
   void reopen(Vertex_index v)
   {
     std::vector<Vertex_index> subtree = {v};
-    m_labels[v].stamp = m_epoch;
+    m_labels.forget(v);
     for(std::size_t i = 0; i < subtree.size(); ++i)
       for(Halfedge_index spoke : internal::spokes(*m_triangulation, subtree[i])) {
         const Vertex_index w = m_triangulation->head(spoke);
-        if(state(w) == UNKNOWN || m_labels[w].incoming != spoke)
+        if(m_labels.is_unknown(w) || m_labels.incoming(w) != spoke)
           continue;
-        m_report.reopened += state(w) == SETTLED ? 1 : 0;
-        m_labels[w].stamp = m_epoch;
+        m_report.reopened += is_reached(w) ? 1 : 0;
+        m_labels.forget(w);
         subtree.push_back(w);
       }
     ++m_report.reopened;
@@ -399,7 +384,7 @@ private:
   void relax_forward(Halfedge_index h)
   {
     const Vertex_index v = m_triangulation->head(h);
-    if(state(v) != SETTLED)
+    if(!is_reached(v))
       relax(h);
   }
 
@@ -452,10 +437,8 @@ private:
   static constexpr double rounding = 1e-12; // relative, of lengths and their sums
 
   Triangulation* m_triangulation;
-  Labels m_labels;
-  std::vector<Entry> m_heap;
+  internal::Tree_labels m_labels;
   std::vector<Vertex_index> m_settled;
-  Index m_epoch = 0;
   Vertex_index m_source = null_index;
   std::size_t m_idle = 0;       // wedges flipped out since the last flip
   std::size_t m_lengthened = 0; // wedges flipped out for arcs that are no shorter

@@ -38,6 +38,7 @@ template <class Tree>
 class Shortest_tree_repair
 {
   using Triangulation = typename Tree::Triangulation;
+  using Grafts = typename Tree::Grafts;
   using Search = Window_search<Triangulation>;
   using Vector = std::complex<double>;
 
@@ -71,24 +72,28 @@ public:
   /* Replaces the paths of such vertices. */
   Shortening_status run(const std::vector<Vertex_index>& longer)
   {
-    m_is_taken_off.assign(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
-    for(Vertex_index v : longer)
-      take_off(v);
-    for(Vertex_index v : inserted_behind_taken_off())
-      take_off(v);
-    const std::vector<Vertex_index> failed = insert_last_legs();
-    if(!failed.empty()) { // a leg that crosses one face several times; faces are compact now
-      flip_to_delaunay_beside_tree();
-      for(Vertex_index v : failed)
-        m_pending.insert({m_search.distance(v), v});
-      insert_last_legs();
-    }
-    return m_tree.regrow(m_taken_off).status;
+    return m_tree.replace_paths([&](Grafts& grafts) { replace(grafts, longer); }).status;
   }
 
   std::size_t flips() const { return m_flips; }
 
 private:
+  void replace(Grafts& grafts, const std::vector<Vertex_index>& longer)
+  {
+    m_is_taken_off.assign(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
+    for(Vertex_index v : longer)
+      take_off(grafts, v);
+    for(Vertex_index v : inserted_behind_taken_off())
+      take_off(grafts, v);
+    const std::vector<Vertex_index> failed = insert_last_legs(grafts);
+    if(!failed.empty()) { // a leg that crosses one face several times; faces are compact now
+      flip_to_delaunay_beside_tree();
+      for(Vertex_index v : failed)
+        m_pending.insert({m_search.distance(v), v});
+      insert_last_legs(grafts);
+    }
+  }
+
   // The search does not know inserted vertices; those whose paths pass a vertex that was taken off.
   std::vector<Vertex_index> inserted_behind_taken_off() const
   {
@@ -117,16 +122,15 @@ private:
     return order;
   }
 
-  void take_off(Vertex_index v)
+  void take_off(Grafts& grafts, Vertex_index v)
   {
-    m_tree.take_off(v);
-    m_taken_off.push_back(v);
+    grafts.take_off(v);
     m_is_taken_off[v] = 1;
     if(!m_triangulation.is_inserted(v) && m_search.is_reached(v))
       m_pending.insert({m_search.distance(v), v});
   }
 
-  void take_off_subtree(Vertex_index v)
+  void take_off_subtree(Grafts& grafts, Vertex_index v)
   {
     std::vector<Vertex_index> subtree = {v};
     for(std::size_t i = 0; i < subtree.size(); ++i)
@@ -134,22 +138,22 @@ private:
         if(m_tree.incoming(m_triangulation.head(spoke)) == spoke)
           subtree.push_back(m_triangulation.head(spoke));
     for(Vertex_index w : subtree)
-      take_off(w);
+      take_off(grafts, w);
   }
 
   // Inserts the last legs of the paths that are pending, the nearest first. Returns the vertices where this failed.
-  std::vector<Vertex_index> insert_last_legs()
+  std::vector<Vertex_index> insert_last_legs(Grafts& grafts)
   {
     std::vector<Vertex_index> failed;
     while(!m_pending.empty()) {
       const Vertex_index v = m_pending.begin()->second;
       m_pending.erase(m_pending.begin());
       m_in_the_way = null_index;
-      if(insert_last_leg(v))
+      if(insert_last_leg(grafts, v))
         continue;
       // A path in the tree that is shortest up to rounding, but crosses this one: it makes way, once.
       if(m_in_the_way != null_index && m_is_taken_off[m_in_the_way] == 0) {
-        take_off_subtree(m_in_the_way);
+        take_off_subtree(grafts, m_in_the_way);
         m_pending.insert({m_search.distance(v), v});
       } else {
         failed.push_back(v);
@@ -159,7 +163,7 @@ private:
   }
 
   // Returns false, and leaves v without a path, if something is in the way, which only rounding can put there.
-  bool insert_last_leg(Vertex_index v)
+  bool insert_last_leg(Grafts& grafts, Vertex_index v)
   {
     const auto leg = m_search.leg(v);
     std::vector<Halfedge_index> chain = traced(v, leg.from, Strip<Triangulation>(m_triangulation, leg.word.reversed()));
@@ -170,7 +174,7 @@ private:
     const double length = m_tree.distance(m_triangulation.tail(h)) + m_triangulation.length(h);
     if(!(length <= m_search.distance(v) * (1 + m_tolerance))) // infinite if there is no path to the tail
       return false;
-    m_tree.hang(v, h);
+    grafts.hang(v, h);
     return true;
   }
 
@@ -288,7 +292,6 @@ private:
   const Search& m_search;
   double m_tolerance;
   std::size_t m_flips = 0;
-  std::vector<Vertex_index> m_taken_off;
   Indexed_by<Vertex_index, std::vector<char>> m_is_taken_off;
   std::set<std::pair<double, Vertex_index>> m_pending; // vertices without a path, by their distance from the source
   Vertex_index m_in_the_way = null_index;
