@@ -6,11 +6,15 @@
 /*!
  * \file Flip_geodesics.h
  * \ingroup PkgFlipGeodesicsRef
- * Includes all headers of the package but `Exact_intrinsic_triangulation_traits.h`, which is to be included by itself.
+ * Includes the headers of the package but these, which are to be included by themselves:
+ * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`, `Tangent_spaces.h`,
+ * `Dirichlet_problem.h`, `Direction_field.h`, `Conformal_flattening.h`), and those that include packages of CGAL under
+ * the GPL (`nearest_location.h`, `polygon_soup_to_triangle_mesh.h`).
  */
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
@@ -36,6 +40,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/graph_traits.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
@@ -55,5 +60,6 @@
 #include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/verify.h>
+#include <CGAL/Flip_geodesics/with_metric.h>
 
 #endif // CGAL_FLIP_GEODESICS_H

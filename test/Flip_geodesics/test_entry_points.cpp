@@ -199,8 +199,7 @@ std::vector<Entry_point> one_call_functions()
           {"geodesic_path with a stop predicate", Reach::LOCAL,
            [](const Surface& m, Vertex v, Vertex w) {
              Sink out;
-             FG::geodesic_path(m, v, w, std::back_inserter(out), CGAL::parameters::default_values(),
-                               FG::Iteration_stop_predicate(1000));
+             FG::geodesic_path(m, v, w, std::back_inserter(out), FG::Iteration_stop_predicate(1000));
            }},
           {"geodesic_path between faces", Reach::LOCAL,
            [](const Surface& m, Vertex v, Vertex w) {
@@ -740,7 +739,7 @@ BOOST_AUTO_TEST_CASE(each_path_has_its_own_budget)
     pairs.push_back({vertex(v), vertex(v + 100)});
   const auto statuses = [&](const auto& stop) {
     std::vector<FG::Geodesic_path<Point>> paths;
-    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::default_values(), stop);
+    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), stop);
     rethrow(paths);
     std::vector<FG::Shortening_status> result;
     for(const auto& path : paths)
@@ -773,8 +772,7 @@ BOOST_AUTO_TEST_CASE(each_leg_has_its_own_budget)
     way.push_back(vertex(v));
   const auto status = [&](std::size_t budget) {
     Sink out;
-    return FG::geodesic_path_through(mesh, way, std::back_inserter(out), CGAL::parameters::default_values(),
-                                     Budget_stop_predicate{budget})
+    return FG::geodesic_path_through(mesh, way, std::back_inserter(out), Budget_stop_predicate{budget})
         .report.curves.front()
         .status;
   };

@@ -113,15 +113,14 @@ BOOST_AUTO_TEST_CASE(a_stop_predicate_ends_each_path)
   const Pairs pairs = random_pairs(mesh, 40, 5);
   const FG::Length_ratio_stop_predicate stop(0.97);
   std::vector<Path> paths;
-  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::default_values(), stop);
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), stop);
   std::size_t stopped = 0;
   for(std::size_t i = 0; i < pairs.size(); ++i) {
     const FG::Curve_report& report = paths[i].report;
     BOOST_TEST(report.length >= 0.97 * report.initial_length);
     stopped += report.status == FG::Shortening_status::LENGTH_LIMIT ? 1 : 0;
     std::vector<Kernel::Point_3> points;
-    const auto single = FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points),
-                                          CGAL::parameters::default_values(), stop);
+    const auto single = FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points), stop);
     BOOST_TEST((paths[i].points == points));
     BOOST_TEST((single.report.curves.front().status == report.status));
   }

@@ -31,10 +31,11 @@ using Setting = Curve_setting;
 using Tree = FG::Geodesic_tree<Setting::Triangulation>;
 using Distances = FG::internal::Indexed_by<Vertex_index, std::vector<double>>;
 
-FG::Shortest_path_report shortest(Setting& setting, Vertex_index s, Vertex_index t, std::size_t most_windows = 0)
+FG::Shortest_path_report shortest(Setting& setting, Vertex_index s, Vertex_index t,
+                                  const FG::Window_limit& limit = FG::Window_limit())
 {
   Setting::Search search(setting.triangulation);
-  const auto report = FG::add_shortest_path(setting.network, search, s, t, most_windows);
+  const auto report = FG::add_shortest_path(setting.network, search, s, t, limit);
   BOOST_TEST(setting.triangulation.is_valid());
   BOOST_TEST(setting.network.is_valid());
   BOOST_TEST(setting.triangulation.tail(setting.network.halfedges(0_c).front()) == s);
@@ -216,7 +217,7 @@ BOOST_AUTO_TEST_CASE(limited_effort)
   int unconfirmed = 0;
   for(int i = 0; i < 40; ++i) {
     const Vertex_index s(random.below(360)), t(360 + i);
-    const auto exact = shortest(setting, s, t), limited = shortest(setting, s, t, 30);
+    const auto exact = shortest(setting, s, t), limited = shortest(setting, s, t, FG::Window_limit(30));
     BOOST_TEST(exact.is_confirmed);
     BOOST_TEST(limited.lower_bound <= exact.length * (1 + tolerance));
     BOOST_TEST(limited.lower_bound > 0);
@@ -288,7 +289,7 @@ BOOST_AUTO_TEST_CASE(one_call)
       FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(7), std::back_inserter(points)),
       FG::Invalid_curve_error);
   const auto limited = FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40),
-                                         std::back_inserter(points), CGAL::parameters::number_of_iterations(1));
+                                         std::back_inserter(points), FG::Window_limit(1));
   BOOST_TEST(limited.report.windows <= 60u);
 }
 
@@ -299,7 +300,7 @@ BOOST_AUTO_TEST_CASE(tree_with_limited_effort)
   Tree tree(setting.triangulation);
   const auto grown = tree.grow(0_v);
   const auto position = setting.triangulation.log_position();
-  const FG::Shortest_tree_report report = FG::make_shortest(tree, 100);
+  const FG::Shortest_tree_report report = FG::make_shortest(tree, FG::Window_limit(100));
   BOOST_TEST(!report.is_confirmed);
   BOOST_TEST(report.flips == 0u);
   BOOST_TEST(report.longer == report.longer_before);

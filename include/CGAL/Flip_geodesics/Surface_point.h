@@ -112,7 +112,8 @@ struct Has_points : std::false_type
 };
 
 template <class Metric>
-struct Has_points<Metric, std::void_t<typename Metric::Point_3>> : std::true_type
+struct Has_points<Metric, std::void_t<typename Metric::Point_3>>
+  : std::bool_constant<!std::is_void<typename Metric::Point_3>::value>
 {
 };
 

@@ -7,7 +7,9 @@
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
@@ -15,8 +17,10 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
-#include <array>
+#include <boost/graph/graph_traits.hpp>
+
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -122,39 +126,135 @@ std::vector<Surface_location> points_on_surface(const Triangulation& triangulati
 
 namespace internal {
 
-/* The same for points as they are given, which are kept in `given` when they are first asked for, on the mesh itself.
- */
-template <class Triangulation, class LocationRange>
-std::vector<Surface_location> points_on_surface(const Triangulation& triangulation,
-                                                const typename Triangulation::Triangle_mesh& mesh,
-                                                const LocationRange& locations, std::vector<Surface_location>& given)
+/* The same for points as they are given, which `locate(triangulation)` finds on the mesh itself: once, into `given`. */
+template <class Triangulation, class Locate>
+std::vector<Surface_location> points_on_surface(const Triangulation& triangulation, const Locate& locate,
+                                                std::vector<Surface_location>& given)
 {
   if(!triangulation.input().is_contracted())
-    for(const auto& location : locations)
-      given.push_back(surface_location(triangulation, mesh, location));
+    given = locate(triangulation);
   return Flip_geodesics::points_on_surface(triangulation, given);
 }
 
-/* The points of a polyline in space; those of another one than the first without its start, the end before. */
-template <class Triangulation, class OutputIterator>
-OutputIterator write_points(const Triangulation& triangulation, const Surface_polyline& polyline, bool is_first,
-                            OutputIterator out)
+template <class Triangulation, class TriangleMesh, class Place, class = void>
+constexpr bool is_place = false;
+template <class Triangulation, class TriangleMesh, class Place>
+constexpr bool is_place<
+    Triangulation, TriangleMesh, Place,
+    std::void_t<decltype(surface_location(std::declval<const Triangulation&>(), std::declval<const TriangleMesh&>(),
+                                          std::declval<const Place&>()))>> = true;
+
+/* A place on the mesh, of whichever kind, as a location. */
+template <class Triangulation, class TriangleMesh, class Place>
+Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
-  for(std::size_t i = is_first ? 0 : 1; i < polyline.size(); ++i)
-    *out++ = point_in_space(triangulation, surface_point(triangulation, polyline[i]));
-  return out;
+  static_assert(is_place<Triangulation, TriangleMesh, Place>,
+                "this is no vertex, Face_location or Surface_location; for points in space include nearest_location.h");
+  return surface_location(triangulation, mesh, place);
+}
+
+template <class Triangulation, class TriangleMesh, class PlaceRange>
+std::vector<Surface_location> located(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                      const PlaceRange& places)
+{
+  std::vector<Surface_location> result;
+  for(const auto& place : places)
+    result.push_back(located_place(triangulation, mesh, place));
+  return result;
+}
+
+/* Is `h` a side of the face of `f`? */
+template <class Input_mesh>
+bool is_side_of(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index f)
+{
+  return f == h || input.next(f) == h || input.next(input.next(f)) == h;
+}
+
+/* Gives the points of a polyline their tangents, and their halfedges as sides of the face that is left. */
+template <class Triangulation, class Form>
+void complete_curve_points(const Triangulation& triangulation, const Surface_polyline& polyline,
+                           std::vector<Form>& points)
+{
+  const auto& input = triangulation.input();
+  for(std::size_t i = 1; i < polyline.size(); ++i)
+    if(kind(polyline[i]) == Location_kind::EDGE) {
+      const Input_halfedge_index h = polyline[i].halfedge, face = common_face(input, polyline[i - 1], polyline[i]);
+      points[i].halfedge = input.halfedge(is_side_of(input, h, face) ? h : twin_index(h));
+    }
+  if constexpr(Has_points<typename Triangulation::Metric>::value)
+    for(std::size_t i = points.size() - 1, next = i; i-- > 0; next = i) {
+      points[i].tangent = points[i + 1].tangent; // where two points coincide in space
+      set_tangent(points[i], points[i].point, points[next].point);
+      if(next + 1 == points.size())
+        points.back().tangent = points[i].tangent;
+    }
+}
+
+/* Appends the points of a polyline whose start is the end of what is there. */
+template <class Form, class Triangulation, class TriangleMesh>
+void append_polyline(const Triangulation& triangulation, const TriangleMesh& mesh, const Surface_polyline& polyline,
+                     std::vector<Form>& result)
+{
+  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
+  std::vector<Form> points;
+  for(const Surface_location& location : polyline)
+    points.push_back(convert(surface_point(triangulation, location)));
+  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value) {
+    complete_curve_points(triangulation, polyline, points);
+    if constexpr(Has_points<typename Triangulation::Metric>::value)
+      if(!result.empty())
+        result.back().tangent = points.front().tangent;
+  }
+  result.insert(result.end(), points.begin() + (result.empty() ? 0 : 1), points.end());
+}
+
+template <class Form, class Triangulation, class TriangleMesh, class PolylineRange, class OutputIterator>
+OutputIterator write_polylines(const Triangulation& triangulation, const TriangleMesh& mesh,
+                               const PolylineRange& polylines, OutputIterator out)
+{
+  std::vector<Form> points;
+  for(const Surface_polyline& polyline : polylines)
+    append_polyline(triangulation, mesh, polyline, points);
+  return std::move(points.begin(), points.end(), out);
 }
 
 /* A curve of which all points lie in one place: that point twice. */
-template <class Triangulation, class OutputIterator>
-Geodesic_result<OutputIterator> curve_in_one_place(const Triangulation& triangulation, const Surface_location& place,
-                                                   OutputIterator out)
+template <class Form, class Triangulation, class TriangleMesh, class OutputIterator>
+Geodesic_result<OutputIterator> curve_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                                   const Surface_location& place, OutputIterator out)
 {
   Shortening_report report;
   report.curves.push_back(report_of_point());
   note_contraction(triangulation, report);
-  return {write_points(triangulation, {place, place}, true, out), report};
+  const std::vector<Surface_polyline> polylines = {{place, place}};
+  return {write_polylines<Form>(triangulation, mesh, polylines, out), report};
 }
+
+/* A geodesic through the points that `locate(triangulation)` gives. */
+template <class TriangleMesh, class Locate, class OutputIterator, class StopPredicate, class NamedParameters>
+Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mesh, const Locate& locate,
+                                                         OutputIterator out, const StopPredicate& stop,
+                                                         const NamedParameters& np)
+{
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  using Form = Curve_form<Triangulation, OutputIterator>;
+  static_assert(is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
+  std::vector<Surface_location> given;
+  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
+    if(given.size() > 1 && points.size() == 1)
+      return curve_in_one_place<Form>(triangulation, mesh, points.front(), out);
+    auto visitor = make_visitor(np);
+    Free_legs path = geodesics_through(triangulation, points, stop, visitor.get());
+    note_contraction(triangulation, path.report);
+    return Geodesic_result<OutputIterator>{write_polylines<Form>(triangulation, mesh, path.legs, out), path.report};
+  });
+}
+
+template <class TriangleMesh, class End>
+constexpr bool is_mesh_vertex =
+    std::is_convertible<End, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>::value;
 
 } // namespace internal
 
@@ -166,52 +266,69 @@ Geodesic_result<OutputIterator> curve_in_one_place(const Triangulation& triangul
  *
  * \param mesh a triangle mesh
  * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, pairs of a face
- *        and barycentric coordinates, or of `Surface_location`s; see `surface_location()` for how points are snapped
- * \param out receives the points of the path
- * \param np, stop as for `geodesic_path()`, for each leg between two points
+ *        and barycentric coordinates, of `Surface_location`s, or, with `nearest_location.h`, of points in space; see
+ *        `surface_location()` for how points are snapped, and which point of the mesh is taken for one in space
+ * \param out receives the points of the path, as `geodesic_path()` writes them
+ * \param stop, np as for `geodesic_path()`, for each leg between two points
  * \return the end of the output, and the report, which has one curve
  * \throws Invalid_location_error, and as `add_curve_through()`, `geodesic_loop()`
  */
+template <class TriangleMesh, class LocationRange, class OutputIterator, class StopPredicate, class NamedParameters>
+Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, const LocationRange& locations,
+                                                      OutputIterator out, const StopPredicate& stop,
+                                                      const NamedParameters& np)
+{
+  const auto locate = [&](const auto& triangulation) { return internal::located(triangulation, mesh, locations); };
+  return internal::geodesic_through_located(mesh, locate, out, stop, np);
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
 template <class TriangleMesh, class LocationRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
+          class Options = parameters::Default_named_parameters>
 Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, const LocationRange& locations,
                                                       OutputIterator out,
-                                                      const NamedParameters& np = parameters::default_values(),
-                                                      const StopPredicate& stop = StopPredicate())
+                                                      const Options& options = parameters::default_values())
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  std::vector<Surface_location> given;
-  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    const std::vector<Surface_location> points = internal::points_on_surface(triangulation, mesh, locations, given);
-    if(given.size() > 1 && points.size() == 1)
-      return internal::curve_in_one_place(triangulation, points.front(), out);
-    Default_shortening_visitor none;
-    auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
-    Free_legs path = geodesics_through(triangulation, points, stop, visitor);
-    internal::note_contraction(triangulation, path.report);
-    OutputIterator end = out;
-    for(const std::vector<Surface_location>& leg : path.legs)
-      end = internal::write_points(triangulation, leg, &leg == &path.legs.front(), end);
-    return Geodesic_result<OutputIterator>{end, path.report};
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return Flip_geodesics::geodesic_path_through(mesh, locations, out, stop, np);
   });
 }
 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic from one point of the surface to another, each a face and barycentric coordinates. Parameters,
- * exceptions and complexity are those of `geodesic_path_through()`.
+ * Computes a geodesic between two ends of any kinds: vertices of the mesh,
+ * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, and, with `nearest_location.h`, points in
+ * space. Parameters, exceptions and complexity are those of `geodesic_path_through()`.
  */
-template <class TriangleMesh, class FT, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
-Geodesic_result<OutputIterator> geodesic_path(
-    const TriangleMesh& mesh,
-    const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>& source,
-    const std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<FT, 3>>& target,
-    OutputIterator out, const NamedParameters& np = parameters::default_values(),
-    const StopPredicate& stop = StopPredicate())
+template <
+    class TriangleMesh, class Source, class Target, class OutputIterator, class StopPredicate, class NamedParameters,
+    std::enable_if_t<
+        !(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>), int> = 0>
+Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
+                                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
 {
-  return geodesic_path_through(mesh, std::array<std::decay_t<decltype(source)>, 2>{{source, target}}, out, np, stop);
+  const auto locate = [&](const auto& triangulation) {
+    return std::vector<Surface_location>{internal::located_place(triangulation, mesh, source),
+                                         internal::located_place(triangulation, mesh, target)};
+  };
+  return internal::geodesic_through_located(mesh, locate, out, stop, np);
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
+template <
+    class TriangleMesh, class Source, class Target, class OutputIterator,
+    class Options = parameters::Default_named_parameters,
+    std::enable_if_t<
+        !(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>), int> = 0>
+Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
+                                              OutputIterator out, const Options& options = parameters::default_values())
+{
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return Flip_geodesics::geodesic_path(mesh, source, target, out, stop, np);
+  });
 }
 
 /*!
@@ -224,10 +341,10 @@ Geodesic_result<OutputIterator> geodesic_path(
  * \param control_points a range of locations as for `geodesic_path_through()`, at least two, no two in a row in one
  *        place
  * \param kind which spline
- * \param out receives the points of the curve
- * \param np named parameters: `vertex_point_map`, `geom_traits`, and `number_of_iterations`, the number of times that
- * the pieces are halved, 5 by default \return the end of the output, and the report, which has one curve \throws
- * Invalid_location_error, and as `Free_geodesic_spline`
+ * \param out receives the points of the curve, as `geodesic_path()` writes them
+ * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, and `number_of_iterations`, the
+ * number of times that the pieces are halved, 5 by default \return the end of the output, and the report, which has one
+ * curve \throws Invalid_location_error, and as `Free_geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -236,23 +353,19 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
                                                 const NamedParameters& np = parameters::default_values())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   const unsigned rounds = static_cast<unsigned>(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 5));
+  const auto locate = [&](const auto& triangulation) { return internal::located(triangulation, mesh, control_points); };
   std::vector<Surface_location> given;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
-    const std::vector<Surface_location> points =
-        internal::points_on_surface(triangulation, mesh, control_points, given);
+    const std::vector<Surface_location> points = internal::points_on_surface(triangulation, locate, given);
     if(given.size() > 1 && points.size() == 1)
-      return internal::curve_in_one_place(triangulation, points.front(), out);
+      return internal::curve_in_one_place<Form>(triangulation, mesh, points.front(), out);
     Free_geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
     for(unsigned i = 0; i < rounds; ++i)
       spline.refine();
-    OutputIterator end = out;
-    bool is_first = true;
-    for(const std::vector<Surface_location>& piece : spline.finish()) {
-      end = internal::write_points(triangulation, piece, is_first, end);
-      is_first = false;
-    }
+    const OutputIterator end = internal::write_polylines<Form>(triangulation, mesh, spline.finish(), out);
     Shortening_report report = spline.report();
     internal::note_contraction(triangulation, report);
     return Geodesic_result<OutputIterator>{end, report};

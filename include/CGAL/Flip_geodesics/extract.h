@@ -4,14 +4,18 @@
 #define CGAL_FLIP_GEODESICS_EXTRACT_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -118,8 +122,22 @@ public:
   OutputIterator face_locations(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)
   {
     for(const Surface_point& p : surface_points(curve))
-      *out++ = face_location(p, mesh);
+      *out++ = face_location(m_triangulation, mesh, p);
     return out;
+  }
+
+  /*!
+   * Writes a curve as `Curve_point`s, which have all of this in step; as `Curve_place`s where the metric has no points.
+   * A tangent is that of the straight line in the face that follows, however close its points are.
+   */
+  template <class OutputIterator>
+  OutputIterator curve_points(Curve_index curve, const Triangle_mesh& mesh, OutputIterator out)
+  {
+    using Form = typename internal::Curve_forms<Triangulation>::All;
+    const internal::Form_converter<Triangulation, Form> convert(m_triangulation, mesh);
+    std::vector<Form> points;
+    m_network.for_each_segment(curve, [&](Segment_index s) { append_segment(convert, m_network.halfedge(s), points); });
+    return std::move(points.begin(), points.end(), out);
   }
 
   /// The point in space. Only with `Embedded_metric`.
@@ -129,22 +147,56 @@ public:
   Crossing_word word(Segment_index segment) { return m_triangulation.crossing_word(m_network.halfedge(segment)); }
 
 private:
-  std::pair<face_descriptor, std::array<double, 3>> face_location(const Surface_point& p,
-                                                                  const Triangle_mesh& mesh) const
+  using Strip = internal::Strip<Triangulation>;
+  using Direction = std::array<double, 3>;
+
+  static double cross(const std::complex<double>& u, const std::complex<double>& v)
+  {
+    return u.real() * v.imag() - u.imag() * v.real();
+  }
+
+  Direction in_space(Vertex_index v) const
+  {
+    const auto point = m_triangulation.metric().point(m_triangulation.input(), v);
+    return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+  }
+
+  // The direction of a straight line in the face between gates i - 1 and i of its strip.
+  Direction direction_in_face(const Strip& strip, std::size_t i) const
   {
     const auto& input = m_triangulation.input();
-    Input_halfedge_index h = p.is_vertex() ? input.outgoing(p.a) : p.halfedge;
-    if(input.is_border(h)) // at most one of two consecutive spokes is on the border
-      h = p.is_vertex() ? input.next(internal::twin_index(h)) : internal::twin_index(h);
-    const face_descriptor f = internal::graph_face(input.halfedge(h), mesh);
-    Input_halfedge_index corner = input.index(internal::graph_halfedge(f, mesh));
-    std::array<double, 3> weights = {0, 0, 0};
-    for(double& weight : weights) {
-      const Vertex_index v = p.is_vertex() ? input.tail(corner) : input.uncontracted_tail(corner);
-      weight = v == p.a ? 1 - p.t - p.u : (v == p.b ? p.t : (v == p.c ? p.u : 0));
-      corner = input.next(corner);
-    }
-    return {f, weights};
+    const bool is_last = i == strip.gates().size();
+    const Input_halfedge_index h =
+        is_last ? internal::twin_index(strip.gates()[i - 1].crossed) : strip.gates()[i].crossed;
+    const auto corners = strip.face(i);
+    const auto u = corners[1].position - corners[0].position, v = corners[2].position - corners[0].position;
+    const double area = cross(u, v), to_u = cross(strip.end(), v) / area, to_v = cross(u, strip.end()) / area;
+    const Direction a = in_space(input.uncontracted_tail(h)), b = in_space(input.uncontracted_tail(input.next(h))),
+                    c = in_space(input.uncontracted_tail(input.next(input.next(h))));
+    Direction result;
+    for(int j = 0; j < 3; ++j)
+      result[j] = to_u * (b[j] - a[j]) + to_v * (c[j] - a[j]);
+    return result;
+  }
+
+  // The curve's points along one segment, with the directions in which it goes on; of both ends, or without the start.
+  template <class Form>
+  void append_segment(const internal::Form_converter<Triangulation, Form>& convert, Halfedge_index h,
+                      std::vector<Form>& result) const
+  {
+    std::vector<Surface_point> points;
+    edge_surface_points(m_triangulation, h, std::back_inserter(points));
+    const Strip strip(m_triangulation, m_triangulation.crossing_word(h));
+    for(std::size_t i = result.empty() ? 0 : 1; i < points.size(); ++i)
+      result.push_back(convert(points[i]));
+    if constexpr(internal::Has_points<typename Triangulation::Metric>::value)
+      for(std::size_t i = 0; i < points.size(); ++i) { // the end gets its own if there is another segment
+        Form& p = result[result.size() - points.size() + i];
+        if(strip.gates().empty())
+          internal::set_tangent(p, result[result.size() - 2].point, result.back().point);
+        else
+          internal::set_tangent(p, direction_in_face(strip, (std::min)(i, strip.gates().size())));
+      }
   }
 
   const Network& m_network;

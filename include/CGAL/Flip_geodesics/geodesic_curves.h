@@ -3,12 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_GEODESIC_CURVES_H
 #define CGAL_FLIP_GEODESICS_GEODESIC_CURVES_H
 
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
@@ -16,7 +18,8 @@
 #include <CGAL/Flip_geodesics/straightened_path.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <iterator>
@@ -27,43 +30,27 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// What a one-call function returns: where its output ends, and what became of the curves.
+/// What a function for one curve returns.
 template <class OutputIterator>
 struct Geodesic_result
 {
-  OutputIterator out;
-  Shortening_report report;
+  OutputIterator out;       ///< the end of the output
+  Shortening_report report; ///< what became of the curve
+
+  double length() const { return report.curves.front().length; }            ///< the length of the curve
+  Shortening_status status() const { return report.curves.front().status; } ///< whether the curve is a geodesic
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// What a function for several curves returns.
+template <class OutputIterator>
+struct Geodesics_result
+{
+  OutputIterator out;       ///< the end of the output
+  Shortening_report report; ///< what became of the curves, one entry for each
 };
 
 namespace internal {
-
-/* The types behind the named parameters of the one-call functions, resolved in one place. */
-template <class TriangleMesh, class NamedParameters>
-struct Curve_types
-{
-  static_assert(Is_named_parameters<NamedParameters>::value,
-                "the named parameters come before the stop predicate; without any, give parameters::default_values()");
-
-  using Point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
-  using Metric = Embedded_metric<TriangleMesh, Point_map>;
-  using Traits =
-      typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
-                                                   Intrinsic_triangulation_traits<typename Metric::Kernel>>::type;
-  using Triangulation = Intrinsic_triangulation<TriangleMesh, Traits, Metric>;
-  using Network = Edge_path_network<Triangulation>;
-};
-
-template <class TriangleMesh, class NamedParameters>
-auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
-                        Zero_length_edges zero_length_edges = Zero_length_edges::REFUSE)
-{
-  using Types = Curve_types<TriangleMesh, NamedParameters>;
-  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                   get_const_property_map(CGAL::vertex_point, mesh));
-  const auto traits =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
-  return typename Types::Triangulation(mesh, typename Types::Metric(points), traits, zero_length_edges);
-}
 
 /*
  * Calls `compute(triangulation)` over a mesh; and if that meets an edge of length zero, again over the surface that is
@@ -91,9 +78,10 @@ auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, con
 template <class Network, class NamedParameters, class StopPredicate>
 Shortening_report shorten_with_visitor(Network& network, const NamedParameters& np, const StopPredicate& stop)
 {
-  Default_shortening_visitor none;
-  auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
-  return shorten(network, stop, visitor);
+  static_assert(is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
+  auto visitor = make_visitor(np);
+  return shorten(network, stop, visitor.get());
 }
 
 /* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
@@ -102,9 +90,9 @@ template <class Network, class NamedParameters, class StopPredicate>
 Shortening_report shorten_between_ends(Network& network, const std::vector<Halfedge_index>& path,
                                        const NamedParameters& np, const StopPredicate& stop)
 {
-  constexpr bool has_visitor = !parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value;
   std::size_t flips = 0;
-  if constexpr(!has_visitor && std::is_same<StopPredicate, Never_stop_predicate>::value)
+  if constexpr(!is_given<NamedParameters, internal_np::visitor_t> &&
+               std::is_same<StopPredicate, Never_stop_predicate>::value)
     flips = add_straightened_path(network, path);
   else
     network.add_curve(path, false);
@@ -115,31 +103,54 @@ Shortening_report shorten_between_ends(Network& network, const std::vector<Halfe
   return report;
 }
 
+template <class Convert, class OutputIterator>
+OutputIterator convert_points(const std::vector<Surface_point>& points, const Convert& convert, OutputIterator out)
+{
+  for(const Surface_point& p : points)
+    *out++ = convert(p);
+  return out;
+}
+
+/* Writes a curve of a network in the form that the output takes. */
+template <class Form, class Network, class TriangleMesh, class OutputIterator>
+OutputIterator write_curve(const Network& network, const TriangleMesh& mesh, Curve_index curve, OutputIterator out)
+{
+  using Triangulation = typename Network::Triangulation;
+  Curve_extractor<Network> extractor(network);
+  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value)
+    return extractor.curve_points(curve, mesh, out);
+  else
+    return convert_points(extractor.surface_points(curve),
+                          Form_converter<Triangulation, Form>(network.triangulation(), mesh), out);
+}
+
 /* A path between two vertices that edges of length zero join: its two ends. */
-template <class Triangulation, class OutputIterator>
-Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangulation, Vertex_index v,
-                                                  OutputIterator out)
+template <class Form, class Triangulation, class TriangleMesh, class OutputIterator>
+Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                                  Vertex_index v, OutputIterator out)
 {
   Shortening_report report;
   report.curves.push_back(report_of_point());
   note_contraction(triangulation, report);
+  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
   for(int i = 0; i < 2; ++i)
-    *out++ = triangulation.metric().point(triangulation.input(), v);
+    *out++ = convert(surface_point_at_vertex(triangulation, v));
   return {out, report};
 }
 
-/* Computes a geodesic between two vertices of a mesh, in an empty network. Writes the points in space. */
-template <class Network, class Search, class Vertex, class OutputIterator, class NamedParameters, class StopPredicate>
-Geodesic_result<OutputIterator> geodesic_between(Network& network, Search& search, Vertex source, Vertex target,
-                                                 OutputIterator out, const NamedParameters& np,
-                                                 const StopPredicate& stop)
+/* Computes a geodesic between two vertices of a mesh, in an empty network, and writes it. */
+template <class Form, class Network, class Search, class TriangleMesh, class Vertex, class OutputIterator,
+          class NamedParameters, class StopPredicate>
+Geodesic_result<OutputIterator> geodesic_between(Network& network, Search& search, const TriangleMesh& mesh,
+                                                 Vertex source, Vertex target, OutputIterator out,
+                                                 const NamedParameters& np, const StopPredicate& stop)
 {
   const auto& triangulation = network.triangulation();
   const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
   if(triangulation.input().is_contracted() && ends[0] == ends[1])
-    return path_in_one_place(triangulation, ends[0], out);
+    return path_in_one_place<Form>(triangulation, mesh, ends[0], out);
   const Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
-  out = Curve_extractor<Network>(network).points(Curve_index(0), out);
+  out = write_curve<Form>(network, mesh, Curve_index(0), out);
   return {out, report};
 }
 
@@ -188,7 +199,8 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  *
  * Computes a geodesic, a locally shortest path on the surface, from one vertex to another: an edge path that is nearly
  * shortest (`Search_method::LOOK_BACK`), straightened (`add_straightened_path()`) and pulled tight. A
- * path that takes another way round a hole or a bump may be shorter still.
+ * path that takes another way round a hole or a bump may be shorter still. With `curves_through_points.h` the ends can
+ * lie anywhere.
  *
  * If it meets an edge of length zero, such edges are contracted, and the path is computed again: it is a geodesic of
  * the surface that is left, and `Curve_report::are_zero_edges_contracted` says so. Ends in one place have a path of
@@ -196,11 +208,14 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
- * \param out receives the points of the path, from `source` to `target`, as the mesh's points
- * \param np named parameters: `vertex_point_map`, `geom_traits` (a model of `IntrinsicTriangulationTraits`), `visitor`;
- *        the mesh must have a vertex point property of its own even if the first is given
+ * \param out receives the points of the path, from `source` to `target`: in space, as the mesh's points; if it does
+ *        not take those, as `CGAL::Polygon_mesh_processing::Face_location`s; if it takes neither, as `Curve_point`s,
+ *        which have both, the crossed halfedges and the tangents
  * \param stop a model of `FlipOutStopPredicate`, which ends the process early; the report tells. With one, or with a
  *        visitor, the edge path itself is pulled tight, so that they see every step
+ * \param np named parameters: `vertex_point_map`; or `with_metric()`, for another metric than that of the points;
+ *        `geom_traits`, a model of `IntrinsicTriangulationTraits`; `visitor`, a model of `FlipOutVisitor`, which is
+ *        copied unless it is given by `std::ref()`
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_curve_error if `source == target`,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
@@ -208,20 +223,31 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  * Complexity: that of the search, \f$O(k \log k)\f$ for the \f$k\f$ vertices it visits, and of `shorten()`; meshes
  * other than `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters,
-          class StopPredicate = Never_stop_predicate>
+template <class TriangleMesh, class OutputIterator, class StopPredicate, class NamedParameters>
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
                                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                                               typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                                              OutputIterator out,
-                                              const NamedParameters& np = parameters::default_values(),
-                                              const StopPredicate& stop = StopPredicate())
+                                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
     Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
     typename Types::Network network(triangulation);
-    return internal::geodesic_between(network, search, source, target, out, np, stop);
+    return internal::geodesic_between<Form>(network, search, mesh, source, target, out, np, stop);
+  });
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
+template <class TriangleMesh, class OutputIterator, class Options = parameters::Default_named_parameters>
+Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
+                                              typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+                                              typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+                                              OutputIterator out, const Options& options = parameters::default_values())
+{
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return Flip_geodesics::geodesic_path(mesh, source, target, out, stop, np);
   });
 }
 
@@ -232,21 +258,21 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
  *
  * \param mesh a triangle mesh
  * \param vertices a range of vertices of which each two in a row, and the last and the first, share an edge
- * \param out receives the points of the closed geodesic, the first again at the end; nothing if the loop contracts
- * \param np, stop as for `geodesic_path()`
+ * \param out receives the points of the closed geodesic, as `geodesic_path()` writes them, the first again at the end;
+ *        nothing if the loop contracts
+ * \param stop, np as for `geodesic_path()`
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Invalid_curve_error, Crossing_curves_error, Ambiguous_order_error,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
  * Complexity: as `geodesic_path()`, without a search.
  */
-template <class TriangleMesh, class VertexRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
+template <class TriangleMesh, class VertexRange, class OutputIterator, class StopPredicate, class NamedParameters>
 Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const VertexRange& vertices, OutputIterator out,
-                                              const NamedParameters& np = parameters::default_values(),
-                                              const StopPredicate& stop = StopPredicate())
+                                              const StopPredicate& stop, const NamedParameters& np)
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
     typename Types::Network network(triangulation);
     const bool is_loop = internal::add_vertex_curve(network, internal::mesh_indices(triangulation, vertices), true);
@@ -259,7 +285,19 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
     }
     internal::note_contraction(triangulation, report);
     return Geodesic_result<OutputIterator>{
-        is_loop ? Curve_extractor<typename Types::Network>(network).points(Curve_index(0), out) : out, report};
+        is_loop ? internal::write_curve<Form>(network, mesh, Curve_index(0), out) : out, report};
+  });
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
+template <class TriangleMesh, class VertexRange, class OutputIterator,
+          class Options = parameters::Default_named_parameters>
+Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const VertexRange& vertices, OutputIterator out,
+                                              const Options& options = parameters::default_values())
+{
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return Flip_geodesics::geodesic_loop(mesh, vertices, out, stop, np);
   });
 }
 
@@ -271,37 +309,47 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \param mesh a triangle mesh
  * \param curves a range of ranges of vertices, each two in a row sharing an edge; a curve whose last vertex is its
  *        first is a closed loop
- * \param out receives one `std::vector` of points per curve, in order
- * \param np, stop as for `geodesic_path()`
+ * \param out receives one `std::vector` per curve, in order, of what `geodesic_path()` writes
+ * \param stop, np as for `geodesic_path()`
  * \return the end of the output, and the report, with one entry per curve
  * \throws as `geodesic_loop()`
  *
  * Complexity: as `geodesic_loop()`, with the flips of all curves.
  */
-template <class TriangleMesh, class CurveRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
-Geodesic_result<OutputIterator> straighten(const TriangleMesh& mesh, const CurveRange& curves, OutputIterator out,
-                                           const NamedParameters& np = parameters::default_values(),
-                                           const StopPredicate& stop = StopPredicate())
+template <class TriangleMesh, class CurveRange, class OutputIterator, class StopPredicate, class NamedParameters>
+Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const CurveRange& curves, OutputIterator out,
+                                            const StopPredicate& stop, const NamedParameters& np)
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator, internal::Vector_of>;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
     typename Types::Network network(triangulation);
     const std::vector<bool> has_length = internal::add_vertex_curves(network, curves);
     order_overlapping_curves(network);
     Shortening_report report = internal::shorten_with_visitor(network, np, stop);
-    Curve_extractor<typename Types::Network> extractor(network);
     OutputIterator end = out;
     for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
-      std::vector<typename Types::Metric::Point_3> points;
+      std::vector<Form> points;
       if(has_length[i])
-        extractor.points(Curve_index(static_cast<Index>(c++)), std::back_inserter(points));
+        internal::write_curve<Form>(network, mesh, Curve_index(static_cast<Index>(c++)), std::back_inserter(points));
       else
         report.curves.insert(report.curves.begin() + static_cast<std::ptrdiff_t>(i), report_of_point());
       *end++ = points;
     }
     internal::note_contraction(triangulation, report);
-    return Geodesic_result<OutputIterator>{end, report};
+    return Geodesics_result<OutputIterator>{end, report};
+  });
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
+template <class TriangleMesh, class CurveRange, class OutputIterator,
+          class Options = parameters::Default_named_parameters>
+Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const CurveRange& curves, OutputIterator out,
+                                            const Options& options = parameters::default_values())
+{
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return Flip_geodesics::straighten(mesh, curves, out, stop, np);
   });
 }
 

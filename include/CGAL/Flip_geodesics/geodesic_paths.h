@@ -35,11 +35,11 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// One of the paths of `geodesic_paths()`.
-template <class Point_3>
+/// One of the paths of `geodesic_paths()`, by points as `geodesic_path()` writes them.
+template <class Point>
 struct Geodesic_path
 {
-  std::vector<Point_3> points; ///< from the source to the target; none if there is an error
+  std::vector<Point> points;   ///< from the source to the target; none if there is an error
   Curve_report report;         ///< what became of the curve, if there is no error
   std::exception_ptr error;    ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
 };
@@ -47,7 +47,7 @@ struct Geodesic_path
 namespace internal {
 
 /* Computes one path after the other in one triangulation, whose flips are taken back in between. */
-template <class TriangleMesh, class NamedParameters, class StopPredicate>
+template <class Form, class TriangleMesh, class NamedParameters, class StopPredicate>
 class Path_workspace
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
@@ -56,7 +56,7 @@ class Path_workspace
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
 public:
-  using Result = Geodesic_path<typename Types::Metric::Point_3>;
+  using Result = Geodesic_path<Form>;
 
   Path_workspace(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np,
                  const StopPredicate& stop)
@@ -129,8 +129,8 @@ private:
   {
     Result result;
     Network network(state.triangulation);
-    result.report = geodesic_between(network, state.search, source, target, std::back_inserter(result.points), m_np,
-                                     restarted(m_stop))
+    result.report = geodesic_between<Form>(network, state.search, m_mesh, source, target,
+                                           std::back_inserter(result.points), m_np, restarted(m_stop))
                         .report.curves.front();
     return result;
   }
@@ -166,10 +166,10 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
 }
 #endif
 
-template <class ConcurrencyTag, class TriangleMesh, class PairRange, class OutputIterator, class NamedParameters,
-          class StopPredicate>
+template <class ConcurrencyTag, class TriangleMesh, class PairRange, class OutputIterator, class StopPredicate,
+          class NamedParameters>
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances* landmarks, const PairRange& pairs,
-                              OutputIterator out, const NamedParameters& np, const StopPredicate& stop)
+                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   using Tag =
@@ -180,7 +180,9 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
   using Tag = Sequential_tag;
 #endif
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Workspace = Path_workspace<TriangleMesh, NamedParameters, StopPredicate>;
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  using Form = Curve_form<typename Types::Triangulation, OutputIterator, Geodesic_path>;
+  using Workspace = Path_workspace<Form, TriangleMesh, NamedParameters, StopPredicate>;
   const std::vector<std::pair<Vertex, Vertex>> ends(std::begin(pairs), std::end(pairs));
   std::vector<typename Workspace::Result> results(ends.size());
   compute_paths<Workspace>(Tag(), ends, results,
@@ -204,21 +206,34 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
  *
  * \param mesh a triangle mesh
  * \param pairs a range of `std::pair`s of vertices, source and target
- * \param out receives a `Geodesic_path` with the mesh's points per pair, in the order of the pairs
- * \param np named parameters as for `geodesic_path()`; a `visitor` is called from all threads
+ * \param out receives a `Geodesic_path` per pair, in the order of the pairs, of what `geodesic_path()` writes: a
+ *        `Geodesic_path` of the mesh's points, of `Face_location`s or of `Curve_point`s
  * \param stop as for `geodesic_path()`; it is asked from all threads, for each path as `restarted()` if it can be
+ * \param np named parameters as for `geodesic_path()`; a `visitor` is called from all threads, a copy for each path
+ *        unless it is given by `std::ref()`
  * \return the end of the output
  *
  * Complexity: that of the searches and of `shorten()`; meshes other than `Surface_mesh` are indexed once per thread,
  * \f$O(n \log n)\f$.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
+          class StopPredicate, class NamedParameters>
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
-                              const NamedParameters& np = parameters::default_values(),
-                              const StopPredicate& stop = StopPredicate())
+                              const StopPredicate& stop, const NamedParameters& np)
 {
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, np, stop);
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, stop, np);
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
+          class Options = parameters::Default_named_parameters>
+OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
+                              const Options& options = parameters::default_values())
+{
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, stop, np);
+  });
 }
 
 /*!
@@ -230,17 +245,27 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
  * \param mesh a triangle mesh
  * \param landmarks made for this mesh and its metric
  * \param pairs a range of `std::pair`s of vertices, source and target
- * \param out receives a `Geodesic_path` with the mesh's points per pair, in the order of the pairs
- * \param np, stop as above
+ * \param out, stop, np as above
  * \return the end of the output
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters, class StopPredicate = Never_stop_predicate>
+          class StopPredicate, class NamedParameters>
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances& landmarks, const PairRange& pairs,
-                              OutputIterator out, const NamedParameters& np = parameters::default_values(),
-                              const StopPredicate& stop = StopPredicate())
+                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
 {
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, np, stop);
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, stop, np);
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
+          class Options = parameters::Default_named_parameters>
+OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances& landmarks, const PairRange& pairs,
+                              OutputIterator out, const Options& options = parameters::default_values())
+{
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, stop, np);
+  });
 }
 
 } // namespace Flip_geodesics

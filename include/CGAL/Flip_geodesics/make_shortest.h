@@ -90,15 +90,14 @@ double longest_wanted(const Tree& tree)
  * and for each path that is replaced the degree of its end and the edges that its last leg crosses.
  *
  * \param tree a tree that has been grown to its end
- * \param most_windows where more are needed, the search is given up, and the tree stays as it is; 0 is for the number
- *        that `add_shortest_path()` takes
+ * \param limit beyond it the search is given up, and the tree stays as it is
  * \throws Invalid_coordinate_error
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source was inserted. Other inserted vertices have geodesics, which nothing
  * is said about.
  */
 template <class Triangulation>
-Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size_t most_windows = 0)
+Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_limit& limit = Window_limit())
 {
   using Tree = Geodesic_tree<Triangulation>;
   constexpr double tolerance = Shortest_path_report::tolerance();
@@ -110,7 +109,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, std::size
   if(tree.triangulation().has_curves())
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   Shortest_tree_report report;
-  most_windows = internal::window_limit(tree.triangulation(), most_windows);
+  const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
   internal::Window_search<Triangulation> search(tree.triangulation(), tree.source());
   const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
   report.windows = search.number_of_windows();

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -44,19 +45,37 @@ struct Shortest_path_report
 template <class OutputIterator>
 struct Shortest_path_result
 {
-  OutputIterator out;
-  Shortest_path_report report;
+  OutputIterator out;          ///< the end of the output
+  Shortest_path_report report; ///< what is known of the path
+
+  double length() const { return report.length; } ///< the length of the path
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// How many windows a search for shortest paths may make, of some 60 bytes each; then it is given up.
+class Window_limit
+{
+public:
+  /// A million, and 500 per vertex: many times what meshes need that are no needles.
+  Window_limit() = default;
+
+  /// At most about so many.
+  explicit Window_limit(std::size_t windows)
+    : m_windows(windows)
+  {
+  }
+
+  /// The limit for a mesh with a number of vertices.
+  std::size_t operator()(std::size_t number_of_vertices) const
+  {
+    return m_windows.value_or(1000000 + 500 * number_of_vertices);
+  }
+
+private:
+  std::optional<std::size_t> m_windows;
 };
 
 namespace internal {
-
-/* How many windows are made where the caller says nothing: many times what meshes need that are no needles. */
-template <class Triangulation>
-std::size_t window_limit(const Triangulation& triangulation, std::size_t most_windows)
-{
-  return most_windows != 0 ? most_windows
-                           : 1000000 + 500 * static_cast<std::size_t>(triangulation.number_of_vertices());
-}
 
 /* Searches; false if there may be shorter paths than it found, on account of degenerate faces. */
 template <class Search>
@@ -144,15 +163,14 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation
  * \param source, target different vertices of one component
- * \param most_windows at most about so many windows are made, of some 60 bytes each; then the rest of the gap is
- *        reported. 0 is for a million, and 500 per vertex of the mesh.
+ * \param limit beyond it the rest of the gap is reported
  * \param visitor a model of `FlipOutVisitor`, for the shortening
  * \return what is known; the path is the network's only curve
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`
  */
 template <class Network, class Search, class Visitor = Default_shortening_visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_index source, Vertex_index target,
-                                       std::size_t most_windows = 0, Visitor&& visitor = Visitor())
+                                       const Window_limit& limit = Window_limit(), Visitor&& visitor = Visitor())
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
@@ -167,7 +185,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   constexpr double tolerance = Shortest_path_report::tolerance();
   internal::Window_search<Triangulation> windows(triangulation, source, target);
   const bool is_sound = internal::run_to_the_end(windows, report.length * (1 - tolerance),
-                                                 internal::window_limit(triangulation, most_windows));
+                                                 limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
   report.windows = windows.number_of_windows();
   if(windows.distance(target) < report.length * (1 - tolerance)) {
     const Shortening_report before = report.shortening;
@@ -215,9 +233,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
- * \param out receives the points of the path, from source to target
- * \param np the named parameters of `geodesic_path()`, and `number_of_iterations`: at most about so many windows are
- *        made, by default as by `add_shortest_path()`
+ * \param out receives the points of the path, as `geodesic_path()` writes them
+ * \param limit beyond it the search is given up, and the rest of the gap reported
+ * \param np the named parameters of `geodesic_path()`
  * \return the end of the output, and the report
  * \throws as `geodesic_path()`
  */
@@ -225,27 +243,37 @@ template <class TriangleMesh, class OutputIterator, class NamedParameters = para
 Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
                                                    typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                                                    typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                                                   OutputIterator out,
+                                                   OutputIterator out, const Window_limit& limit,
                                                    const NamedParameters& np = parameters::default_values())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   using Result = Shortest_path_result<OutputIterator>;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
     const Vertex_index s = triangulation.index(source), t = triangulation.index(target);
     if(triangulation.input().is_contracted() && s == t) {
-      const auto point = internal::path_in_one_place(triangulation, s, out);
+      const auto point = internal::path_in_one_place<Form>(triangulation, mesh, s, out);
       return Result{point.out, internal::report_of_no_length(point.report)};
     }
     Shortest_edge_path<typename Types::Triangulation> search(triangulation);
     typename Types::Network network(triangulation);
-    Default_shortening_visitor none;
-    auto&& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), none);
-    const auto most_windows = static_cast<std::size_t>(
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), std::size_t(0)));
-    Shortest_path_report report = add_shortest_path(network, search, s, t, most_windows, visitor);
+    auto visitor = internal::make_visitor(np);
+    Shortest_path_report report = add_shortest_path(network, search, s, t, limit, visitor.get());
     internal::note_contraction(triangulation, report.shortening);
-    return Result{Curve_extractor<typename Types::Network>(network).points(Curve_index(0), out), report};
+    return Result{internal::write_curve<Form>(network, mesh, Curve_index(0), out), report};
   });
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with the default limit.
+template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
+                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
+                                                   OutputIterator out,
+                                                   const NamedParameters& np = parameters::default_values())
+{
+  return Flip_geodesics::shortest_path(mesh, source, target, out, Window_limit(), np);
 }
 
 } // namespace Flip_geodesics

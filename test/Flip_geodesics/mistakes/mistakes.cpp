@@ -8,6 +8,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -22,21 +23,30 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   std::vector<Kernel::Point_3> points;
   const auto out = std::back_inserter(points);
   const FG::Iteration_stop_predicate stop(3);
+  const FG::Default_shortening_visitor visitor;
+  std::vector<FG::Vertex_index> wrong_points;
   Triangulation triangulation(mesh);
   FG::Edge_path_network<Triangulation> network(triangulation);
 
 #if MISTAKE == 1
   FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);
 #elif MISTAKE == 2
-  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), stop);
 #elif MISTAKE == 3
   FG::geodesic_loop(mesh, std::vector<Mesh::Halfedge_index>(), out);
 #elif MISTAKE == 4
   network.add_curve(vertices, false);
 #elif MISTAKE == 5
   FG::halfedges_through(triangulation, of_mesh, false);
+#elif MISTAKE == 6
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, 1000);
+#elif MISTAKE == 7
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], std::back_inserter(wrong_points));
+#elif MISTAKE == 8
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(std::cref(visitor)));
 #else
-  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), stop);
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));
   FG::geodesic_loop(mesh, of_mesh, out);
   network.add_curve(halfedges, false);
   network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_CURVE_POINT_H
+#define CGAL_FLIP_GEODESICS_CURVE_POINT_H
+
+#include <CGAL/Flip_geodesics/Surface_point.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsExtraction
+/// Where a point of a curve is on the mesh, in the mesh's own descriptors.
+template <class TriangleMesh>
+struct Curve_place
+{
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  /// A face that has the point, and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`: they
+  /// belong to the source, target and third vertex of `halfedge(face, mesh)`.
+  std::pair<face_descriptor, std::array<double, 3>> location;
+
+  /// The halfedge that the curve crosses here, as a side of the face that it leaves, or that the point lies on; the
+  /// null halfedge at a vertex and inside a face.
+  halfedge_descriptor halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
+};
+
+/// \ingroup PkgFlipGeodesicsExtraction
+/// A point of a curve, with all that is known of it.
+template <class TriangleMesh, class Point>
+struct Curve_point : Curve_place<TriangleMesh>
+{
+  using Point_3 = Point;
+  using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3;
+
+  Point_3 point; ///< in space
+  /// The direction in which the curve goes on, in space, of length one; at its end the one in which it arrives. Zero
+  /// where the curve is a point.
+  Vector_3 tangent;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsExtraction
+ *
+ * A surface point as a `CGAL::Polygon_mesh_processing::Face_location`, a pair of a face and barycentric coordinates,
+ * which belong to the source, target and third vertex of `halfedge(face, mesh)`.
+ */
+template <class Triangulation>
+auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                   const Surface_point& p)
+{
+  const auto& input = triangulation.input();
+  Input_halfedge_index h = p.is_vertex() ? input.outgoing(p.a) : p.halfedge;
+  if(input.is_border(h)) // at most one of two consecutive spokes is on the border
+    h = p.is_vertex() ? input.next(internal::twin_index(h)) : internal::twin_index(h);
+  const auto f = internal::graph_face(input.halfedge(h), mesh);
+  Input_halfedge_index corner = input.index(internal::graph_halfedge(f, mesh));
+  std::array<double, 3> weights = {0, 0, 0};
+  for(double& weight : weights) {
+    const Vertex_index v = p.is_vertex() ? input.tail(corner) : input.uncontracted_tail(corner);
+    weight = v == p.a ? 1 - p.t - p.u : (v == p.b ? p.t : (v == p.c ? p.u : 0));
+    corner = input.next(corner);
+  }
+  return std::make_pair(f, weights);
+}
+
+namespace internal {
+
+/* Does `*out = T` compile? */
+template <class Output, class T>
+constexpr bool takes = std::is_assignable<decltype(*std::declval<Output&>()), T>::value;
+
+/* What the points of a curve are given as: points in space, locations in faces, or everything that is known. */
+template <class Triangulation>
+struct Curve_forms
+{
+  using Mesh = typename Triangulation::Triangle_mesh;
+  using Metric = typename Triangulation::Metric;
+  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
+  using Number = typename Metric::Kernel::FT;
+
+  template <class M, bool HAS_POINTS = Has_points<M>::value>
+  struct Of_metric
+  {
+    using Point = void;
+    using All = Curve_place<Mesh>;
+  };
+  template <class M>
+  struct Of_metric<M, true>
+  {
+    using Point = typename M::Point_3;
+    using All = Curve_point<Mesh, Point>;
+  };
+
+  using Point = typename Of_metric<Metric>::Point;
+  using Location = std::pair<Face, std::array<double, 3>>;
+  using Exact_location = std::pair<Face, std::array<Number, 3>>;
+  using All = typename Of_metric<Metric>::All;
+};
+
+template <class T>
+using Itself = T;
+template <class T>
+using Vector_of = std::vector<T>;
+
+/* The first of the forms that an output takes, or a container of it; `void` if it takes none. */
+template <class Output, template <class> class Container, class... Forms>
+struct First_form
+{
+  using type = void;
+};
+
+template <class Output, template <class> class Container, class... Forms>
+struct First_form<Output, Container, void, Forms...> : First_form<Output, Container, Forms...>
+{
+};
+
+template <class Output, template <class> class Container, class Form, class... Forms>
+struct First_form<Output, Container, Form, Forms...>
+{
+  using type =
+      std::conditional_t<takes<Output, Container<Form>>, Form, typename First_form<Output, Container, Forms...>::type>;
+};
+
+template <class Triangulation, class Output, template <class> class Container>
+struct Curve_form_of
+{
+  using Forms = Curve_forms<Triangulation>;
+  using type = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
+                                   typename Forms::Exact_location, typename Forms::All>::type;
+  static_assert(!std::is_void<type>::value,
+                "the output takes neither the mesh's points nor Face_locations nor Curve_points");
+};
+
+template <class Triangulation, class Output, template <class> class Container = Itself>
+using Curve_form = typename Curve_form_of<Triangulation, Output, Container>::type;
+
+/* Gives a point the direction of a vector; what has no direction stays. */
+template <class Mesh, class Point>
+void set_tangent(Curve_point<Mesh, Point>& p, const std::array<double, 3>& direction)
+{
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  if(length > 0)
+    p.tangent = typename Curve_point<Mesh, Point>::Vector_3(direction[0] / length, direction[1] / length,
+                                                            direction[2] / length);
+}
+
+template <class Mesh, class Point>
+void set_tangent(Curve_point<Mesh, Point>& p, const Point& from, const Point& to)
+{
+  set_tangent(p, std::array<double, 3>{{CGAL::to_double(to.x()) - CGAL::to_double(from.x()),
+                                        CGAL::to_double(to.y()) - CGAL::to_double(from.y()),
+                                        CGAL::to_double(to.z()) - CGAL::to_double(from.z())}});
+}
+
+/* Surface points in one of these forms. */
+template <class Triangulation, class Form>
+class Form_converter
+{
+  using Mesh = typename Triangulation::Triangle_mesh;
+  using Forms = Curve_forms<Triangulation>;
+
+public:
+  Form_converter(const Triangulation& triangulation, const Mesh& mesh)
+    : m_triangulation(triangulation)
+    , m_mesh(mesh)
+  {
+  }
+
+  /* Without a tangent. */
+  Form operator()(const Surface_point& p) const
+  {
+    if constexpr(std::is_same<Form, typename Forms::Point>::value) {
+      return point_in_space(m_triangulation, p);
+    } else if constexpr(std::is_same<Form, typename Forms::All>::value) {
+      Form result;
+      result.location = face_location(m_triangulation, m_mesh, p);
+      if(!p.is_vertex() && !p.is_inside_face())
+        result.halfedge = m_triangulation.input().halfedge(p.halfedge);
+      if constexpr(!std::is_void<typename Forms::Point>::value) {
+        result.point = point_in_space(m_triangulation, p);
+        result.tangent = typename Form::Vector_3(0, 0, 0);
+      }
+      return result;
+    } else {
+      using Number = typename Form::second_type::value_type;
+      const auto [face, weights] = face_location(m_triangulation, m_mesh, p);
+      return {face, {{Number(weights[0]), Number(weights[1]), Number(weights[2])}}};
+    }
+  }
+
+private:
+  const Triangulation& m_triangulation;
+  const Mesh& m_mesh;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_CURVE_POINT_H

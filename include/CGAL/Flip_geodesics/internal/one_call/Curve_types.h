@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_ONE_CALL_CURVE_TYPES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_ONE_CALL_CURVE_TYPES_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+#include <CGAL/Flip_geodesics/with_metric.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <functional>
+#include <type_traits>
+
+// What the named parameters of the one-call functions mean, in one place.
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+template <class NamedParameters, class Tag>
+constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+template <class NamedParameters, class Tag>
+using Given = typename internal_np::Get_param<typename NamedParameters::base, Tag>::type;
+
+/* The metric's type: as it is given, or of the points that are given, or of the mesh's own. */
+template <class TriangleMesh, class NamedParameters, bool HAS_METRIC, bool HAS_POINTS>
+struct Metric_of
+{
+  using type = Given<NamedParameters, Metric_parameter>;
+};
+
+template <class TriangleMesh, class NamedParameters>
+struct Metric_of<TriangleMesh, NamedParameters, false, true>
+{
+  using type = Embedded_metric<TriangleMesh, Given<NamedParameters, internal_np::vertex_point_t>>;
+};
+
+template <class TriangleMesh, class NamedParameters>
+struct Metric_of<TriangleMesh, NamedParameters, false, false>
+{
+  static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
+                "the mesh has no points of its own: give vertex_point_map() or with_metric()");
+  using type =
+      Embedded_metric<TriangleMesh, typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type>;
+};
+
+/* The types behind the named parameters. */
+template <class TriangleMesh, class NamedParameters>
+struct Curve_types
+{
+  static_assert(Is_named_parameters<NamedParameters>::value,
+                "the stop predicate comes before the named parameters, which are the last argument");
+
+  using Metric = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
+                                    is_given<NamedParameters, internal_np::vertex_point_t>>::type;
+  using Traits =
+      typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                   Intrinsic_triangulation_traits<typename Metric::Kernel>>::type;
+  using Triangulation = Intrinsic_triangulation<TriangleMesh, Traits, Metric>;
+  using Network = Edge_path_network<Triangulation>;
+};
+
+template <class TriangleMesh, class NamedParameters>
+auto make_metric(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  using Metric = typename Curve_types<TriangleMesh, NamedParameters>::Metric;
+  if constexpr(is_given<NamedParameters, Metric_parameter>)
+    return parameters::get_parameter(np, metric_parameter);
+  else if constexpr(is_given<NamedParameters, internal_np::vertex_point_t>)
+    return Metric(parameters::get_parameter(np, internal_np::vertex_point));
+  else
+    return Metric(get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+template <class TriangleMesh, class NamedParameters>
+auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
+                        Zero_length_edges zero_length_edges = Zero_length_edges::REFUSE)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  const auto traits =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
+  return typename Types::Triangulation(mesh, make_metric(mesh, np), traits, zero_length_edges);
+}
+
+template <class T>
+struct Visitor_holder
+{
+  T visitor;
+  T& get() { return visitor; }
+};
+
+template <class T>
+struct Visitor_holder<std::reference_wrapper<T>>
+{
+  static_assert(!std::is_const<T>::value, "a visitor that cannot be copied is given as std::ref(visitor)");
+  std::reference_wrapper<T> visitor;
+  T& get() { return visitor.get(); }
+};
+
+/* The visitor of the named parameters: a copy, the caller's own by `std::ref()`, or one that does nothing. */
+template <class NamedParameters>
+auto make_visitor(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::visitor_t>) {
+    auto visitor = parameters::get_parameter(np, internal_np::visitor);
+    return Visitor_holder<decltype(visitor)>{visitor};
+  } else {
+    return Visitor_holder<Default_shortening_visitor>{};
+  }
+}
+
+/* Calls `function(stop, np)` with what a caller has given last: named parameters, or a stop predicate alone. */
+template <class Options, class Function>
+auto with_options(const Options& options, const Function& function)
+{
+  if constexpr(Is_named_parameters<Options>::value)
+    return function(Never_stop_predicate(), options);
+  else
+    return function(options, parameters::default_values());
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_ONE_CALL_CURVE_TYPES_H

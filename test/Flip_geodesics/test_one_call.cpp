@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What the one-call functions take and give: ends of each kind, outputs of each form in step with one another, metrics,
+// visitors, meshes without points of their own, and results in property maps.
+
+#define BOOST_TEST_MODULE one_call
+
+#include "Curve_setting.h"
+#include "Mesh_archetype.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics.h>
+#include <CGAL/Flip_geodesics/nearest_location.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using Vertex = Surface::Vertex_index;
+using Halfedge = Surface::Halfedge_index;
+using Face = Surface::Face_index;
+using Point = Surface::Point;
+using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+using Face_location = std::pair<Face, std::array<double, 3>>;
+using Curve_point = FG::Curve_point<Surface, Point>;
+
+namespace {
+
+Surface bumpy_sphere_mesh() { return to_mesh<Surface>(bumpy_sphere(6, 0.3, 7)); }
+Surface torus_mesh() { return to_mesh<Surface>(torus(24, 14, 2, 1)); }
+
+std::vector<std::pair<Vertex, Vertex>> random_pairs(const Surface& mesh, int count)
+{
+  std::mt19937 random(5);
+  std::vector<std::pair<Vertex, Vertex>> result;
+  while(result.size() < static_cast<std::size_t>(count)) {
+    const Vertex v(random() % mesh.number_of_vertices()), w(random() % mesh.number_of_vertices());
+    if(v != w)
+      result.emplace_back(v, w);
+  }
+  return result;
+}
+
+double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double distance(const Vector& u, const Vector& v) { return std::sqrt((u - v).squared_length()); }
+
+// The point of a face location, from the convention of Polygon Mesh Processing.
+Point point_at(const Surface& mesh, const Face_location& location)
+{
+  const Halfedge h = mesh.halfedge(location.first);
+  const std::array<Vertex, 3> corners = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+  Vector result(0, 0, 0);
+  for(std::size_t i = 0; i < 3; ++i)
+    result = result + location.second[i] * (mesh.point(corners[i]) - CGAL::ORIGIN);
+  return CGAL::ORIGIN + result;
+}
+
+// Is a location's point one of a face, whichever face it is given in?
+bool is_on_face(const Surface& mesh, const Face_location& location, Face f)
+{
+  const auto corners = mesh.vertices_around_face(mesh.halfedge(f));
+  Halfedge h = mesh.halfedge(location.first);
+  for(std::size_t i = 0; i < 3; ++i, h = mesh.next(h))
+    if(location.second[i] != 0 && std::find(corners.begin(), corners.end(), mesh.source(h)) == corners.end())
+      return false;
+  return true;
+}
+
+// Places, halfedges and tangents of a curve belong to its points.
+void check_curve_points(const Surface& mesh, const std::vector<Curve_point>& curve)
+{
+  BOOST_REQUIRE_GE(curve.size(), 2u);
+  for(std::size_t i = 0; i < curve.size(); ++i) {
+    const Curve_point& p = curve[i];
+    BOOST_CHECK_SMALL(distance(point_at(mesh, p.location), p.point), 1e-12);
+    BOOST_CHECK_CLOSE(p.tangent.squared_length(), 1., 1e-9);
+    const Curve_point& from = curve[i + 1 < curve.size() ? i : i - 1];
+    const Point& to = curve[i + 1 < curve.size() ? i + 1 : i].point;
+    if(distance(from.point, to) > 1e-6)
+      BOOST_CHECK_SMALL(distance((to - from.point) / distance(from.point, to), p.tangent), 1e-8);
+    if(i > 0 && i + 1 < curve.size() && p.halfedge != Surface::null_halfedge()) { // it leaves the halfedge's face
+      BOOST_CHECK(is_on_face(mesh, curve[i - 1].location, mesh.face(p.halfedge)));
+      BOOST_CHECK(is_on_face(mesh, curve[i + 1].location, mesh.face(mesh.opposite(p.halfedge))));
+      const double side = distance(mesh.point(mesh.source(p.halfedge)), mesh.point(mesh.target(p.halfedge)));
+      BOOST_CHECK_SMALL(distance(mesh.point(mesh.source(p.halfedge)), p.point) +
+                            distance(p.point, mesh.point(mesh.target(p.halfedge))) - side,
+                        1e-12);
+    }
+  }
+}
+
+void check_same_points(const std::vector<Point>& points, const std::vector<Curve_point>& curve)
+{
+  BOOST_REQUIRE_EQUAL(points.size(), curve.size());
+  for(std::size_t i = 0; i < points.size(); ++i)
+    BOOST_CHECK_EQUAL(points[i], curve[i].point);
+}
+
+void check_same_places(const std::vector<Face_location>& places, const std::vector<Curve_point>& curve)
+{
+  BOOST_REQUIRE_EQUAL(places.size(), curve.size());
+  for(std::size_t i = 0; i < places.size(); ++i)
+    BOOST_CHECK(places[i] == curve[i].location);
+}
+
+// Counts what it sees. It can be copied, so that a count stays zero unless it is passed by reference.
+struct Counting_visitor : FG::Default_shortening_visitor
+{
+  std::size_t flips = 0;
+  std::size_t* shared = nullptr;
+
+  template <class Triangulation>
+  void on_flip(const Triangulation&, FG::Halfedge_index)
+  {
+    ++flips;
+    if(shared)
+      ++*shared;
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(all_forms_of_a_path_are_in_step)
+{
+  for(const Surface& mesh : {bumpy_sphere_mesh(), torus_mesh()})
+    for(const auto& [v, w] : random_pairs(mesh, 20)) {
+      std::vector<Point> points;
+      std::vector<Face_location> places;
+      std::vector<Curve_point> curve;
+      const auto in_space = FG::geodesic_path(mesh, v, w, std::back_inserter(points));
+      const auto in_faces = FG::geodesic_path(mesh, v, w, std::back_inserter(places));
+      const auto with_all = FG::geodesic_path(mesh, v, w, std::back_inserter(curve));
+      check_same_points(points, curve);
+      check_same_places(places, curve);
+      check_curve_points(mesh, curve);
+      BOOST_CHECK_EQUAL(points.front(), mesh.point(v));
+      BOOST_CHECK_EQUAL(points.back(), mesh.point(w));
+      double length = 0;
+      for(std::size_t i = 0; i + 1 < points.size(); ++i)
+        length += distance(points[i], points[i + 1]);
+      BOOST_CHECK_CLOSE(in_space.length(), length, 1e-9);
+      BOOST_CHECK_EQUAL(in_space.length(), in_space.report.curves.at(0).length);
+      BOOST_CHECK_EQUAL(in_faces.length(), in_space.length());
+      BOOST_CHECK_EQUAL(with_all.length(), in_space.length());
+      BOOST_CHECK(with_all.status() == FG::Shortening_status::LOCALLY_SHORTEST);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_loop_and_curves_come_in_each_form)
+{
+  const Surface mesh = torus_mesh();
+  std::vector<Vertex> ring;
+  for(std::size_t i = 0; i < 24; ++i)
+    ring.emplace_back(i);
+  bool is_ring = true;
+  for(std::size_t i = 0; i < ring.size(); ++i)
+    is_ring = is_ring && mesh.halfedge(ring[i], ring[(i + 1) % ring.size()]) != Surface::null_halfedge();
+  BOOST_REQUIRE(is_ring);
+  std::vector<Curve_point> loop;
+  std::vector<Point> points;
+  FG::geodesic_loop(mesh, ring, std::back_inserter(loop), FG::Iteration_stop_predicate(3));
+  FG::geodesic_loop(mesh, ring, std::back_inserter(points), FG::Iteration_stop_predicate(3));
+  check_same_points(points, loop);
+  check_curve_points(mesh, loop);
+  BOOST_CHECK_EQUAL(loop.front().point, loop.back().point);
+
+  std::vector<std::vector<Curve_point>> curves;
+  std::vector<std::vector<Face_location>> places;
+  std::vector<Vertex> closed = ring;
+  closed.push_back(ring.front());
+  const auto result = FG::straighten(mesh, std::vector<std::vector<Vertex>>{closed, {ring[0], ring[1], ring[2]}},
+                                     std::back_inserter(curves));
+  FG::straighten(mesh, std::vector<std::vector<Vertex>>{closed, {ring[0], ring[1], ring[2]}},
+                 std::back_inserter(places));
+  BOOST_REQUIRE_EQUAL(curves.size(), 2u);
+  BOOST_REQUIRE_EQUAL(result.report.curves.size(), 2u);
+  for(std::size_t i = 0; i < 2; ++i) {
+    check_same_places(places[i], curves[i]);
+    if(!curves[i].empty())
+      check_curve_points(mesh, curves[i]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ends_of_all_kinds_can_be_mixed)
+{
+  const Surface mesh = bumpy_sphere_mesh();
+  const Vertex v(3);
+  const Face f(40);
+  const Face_location inside(f, {{0.25, 0.5, 0.25}});
+  const Point above = point_at(mesh, inside) + Vector(CGAL::ORIGIN, point_at(mesh, inside)) * 1e-9;
+  Curve_setting::Triangulation triangulation(mesh);
+  const FG::Surface_location location = FG::surface_location(triangulation, mesh, inside);
+  std::vector<Curve_point> to_face, to_location, to_space, back;
+  const auto reference = FG::geodesic_path(mesh, v, inside, std::back_inserter(to_face));
+  FG::geodesic_path(mesh, v, location, std::back_inserter(to_location));
+  FG::geodesic_path(mesh, v, above, std::back_inserter(to_space), CGAL::parameters::default_values());
+  FG::geodesic_path(mesh, above, v, std::back_inserter(back), FG::Never_stop_predicate());
+  check_curve_points(mesh, to_face);
+  check_curve_points(mesh, back);
+  BOOST_CHECK_SMALL(distance(to_face.back().point, point_at(mesh, inside)), 1e-12);
+  BOOST_REQUIRE_EQUAL(to_face.size(), to_location.size());
+  BOOST_REQUIRE_EQUAL(to_face.size(), to_space.size());
+  BOOST_REQUIRE_EQUAL(to_face.size(), back.size());
+  for(std::size_t i = 0; i < to_face.size(); ++i) {
+    BOOST_CHECK_EQUAL(to_face[i].point, to_location[i].point);
+    BOOST_CHECK_SMALL(distance(to_face[i].point, to_space[i].point), 1e-7);
+    BOOST_CHECK_SMALL(distance(to_face[i].point, back[back.size() - 1 - i].point), 1e-7);
+  }
+  double length = 0;
+  for(std::size_t i = 0; i + 1 < to_face.size(); ++i)
+    length += distance(to_face[i].point, to_face[i + 1].point);
+  BOOST_CHECK_CLOSE(reference.length(), length, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(ways_through_points_have_tangents_on_each_leg)
+{
+  const Surface mesh = torus_mesh();
+  const std::vector<Face_location> stations = {
+      {Face(3), {{0.2, 0.3, 0.5}}}, {Face(200), {{0.4, 0.3, 0.3}}}, {Face(400), {{0.1, 0.1, 0.8}}}};
+  std::vector<Curve_point> curve;
+  std::vector<Point> points;
+  FG::geodesic_path_through(mesh, stations, std::back_inserter(curve));
+  FG::geodesic_path_through(mesh, stations, std::back_inserter(points));
+  check_same_points(points, curve);
+  check_curve_points(mesh, curve);
+  std::size_t met = 0;
+  for(const Curve_point& p : curve)
+    for(const Face_location& station : stations)
+      if(distance(p.point, point_at(mesh, station)) < 1e-12)
+        ++met;
+  BOOST_CHECK_EQUAL(met, stations.size());
+  std::vector<Curve_point> spline;
+  FG::geodesic_spline(mesh, stations, FG::Spline_kind::BEZIER, std::back_inserter(spline));
+  check_curve_points(mesh, spline);
+}
+
+BOOST_AUTO_TEST_CASE(points_in_space_meet_the_nearest_point)
+{
+  const Surface mesh = torus_mesh();
+  Curve_setting::Triangulation triangulation(mesh);
+  for(Vertex v : mesh.vertices())
+    BOOST_CHECK_EQUAL(triangulation.insert(FG::surface_location(triangulation, mesh, mesh.point(v))),
+                      triangulation.index(v));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_THROW(FG::surface_location(triangulation, mesh, Point(0, nan, 0)), FG::Invalid_location_error);
+  Surface empty;
+  empty.add_vertex(Point(0, 0, 0));
+  Curve_setting::Triangulation nothing(empty);
+  BOOST_CHECK_THROW(FG::surface_location(nothing, empty, Point(0, 0, 0)), FG::Invalid_location_error);
+  Surface broken = mesh;
+  broken.point(Vertex(5)) = Point(nan, 0, 0);
+  Curve_setting::Triangulation over_broken(broken);
+  BOOST_CHECK_THROW(FG::surface_location(over_broken, broken, Point(0, 0, 0)), FG::Invalid_coordinate_error);
+  std::vector<Point> points;
+  BOOST_CHECK_THROW(FG::geodesic_path(mesh, Vertex(0), Point(nan, 0, 0), std::back_inserter(points)),
+                    FG::Invalid_location_error);
+  BOOST_CHECK(points.empty());
+}
+
+BOOST_AUTO_TEST_CASE(another_metric_decides_what_is_short)
+{
+  Surface mesh = torus_mesh();
+  auto lengths = mesh.add_property_map<Surface::Edge_index, double>("e:length", 0).first;
+  for(Surface::Edge_index e : mesh.edges())
+    lengths[e] = 3 * distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+  const FG::Edge_length_metric<Surface, Surface::Property_map<Surface::Edge_index, double>> tripled(mesh, lengths);
+  for(const auto& [v, w] : random_pairs(mesh, 10)) {
+    std::vector<Face_location> places, places_of_points;
+    std::vector<FG::Curve_place<Surface>> curve;
+    const auto result = FG::geodesic_path(mesh, v, w, std::back_inserter(places), FG::with_metric(tripled));
+    FG::geodesic_path(mesh, v, w, std::back_inserter(curve), FG::with_metric(tripled));
+    const auto of_points = FG::geodesic_path(mesh, v, w, std::back_inserter(places_of_points));
+    BOOST_REQUIRE_EQUAL(places.size(), curve.size());
+    for(std::size_t i = 0; i < places.size(); ++i)
+      BOOST_CHECK(places[i] == curve[i].location);
+    if(places.size() == places_of_points.size()) // else another of several geodesics was found
+      BOOST_CHECK_CLOSE(result.length(), 3 * of_points.length(), 1e-9);
+    else
+      BOOST_CHECK_LT(std::abs(result.length() - 3 * of_points.length()), 0.3 * result.length());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_of_a_map_and_a_mesh_without_any)
+{
+  const Mesh_soup soup = bumpy_sphere(4, 0.3, 7);
+  const Surface mesh = to_mesh<Surface>(soup);
+  const Mesh_archetype plain(soup);
+  const Archetype_point_map map = {&plain};
+  const std::vector<Mesh_archetype::Vertex> all(vertices(plain).begin(), vertices(plain).end());
+  std::vector<Point> points, of_map;
+  std::vector<FG::Curve_point<Mesh_archetype, Point>> curve;
+  const auto np = CGAL::parameters::vertex_point_map(map);
+  const auto direct = FG::geodesic_path(mesh, Vertex(1), Vertex(30), std::back_inserter(points));
+  const auto result = FG::geodesic_path(plain, all[1], all[30], std::back_inserter(of_map), np);
+  FG::geodesic_path(plain, all[1], all[30], std::back_inserter(curve), FG::Never_stop_predicate(), np);
+  BOOST_CHECK_CLOSE(result.length(), direct.length(), 1e-9);
+  BOOST_CHECK_EQUAL(of_map.size(), points.size());
+  BOOST_CHECK_EQUAL(curve.size(), points.size());
+}
+
+BOOST_AUTO_TEST_CASE(visitors_are_copied_unless_they_are_referred_to)
+{
+  const Surface mesh = torus_mesh();
+  std::vector<Point> points;
+  Counting_visitor visitor;
+  std::size_t shared = 0;
+  visitor.shared = &shared;
+  const auto copied =
+      FG::geodesic_path(mesh, Vertex(0), Vertex(150), std::back_inserter(points), CGAL::parameters::visitor(visitor));
+  BOOST_CHECK_GT(copied.report.flips, 0u);
+  BOOST_CHECK_EQUAL(visitor.flips, 0u);
+  BOOST_CHECK_EQUAL(shared, copied.report.flips);
+  const auto referred = FG::geodesic_path(mesh, Vertex(0), Vertex(150), std::back_inserter(points),
+                                          CGAL::parameters::visitor(std::ref(visitor)));
+  BOOST_CHECK_EQUAL(visitor.flips, referred.report.flips);
+  BOOST_CHECK_EQUAL(referred.report.flips, copied.report.flips);
+}
+
+BOOST_AUTO_TEST_CASE(distances_come_in_maps_of_the_user)
+{
+  const Mesh_soup soup = with_isolated_vertices(torus(16, 10, 2, 1), 0, 1);
+  Surface mesh = to_mesh<Surface>(soup);
+  const Vertex source(7);
+  auto distances = mesh.add_property_map<Vertex, double>("v:distance", -1).first;
+  const auto report = FG::geodesic_distances(mesh, source, distances);
+  BOOST_CHECK(report.is_confirmed);
+  BOOST_CHECK_EQUAL(distances[source], 0);
+  const Vertex isolated(mesh.number_of_vertices() - 1);
+  for(Vertex v : mesh.vertices()) {
+    if(v == isolated) {
+      BOOST_CHECK_EQUAL(distances[v], std::numeric_limits<double>::infinity());
+    } else if(v != source) {
+      const auto path = FG::shortest_path(mesh, source, v, CGAL::Emptyset_iterator());
+      BOOST_CHECK_CLOSE(distances[v], path.length(), 1e-8);
+    }
+  }
+  std::map<Vertex, FG::Polar_coordinates> polar;
+  FG::polar_coordinates(mesh, source, boost::make_assoc_property_map(polar));
+  for(Vertex v : mesh.vertices())
+    if(v != isolated && v != source) {
+      BOOST_CHECK_CLOSE(polar.at(v).radius, distances[v], 1e-8);
+      BOOST_CHECK(polar.at(v).angle >= 0 && polar.at(v).angle <= 2 * CGAL_PI);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(distances_on_another_mesh_type_are_the_same)
+{
+  using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>, CGAL::Polyhedron_items_with_id_3>;
+  const Mesh_soup soup = bumpy_sphere(3, 0.3, 7);
+  Surface mesh = to_mesh<Surface>(soup);
+  const Polyhedron polyhedron = to_mesh<Polyhedron>(soup);
+  auto expected = mesh.add_property_map<Vertex, double>("v:distance", -1).first;
+  FG::geodesic_distances(mesh, Vertex(0), expected);
+  std::map<boost::graph_traits<Polyhedron>::vertex_descriptor, double> distances;
+  FG::geodesic_distances(polyhedron, *vertices(polyhedron).first, boost::make_assoc_property_map(distances));
+  BOOST_CHECK_EQUAL(distances.size(), mesh.number_of_vertices());
+  std::size_t i = 0;
+  for(auto v : CGAL::make_range(vertices(polyhedron)))
+    BOOST_CHECK_CLOSE(distances.at(v) + 1, expected[Vertex(i++)] + 1, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(limits_and_wrong_sources_of_distances)
+{
+  Surface mesh = bumpy_sphere_mesh();
+  auto distances = mesh.add_property_map<Vertex, double>("v:distance", -1).first;
+  auto limited = mesh.add_property_map<Vertex, double>("v:limited", -1).first;
+  FG::geodesic_distances(mesh, Vertex(0), distances);
+  const auto report = FG::geodesic_distances(mesh, Vertex(0), limited, FG::Window_limit(1));
+  BOOST_CHECK(!report.is_confirmed);
+  for(Vertex v : mesh.vertices()) // those of geodesics that need not be shortest
+    BOOST_CHECK_GE(limited[v], distances[v] * (1 - 1e-10));
+  BOOST_CHECK_THROW(FG::geodesic_distances(mesh, Vertex(mesh.number_of_vertices()), distances),
+                    FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(FG::polar_coordinates(mesh, Surface::null_vertex(), boost::dummy_property_map()),
+                    FG::Vertex_out_of_range_error);
+}
