@@ -29,6 +29,7 @@
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
@@ -59,7 +60,6 @@
 #include <CGAL/Flip_geodesics/straightened_path.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
-#include <CGAL/Flip_geodesics/verify.h>
 #include <CGAL/Flip_geodesics/with_metric.h>
 
 #endif // CGAL_FLIP_GEODESICS_H

@@ -12,10 +12,10 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
+#include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/refine.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
-#include <CGAL/Flip_geodesics/verify.h>
 
 #include <boost/test/unit_test.hpp>
 

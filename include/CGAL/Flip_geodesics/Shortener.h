@@ -5,9 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
-#include <CGAL/Flip_geodesics/verify.h>
 
 #include <CGAL/assertions.h>
 

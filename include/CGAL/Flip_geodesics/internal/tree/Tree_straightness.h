@@ -3,10 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TREE_TREE_STRAIGHTNESS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_TREE_STRAIGHTNESS_H
 
+#include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
-#include <CGAL/Flip_geodesics/verify.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_VERIFY_H
-#define CGAL_FLIP_GEODESICS_VERIFY_H
+#ifndef CGAL_FLIP_GEODESICS_STRAIGHTNESS_METER_H
+#define CGAL_FLIP_GEODESICS_STRAIGHTNESS_METER_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
@@ -167,4 +167,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_VERIFY_H
+#endif // CGAL_FLIP_GEODESICS_STRAIGHTNESS_METER_H
