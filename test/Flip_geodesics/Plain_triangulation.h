@@ -55,7 +55,7 @@ public:
   public:
     using Place = Halfedge_index;
 
-    Walker(const Plain_triangulation& triangulation, Place, Halfedge_index h)
+    Walker(const Plain_triangulation& triangulation, Halfedge_index h)
       : m_triangulation(&triangulation)
       , m_halfedge(h)
     {
@@ -79,16 +79,6 @@ public:
       return at(m_triangulation->extend_turn_clockwise(turn, m_halfedge));
     }
 
-    bool is_reflex_at_head() const
-    {
-      Turn turn;
-      const Halfedge_index t = Plain_triangulation::twin(m_halfedge);
-      m_triangulation->extend_turn_at_head(turn, m_halfedge);
-      const Halfedge_index in = m_triangulation->previous(t);
-      m_triangulation->extend_turn_at_head(turn, in);
-      return m_triangulation->is_straight(turn, Plain_triangulation::twin(in), m_triangulation->next(m_halfedge));
-    }
-
     Index label() const { return m_triangulation->label(Plain_triangulation::edge(m_halfedge)); }
     void set_label(Index label) const
     {
@@ -96,7 +86,7 @@ public:
     }
 
   private:
-    Walker at(Halfedge_index h) const { return Walker(*m_triangulation, h, h); }
+    Walker at(Halfedge_index h) const { return Walker(*m_triangulation, h); }
 
     const Plain_triangulation* m_triangulation;
     Halfedge_index m_halfedge;
@@ -216,7 +206,17 @@ public:
   void set_label(Edge_index e, Index label) { m_labels[static_cast<std::size_t>(e.idx())] = label; }
   CGAL::Flip_geodesics::Network_place& network_place() { return m_network_place; }
 
-  Walker walker(Halfedge_index h) const { return Walker(*this, h, h); }
+  Walker walker(Halfedge_index h) const { return Walker(*this, h); }
+  Walker walker(Halfedge_index, Halfedge_index h) const { return Walker(*this, h); }
+
+  bool is_reflex_at_head(const Walker& at_h) const
+  {
+    Turn turn;
+    const Halfedge_index h = at_h.index(), in = previous(twin(h));
+    extend_turn_at_head(turn, h);
+    extend_turn_at_head(turn, in);
+    return is_straight(turn, twin(in), next(h));
+  }
 
 private:
   Halfedge& at(Halfedge_index h) { return m_halfedges[static_cast<std::size_t>(h.idx())]; }

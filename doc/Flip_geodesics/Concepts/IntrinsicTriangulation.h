@@ -123,6 +123,10 @@ public:
 
   /// A walker that stands at `h`.
   Walker walker(Halfedge_index h) const;
+  /// The same, given the place of a walker at either side of the edge.
+  Walker walker(Walker::Place place, Halfedge_index h) const;
+  /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
+  bool is_reflex_at_head(const Walker& h) const;
 
   /// @}
 };
@@ -141,9 +145,6 @@ class IntrinsicTriangulationWalker
 public:
   /// What an edge's place is kept in; default constructible, copyable.
   typedef unspecified_type Place;
-
-  /// At the side `h` of an edge, given the place of a walker at either side.
-  IntrinsicTriangulationWalker(const Triangulation& triangulation, Place place, Halfedge_index h);
 
   /// The halfedge.
   Halfedge_index index() const;
@@ -167,8 +168,6 @@ public:
   void prefetch_face() const;
   /// Adds the corner on the right at the tail, and goes clockwise; where that leads nowhere, nothing is added.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
-  /// Is the angle at the head, in the two faces of the edge, at least \f$\pi\f$? \pre both faces exist
-  bool is_reflex_at_head() const;
 
   /// The label of the edge.
   Index label() const;

@@ -4,19 +4,20 @@
 #define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Flip_record.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
-#include <CGAL/Flip_geodesics/internal/base/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/base/Network_place.h>
 #include <CGAL/Flip_geodesics/internal/base/is_valid_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/insertion/Insertion_log.h>
+#include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/store/Flip_log.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/store/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
@@ -32,7 +33,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -101,20 +102,10 @@ public:
   using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   /// A model of `IntrinsicTriangulationWalker`.
-  using Walker = internal::Placed_halfedge<Intrinsic_triangulation>;
+  using Walker = internal::Placed_halfedge<internal::Halfedge_store<Input_mesh, Traits, Metric>>;
 
-  /// What the log keeps of a flip: enough to take it back, and to derive the crossings of the new edge. Where `hp` is
-  /// `null_index`, nothing was flipped: either the face of `h` was laid out afresh, `tn` is `null_index` as well, and
-  /// the first three vectors are the old ones; or a point was inserted, and `rotation` is the number of the insertion.
-  struct Flip_record
-  {
-    Halfedge_index h;             ///< the flipped halfedge, i->j before and l->k after
-    Halfedge_index hp, tn;        ///< k->i and i->l
-    Index version_hp, version_tn; ///< their versions at the time
-    Index rotation;               ///< how many input edges a turn about i from ik to il crosses
-    Index old_version, old_crossings;
-    Halfedge_geometry old_h, old_t, old_tn, old_tp;
-  };
+  /// What the log keeps of a flip.
+  using Flip_record = Flip_geodesics::Flip_record<Halfedge_geometry>;
 
   /// A position in the flip log, to roll back to.
   using Log_position = std::size_t;
@@ -220,7 +211,12 @@ public:
   Halfedge_index counterclockwise(Halfedge_index h) const { return is_border(h) ? null_index : twin(previous(h)); }
 
   /// A walker that stands at `h`.
-  Walker walker(Halfedge_index h) const { return Walker(*this, h); }
+  Walker walker(Halfedge_index h) const { return Walker(m_halfedges, m_halfedges.taken(h)); }
+  /// The same, given the place of a walker at either side of the edge.
+  Walker walker(typename Walker::Place place, Halfedge_index h) const
+  {
+    return Walker(m_halfedges, internal::side_slot(place, h));
+  }
 
   /// Announces that the face on the left of `h` will be read soon: a hint to the cache, without any effect.
   void prefetch_face(Halfedge_index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
@@ -239,10 +235,7 @@ public:
   /// ones.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
-    const Halfedge_index hn = next(h), hp = next(hn);
-    m_log.push_back({h, null_index, null_index, 0, 0, 0, 0, 0, this->geometry(h), this->geometry(hn),
-                     this->geometry(hp), Halfedge_geometry()});
-    set_geometries_of_face(h, geometry[0], geometry[1], geometry[2]);
+    m_log.lay_out(m_halfedges, h, geometry);
   }
 
   /// The squared length of edge `edge(h)`, in the traits' number type.
@@ -299,7 +292,14 @@ public:
   const Decision_statistics& decision_statistics() const { return m_statistics; }
 
   /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
-  bool is_reflex_at_head(Halfedge_index h) const { return walker(h).is_reflex_at_head(); }
+  bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
+  /// The same, of a halfedge that a walker stands at.
+  bool is_reflex_at_head(const Walker& h) const
+  {
+    Turn turn;
+    const auto [from, to] = h.extend_turn_at_head(turn);
+    return is_straight(turn, from.index(), to.index());
+  }
 
   /*!
    * Is the edge of `h` locally Delaunay: on the border, or the two angles opposite to it together at most \f$\pi\f$? An
@@ -342,41 +342,7 @@ public:
    * has changed.
    * \pre `is_flippable(h)`, and no curve lies on the edge
    */
-  void flip(Halfedge_index h)
-  {
-    const Slot s = m_halfedges.taken(h), t = internal::twin_slot(s);
-    Halfedge_record &at_h = m_halfedges.known(s), &at_t = m_halfedges.known(t); // from here on both faces are known
-    const Slot hn = at_h.next(), tn = at_t.next();
-    CGAL_precondition_msg(hn != t && tn != s, "an edge at a vertex of degree 1 cannot be flipped");
-    CGAL_precondition_msg(m_halfedges.label(s) == 0, "a curve lies on the edge that is flipped");
-    Halfedge_record &at_hn = m_halfedges[hn], &at_tn = m_halfedges[tn];
-    const Slot hp = at_hn.next(), tp = at_tn.next();
-    Halfedge_record &at_hp = m_halfedges[hp], &at_tp = m_halfedges[tp];
-
-    auto flipped = traits().flip_object()(at_h.geometry, at_hn.geometry, at_hp.geometry, at_t.geometry, at_tn.geometry,
-                                          at_tp.geometry);
-    const internal::Quad_crossings crossing(crossings(s), crossings(hn), crossings(hp), crossings(tn), crossings(tp));
-    m_log.push_back({h, m_halfedges.halfedge(hp), m_halfedges.halfedge(tn), m_halfedges.version(hp),
-                     m_halfedges.version(tn), crossing.rotation_at_i(), m_halfedges.version(s), crossings(s) + 1,
-                     at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
-
-    m_halfedges.move_outgoing(s, tn, hn);
-    m_halfedges.version(s) = static_cast<Index>(m_log.size());
-    m_halfedges.crossings_plus_one(s) = crossing.other_diagonal() + 1;
-    at_h.set_next(hp);
-    at_hp.set_next(tn);
-    at_tn.set_next(s);
-    at_t.set_next(tp);
-    at_tp.set_next(hn);
-    at_hn.set_next(t);
-    at_h.tail = at_tp.tail;
-    at_t.tail = at_hp.tail;
-    at_h.geometry = std::move(flipped.h);
-    at_t.geometry = std::move(flipped.t);
-    at_tn.geometry = std::move(flipped.tn);
-    at_tp.geometry = std::move(flipped.tp);
-    refresh_inaccurate({s, t, tn, tp}, log_position() - 1);
-  }
+  void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(m_halfedges, h)); }
 
   /// The end of the flip log: the number of flips and insertions since the input, and of faces laid out afresh.
   Log_position log_position() const { return m_log.size(); }
@@ -390,17 +356,19 @@ public:
    */
   std::size_t memory_of_records() const
   {
-    return m_log.memory() + m_insertions.size() * sizeof(Insertion_record) +
-           m_points.size() * sizeof(Surface_location) + m_history.memory();
+    return m_log.memory() + m_points.size() * sizeof(internal::Inserted_point<Halfedge_geometry>) + m_history.memory();
   }
 
   /// Takes flips and insertions back, the last first, until the log has `position` entries; bit for bit. Linear in what
   /// is undone. \pre no curve lies on an edge that goes, or is removed before anything is asked of it
   void rollback(Log_position position = 0)
   {
-    for(; m_log.size() > position; m_log.pop_back()) {
+    while(m_log.size() > position) {
       m_history.forget(edge(m_log.back().h), static_cast<Index>(m_log.size()));
-      undo(m_log.back());
+      if(m_log.back().is_insertion())
+        editor().take_back();
+      else
+        m_log.take_back(m_halfedges);
     }
   }
 
@@ -423,7 +391,7 @@ public:
   Surface_location location(Vertex_index v) const
   {
     if(is_inserted(v))
-      return m_points[static_cast<std::size_t>(v.idx() - input().number_of_vertices())];
+      return m_points[static_cast<std::size_t>(v.idx() - input().number_of_vertices())].location;
     return internal::canonical_location(input(), {input().outgoing(v), {{1, 0, 0}}});
   }
 
@@ -474,7 +442,7 @@ public:
     const internal::Located_point place = near == nullptr ? locate(point) : locate(point, *near);
     if(place.vertex != null_index)
       return place.vertex;
-    return insert_at(place, point, on_split);
+    return internal::insert_point(*this, editor(), place, point, on_split);
   }
 
   /*!
@@ -490,7 +458,8 @@ public:
   {
     if(is_border(h))
       h = twin(h); // an input edge: it crosses nothing
-    return insert_at({h, gap, true, null_index}, internal::canonical_location(input(), location), on_split);
+    return internal::insert_point(*this, editor(), {h, gap, true, null_index},
+                                  internal::canonical_location(input(), location), on_split);
   }
 
   /// @}
@@ -498,7 +467,7 @@ public:
   /// @{
 
   /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
-  Index crossings(Edge_index e) const { return crossings(m_halfedges.slot(internal::first_side(e))); }
+  Index crossings(Edge_index e) const { return m_halfedges.crossings(m_halfedges.slot(internal::first_side(e))); }
 
   /*!
    * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone [GSC21, section
@@ -560,17 +529,8 @@ public:
   }
 
 private:
-  template <class>
-  friend class internal::Placed_halfedge;
-  template <class>
-  friend class internal::Point_insertion;
-  template <class>
-  friend class internal::Insertion_log;
-
   using Halfedge_store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
   using Halfedge_record = typename Halfedge_store::Record;
-  using Slot = internal::Slot;
-  using Insertion_record = internal::Insertion_record<Halfedge_geometry>;
 
   static Input_mesh make_input(const TriangleMesh& mesh, const Metric& metric, Zero_length_edges zero_length_edges)
   {
@@ -583,18 +543,17 @@ private:
   // Of a face that is known from here on.
   const Halfedge_record& record(Halfedge_index h) const { return m_halfedges.known(h); }
 
-  Index crossings(Slot s) const { return m_halfedges.crossings_plus_one(s) - 1; }
-
-  void link_face(Halfedge_index a, Halfedge_index b, Halfedge_index c)
+  internal::Insertion_editor<Intrinsic_triangulation, Halfedge_store> editor()
   {
-    m_halfedges.link_face(m_halfedges.slot(a), m_halfedges.slot(b), m_halfedges.slot(c));
+    return {*this, m_halfedges, m_log, m_points, m_history};
   }
 
-  // If that fails, the flip after which it is done is taken back.
-  void refresh_inaccurate(const std::array<Slot, 4>& halfedges, Log_position before)
+  // After a flip; if it fails, the flip is taken back.
+  void refresh_inaccurate(const std::array<internal::Slot, 4>& halfedges)
   {
+    const Log_position before = log_position() - 1;
     try {
-      for(Slot s : halfedges)
+      for(internal::Slot s : halfedges)
         if(traits().is_inaccurate_object()(m_halfedges[s].geometry))
           internal::refresh_face(*this, m_halfedges.halfedge(s));
     } catch(...) {
@@ -603,72 +562,12 @@ private:
     }
   }
 
-  void set_geometries_of_face(Halfedge_index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
-                              const Halfedge_geometry& at_hp)
-  {
-    Halfedge_record& first = m_halfedges[m_halfedges.slot(h)];
-    Halfedge_record& second = m_halfedges[first.next()];
-    first.geometry = at_h;
-    second.geometry = at_hn;
-    m_halfedges[second.next()].geometry = at_hp;
-  }
-
-  template <class OnSplit>
-  Vertex_index insert_at(internal::Located_point place, const Surface_location& point, const OnSplit& on_split)
-  {
-    const Halfedge_index t = twin(place.halfedge);
-    if(place.is_on_edge && !is_border(t) && next(t) == place.halfedge) // of degree 1 is the head, if an end is
-      place = {t, (std::max)(crossings(edge(t)), 0) - place.gap, true, null_index};
-    const Log_position start = log_position();
-    internal::Insertion_log<Intrinsic_triangulation>(*this).begin(place, point);
-    const Vertex_index x(number_of_vertices() - 1);
-    internal::Edge_halves halves;
-    try {
-      internal::Point_insertion<Intrinsic_triangulation> insertion(*this, place, x);
-      if(place.is_on_edge)
-        halves = insertion.split_edge();
-      else
-        insertion.split_face();
-    } catch(...) {
-      rollback(start);
-      throw;
-    }
-    if(place.is_on_edge)
-      on_split(halves);
-    return x;
-  }
-
-  // h = l->k in (h, hp, tn) and t = k->l in (t, tp, hn) become i->j and j->i again.
-  void undo(const Flip_record& flip)
-  {
-    if(flip.hp == null_index && flip.tn != null_index)
-      return internal::Insertion_log<Intrinsic_triangulation>(*this).undo(flip);
-    if(flip.hp == null_index)
-      return set_geometries_of_face(flip.h, flip.old_h, flip.old_t, flip.old_tn);
-    const Slot h = m_halfedges.slot(flip.h), t = internal::twin_slot(h);
-    Halfedge_record &at_h = m_halfedges[h], &at_t = m_halfedges[t];
-    const Slot hp = at_h.next(), tp = at_t.next(), tn = m_halfedges[hp].next(), hn = m_halfedges[tp].next();
-    Halfedge_record &at_tn = m_halfedges[tn], &at_tp = m_halfedges[tp];
-    m_halfedges.move_outgoing(h, tp, hp);
-    m_halfedges.version(h) = flip.old_version;
-    m_halfedges.crossings_plus_one(h) = flip.old_crossings;
-    m_halfedges.link_face(h, hn, hp);
-    m_halfedges.link_face(t, tn, tp);
-    at_h.tail = at_tn.tail;
-    at_t.tail = m_halfedges[hn].tail;
-    at_h.geometry = flip.old_h;
-    at_t.geometry = flip.old_t;
-    at_tn.geometry = flip.old_tn;
-    at_tp.geometry = flip.old_tp;
-  }
-
   internal::Network_place m_network_place; // first, so that it can refuse to be moved before anything is
-  mutable Halfedge_store m_halfedges; // mutable, since faces of the input are copied when they are first read
+  mutable Halfedge_store m_halfedges;      // mutable, since faces of the input are copied when they are first read
   mutable internal::Edge_history<Intrinsic_triangulation> m_history;
   mutable Decision_statistics m_statistics;
-  internal::Block_array<Flip_record> m_log;
-  std::vector<Insertion_record> m_insertions;
-  std::vector<Surface_location> m_points; // of the inserted vertices
+  internal::Flip_log<Halfedge_store> m_log;
+  std::vector<internal::Inserted_point<Halfedge_geometry>> m_points;
 };
 
 } // namespace Flip_geodesics

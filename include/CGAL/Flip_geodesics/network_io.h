@@ -95,9 +95,9 @@ template <class Triangulation>
 Log_entry log_entry(const Triangulation& triangulation, std::size_t i)
 {
   const auto& record = triangulation.flip_record(i);
-  if(record.hp != null_index)
+  if(record.is_flip())
     return {'f', record.h, {}};
-  if(record.tn == null_index)
+  if(!record.is_insertion())
     return {'r', record.h, {}};
   return {'v', record.h,
           triangulation.location(Vertex_index(triangulation.input().number_of_vertices() + record.rotation))};

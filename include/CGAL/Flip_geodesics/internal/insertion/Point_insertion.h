@@ -8,12 +8,13 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
-#include <CGAL/Flip_geodesics/internal/insertion/Insertion_log.h>
+#include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/words/Word_path.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <initializer_list>
@@ -59,7 +60,7 @@ struct Edge_halves
  * The triangulation's log has the record of the split already, so that an exception leaves nothing that could not be
  * taken back.
  */
-template <class Triangulation>
+template <class Triangulation, class Editor>
 class Point_insertion
 {
   using Traits = typename Triangulation::Traits;
@@ -75,9 +76,9 @@ class Point_insertion
   };
 
 public:
-  Point_insertion(Triangulation& triangulation, const Located_point& located, Vertex_index x)
+  Point_insertion(const Triangulation& triangulation, Editor& editor, const Located_point& located, Vertex_index x)
     : m_triangulation(triangulation)
-    , m_log(triangulation)
+    , m_editor(editor)
     , m_place{located.halfedge, located.gap, triangulation.crossing_word(located.halfedge)}
     , m_x(x)
   {
@@ -88,11 +89,11 @@ public:
   {
     const Halfedge_index h = m_place.h, hn = next(h), hp = next(hn);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    const Halfedge_index a = m_log.add_edge(to_a), b = m_log.add_edge(to_b), o = m_log.add_edge(to_o);
-    m_triangulation.link_face(h, twin(b), a);
-    m_triangulation.link_face(hn, twin(o), b);
-    m_triangulation.link_face(hp, twin(a), o);
-    m_triangulation.m_halfedges.set_outgoing(m_x, m_triangulation.m_halfedges.slot(a));
+    const Halfedge_index a = m_editor.add_edge(to_a), b = m_editor.add_edge(to_b), o = m_editor.add_edge(to_o);
+    m_editor.link_face(h, twin(b), a);
+    m_editor.link_face(hn, twin(o), b);
+    m_editor.link_face(hp, twin(a), o);
+    m_editor.set_outgoing(m_x, a);
     lay_out_faces({h, hn, hp});
   }
 
@@ -163,14 +164,13 @@ private:
     const Halfedge_index h = m_place.h, t = twin(h), hn = next(h), hp = next(hn);
     const Vertex_index b = m_triangulation.tail(t);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place);
-    const Halfedge_index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o);
-    m_log.shorten_edge(t, to_a);
-    auto& halfedges = m_triangulation.m_halfedges;
-    halfedges[halfedges.slot(twin(xb))].encoded_next = Triangulation::Halfedge_record::border;
-    halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
-    halfedges.set_outgoing(m_x, halfedges.slot(xb));
-    m_triangulation.link_face(h, xo, hp);
-    m_triangulation.link_face(xb, hn, twin(xo));
+    const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o);
+    m_editor.shorten_edge(t, to_a);
+    m_editor.put_on_border(twin(xb));
+    m_editor.move_outgoing(b, t, twin(xb));
+    m_editor.set_outgoing(m_x, xb);
+    m_editor.link_face(h, xo, hp);
+    m_editor.link_face(xb, hn, twin(xo));
     lay_out_faces({h, xb});
     return {h, xb};
   }
@@ -181,15 +181,14 @@ private:
     const Vertex_index b = m_triangulation.tail(t);
     const Crossing_word to_a = word_to_tail(m_place), to_b = word_to_head(m_place), to_o = word_to_apex(m_place),
                         to_p = word_to_apex(m_place.reversed());
-    const Halfedge_index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xp = m_log.add_edge(to_p);
-    m_log.shorten_edge(t, to_a);
-    auto& halfedges = m_triangulation.m_halfedges;
-    halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
-    halfedges.set_outgoing(m_x, halfedges.slot(xb));
-    m_triangulation.link_face(h, xo, hp);
-    m_triangulation.link_face(xb, hn, twin(xo));
-    m_triangulation.link_face(t, tn, twin(xp));
-    m_triangulation.link_face(twin(xb), xp, tp);
+    const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o), xp = m_editor.add_edge(to_p);
+    m_editor.shorten_edge(t, to_a);
+    m_editor.move_outgoing(b, t, twin(xb));
+    m_editor.set_outgoing(m_x, xb);
+    m_editor.link_face(h, xo, hp);
+    m_editor.link_face(xb, hn, twin(xo));
+    m_editor.link_face(t, tn, twin(xp));
+    m_editor.link_face(twin(xb), xp, tp);
     lay_out_faces({h, xb, t, twin(xb)});
     return {h, xb};
   }
@@ -209,14 +208,13 @@ private:
     const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(from_twin.word, from_twin.gap);
     const Crossing_word around_b = loop.finish(m_x, anchor(m_triangulation, m_x, face));
 
-    const Halfedge_index xb = m_log.add_edge(to_b), xo = m_log.add_edge(to_o), xx = m_log.add_edge(around_b);
-    m_log.shorten_edge(t, to_a);
-    auto& halfedges = m_triangulation.m_halfedges;
-    halfedges.move_outgoing(b, halfedges.slot(t), halfedges.slot(twin(xb)));
-    halfedges.set_outgoing(m_x, halfedges.slot(xb));
-    m_triangulation.link_face(h, xo, hp);
-    m_triangulation.link_face(xb, twin(xb), twin(xx));
-    m_triangulation.link_face(xx, t, twin(xo));
+    const Halfedge_index xb = m_editor.add_edge(to_b), xo = m_editor.add_edge(to_o), xx = m_editor.add_edge(around_b);
+    m_editor.shorten_edge(t, to_a);
+    m_editor.move_outgoing(b, t, twin(xb));
+    m_editor.set_outgoing(m_x, xb);
+    m_editor.link_face(h, xo, hp);
+    m_editor.link_face(xb, twin(xb), twin(xx));
+    m_editor.link_face(xx, t, twin(xo));
     lay_out_faces({h, xb, xx});
     return {h, xb};
   }
@@ -232,8 +230,7 @@ private:
   void lay_out(Halfedge_index h)
   {
     const Halfedge_index hn = next(h), hp = next(hn);
-    const typename Traits::Face_geometry geometry = geometry_of_new_face({h, hn, hp});
-    m_triangulation.set_geometries_of_face(h, geometry[0], geometry[1], geometry[2]);
+    m_editor.lay_out(h, geometry_of_new_face({h, hn, hp}));
     for(Halfedge_index side : {h, hn, hp})
       if(!is_usable_length(m_triangulation.length(side)))
         fail("it is too close to a vertex");
@@ -276,11 +273,40 @@ private:
                           {static_cast<std::size_t>(h.idx())});
   }
 
-  Triangulation& m_triangulation;
-  Insertion_log<Triangulation> m_log;
+  const Triangulation& m_triangulation;
+  Editor& m_editor;
   Place m_place;
   Vertex_index m_x;
 };
+
+/* Makes a located point a vertex of a triangulation, of which there is an editor. If an edge is split, `on_split` gets
+ * its halves. If anything but that throws, nothing has changed. */
+template <class Triangulation, class Editor, class OnSplit>
+Vertex_index insert_point(Triangulation& triangulation, Editor editor, Located_point place,
+                          const Surface_location& location, const OnSplit& on_split)
+{
+  const Halfedge_index t = Triangulation::twin(place.halfedge);
+  const bool is_head_of_degree_one =
+      place.is_on_edge && !triangulation.is_border(t) && triangulation.next(t) == place.halfedge;
+  if(is_head_of_degree_one) // rather than the tail
+    place = {t, (std::max)(triangulation.crossings(Triangulation::edge(t)), 0) - place.gap, true, null_index};
+  const std::size_t start = triangulation.log_position();
+  const Vertex_index x = editor.begin(place, location);
+  Edge_halves halves;
+  try {
+    Point_insertion<Triangulation, Editor> insertion(triangulation, editor, place, x);
+    if(place.is_on_edge)
+      halves = insertion.split_edge();
+    else
+      insertion.split_face();
+  } catch(...) {
+    triangulation.rollback(start);
+    throw;
+  }
+  if(place.is_on_edge)
+    on_split(halves);
+  return x;
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

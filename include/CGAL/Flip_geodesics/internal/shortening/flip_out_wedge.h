@@ -33,7 +33,7 @@ double flip_out_wedge(const Triangulation& triangulation, Halfedge_index a, Half
   const Walker first = triangulation.walker(a), last = triangulation.walker(c);
   Walker spoke = first.clockwise();
   while(spoke != last) {
-    if(spoke.is_reflex_at_head()) {
+    if(triangulation.is_reflex_at_head(spoke)) {
       spoke = spoke.clockwise();
       continue;
     }

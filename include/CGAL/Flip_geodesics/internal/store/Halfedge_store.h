@@ -157,6 +157,7 @@ public:
   Index& version(Slot s) { return first_side(s).of_edge[1]; }
   Index crossings_plus_one(Slot s) const { return first_side(s).of_edge[0]; }
   Index version(Slot s) const { return first_side(s).of_edge[1]; }
+  Index crossings(Slot s) const { return crossings_plus_one(s) - 1; }
   Index& label(Slot s) { return second_side(s).of_edge[0]; }
   Index label(Slot s) const { return second_side(s).of_edge[0]; }
 
@@ -207,6 +208,17 @@ public:
     (*this)[a].set_next(b);
     (*this)[b].set_next(c);
     (*this)[c].set_next(a);
+  }
+
+  /* Sets the vectors of the face on the left of h, from it on. \pre it is known */
+  void set_face_geometry(Halfedge_index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
+                         const Halfedge_geometry& at_hp)
+  {
+    Record& first = (*this)[slot(h)];
+    Record& second = (*this)[first.next()];
+    first.geometry = at_h;
+    second.geometry = at_hn;
+    (*this)[second.next()].geometry = at_hp;
   }
 
   void add_vertex() { m_vertex_slots.grow(static_cast<std::size_t>(++m_number_of_vertices)); }

@@ -6,6 +6,8 @@
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
 
+#include <utility>
+
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
@@ -16,27 +18,19 @@ namespace internal {
  *
  * The functions are those of `Intrinsic_triangulation`, and copy faces of the input as they do.
  */
-template <class Triangulation>
+template <class Store>
 class Placed_halfedge
 {
-  using Store = typename Triangulation::Halfedge_store;
   using Record = typename Store::Record;
-  using Turn = typename Triangulation::Turn;
+  using Turn = typename Store::Traits::Turn;
 
 public:
   /* What a halfedge's place is kept in; default constructed it is none. */
   using Place = Slot;
 
-  Placed_halfedge(const Triangulation& triangulation, Halfedge_index h)
-    : m_triangulation(&triangulation)
-    , m_slot(store().taken(h))
-  {
-  }
-
-  /* The side h of an edge of which the place of a side is known. */
-  Placed_halfedge(const Triangulation& triangulation, Place place, Halfedge_index h)
-    : m_triangulation(&triangulation)
-    , m_slot(side_slot(place, h))
+  Placed_halfedge(Store& store, Slot slot)
+    : m_store(&store)
+    , m_slot(slot)
   {
   }
 
@@ -67,7 +61,7 @@ public:
   double length() const
   {
     const Record& record = store().known(m_slot);
-    return m_triangulation->traits().compute_length_object()(
+    return store().traits().compute_length_object()(
         (record.is_border() ? store().known(twin_slot(m_slot)) : record).geometry);
   }
 
@@ -85,34 +79,29 @@ public:
 
   void extend_turn(Turn& turn) const { extend_turn_over(turn, store().known(m_slot)); }
 
-  bool is_reflex_at_head() const
+  /* Adds the angle at the head in the two faces of the edge; returns from where it leads, clockwise, and to where.
+   * \pre both faces exist */
+  std::pair<Placed_halfedge, Placed_halfedge> extend_turn_at_head(Turn& turn) const
   {
     const Record& at_h = store().known(m_slot);
     const Slot tp = store()[store().known(twin_slot(m_slot)).next()].next();
-    Turn turn;
     extend_turn_over(turn, at_h);
     extend_turn_over(turn, store()[tp]);
-    return m_triangulation->is_straight(turn, at(tp).twin().index(), at(at_h.next()).index());
+    return {at(tp).twin(), at(at_h.next())};
   }
 
 private:
-  Placed_halfedge(const Triangulation& triangulation, Slot slot)
-    : m_triangulation(&triangulation)
-    , m_slot(slot)
-  {
-  }
-
-  Store& store() const { return m_triangulation->m_halfedges; }
-  Placed_halfedge at(Slot slot) const { return Placed_halfedge(*m_triangulation, slot); }
+  Store& store() const { return *m_store; }
+  Placed_halfedge at(Slot slot) const { return Placed_halfedge(*m_store, slot); }
 
   // Adds the corner at the head of a halfedge whose face is known.
   void extend_turn_over(Turn& turn, const Record& in) const
   {
     const Record& out = store()[in.next()];
-    m_triangulation->traits().extend_turn_object()(turn, in.geometry, out.geometry, store()[out.next()].geometry);
+    store().traits().extend_turn_object()(turn, in.geometry, out.geometry, store()[out.next()].geometry);
   }
 
-  const Triangulation* m_triangulation;
+  Store* m_store;
   Slot m_slot;
 };
 

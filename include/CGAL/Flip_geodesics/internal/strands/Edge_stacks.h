@@ -52,7 +52,7 @@ public:
   Halfedge_index halfedge(Segment_index s) const { return m_segments[s].halfedge; }
 
   /* A side of the edge of s. */
-  Walker placed(Segment_index s, Halfedge_index h) const { return Walker(*m_triangulation, m_segments[s].place, h); }
+  Walker placed(Segment_index s, Halfedge_index h) const { return m_triangulation->walker(m_segments[s].place, h); }
 
   /* The neighbour of s in its stack as seen along h, null_index if s is outermost. */
   Segment_index neighbor(Segment_index s, Halfedge_index h, Side side) const
