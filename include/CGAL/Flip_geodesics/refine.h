@@ -123,7 +123,7 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
   report.splits = refiner.counts().splits;
   report.insertions = refiner.number_of_new_vertices() - report.splits;
   report.refused = refiner.counts().refused;
-  report.flips += refiner.counts().flips;
+  report.flips += refiner.flips();
   measure_faces(triangulation, refiner, angle, report);
   report.status = refinement_status(end, report.missed);
   return report;

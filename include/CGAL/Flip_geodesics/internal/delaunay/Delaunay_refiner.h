@@ -6,17 +6,16 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_chart.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_shape.h>
-#include <CGAL/Flip_geodesics/internal/delaunay/Lawson_flips.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Refinement_outlook.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Segment_points.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Sharp_sectors.h>
+#include <CGAL/Flip_geodesics/internal/delaunay/Star_flips.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <queue>
 #include <vector>
@@ -51,7 +50,7 @@ public:
 
   struct Counts
   {
-    std::size_t splits = 0, flips = 0, refused = 0;
+    std::size_t splits = 0, refused = 0;
   };
 
   enum class End { NO_FACE_LEFT, LIMIT, VISITOR };
@@ -61,7 +60,7 @@ public:
     , m_splitter(splitter)
     , m_visitor(visitor)
     , m_limits(limits)
-    , m_lawson(triangulation, true)
+    , m_star(triangulation)
     , m_is_in_sharp_sector(triangulation)
     , m_points(triangulation)
     , m_number_of_old_vertices(triangulation.number_of_vertices())
@@ -96,6 +95,9 @@ public:
   }
 
   const Counts& counts() const { return m_counts; }
+
+  /* The number of flips, those taken back included. */
+  std::size_t flips() const { return m_star.flips(); }
 
   /* The vertices inside faces and on constrained edges. */
   std::size_t number_of_new_vertices() const
@@ -219,25 +221,6 @@ private:
 
   // ---------------------------------------------------------------- one face
 
-  // Notes the flips around a new vertex, and passes them on. These few are not interrupted, unless they are wrong: each
-  // flip makes an edge at the vertex, and none of those is flipped again, but for a few ties and what wrong ones left.
-  struct Flip_recorder
-  {
-    Visitor& visitor;
-    std::vector<Halfedge_index>& changed;
-    Vertex_index x;
-    int strays = 0;
-
-    bool go_further() const { return !has_lost_its_way(); }
-    bool has_lost_its_way() const { return strays > 64; }
-    void on_flip(const Triangulation& triangulation, Halfedge_index h)
-    {
-      strays += triangulation.tail(h) == x || triangulation.head(h) == x ? 0 : 1;
-      changed.push_back(h);
-      visitor.on_flip(triangulation, h);
-    }
-  };
-
   // The face on the left of `halfedge`, from its tail at the origin and its head on the real axis, has the point.
   struct Place
   {
@@ -257,7 +240,7 @@ private:
     const Vertex_index x = insert(*center);
     if(x == null_index)
       return false;
-    const bool is_removable = !is_on_constrained_edge(x), are_flips_right = flip_around(x);
+    const bool is_removable = !is_on_constrained_edge(x), are_flips_right = m_star.flip_around(x, m_visitor);
     std::vector<Edge_index> encroached;
     if(is_removable && are_flips_right)
       encroached = encroached_by(x);
@@ -391,7 +374,7 @@ private:
     }
     m_points.add(x, in_segment);
     ++m_counts.splits;
-    flip_around(x);
+    m_star.flip_around(x, m_visitor);
     look_around(x);
     m_visitor.on_insertion(m_triangulation, x);
     return true;
@@ -421,36 +404,6 @@ private:
     return result;
   }
 
-  // Makes the faces around vertex x Delaunay. Returns false, and leaves them as they were, if flips were wrong.
-  bool flip_around(Vertex_index x)
-  {
-    const auto before = m_triangulation.log_position();
-    m_lawson.clear();
-    for_each_edge_in_star(m_triangulation, x, [this](Halfedge_index h) { m_lawson.look_at(Triangulation::edge(h)); });
-    m_changed.clear();
-    Flip_recorder recorder = {m_visitor, m_changed, x};
-    try {
-      m_counts.flips += m_lawson.flip(std::numeric_limits<std::size_t>::max(), recorder);
-      if(!recorder.has_lost_its_way() &&
-         std::all_of(m_changed.begin(), m_changed.end(), [this](Halfedge_index h) { return has_right_word(h); }))
-        return true;
-    } catch(const Insertion_error&) { // a word does not lead from end to end
-    }
-    m_triangulation.rollback(before);
-    return false;
-  }
-
-  // Throws or returns false if flips were wrong: the words of flipped edges lead from end to end, inside the surface.
-  bool has_right_word(Halfedge_index h) const
-  {
-    const Crossing_word word = m_triangulation.crossing_word(h);
-    const auto is_inside = [&input = m_triangulation.input()](Input_halfedge_index g) {
-      return !input.is_border(g) && !input.is_border(twin_index(g));
-    };
-    return (word.along == null_index || is_inside(word.along)) &&
-           std::all_of(word.crossed.begin(), word.crossed.end(), is_inside);
-  }
-
   // The constrained edges that vertex x sees under more than 120 degrees.
   std::vector<Edge_index> encroached_by(Vertex_index x) const
   {
@@ -468,7 +421,7 @@ private:
   {
     std::vector<Halfedge_index> around;
     for_each_edge_in_star(m_triangulation, x, [&around](Halfedge_index h) { around.push_back(h); });
-    for(Halfedge_index h : m_changed)
+    for(Halfedge_index h : m_star.flipped())
       around.insert(around.end(), {h, Triangulation::twin(h)});
     for(Halfedge_index& h : around)
       h = m_triangulation.is_border(h) ? null_index : Shape::first_halfedge(m_triangulation, h);
@@ -483,7 +436,7 @@ private:
   Splitter& m_splitter;
   Visitor& m_visitor;
   Limits m_limits;
-  Lawson_flips<Triangulation> m_lawson;
+  Star_flips<Triangulation> m_star;
   Sharp_sectors<Triangulation> m_is_in_sharp_sector;
   Segment_points<Triangulation> m_points;
   Refinement_outlook m_outlook;
@@ -491,7 +444,6 @@ private:
   std::size_t m_letters = 0x200000; // that the search for points may pass
   Index m_number_of_old_vertices;
   std::priority_queue<Bad_face> m_queue;
-  std::vector<Halfedge_index> m_changed;
   Counts m_counts;
 };
 
