@@ -30,6 +30,19 @@ target_compile_options(
   INTERFACE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic>
             $<$<AND:$<BOOL:${FLIP_GEODESICS_WARNINGS_AS_ERRORS}>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-Werror>)
 
+# Instead of CGAL::Flip_geodesics: a program does not compile if it includes GMP or MPFR, and is not linked to them.
+add_library(Flip_geodesics_without_gmp INTERFACE)
+set(flip_geodesics_hidden_dir "${PROJECT_BINARY_DIR}/hidden")
+foreach(header gmp.h gmpxx.h mpfr.h)
+  file(CONFIGURE OUTPUT "${flip_geodesics_hidden_dir}/${header}" CONTENT "#error \"@header@ is hidden\"\n" @ONLY)
+endforeach()
+target_compile_features(Flip_geodesics_without_gmp INTERFACE cxx_std_17)
+target_compile_options(Flip_geodesics_without_gmp INTERFACE $<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_COMPILE_OPTIONS>)
+target_include_directories(Flip_geodesics_without_gmp INTERFACE "${flip_geodesics_hidden_dir}"
+                                                                "${PROJECT_SOURCE_DIR}/include")
+target_include_directories(Flip_geodesics_without_gmp SYSTEM
+                           INTERFACE $<TARGET_PROPERTY:CGAL::CGAL,INTERFACE_INCLUDE_DIRECTORIES>)
+
 # An optional library is linked to the programs whose source mentions it, so that nobody keeps lists and the other
 # programs do not pay for it. `flip_geodesics_optional_libraries` holds triples: pattern, target, and what happens
 # without it: GUARDED (the source has an #ifdef) or REQUIRED (the program is left out).
@@ -63,12 +76,12 @@ function(flip_geodesics_find_used_libraries source used missing)
   set(${missing} "${absent}" PARENT_SCOPE)
 endfunction()
 
-# flip_geodesics_add_program(name [WITHOUT_LIBRARY])
+# flip_geodesics_add_program(name [WITHOUT_LIBRARY | WITHOUT_GMP])
 #
-# Adds the executable `name` made of `name.cpp`. Leaves it out, with a message, if a required library is missing: test
-# if(TARGET name) after the call.
+# Adds the executable `name` made of `name.cpp`, linked to CGAL::Flip_geodesics if nothing else is said. Leaves it out,
+# with a message, if a required library is missing: test if(TARGET name) after the call.
 function(flip_geodesics_add_program name)
-  cmake_parse_arguments(arg "WITHOUT_LIBRARY" "" "" ${ARGN})
+  cmake_parse_arguments(arg "WITHOUT_LIBRARY;WITHOUT_GMP" "" "" ${ARGN})
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
   flip_geodesics_find_used_libraries("${source}" used missing)
   if(missing)
@@ -79,7 +92,9 @@ function(flip_geodesics_add_program name)
   target_compile_features(${name} PRIVATE cxx_std_17)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${name} PRIVATE Flip_geodesics_warnings ${used})
-  if(NOT arg_WITHOUT_LIBRARY)
+  if(arg_WITHOUT_GMP)
+    target_link_libraries(${name} PRIVATE Flip_geodesics_without_gmp)
+  elseif(NOT arg_WITHOUT_LIBRARY)
     target_link_libraries(${name} PRIVATE CGAL::Flip_geodesics)
   endif()
 endfunction()

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/strand_order/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_face.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
@@ -146,6 +147,127 @@ BOOST_AUTO_TEST_CASE(faces_near_the_ends_of_the_range_have_no_bound)
   BOOST_TEST(error(0x1p200) == infinity);
   BOOST_TEST(error(0x1p-199) < 0x1p-90);
   BOOST_TEST(error(0x1p199) < 0x1p-90);
+}
+
+// ---------------------------------------------------------------- integers
+
+namespace {
+
+Integer random_integer(Random_numbers& random, int bits)
+{
+  Integer result = 1;
+  for(int i = 1; i < bits; ++i)
+    result = 2 * result + random.below(2);
+  return result;
+}
+
+void check_root(const Integer& n)
+{
+  const Integer root = FI::rounded_root(n);
+  BOOST_TEST((root * root <= n && n < (root + 1) * (root + 1)));
+  const bool is_square = root * root == n;
+  BOOST_TEST(FI::is_perfect_square(n) == is_square);
+  BOOST_TEST((!is_square || *FI::exact_root(n) == root));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(roots_of_integers_are_rounded_down)
+{
+  for(int n = 0; n < 300; ++n)
+    check_root(n);
+  BOOST_TEST(FI::is_perfect_square(-4) == false);
+  Random_numbers random(11);
+  for(int bits = 1; bits < 600; bits += 1 + bits / 8) {
+    const Integer power = Integer(1) << bits, root = random_integer(random, bits);
+    for(int off = -1; off <= 1; ++off) {
+      check_root(power + off);
+      check_root(power * power + off);
+      check_root(root * root + off);
+    }
+    check_root(root);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(greatest_common_divisors_are_those_of_boost)
+{
+  Random_numbers random(12);
+  const auto check = [](const Integer& x, const Integer& y) {
+    BOOST_TEST(FI::greatest_common_divisor(x, y) == boost::multiprecision::gcd(x, y));
+  };
+  Integer fibonacci = 1, next = 2; // every quotient is 1
+  for(int i = 0; i < 300; ++i) {
+    check(fibonacci, next);
+    fibonacci.swap(next);
+    next += fibonacci;
+  }
+  for(int i = 0; i < 300 * scale; ++i) {
+    const Integer common = random_integer(random, 1 + random.below(200));
+    const Integer x = random_integer(random, 1 + random.below(200)), y = random_integer(random, 1 + random.below(200));
+    check(x * common, y * common);
+    check(common, x * common);
+    check(common, common * (y << 70) + 1);
+  }
+  check(0, 0);
+  check(0, 5);
+  check(Integer(1) << 200, Integer(1) << 61);
+  check((Integer(1) << 124) - 1, (Integer(1) << 62) - 1);
+}
+
+// ---------------------------------------------------------------- orientations
+
+namespace {
+
+template <std::size_t N>
+using Places = std::array<std::array<double, N>, N + 1>;
+
+template <std::size_t N>
+int expected_orientation(const Places<N>& places)
+{
+  std::array<std::array<Rational, 3>, 3> v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for(std::size_t i = 0; i < N; ++i)
+    for(std::size_t k = 0; k < N; ++k)
+      v[i][k] = Rational(places[i + 1][k]) - Rational(places[0][k]);
+  Rational result = 0;
+  for(std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    result += v[0][i] * (v[1][j] * v[2][k] - v[1][k] * v[2][j]);
+  }
+  return result.sign();
+}
+
+// Places on a small grid, where many lie in one plane; and the same with the last bits changed, or of another size.
+template <std::size_t N>
+void check_orientations(Random_numbers& random, const std::array<double, N>& scales)
+{
+  std::array<int, 3> count = {};
+  for(int i = 0; i < 600 * scale; ++i) {
+    Places<N> places;
+    const double unit = i % 3 == 0 ? 1 : 0.1, change = i % 2 == 0 ? 0 : 0x1p-53;
+    for(auto& place : places)
+      for(std::size_t k = 0; k < N; ++k)
+        place[k] = (random.below(5) - 2) * unit * scales[k] * (1 + change * random.below(3));
+    const CGAL::Sign found = FI::Orientation_of_places<N>()(places);
+    BOOST_TEST(found == expected_orientation<N>(places));
+    ++count[static_cast<std::size_t>(found + 1)];
+  }
+  BOOST_TEST((count[0] > 10 && count[1] > 10 && count[2] > 10));
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(orientations_are_exact)
+{
+  Random_numbers random(13);
+  for(double size : {1.0, 1e-90, 1e-160, 1e160}) {
+    check_orientations<2>(random, {size, size});
+    check_orientations<2>(random, {size, 1});
+    check_orientations<3>(random, {size, size, size});
+    check_orientations<3>(random, {1, size, 3});
+  }
+  check_orientations<2>(random, {1e300, 1e-310});
+  check_orientations<3>(random, {1e300, 1e-160, 1e-162}); // a product of the last two has a few digits
+  check_orientations<3>(random, {1e-160, 1e-162, 1e300});
 }
 
 // ---------------------------------------------------------------- roots

@@ -268,43 +268,6 @@ BOOST_AUTO_TEST_CASE(a_flip_without_memory_changes_nothing)
   BOOST_TEST((replayed.flips() == done.flips()));
 }
 
-// Points in faces and on edges, each with every allocation failing first.
-BOOST_AUTO_TEST_CASE(an_insertion_without_memory_changes_nothing)
-{
-  Setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
-  Triangulation& t = setting.triangulation;
-  std::size_t failures = 0;
-  for(FG::Input_halfedge_index h(0); h.idx() < 60; ++h) {
-    if(t.input().is_border(h))
-      continue;
-    const FG::Surface_location location = {h, {{0.25, 0.5, h.idx() % 3 == 0 ? 0 : 0.25}}};
-    const FG::Index vertices = t.number_of_vertices(), edges = t.number_of_edges();
-    const std::size_t before = t.log_position();
-    Vertex_index x = FG::null_index;
-    for(std::size_t allocations = 0;; ++allocations) {
-      allocations_left = allocations;
-      try {
-        x = t.insert(location);
-      } catch(const std::bad_alloc&) {
-        ++failures;
-      }
-      allocations_left = std::numeric_limits<std::size_t>::max();
-      if(x != FG::null_index)
-        break;
-      BOOST_TEST_REQUIRE(t.number_of_vertices() == vertices);
-      BOOST_TEST_REQUIRE(t.number_of_edges() == edges);
-      BOOST_TEST_REQUIRE(t.log_position() == before);
-      BOOST_TEST_REQUIRE(t.is_valid());
-    }
-    BOOST_TEST_REQUIRE(x == Vertex_index(vertices));
-    BOOST_TEST_REQUIRE(t.is_valid());
-  }
-  BOOST_TEST(failures > 100u);
-  t.rollback();
-  BOOST_TEST(t.number_of_vertices() == 25);
-  BOOST_TEST(t.is_valid());
-}
-
 // Streams tell of a failed allocation by their state, so that a text can seem to be cut off.
 BOOST_AUTO_TEST_CASE(a_network_is_loaded_as_a_whole_or_not_at_all)
 {

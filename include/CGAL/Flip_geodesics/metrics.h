@@ -143,12 +143,8 @@ public:
    */
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
   {
-    using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
-    const auto point_of = [&](Vertex_index v) {
-      const Place p = place(mesh, v);
-      return Exact_point(p[0], p[1], p[2]);
-    };
-    return internal::Planar_sine<Mesh, decltype(point_of)>(mesh, point_of)(a, b, steps, sine);
+    const auto place_of = [&](Vertex_index v) { return place(mesh, v); };
+    return internal::Planar_sine<Mesh, decltype(place_of)>(mesh, place_of)(a, b, steps, sine);
   }
 
 private:

@@ -8,7 +8,7 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
-#include <boost/multiprecision/mpfr.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cmath>
 #include <limits>
@@ -24,9 +24,8 @@ namespace internal {
 template <unsigned Digits>
 class Ball_ring
 {
-  using Float = boost::multiprecision::number<
-      boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
-      boost::multiprecision::et_off>;
+  using Float =
+      boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>, boost::multiprecision::et_off>;
 
 public:
   struct Number
@@ -43,9 +42,8 @@ public:
 
   Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& divisor) const
   {
-    const Float length = Float(divisor);
-    const Float root = boost::multiprecision::sqrt(Float(squared_root)) / length;
-    return {rounded(Float(dot) / length, 0), rounded(sign > 0 ? root : Float(-root), 0)};
+    const Float inverse = 1 / Float(divisor), root = root_of(squared_root) * inverse;
+    return {rounded(Float(dot) * inverse, 0), rounded(sign > 0 ? root : Float(-root), 0)};
   }
 
   Number integer(int n) const { return {Float(n), 0}; }
@@ -69,6 +67,19 @@ public:
   }
 
 private:
+  // By Newton's method for the inverse of the root, without a division. Boost's own root finds one bit at a time.
+  static Float root_of(const Integer& n)
+  {
+    if(n == 0)
+      return 0;
+    const int half_exponent = static_cast<int>(boost::multiprecision::msb(n)) / 2;
+    const Float x = boost::multiprecision::ldexp(Float(n), -2 * half_exponent); // from 1 to 4
+    Float inverse = 1 / std::sqrt(x.template convert_to<double>());
+    for(int bits = 50; bits < std::numeric_limits<Float>::digits; bits = 2 * bits - 2)
+      inverse += boost::multiprecision::ldexp(Float(inverse * (1 - x * inverse * inverse)), -1);
+    return boost::multiprecision::ldexp(Float(x * inverse), half_exponent);
+  }
+
   static double magnitude(const Number& a) { return std::abs(a.middle.template convert_to<double>()); }
 
   // Adds the rounding of the last few operations, generously, and that of the radius itself. A radius too small for a

@@ -6,8 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
 
-#include <boost/multiprecision/gmp.hpp>
-
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -55,12 +54,9 @@ private:
     for(Factor& factor : factors)
       if(*factor.square == *corner.square)
         return multiply(corner, factor);
-    for(Factor& factor : factors) {
-      const Rational_root ratio(*factor.square * *corner.square);
-      if(ratio.exists())
-        return multiply({factor.square, corner.number * *factor.square, corner.root_coefficient * ratio.value()},
-                        factor);
-    }
+    for(Factor& factor : factors)
+      if(const std::optional<Integer> root = exact_root(*factor.square * *corner.square))
+        return multiply({factor.square, corner.number * *factor.square, corner.root_coefficient * *root}, factor);
     factors.push_back(corner);
   }
 
@@ -71,24 +67,6 @@ private:
     factor.number = number * corner.number - factor.root_coefficient * corner.root_coefficient * *factor.square;
     factor.root_coefficient = number * corner.root_coefficient + factor.root_coefficient * corner.number;
   }
-
-  // The root of an integer, if that is a square; most others are seen at once not to be.
-  class Rational_root
-  {
-    using Long_integer = boost::multiprecision::mpz_int;
-
-  public:
-    explicit Rational_root(const Integer& n)
-      : m_square(n)
-    {
-    }
-
-    bool exists() const { return mpz_perfect_square_p(m_square.backend().data()) != 0; }
-    Integer value() const { return Integer(Long_integer(boost::multiprecision::sqrt(m_square))); }
-
-  private:
-    Long_integer m_square;
-  };
 };
 
 } // namespace internal

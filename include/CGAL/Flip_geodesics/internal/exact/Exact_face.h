@@ -3,10 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_EXACT_EXACT_FACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_EXACT_EXACT_FACE_H
 
-// Before the numbers of Boost: it tells CGAL about them.
-#include <CGAL/boost_mp.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
+#include <CGAL/Flip_geodesics/internal/exact/Integer.h>
 
 #include <algorithm>
 #include <array>
@@ -16,8 +13,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-using Integer = boost::multiprecision::cpp_int;
 
 /*
  * An input face in exact numbers, up to one positive factor: with the face's halfedges h, hn, hp as complex numbers in
@@ -53,7 +48,7 @@ std::array<Integer, N> to_integers(const std::array<double, N>& numbers)
 inline std::array<Integer, 3> integer_weights(const std::array<double, 3>& weights)
 {
   std::array<Integer, 3> result = to_integers(weights);
-  const Integer common = gcd(gcd(result[0], result[1]), result[2]);
+  const Integer common = boost::multiprecision::gcd(boost::multiprecision::gcd(result[0], result[1]), result[2]);
   for(Integer& weight : result)
     weight /= common;
   return result;

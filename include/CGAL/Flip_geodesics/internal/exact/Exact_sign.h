@@ -135,7 +135,7 @@ private:
 
   static unsigned number_of_bits(const Integer& n)
   {
-    return n == 0 ? 1 : static_cast<unsigned>(boost::multiprecision::msb(Integer(abs(n)))) + 1;
+    return n == 0 ? 1 : static_cast<unsigned>(boost::multiprecision::msb(Integer(boost::multiprecision::abs(n)))) + 1;
   }
 
   Decision_statistics& m_statistics;

@@ -37,13 +37,16 @@ public:
 
   Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& divisor) const
   {
-    const Integer root = boost::multiprecision::sqrt(Integer(squared_root << (2 * m_bits))) / divisor;
+    const Integer root = rounded_root(Integer(squared_root << (2 * m_bits))) / divisor;
     return {{Integer(scaled(dot) / divisor), 1}, {sign > 0 ? root : Integer(-root), 2}};
   }
 
   Number integer(int n) const { return {scaled(n), 0}; }
   Number rescale(const Number& a, const Integer& /* factor */) const { return a; }
-  Number times_integer(const Number& a, const Integer& n) const { return {a.middle * n, a.radius * abs(n)}; }
+  Number times_integer(const Number& a, const Integer& n) const
+  {
+    return {a.middle * n, a.radius * boost::multiprecision::abs(n)};
+  }
   Number times_dot(const Number& a, const Side& side) const { return multiply(a, side.dot); }
   Number times_root(const Number& a, const Side& side) const { return multiply(a, side.root); }
   Number add(const Number& a, const Number& b) const { return {a.middle + b.middle, a.radius + b.radius}; }
@@ -52,13 +55,14 @@ public:
   Number multiply(const Number& a, const Number& b) const
   {
     const Integer product = a.middle * b.middle;
-    const Integer error = abs(a.middle) * b.radius + abs(b.middle) * a.radius + a.radius * b.radius;
+    const Integer error = boost::multiprecision::abs(a.middle) * b.radius +
+                          boost::multiprecision::abs(b.middle) * a.radius + a.radius * b.radius;
     return {product < 0 ? Integer(-(Integer(-product) >> m_bits)) : Integer(product >> m_bits), (error >> m_bits) + 2};
   }
 
   Uncertain<Sign> sign(const Number& a) const
   {
-    if(abs(a.middle) > a.radius)
+    if(boost::multiprecision::abs(a.middle) > a.radius)
       return a.middle > 0 ? POSITIVE : NEGATIVE;
     return Uncertain<Sign>::indeterminate();
   }

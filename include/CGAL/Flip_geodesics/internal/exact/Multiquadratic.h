@@ -8,8 +8,6 @@
 
 #include <CGAL/enum.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <cstddef>
 #include <vector>
 
@@ -112,10 +110,10 @@ public:
     for(unsigned bits = 64;; bits *= 2) {
       Integer sum = 0, error = 0; // in units of 2^-bits, each root rounded down
       for(std::size_t i = 0; i < a.size(); ++i) {
-        sum += a[i] * boost::multiprecision::sqrt(Integer(m_products[i] << (2 * bits)));
-        error += abs(a[i]);
+        sum += a[i] * rounded_root(Integer(m_products[i] << (2 * bits)));
+        error += boost::multiprecision::abs(a[i]);
       }
-      if(abs(sum) > error)
+      if(boost::multiprecision::abs(sum) > error)
         return sum > 0 ? POSITIVE : NEGATIVE;
     }
   }

@@ -76,7 +76,7 @@ private:
   // Either g or -g is a square.
   Number root_of_generator(const Integer& g) const
   {
-    const Integer n = reduced(g), root = powm(n, Integer((m_prime + 1) / 4), m_prime);
+    const Integer n = reduced(g), root = boost::multiprecision::powm(n, Integer((m_prime + 1) / 4), m_prime);
     return reduced(root * root) == n ? Number{root, 0} : Number{0, root};
   }
 

@@ -5,8 +5,6 @@
 
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 
-#include <boost/multiprecision/gmp.hpp>
-
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -33,9 +31,9 @@ public:
   explicit Root_base(const std::vector<Integer>& radicands)
   {
     for(const Integer& d : radicands)
-      insert(Long_integer(d));
-    for(const Long_integer& g : m_coprime)
-      (is_square(g) ? m_squares : m_elements).emplace_back(g);
+      insert(d);
+    for(const Integer& g : m_coprime)
+      (is_perfect_square(g) ? m_squares : m_elements).push_back(g);
     for(const Integer& d : radicands)
       m_roots.emplace(d, factored_root(d));
   }
@@ -62,7 +60,7 @@ private:
     for(const Integer& g : m_squares)
       while(d % g == 0) {
         d /= g;
-        result.factor *= boost::multiprecision::sqrt(g);
+        result.factor *= rounded_root(g);
       }
     for(std::size_t i = 0; i < m_elements.size(); ++i) {
       bool is_odd = false;
@@ -77,32 +75,22 @@ private:
     return result;
   }
 
-  // Greatest common divisors are what takes time, and these have fast ones.
-  using Long_integer = boost::multiprecision::mpz_int;
-
-  static bool is_square(const Long_integer& n)
-  {
-    Long_integer remainder;
-    boost::multiprecision::sqrt(n, remainder);
-    return remainder == 0;
-  }
-
   // Keeps the elements coprime: what d shares with one of them becomes an element of its own.
-  void insert(Long_integer d)
+  void insert(Integer d)
   {
-    std::vector<Long_integer> pending = {std::move(d)};
+    std::vector<Integer> pending = {std::move(d)};
     while(!pending.empty()) {
-      Long_integer n = std::move(pending.back());
+      Integer n = std::move(pending.back());
       pending.pop_back();
       if(n <= 1)
         continue;
       bool is_coprime = true;
       for(std::size_t i = 0; i < m_coprime.size() && is_coprime; ++i) {
-        const Long_integer common = gcd(n, m_coprime[i]);
+        const Integer common = greatest_common_divisor(n, m_coprime[i]);
         if(common == 1)
           continue;
         is_coprime = false;
-        const Long_integer rest = m_coprime[i] / common;
+        const Integer rest = m_coprime[i] / common;
         n /= common;
         if(rest == 1) {
           pending.push_back(n);
@@ -116,7 +104,7 @@ private:
     }
   }
 
-  std::vector<Long_integer> m_coprime;
+  std::vector<Integer> m_coprime;
   std::vector<Integer> m_elements, m_squares;
   std::map<Integer, Root> m_roots;
 };

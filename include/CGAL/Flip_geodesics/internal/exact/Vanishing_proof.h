@@ -7,8 +7,6 @@
 #include <CGAL/Flip_geodesics/internal/exact/Root_base.h>
 #include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -241,7 +239,7 @@ private:
     Integer sum = 1;
     for(const auto& row : step.matrix)
       for(const Entry& entry : row)
-        sum += abs(entry.number) + abs(entry.root_factor) * square;
+        sum += boost::multiprecision::abs(entry.number) + boost::multiprecision::abs(entry.root_factor) * square;
     return boost::multiprecision::msb(sum) + 1;
   }
 

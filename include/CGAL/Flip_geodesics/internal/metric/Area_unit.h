@@ -105,12 +105,6 @@ private:
   Radicand m_radicand;
 };
 
-inline bool is_perfect_square(const Integer& n)
-{
-  const Integer root = boost::multiprecision::sqrt(n);
-  return root * root == n;
-}
-
 /* A positive integer without the squares in it that are easily found. */
 inline Integer without_squares(Integer n)
 {

@@ -4,10 +4,13 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_METRIC_PLANAR_SINE_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/enum.h>
+
+#include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -17,20 +20,18 @@ namespace internal {
  * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points.
  * It is the common case of exact ties: the flat parts of technical models.
  *
- * PointOf maps an input vertex to a point with double coordinates. Words with an end elsewhere are left to others, since
+ * PlaceOf maps an input vertex to three double coordinates. Words with an end elsewhere are left to others, since
  * the coordinates of such a point are no doubles.
  */
-template <class Mesh, class PointOf>
+template <class Mesh, class PlaceOf>
 class Planar_sine
 {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Point_2 = Kernel::Point_2;
-  using Point_3 = Kernel::Point_3;
+  using Place = std::array<double, 3>;
 
 public:
-  Planar_sine(const Mesh& mesh, PointOf point_of)
+  Planar_sine(const Mesh& mesh, PlaceOf place_of)
     : m_mesh(mesh)
-    , m_point_of(point_of)
+    , m_place_of(place_of)
   {
   }
 
@@ -53,11 +54,9 @@ public:
         return false;
       h = m_mesh.next(twin_index(h));
     }
-    const Point_3 node = m_point_of(m_mesh.tail(reference(a))), end_a = m_point_of(head(a)),
-                  end_b = m_point_of(head(b));
+    const Place node = m_place_of(m_mesh.tail(reference(a))), end_a = m_place_of(head(a)), end_b = m_place_of(head(b));
     for(int axis = 0; axis < 3; ++axis) {
-      const Orientation face =
-          orientation_along(axis, corner(some_face, 0), corner(some_face, 1), corner(some_face, 2));
+      const Sign face = orientation_along(axis, corner(some_face, 0), corner(some_face, 1), corner(some_face, 2));
       if(face == ZERO)
         continue;
       sine = face * orientation_along(axis, node, end_b, end_a);
@@ -79,11 +78,11 @@ private:
 
   Vertex_index apex(Input_halfedge_index h) const { return m_mesh.tail(m_mesh.next(m_mesh.next(h))); }
 
-  Point_3 corner(Input_halfedge_index h, int i) const
+  Place corner(Input_halfedge_index h, int i) const
   {
     for(; i > 0; --i)
       h = m_mesh.next(h);
-    return m_point_of(m_mesh.tail(h));
+    return m_place_of(m_mesh.tail(h));
   }
 
   bool is_flat(const Crossing_word& word) const
@@ -96,19 +95,30 @@ private:
 
   bool is_flat_across(Input_halfedge_index h) const
   {
-    const Point_3 p = m_point_of(m_mesh.tail(h)), q = m_point_of(m_mesh.tail(twin_index(h)));
-    const Point_3 r = m_point_of(apex(h)), s = m_point_of(apex(twin_index(h)));
-    return coplanar(p, q, r, s) && !collinear(p, q, r) && coplanar_orientation(p, q, r, s) == NEGATIVE;
+    const Place p = m_place_of(m_mesh.tail(h)), q = m_place_of(m_mesh.tail(twin_index(h)));
+    const Place r = m_place_of(apex(h)), s = m_place_of(apex(twin_index(h)));
+    return Orientation_of_places<3>()({p, q, r, s}) == ZERO && is_unfolded(p, q, r, s);
   }
 
-  static Orientation orientation_along(int axis, const Point_3& p, const Point_3& q, const Point_3& r)
+  // Are r and s, which lie in one plane with p and q, on different sides of the line through these two?
+  static bool is_unfolded(const Place& p, const Place& q, const Place& r, const Place& s)
   {
-    const auto project = [axis](const Point_3& x) { return Point_2(x[(axis + 1) % 3], x[(axis + 2) % 3]); };
-    return orientation(project(p), project(q), project(r));
+    for(int axis = 0; axis < 3; ++axis) {
+      const Sign of_r = orientation_along(axis, p, q, r);
+      if(of_r != ZERO)
+        return orientation_along(axis, p, q, s) == -of_r;
+    }
+    return false;
+  }
+
+  static Sign orientation_along(int axis, const Place& p, const Place& q, const Place& r)
+  {
+    const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
+    return Orientation_of_places<2>()({{{p[x], p[y]}, {q[x], q[y]}, {r[x], r[y]}}});
   }
 
   const Mesh& m_mesh;
-  PointOf m_point_of;
+  PlaceOf m_place_of;
 };
 
 } // namespace internal
