@@ -273,18 +273,21 @@ public:
   double length(Curve_index curve) const { return m_network.length(curve); }
   double initial_length(Curve_index curve) const { return m_network.initial_length(curve); }
   bool is_contracted(Curve_index curve) const { return m_network.is_contracted(curve); }
+  bool is_closed(Curve_index curve) const { return m_network.is_closed(curve); }
   template <class Function>
   void for_each_segment(Curve_index curve, Function function) const
   {
     m_network.for_each_segment(curve, function);
   }
 
+  Index end_of_segment_ids() const { return m_network.end_of_segment_ids(); }
   bool is_alive(Segment_index s) const { return m_network.is_alive(s); }
   Halfedge_index halfedge(Segment_index s) const { return m_network.halfedge(s); }
   Curve_index curve(Segment_index s) const { return m_network.curve(s); }
   Segment_index next(Segment_index s) const { return m_network.next(s); }
   bool is_head_fixed(Segment_index s) const { return m_network.is_head_fixed(s); }
   bool is_occupied(Halfedge_index h) const { return m_network.is_occupied(h); }
+  std::vector<Segment_index> stack(CGAL::Flip_geodesics::Edge_index e) const { return m_network.stack(e); }
 
   std::pair<Strand_end, Strand_end> ends(const Joint& joint) const { return m_network.ends(joint); }
   Strand_end next_clockwise(const Strand_end& end) const { return m_network.next_clockwise(end); }

@@ -168,6 +168,13 @@ public:
         .make_certain();
   }
 
+  bool is_flippable(Halfedge_index h) const
+  {
+    const Halfedge_index t = twin(h);
+    return !is_border(h) && !is_border(t) && next(h) != t && next(t) != h && !is_reflex_at_head(walker(h)) &&
+           !is_reflex_at_head(walker(t));
+  }
+
   void flip(Halfedge_index h)
   {
     const Halfedge_index t = twin(h), hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);

@@ -387,7 +387,7 @@ BOOST_AUTO_TEST_CASE(forged_states)
   setting.add({vertex(1, 1), vertex(1, 2), vertex(2, 2), vertex(2, 1)}, false); // on the right of the first one
   setting.add({vertex(3, 3), vertex(4, 3), vertex(4, 4)}, true);
   BOOST_REQUIRE(setting.network.is_valid());
-  const State state = setting.network.state();
+  const State state = FG::internal::network_state(setting.network);
   BOOST_REQUIRE_EQUAL(state.stacks.size(), 1u);
   const Index halfedges = setting.triangulation.number_of_halfedges();
   const std::vector<std::function<void(State&)>> forgeries = {

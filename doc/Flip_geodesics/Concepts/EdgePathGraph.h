@@ -4,20 +4,18 @@
  * \ingroup PkgFlipGeodesicsConcepts
  * \cgalConcept
  *
- * A network of curves along the edges of an intrinsic triangulation, with what `shorten()` asks of it: which joints
- * there are, what stands in their wedges, and how a joint is moved.
+ * A network of curves with what `shorten()` asks of it besides: what stands in the wedges of joints, and how a joint is
+ * moved.
  *
- * A curve is a chain of segments, each with a `Segment_index` of its own and on a halfedge of the triangulation. A
- * model never gives the index of a segment a second time, since indices wait in a queue while segments come and go. Two
- * consecutive segments of a curve form a joint, which has two sides; a `Joint` is the segment that arrives and a side.
- * Where segments of several curves, or one curve several times, lie on one edge, they have an order from left to
- * right. Together with the cyclic order of halfedges about a vertex this gives a cyclic order of all ends of segments
- * at the vertex.
+ * A model never gives the index of a segment a second time, since indices wait in a queue while segments come and go.
+ * It sets the label of an edge in the triangulation to another number than 0 if and only if a segment lies there.
  *
  * The angle in a wedge does not change while its joint lives, since `shorten()` flips no occupied edge; whether other
  * ends stand in the wedge does change. Therefore `shorten()` queues each free wedge once, by its angle, and when its
  * turn comes asks again whether its two ends are still adjacent. It relies on `replace_joint()` to name all wedges that
  * may have become free.
+ *
+ * \cgalRefines{CurveNetwork}
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_path_network<Triangulation>}
@@ -31,9 +29,6 @@ public:
   /// \name Types
   /// @{
 
-  /// The triangulation: a model of `IntrinsicTriangulation`.
-  typedef unspecified_type Triangulation;
-
   /// What `wedge()` returns: a class with the members `state`, a `Wedge_state`, and `turn`, a `Triangulation::Turn`,
   /// which is read if `state` is `Wedge_state::FREE` and then is the angle of the wedge.
   typedef unspecified_type Wedge;
@@ -45,24 +40,8 @@ public:
   /// \name Curves
   /// @{
 
-  /// The triangulation whose edges the curves run along; `shorten()` flips its edges.
+  /// The triangulation; `shorten()` flips its edges.
   Triangulation& triangulation() const;
-
-  /// The number of curves; they are numbered from 0, and keep their numbers when they contract.
-  Index number_of_curves() const;
-
-  /// The length of a curve now, 0 if it has contracted.
-  double length(Curve_index curve) const;
-
-  /// The length that a curve had at first, to which stop predicates refer.
-  double initial_length(Curve_index curve) const;
-
-  /// Has the curve shrunk to a point, so that it has no segment?
-  bool is_contracted(Curve_index curve) const;
-
-  /// Calls `function(s)` for each segment of a curve, in order.
-  template <class Function>
-  void for_each_segment(Curve_index curve, Function function) const;
 
   /// @}
   /// \name Segments
@@ -71,42 +50,15 @@ public:
   /// Is there a segment with this index now, rather than in the past?
   bool is_alive(Segment_index segment) const;
 
-  /// The halfedge of a segment, in the direction of its curve.
-  Halfedge_index halfedge(Segment_index segment) const;
-
-  /// The curve that a segment belongs to.
-  Curve_index curve(Segment_index segment) const;
-
-  /// The next segment of the curve; `null_index` at the end of a path, the segment itself in a loop of one segment.
-  Segment_index next(Segment_index segment) const;
-
-  /// May the node at the head of a segment not be moved? So it is at the end of a path.
-  bool is_head_fixed(Segment_index segment) const;
-
-  /// Does a segment lie on the edge of halfedge `h`?
-  bool is_occupied(Halfedge_index h) const;
-
   /// @}
   /// \name Joints
   /// \pre `next(joint.incoming)` is a segment
   /// @{
 
-  /// The two ends of segments that meet in a joint, ordered so that the wedge on the joint's side lies clockwise from
-  /// the first to the second.
-  std::pair<Strand_end, Strand_end> ends(const Joint& joint) const;
-
-  /// The next end of a segment clockwise about the same vertex, maybe after a whole turn the end itself;
-  /// `Strand_end::is_none()` if the border of the surface comes first.
-  Strand_end next_clockwise(const Strand_end& end) const;
-
   /// What stands in the wedge of a joint. `Wedge_state::FREE` if and only if the joint is not fixed, the second of its
   /// ends is the next one clockwise after the first, without a border in between, and the angle from the first to the
   /// second is below \f$\pi\f$. No corner need be looked at beyond that angle.
   Wedge wedge(const Joint& joint) const;
-
-  /// Do the two ends lie side by side on one edge, with no face between them on the joint's side? The wedge of such a
-  /// joint has the angle zero, unlike the one with the same edge on both sides that goes all the way round the vertex.
-  bool is_turning_back(const Joint& joint) const;
 
   /// @}
   /// \name Moves

@@ -6,20 +6,22 @@
  *
  * An intrinsic triangulation: vertices joined by straight edges in a surface, which can be flipped. It is what
  * `Edge_path_network`, `shorten()`, `Shortener`, `order_overlapping_curves()`, `halfedges_through()`,
- * `flip_to_delaunay()`, `is_delaunay()` and `edges_near_curves()` ask for.
+ * `flip_to_delaunay()`, `is_delaunay()`, `edges_near_curves()`, `Geodesic_tree`, `intrinsic_faces()`, `Operators` and
+ * what is solved by them ask for. \ref Flip_geodesicsAsked has the whole table.
  *
  * Its descriptors are the classes `Vertex_index`, `Halfedge_index` and `Edge_index`, numbered from 0. An edge with
  * number `e` has the halfedges `2e` and `2e+1`. A triangulation is a \f$\Delta\f$-complex: there may be loops, several
  * edges between two vertices, and faces that are glued to themselves. Faces are triangles, and lie on the left of their
  * halfedges; a border halfedge has none. The surface is oriented and a manifold.
  *
- * Where `Traits::Has_drift` is `CGAL::Tag_true`, finished curves are measured from the input; `shorten()` then needs
- * the correspondence with it as well, which only `Intrinsic_triangulation` has.
+ * Where `Traits::Has_drift` is `CGAL::Tag_true`, finished curves and trees are measured from the input; `shorten()` and
+ * `Geodesic_tree` then ask for `IntrinsicTriangulationOfMesh`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation<TriangleMesh\,Traits\,Metric>}
  * \cgalHasModelsEnd
  *
+ * \sa `IntrinsicTriangulationOfMesh`
  * \sa `EdgePathGraph`
  */
 class IntrinsicTriangulation
@@ -96,8 +98,10 @@ public:
   /// \name Flips
   /// @{
 
+  /// Can the edge of `h` be flipped: not on the border, in a convex quad, and the only edge at neither of its ends?
+  bool is_flippable(Halfedge_index h) const;
   /// Flips the edge of `h`. With the faces `(h, hn, hp)` and `(t, tn, tp)` on its two sides, the new faces are
-  /// `(h, hp, tn)` and `(t, tp, hn)`. \pre its quad is convex, and it is the only edge at neither of its ends
+  /// `(h, hp, tn)` and `(t, tp, hn)`. \pre `is_flippable(h)`
   void flip(Halfedge_index h);
   /// The end of the log: it grows with each flip.
   Log_position log_position() const;
@@ -110,11 +114,12 @@ public:
   /// \name What a network keeps
   /// @{
 
-  /// An integer per edge, 0 at first.
+  /// An integer per edge, 0 at first: not 0 if and only if a curve lies on the edge. What flips edges by itself, as
+  /// `flip_to_delaunay()`, leaves such edges alone.
   Index label(Edge_index e) const;
   /// Sets it.
   void set_label(Edge_index e, Index label);
-  /// An object of type `CGAL::Flip_geodesics::Network_place`, default constructed at first.
+  /// An object of type `CGAL::Flip_geodesics::Network_place`, default constructed at first; the triangulation owns it.
   Network_place& network_place();
 
   /// @}

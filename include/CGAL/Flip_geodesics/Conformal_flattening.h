@@ -43,7 +43,7 @@ namespace Flip_geodesics {
  * sparse factorisations. Faces that violate the triangle inequality on the way are degenerate ones, as in the paper; if
  * one is left at the end, this is an error: flip the triangulation to Delaunay, or refine it, first.
  *
- * \tparam Triangulation an `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
 template <class Triangulation>
 class Conformal_flattening
@@ -53,7 +53,7 @@ public:
 
   /*!
    * Cuts and flattens.
-   * \param network the finished curves, in a triangulation of a connected surface
+   * \param network the finished curves, a model of `CurveNetwork`, in a triangulation of a connected surface
    * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians
    * \throws Flattening_error if the cut surface is no disk; if a face stays degenerate; if the angle sums stay off
    * \throws Degenerate_face_error if a face has no area to begin with

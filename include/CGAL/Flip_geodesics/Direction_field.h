@@ -33,7 +33,7 @@ namespace Flip_geodesics {
  * aligned to curves where such were given [SC20, section 6.4, Figure 26]. Weights below zero, of edges that are not
  * Delaunay, can make the least energy meaningless: flip to Delaunay first.
  *
- * \tparam Triangulation an `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
 template <class Triangulation>
 class Direction_field

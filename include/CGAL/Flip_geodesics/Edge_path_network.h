@@ -27,7 +27,7 @@ namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsRef
 /// The place for a network in a triangulation, which has one: a model of `IntrinsicTriangulation` has a member of this
-/// type. It refuses to be moved while it is taken.
+/// type. It refuses to be moved while it is taken; `has_curves()` tells whether its network has any.
 using Network_place = internal::Network_place;
 
 /*!
@@ -51,8 +51,8 @@ using Network_place = internal::Network_place;
  * takes them out again in its destructor. The triangulation must outlive the network, of which nothing but the
  * destructor may be called afterwards.
  *
- * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, an
- *         `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, one of
+ *         `IntrinsicTriangulationOfMesh`
  *
  * \cgalModels{EdgePathGraph}
  */
@@ -168,7 +168,7 @@ public:
    * \return the new vertex, or the one that is there already
    * \throws as `Intrinsic_triangulation::insert()`
    */
-  Vertex_index insert(const Surface_location& location, internal::Known_piece* near = nullptr)
+  Vertex_index insert(const Surface_location& location, Known_piece* near = nullptr)
   {
     return Division(*m_triangulation, m_segments).insert(location, near);
   }
@@ -369,12 +369,8 @@ public:
   /// \name State
   /// @{
 
-  /// All that the network is, apart from its triangulation, ids of segments included: what `write_network()` saves. Of
-  /// a type that is not documented. Linear in the edges and segments.
-  internal::Network_state state() const { return m_segments.state(); }
-
-  /// Takes a state back. Returns false, and is empty, if it is none of a valid network in the triangulation as it is.
-  /// \pre there are no curves
+  /// Takes the state that `read_network()` has read, of a type that is not documented. Returns false, and is empty, if
+  /// it is none of a valid network in the triangulation as it is. \pre there are no curves
   bool restore(const internal::Network_state& state)
   {
     CGAL_precondition(number_of_curves() == 0);

@@ -41,7 +41,7 @@ enum class Spline_kind {
  *
  * The invariant: each leg is a geodesic that starts where the one before ends; the triangulation is as it was.
  *
- * \tparam Triangulation an `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
 template <class Triangulation>
 class Free_geodesic_spline

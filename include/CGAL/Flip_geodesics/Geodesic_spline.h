@@ -37,7 +37,7 @@ namespace Flip_geodesics {
  *
  * The invariant: the fixed nodes of the curve are the control points of the pieces, in order.
  *
- * \tparam Network an `Edge_path_network`
+ * \tparam Network an `Edge_path_network`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
  */
 template <class Network>
 class Geodesic_spline

@@ -56,7 +56,7 @@ struct Geodesic_tree_report
  * The invariant, once grown: the distance of a reached vertex is that of its parent and the length of the edge between
  * them, and no edge between reached vertices offers a shorter way (`is_valid()`).
  *
- * \tparam Triangulation_ an `Intrinsic_triangulation`; a network in it must be empty while the tree is grown
+ * \tparam Triangulation_ a model of `IntrinsicTriangulation`; a network in it must be empty while the tree is grown
  */
 template <class Triangulation_>
 class Geodesic_tree
@@ -89,7 +89,7 @@ public:
                             Visitor&& visitor = Visitor())
   {
     internal::check_vertex(source, m_triangulation->number_of_vertices());
-    if(m_triangulation->has_curves())
+    if(m_triangulation->network_place().has_curves())
       throw Occupied_triangulation_error("a tree cannot be grown in a triangulation that has curves");
     start(source, max_distance);
     run(visitor);
@@ -258,12 +258,8 @@ private:
   {
     typename Triangulation::Turn turn;
     for(Halfedge_index h = a;;) {
-      const Halfedge_index t = Triangulation::twin(h);
-      if(m_triangulation->is_border(t))
-        return straight;
-      m_triangulation->extend_turn(turn, t);
-      h = m_triangulation->next(t);
-      if(m_triangulation->is_straight(turn, a, h))
+      h = m_triangulation->extend_turn_clockwise(turn, h);
+      if(h == null_index || m_triangulation->is_straight(turn, a, h))
         return straight;
       if(h == c)
         return m_triangulation->traits().turn_key_object()(turn);

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Flip_record.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Default_traits.h>
@@ -13,7 +14,6 @@
 #include <CGAL/Flip_geodesics/internal/base/Network_place.h>
 #include <CGAL/Flip_geodesics/internal/base/is_valid_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
@@ -71,7 +71,7 @@ enum class Zero_length_edges {
  *
  * Not safe to be used from two threads at once, not even for reading; give each thread a triangulation of its own.
  *
- * \cgalModels{IntrinsicTriangulation}
+ * \cgalModels{IntrinsicTriangulationOfMesh}
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
  *         `Surface_mesh` without removed vertices or edges
@@ -90,7 +90,7 @@ public:
   using Triangle_mesh = TriangleMesh;
   using Traits = Traits_;
   using Metric = Metric_;
-  using Input_mesh = internal::Indexed_mesh<TriangleMesh>;
+  using Input_mesh = Numbered_mesh<TriangleMesh>;
   using vertex_descriptor = Vertex_index;
   using halfedge_descriptor = Halfedge_index;
   using edge_descriptor = Edge_index;
@@ -433,7 +433,7 @@ public:
    * `near` is for `refine()`, which knows where the point is: many edges in the input face need not be passed then.
    */
   template <class OnSplit>
-  Vertex_index insert(const Surface_location& location, const OnSplit& on_split, internal::Known_piece* near = nullptr)
+  Vertex_index insert(const Surface_location& location, const OnSplit& on_split, Known_piece* near = nullptr)
   {
     const Surface_location point = internal::canonical_location(input(), location);
     if(kind(point) == Location_kind::VERTEX)
@@ -508,7 +508,7 @@ public:
   /// Sets the label of edge `e`.
   void set_label(Edge_index e, Index label) { m_halfedges.label(m_halfedges.taken(internal::first_side(e))) = label; }
 
-  /// Where the network claims its place; of a type that is not documented.
+  /// Where the network claims its place.
   internal::Network_place& network_place() { return m_network_place; }
   /// Does a network live in the triangulation that has curves?
   bool has_curves() const { return m_network_place.has_curves(); }

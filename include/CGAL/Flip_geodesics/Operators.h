@@ -37,7 +37,7 @@ namespace Flip_geodesics {
  *
  * The Laplacian of intrinsic triangulations is that of [BS07].
  *
- * \tparam Triangulation an `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulation`
  * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked; the results are the same
  */
 template <class Triangulation, class ConcurrencyTag = CGAL::Sequential_tag>

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_STRAIGHTNESS_METER_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
@@ -47,7 +47,7 @@ struct Straightness
  *
  * Invalid after the triangulation has changed.
  *
- * \tparam Network an `Edge_path_network`
+ * \tparam Network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
  */
 template <class Network>
 class Straightness_meter

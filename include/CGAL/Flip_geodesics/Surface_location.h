@@ -47,18 +47,17 @@ inline Location_kind kind(const Surface_location& location)
   return zeros == 0 ? Location_kind::FACE : (zeros == 1 ? Location_kind::EDGE : Location_kind::VERTEX);
 }
 
-namespace internal {
-
-/*
- * A piece of an input face, by a gap of the word of a halfedge, as seen from that halfedge's face; and what it may
- * cost, in words and their letters, to find a point near it from elsewhere; the search takes from that.
- */
+/// \ingroup PkgFlipGeodesicsRef
+/// Where a point to be inserted is nearly: in the piece of an input face at a gap of the word of a halfedge, as seen
+/// from that halfedge's face.
 struct Known_piece
 {
   Halfedge_index halfedge;
   std::size_t gap;
-  std::size_t letters;
+  std::size_t letters; ///< how long words may be looked at to find the point from elsewhere; the search takes from it
 };
+
+namespace internal {
 
 /* The smallest weight that is not zero. */
 inline constexpr double least_weight = 1e-100;

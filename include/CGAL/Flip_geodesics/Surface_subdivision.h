@@ -48,7 +48,8 @@ struct Subdivision_vertex
  * with the components, borders and genus of the input unless it is cut open. Positions are rounded, and faces that are
  * thinner than rounding may be degenerate in them.
  *
- * \tparam Triangulation an `Intrinsic_triangulation`; must outlive the subdivision, and not be flipped meanwhile
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and not be flipped
+ *         meanwhile
  * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
  *         `CGAL::Surface_mesh<Point_3>`
  */
@@ -123,15 +124,15 @@ public:
   {
     for(vertex_descriptor v : vertices(m_mesh)) {
       const Surface_point p = vertex_origin(v).on_input;
-      const auto a = get(in, m_triangulation->vertex(p.a));
+      const auto a = get(in, m_triangulation->input().vertex(p.a));
       if(p.is_vertex())
         put(out, v, a);
       else if(!p.is_inside_face())
-        put(out, v, mixed(a, get(in, m_triangulation->vertex(p.b)), p.t));
+        put(out, v, mixed(a, get(in, m_triangulation->input().vertex(p.b)), p.t));
       else
         put(out, v,
-            a * (1 - p.t - p.u) + get(in, m_triangulation->vertex(p.b)) * p.t +
-                get(in, m_triangulation->vertex(p.c)) * p.u);
+            a * (1 - p.t - p.u) + get(in, m_triangulation->input().vertex(p.b)) * p.t +
+                get(in, m_triangulation->input().vertex(p.c)) * p.u);
     }
   }
 

@@ -22,7 +22,7 @@ namespace Flip_geodesics {
  * \f$2\pi\f$ [KCPS13]; at the border they are left as they are, and the reference is the first halfedge
  * counterclockwise from the border. A snapshot: flips of the triangulation do not reach it. Linear in the mesh.
  *
- * \tparam Triangulation an `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulation`
  */
 template <class Triangulation>
 class Tangent_spaces

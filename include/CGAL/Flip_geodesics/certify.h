@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_CERTIFY_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/internal/strips/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
 
@@ -144,7 +144,7 @@ private:
  *
  * A curve that has contracted is proven. Linear in the crossed input edges, where doubles suffice.
  *
- * \param network an `Edge_path_network`
+ * \param network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
  */
 template <class Network>
 Network_certificate certify(const Network& network)

@@ -48,7 +48,7 @@ inline std::size_t default_maximum_of_flips(Index number_of_edges)
  * is a guard. How many flips are needed depends on the shapes of faces: about one an edge on ordinary meshes, as many
  * as the aspect ratio where a long thin cylinder is twisted.
  *
- * \param triangulation an `Intrinsic_triangulation`; edges under curves of its network are constrained, and stay
+ * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of its network are constrained, and stay
  * \param edges a range of edge indices
  * \param maximum_flips ends the process early; `Delaunay_report::is_complete()` tells
  * \param visitor a model of `FlipOutVisitor`: `go_further()` is asked before each edge, and `on_flip()` called after each

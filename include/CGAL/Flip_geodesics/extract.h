@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Curve_point.h>
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 
@@ -50,7 +49,7 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space;
  * the edges then tell on which side the curve passes, and `Surface_point::t` is not zero.
  *
- * \tparam Network an `Edge_path_network`
+ * \tparam Network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
  */
 template <class Network>
 class Curve_extractor

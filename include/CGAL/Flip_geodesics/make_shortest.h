@@ -106,7 +106,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
     throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
                                         std::to_string(tree.source().idx()) + " was inserted",
                                     {static_cast<std::size_t>(tree.source().idx())});
-  if(tree.triangulation().has_curves())
+  if(tree.triangulation().network_place().has_curves())
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   Shortest_tree_report report;
   const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));

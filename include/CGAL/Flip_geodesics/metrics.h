@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_METRICS_H
 #define CGAL_FLIP_GEODESICS_METRICS_H
 
+#include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/metric/planar_sine.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -65,7 +65,7 @@ template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric
 {
 public:
-  using Mesh = internal::Indexed_mesh<TriangleMesh>;
+  using Mesh = Numbered_mesh<TriangleMesh>;
   using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
   using Kernel = typename Kernel_traits<Point_3>::Kernel;
 
@@ -177,7 +177,7 @@ template <class TriangleMesh, class EdgeLengthMap>
 class Edge_length_metric
 {
 public:
-  using Mesh = internal::Indexed_mesh<TriangleMesh>;
+  using Mesh = Numbered_mesh<TriangleMesh>;
   using Kernel = Simple_cartesian<double>;
 
   Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)

@@ -148,7 +148,8 @@ Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedM
   internal::Indexed_by<Vertex_index, std::vector<Index>> degree(
       static_cast<std::size_t>(triangulation.number_of_vertices()), 0);
   for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges())) {
-    is_open[e] = get(is_marked, edge(triangulation.input_halfedge(internal::first_side(e)), mesh)) ? 1 : 0;
+    const auto h = triangulation.input().halfedge(internal::as_input(internal::first_side(e)));
+    is_open[e] = get(is_marked, edge(h, mesh)) ? 1 : 0;
     if(is_open[e] != 0) {
       ++degree[triangulation.tail(internal::first_side(e))];
       ++degree[triangulation.head(internal::first_side(e))];

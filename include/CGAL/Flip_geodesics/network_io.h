@@ -108,7 +108,8 @@ template <class Triangulation>
 bool repeat(Triangulation& triangulation, const Log_entry& entry)
 {
   if(entry.kind == 'v') {
-    triangulation.insert(entry.location);
+    triangulation.insert(
+        entry.location, [](const auto&) {}, nullptr); // there are no curves yet
     return true;
   }
   const Halfedge_index h = entry.halfedge;
@@ -344,7 +345,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
   text << "input " << triangulation.input().number_of_vertices() << ' ' << triangulation.input().number_of_halfedges()
        << ' ' << internal::input_fingerprint(triangulation) << '\n';
   internal::write_log(text, triangulation);
-  internal::write_state(text, network.state());
+  internal::write_state(text, internal::network_state(network));
   internal::Fingerprint fingerprint;
   fingerprint.add(text.str().data(), text.str().size());
   return out << text.str() << "end " << std::to_string(fingerprint.value()) << '\n';
@@ -366,10 +367,10 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  *
  * Complexity: linear in the mesh, for its fingerprint, in the flips, and in the segments.
  */
-template <class Network>
-void read_network(std::istream& in, Network& network)
+template <class Triangulation>
+void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
 {
-  auto& triangulation = network.triangulation();
+  Triangulation& triangulation = network.triangulation();
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
   const std::string text = internal::checked_text(in);
   internal::Network_reader words(text);
@@ -395,7 +396,7 @@ void read_network(std::istream& in, Network& network)
       words.fail("network of curves");
   } catch(...) {
     network.clear();
-    triangulation.rollback();
+    triangulation.rollback(0);
     throw;
   }
 }

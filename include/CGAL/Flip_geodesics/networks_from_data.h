@@ -39,7 +39,8 @@ struct Marked_edge_map
 
   friend bool get(const Marked_edge_map& map, const key_type& e)
   {
-    return (*map.is_marked)[Triangulation::edge(map.triangulation->index(halfedge(e, *map.mesh)))] != 0;
+    const Input_halfedge_index h = map.triangulation->input().index(halfedge(e, *map.mesh));
+    return (*map.is_marked)[Triangulation::edge(as_intrinsic(h))] != 0;
   }
 };
 
@@ -49,12 +50,13 @@ Index add_edges_between_faces(Network& network, const TriangleMesh& mesh, const 
 {
   using Triangulation = typename Network::Triangulation;
   const Triangulation& triangulation = network.triangulation();
+  const auto& input = triangulation.input();
   internal::Indexed_by<Edge_index, std::vector<char>> marks(static_cast<std::size_t>(triangulation.number_of_edges()),
                                                             0);
   for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges())) {
     const Halfedge_index h = first_side(e), t = Triangulation::twin(h);
     const bool is_inner = !triangulation.is_border(h) && !triangulation.is_border(t);
-    marks[e] = is_inner && is_marked(triangulation.input_halfedge(h), triangulation.input_halfedge(t));
+    marks[e] = is_inner && is_marked(input.halfedge(internal::as_input(h)), input.halfedge(internal::as_input(t)));
   }
   return add_marked_edges(network, mesh, Marked_edge_map<TriangleMesh, Triangulation>{&mesh, &triangulation, &marks});
 }
@@ -163,7 +165,7 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
 
   const Triangulation& triangulation = network.triangulation();
   const auto region = [&](Halfedge_index h) {
-    return get(regions, internal::graph_face(triangulation.input_halfedge(h), mesh));
+    return get(regions, internal::graph_face(triangulation.input().halfedge(internal::as_input(h)), mesh));
   };
   internal::Region_boundaries<Triangulation, decltype(region)> boundaries(triangulation, region);
   const Index before = network.number_of_curves();

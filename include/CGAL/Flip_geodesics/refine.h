@@ -3,10 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_REFINE_H
 #define CGAL_FLIP_GEODESICS_REFINE_H
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Is_curve_network.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Delaunay_refiner.h>
 
 #include <CGAL/assertions.h>
@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -65,11 +66,11 @@ struct Triangulation_splitter
   Vertex_index insert(const Surface_location& location, Known_piece* near)
   {
     return triangulation.insert(
-        location, [](const Edge_halves&) {}, near);
+        location, [](const auto&) {}, near);
   }
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
-    return triangulation.split_edge(h, location, gap, [](const Edge_halves&) {});
+    return triangulation.split_edge(h, location, gap, [](const auto&) {});
   }
 
   Triangulation& triangulation;
@@ -151,7 +152,7 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * if its shortest side joins two constrained edges at equal distances from such a vertex, for an insertion there would
  * call for another one closer to it, without end [Shewchuk 2002].
  *
- * \param network an `Edge_path_network`, whose triangulation is refined
+ * \param network an `Edge_path_network`, whose triangulation is refined, a model of `IntrinsicTriangulationOfMesh`
  * \param options the bounds; up to about 25 degrees the process ends by itself in practice
  * \param visitor a model of `RefinementVisitor`: `go_further()` is asked before each flip to Delaunay and then before
  *        each bad face, `on_flip()` called after each flip and `on_insertion()` after each vertex. Ended by it, or by
@@ -161,20 +162,22 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
  * faces that are refined: how many points an input face has got does not slow further ones down.
  */
-template <class Triangulation, class Visitor = Default_shortening_visitor>
-Refinement_report refine(Edge_path_network<Triangulation>& network,
-                         const Refinement_options& options = Refinement_options(), Visitor&& visitor = Visitor())
+template <class Network, class Visitor = Default_shortening_visitor,
+          std::enable_if_t<internal::Is_curve_network<Network>::value, int> = 0>
+Refinement_report refine(Network& network, const Refinement_options& options = Refinement_options(),
+                         Visitor&& visitor = Visitor())
 {
   return internal::refine(network.triangulation(), network, options, visitor);
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay
 /// The same for a triangulation without curves. \throws Occupied_triangulation_error if a network in it has some
-template <class Triangulation, class Visitor = Default_shortening_visitor>
+template <class Triangulation, class Visitor = Default_shortening_visitor,
+          std::enable_if_t<!internal::Is_curve_network<Triangulation>::value, int> = 0>
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),
                          Visitor&& visitor = Visitor())
 {
-  if(triangulation.has_curves())
+  if(triangulation.network_place().has_curves())
     throw Occupied_triangulation_error("a triangulation that has curves is refined by way of their network");
   internal::Triangulation_splitter<Triangulation> splitter = {triangulation};
   return internal::refine(triangulation, splitter, options, visitor);

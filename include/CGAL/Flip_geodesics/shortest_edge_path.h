@@ -50,7 +50,7 @@ enum class Search_method {
  * The labels are made once and told apart by epoch, so that a search costs what it visits: \f$O(k \log k)\f$ for
  * \f$k\f$ vertices visited. Of equally long paths the same one is found each time.
  *
- * \tparam Triangulation an `Intrinsic_triangulation`
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
 template <class Triangulation>
 class Shortest_edge_path

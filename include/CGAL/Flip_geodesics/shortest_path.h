@@ -190,7 +190,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   if(windows.distance(target) < report.length * (1 - tolerance)) {
     const Shortening_report before = report.shortening;
     network.clear();
-    triangulation.rollback();
+    triangulation.rollback(0);
     std::size_t flips = 0;
     std::vector<Halfedge_index> path = internal::insert_path(triangulation, windows, source, target, flips);
     const auto is_found = [&] {
@@ -200,11 +200,11 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
       return !path.empty() && length <= windows.distance(target) * (1 + tolerance);
     };
     if(!is_found()) {
-      triangulation.rollback();
+      triangulation.rollback(0);
       path = internal::insert_path_in_tree(triangulation, windows, source, target, flips);
     }
     if(!is_found()) {
-      triangulation.rollback();
+      triangulation.rollback(0);
       path = edge_path;
     }
     network.add_curve(path, false);

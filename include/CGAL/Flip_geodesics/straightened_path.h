@@ -101,7 +101,7 @@ std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_i
   if(straight.empty() || !internal::is_simple(triangulation, straight) ||
      internal::length_of(triangulation, straight) > straightener.path_length())
   {
-    triangulation.rollback();
+    triangulation.rollback(0);
     network.add_curve(path, false);
     return flips;
   }

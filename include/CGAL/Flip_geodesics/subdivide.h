@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_SUBDIVIDE_H
 #define CGAL_FLIP_GEODESICS_SUBDIVIDE_H
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
 
 #include <cstddef>
@@ -192,7 +191,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  * are chains of edges, with maps back to both [SSC19, section 3.4.1], [GSC21]. What is linear in the faces of either is
  * linear in the faces of the subdivision, so that data can be carried from one to the other without loss.
  *
- * \param triangulation an `Intrinsic_triangulation` of `mesh`
+ * \param triangulation a model of `IntrinsicTriangulationOfMesh`, of `mesh`
  * \param mesh the input mesh
  * \return a `Surface_subdivision<Triangulation, OutputMesh>`; `OutputMesh` is the type of `mesh` if none is given first
  * \throws Invalid_mesh_error if the elements of the result are too many for 32-bit indices; and what is thrown when
@@ -227,7 +226,7 @@ auto common_subdivision(const Triangulation& triangulation, const typename Trian
  * share edges. Two edges with both ends in common, as only meshes have on which two faces share all vertices, get
  * vertices in their middles.
  *
- * \param network an `Edge_path_network`, whose curves need not be finished
+ * \param network a model of `CurveNetwork`; its curves need not be finished
  * \param mesh the input mesh of its triangulation
  * \return as `common_subdivision()`
  * \throws as `common_subdivision()`

@@ -33,7 +33,7 @@ Surface_location surface_location(
     const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
     typename boost::graph_traits<typename Triangulation::Triangle_mesh>::vertex_descriptor v)
 {
-  const Vertex_index i = triangulation.index(v);
+  const Vertex_index i = triangulation.input().index(v);
   if(i == null_index || triangulation.input().outgoing(i) == null_index)
     throw Vertex_out_of_range_error("a location is at a vertex that no face of the mesh has");
   return triangulation.location(i);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 
 #include <array>
@@ -74,6 +75,7 @@ class Unfolding_chains
 public:
   explicit Unfolding_chains(const Triangulation& triangulation)
     : m_triangulation(triangulation)
+    , m_faces(triangulation)
   {
   }
 
@@ -147,7 +149,7 @@ public:
 
 private:
   Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
-  const Exact_face& face(Input_halfedge_index h) const { return m_triangulation.exact_input_face(h); }
+  const Exact_face& face(Input_halfedge_index h) const { return m_faces(h); }
 
   Weights weights(Vertex_index v, Input_halfedge_index h) const
   {
@@ -215,6 +217,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Exact_input_faces<Triangulation> m_faces;
 };
 
 /* Computes chains in a ring that knows the roots. A ring may divide by squared lengths or scale by them. */

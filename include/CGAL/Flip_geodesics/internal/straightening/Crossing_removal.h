@@ -183,8 +183,10 @@ private:
   {
     const Halfedge_index h = node(i).halfedge;
     m_is_torn = m_is_torn || !is_in_place(i);
-    return !m_is_torn && !m_triangulation.is_reflex_at_head(Triangulation::twin(h)) &&
-           !m_triangulation.is_reflex_at_head(h);
+    const auto is_reflex_at_head = [&](Halfedge_index g) {
+      return m_triangulation.is_reflex_at_head(m_triangulation.walker(g));
+    };
+    return !m_is_torn && !is_reflex_at_head(Triangulation::twin(h)) && !is_reflex_at_head(h);
   }
 
   // Are the faces beside an edge those of the strip?

@@ -30,7 +30,7 @@ public:
 
   Vertex_index insert(const Surface_location& location, Known_piece* near)
   {
-    const auto on_split = [this](const Edge_halves& halves) {
+    const auto on_split = [this](const auto& halves) {
       m_segments.divide_stack(halves.first, {{halves.first, halves.second}});
     };
     return m_triangulation.insert(location, on_split, near);
@@ -38,7 +38,7 @@ public:
 
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
-    return m_triangulation.split_edge(h, location, gap, [this](const Edge_halves& halves) {
+    return m_triangulation.split_edge(h, location, gap, [this](const auto& halves) {
       m_segments.divide_stack(halves.first, {{halves.first, halves.second}});
     });
   }
@@ -76,7 +76,7 @@ public:
     finder.look_along(word, t);
     Segment_index half = null_index;
     m_triangulation.split_edge(h, word.along != null_index ? finder.result() : finder.result_inside(), finder.gap(),
-                               [&](const Edge_halves& halves) {
+                               [&](const auto& halves) {
                                  half = m_segments.divide_stack(halves.first, {{halves.first, halves.second}}, s);
                                });
     return half;

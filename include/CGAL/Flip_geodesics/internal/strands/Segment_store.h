@@ -223,24 +223,6 @@ public:
 
   // ---------------------------------------------------------------- state
 
-  Network_state state() const
-  {
-    Network_state state;
-    state.end_of_segment_ids = end_of_ids();
-    for(Curve_index c : descriptors<Curve_index>(number_of_curves())) {
-      state.curves.push_back({is_closed(c), initial_length(c), {}});
-      for_each_segment(c, [&](Segment_index s) {
-        state.curves.back().segments.push_back({s, halfedge(s), links(s).is_head_fixed});
-      });
-    }
-    for(Edge_index e : descriptors<Edge_index>(m_triangulation->number_of_edges())) {
-      const std::vector<Segment_index> stack = this->stack(e);
-      if(stack.size() > 1)
-        state.stacks.push_back({e, stack});
-    }
-    return state;
-  }
-
   /* Puts a state into an empty store. Returns false if the state is none: ids or halfedges that do not exist or are
    * used twice, chains that do not hang together, stacks of other segments. It is to be cleared then. */
   bool restore(const Network_state& state)

@@ -3,18 +3,34 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_PRECISE_FACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_PRECISE_FACE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* Does a triangulation keep what it has computed with about 100 bits? */
+template <class Triangulation, class = void>
+struct Keeps_precise_numbers : std::false_type
+{
+};
+
+template <class Triangulation>
+struct Keeps_precise_numbers<
+    Triangulation, std::void_t<decltype(std::declval<const Triangulation&>().precise_edge(Halfedge_index()))>>
+  : std::true_type
+{
+};
 
 /*
  * A halfedge of an input face: its length, and the direction of the next halfedge, of length 1, in the frame in which
@@ -139,6 +155,16 @@ private:
     return result;
   }
 };
+
+/* Input halfedge h, as the triangulation keeps it, or computed. */
+template <class Triangulation>
+decltype(auto) precise_input_halfedge(const Triangulation& triangulation, Input_halfedge_index h)
+{
+  if constexpr(Keeps_precise_numbers<Triangulation>::value)
+    return triangulation.precise_input_halfedge(h);
+  else
+    return Precise_halfedge(input_face_geometry(triangulation, h, Precise_face_traits())[0]);
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

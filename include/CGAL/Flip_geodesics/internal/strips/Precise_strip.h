@@ -104,7 +104,7 @@ private:
   };
 
   Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
-  const Precise_halfedge& face(Input_halfedge_index h) const { return m_triangulation.precise_input_halfedge(h); }
+  decltype(auto) face(Input_halfedge_index h) const { return precise_input_halfedge(m_triangulation, h); }
 
   Direction next_direction(Input_halfedge_index h, const Direction& d) const
   {
@@ -174,6 +174,29 @@ private:
   std::vector<Gate> m_gates;
   Precise_edge m_edge;
 };
+
+/* An edge, given by its word, unfolded from the input. Without a bound if an end is an inserted vertex. */
+template <class Triangulation>
+Precise_edge unfolded_edge(const Triangulation& triangulation, const Crossing_word& word)
+{
+  if(triangulation.is_inserted(word.tail) || triangulation.is_inserted(word.head))
+    return {};
+  if(word.along == null_index)
+    return Precise_strip<Triangulation>(triangulation, word, false).edge();
+  const Input_halfedge_index h = word.along;
+  const Input_halfedge_index inside = triangulation.input().is_border(h) ? twin_index(h) : h;
+  return precise_input_edge(h, precise_input_halfedge(triangulation, inside));
+}
+
+/* The edge of halfedge h, as the triangulation derives and keeps it, or unfolded. */
+template <class Triangulation>
+Precise_edge precise_edge(const Triangulation& triangulation, Halfedge_index h)
+{
+  if constexpr(Keeps_precise_numbers<Triangulation>::value)
+    return triangulation.precise_edge(h);
+  else
+    return unfolded_edge(triangulation, triangulation.crossing_word(h));
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

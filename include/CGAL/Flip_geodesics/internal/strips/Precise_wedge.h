@@ -27,8 +27,8 @@ class Precise_wedge
 public:
   Precise_wedge(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
     : m_triangulation(&triangulation)
-    , m_from(triangulation.precise_edge(from))
-    , m_to(triangulation.precise_edge(to))
+    , m_from(precise_edge(triangulation, from))
+    , m_to(precise_edge(triangulation, to))
   {
     if(has_bound())
       m_corners = triangulation.input_edges_in_wedge(from, to) + m_from.first_corner;
@@ -71,7 +71,7 @@ private:
     Input_halfedge_index spoke = m_from.tail_reference;
     for(Index i = 0; i < m_corners; ++i) {
       const Input_halfedge_index t = twin_index(spoke);
-      visit(m_triangulation->precise_input_halfedge(t));
+      visit(precise_input_halfedge(*m_triangulation, t));
       spoke = m_triangulation->input().next(t);
     }
   }

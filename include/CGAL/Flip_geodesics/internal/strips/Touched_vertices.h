@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_TOUCHED_VERTICES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_TOUCHED_VERTICES_H
 
+#include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
@@ -35,6 +36,7 @@ public:
   Touched_vertices(const Triangulation& triangulation, Vertex_index tail, Vertex_index head, double length,
                    Decision_statistics& statistics)
     : m_triangulation(triangulation)
+    , m_faces(triangulation)
     , m_tail(tail)
     , m_head(head)
     , m_length(length)
@@ -80,7 +82,7 @@ private:
       return;
     const Input_halfedge_index hn = input.next(e.halfedge), hp = input.next(hn);
     const Vertex_index apex = input.tail(hp);
-    const Exact_face& face = m_triangulation.exact_input_face(e.halfedge);
+    const Exact_face& face = m_faces(e.halfedge);
     const double share =
         -face.dot_previous.template convert_to<double>() / face.squared_length.template convert_to<double>();
     const double at_apex = e.from + share * (e.to - e.from);
@@ -110,7 +112,7 @@ private:
     const auto face = input_face_geometry(m_triangulation, h);
     if(face[1].y > error * std::abs(face[1].x))
       return false;
-    return m_triangulation.exact_input_face(h).doubled_area_squared == 0;
+    return m_faces(h).doubled_area_squared == 0;
   }
 
   // Do the angles at an input vertex sum up to 2 pi or more, or is it on the border?
@@ -135,6 +137,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Exact_input_faces<Triangulation> m_faces;
   Vertex_index m_tail, m_head;
   double m_length;
   Decision_statistics& m_statistics;

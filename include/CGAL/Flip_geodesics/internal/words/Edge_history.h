@@ -5,8 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/base/Version_cache.h>
-#include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
-#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_face.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_strip.h>
@@ -68,11 +67,7 @@ public:
   /* The face on the left of input halfedge h. */
   const Exact_face& exact_face(const Triangulation& triangulation, Input_halfedge_index h)
   {
-    const auto found = m_exact_faces.find(h);
-    if(found != m_exact_faces.end())
-      return found->second;
-    check_triangle(triangulation.input(), h);
-    return m_exact_faces.emplace(h, triangulation.metric().exact_face(triangulation.input(), h)).first->second;
+    return m_exact_faces(triangulation, h);
   }
 
   /* The input halfedge h, with the direction of the next one. */
@@ -169,12 +164,7 @@ private:
 
   Precise_edge unfolded(const Triangulation& triangulation, const Edge_version& wanted)
   {
-    const Crossing_word word = m_words.word(triangulation, wanted);
-    if(triangulation.is_inserted(word.tail) || triangulation.is_inserted(word.head))
-      return {};
-    if(word.along != null_index)
-      return input_edge(triangulation, word.along);
-    return Precise_strip<Triangulation>(triangulation, word, false).edge();
+    return unfolded_edge(triangulation, m_words.word(triangulation, wanted));
   }
 
   Precise_edge joined(const Triangulation& triangulation, const Precise_edge& ki, Index rotation,
@@ -230,7 +220,7 @@ private:
   Words m_words;
   Version_cache<Precise_edge> m_edges;
   std::unordered_map<Input_halfedge_index, Precise_halfedge> m_halfedges;
-  std::unordered_map<Input_halfedge_index, Exact_face> m_exact_faces;
+  Exact_face_cache m_exact_faces;
   std::vector<Edge_version> m_pending;
 };
 
