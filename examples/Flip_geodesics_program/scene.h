@@ -27,13 +27,6 @@ struct Scene_curve
   std::vector<Point_3> points;
 };
 
-/// The points of a curve, with its number in the order of the results.
-struct Scene_polyline
-{
-  std::size_t curve;
-  std::vector<Point_3> points;
-};
-
 /// One step of a shortening. Edges are numbers of polylines of the record, different ones before and after a flip.
 struct Recorded_step
 {

@@ -223,6 +223,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(tiny_length 1 "has the length 1e-170" tiny.off --from 0 --to 1)
   flip_geodesics_add_program_test(projected_to_no_area 0 "LOCALLY_SHORTEST" flat.off --draw flat.polylines.txt)
   flip_geodesics_add_program_test(no_area 2 "no face of the mesh has an area" no_area.off --draw flat.polylines.txt)
+  file(WRITE ${program_dir}/distant.off
+       "OFF\n4 4 0\n0 0 0\n1e60 0 0\n0 1e60 0\n0 0 1e60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+  flip_geodesics_add_program_test(beyond_floats 1 "distant.glb: vertex 0 is too far from the center" distant.off
+                                  --from 0 --to 2 --mesh distant.glb)
   flip_geodesics_add_program_test(far_point 2 "far.polylines.txt line 1: point 1 has a coordinate beyond" torus.off --draw
                                   far.polylines.txt)
 

@@ -21,6 +21,11 @@
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/IO/GLB.h>
+#include <CGAL/Flip_geodesics/IO/OBJ.h>
+#include <CGAL/Flip_geodesics/IO/PLY.h>
+#include <CGAL/Flip_geodesics/IO/Tubes.h>
+#include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Joint.h>

@@ -5,8 +5,9 @@
 
 #include "file_name.h"
 #include "output/output_file.h"
-#include "output/vtp_file.h"
 #include "program_mesh.h"
+
+#include <CGAL/Flip_geodesics/IO/VTP.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -50,7 +51,14 @@ public:
   void write(const Mesh& mesh)
   {
     const Silent_errors silent; // what goes wrong is seen by the state of the file
-    std::ostream& out = m_file.stream();
+    m_file.write([&](std::ostream& out) { write(out, mesh); });
+  }
+
+  void close() { m_file.close(); }
+
+private:
+  void write(std::ostream& out, const Mesh& mesh) const
+  {
     const auto digits = CGAL::parameters::stream_precision(std::numeric_limits<double>::max_digits10);
     if(m_format == "off")
       CGAL::IO::write_OFF(out, mesh, digits);
@@ -61,12 +69,9 @@ public:
     else if(m_format == "stl")
       CGAL::IO::write_STL(out, mesh, digits);
     else
-      Vtp_writer(mesh).write(out);
+      CGAL::Flip_geodesics::IO::write_VTP(out, mesh, CGAL::parameters::use_binary_mode(false));
   }
 
-  void close() { m_file.close(); }
-
-private:
   std::string m_format;
   Output_file m_file;
 };

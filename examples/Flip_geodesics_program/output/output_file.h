@@ -7,6 +7,8 @@
 #include "output/run_files.h"
 #include "printable.h"
 
+#include <CGAL/Flip_geodesics/exceptions.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -59,11 +61,25 @@ public:
   std::ostream& stream() { return m_out; }
   const std::string& name() const { return m_name; }
 
+  /// Calls `write(stream())`, and says so if it throws an error of the library, since it cannot.
+  template <class Write>
+  void write(const Write& write)
+  {
+    try {
+      write(m_out);
+    } catch(const CGAL::Flip_geodesics::Error& error) {
+      if(m_out)
+        fail(error.what());
+      else
+        check();
+    }
+  }
+
   /// Looks whether all could be written so far. If not, says so, once, and takes nothing more.
   void check()
   {
     if(m_is_open && !m_out)
-      fail();
+      fail(m_no_space);
   }
 
   /// Completes the file, or says that this is not possible.
@@ -73,18 +89,17 @@ public:
       return;
     m_out.close();
     if(!m_out || (!m_is_direct && !Run_files::instance().complete(m_part, m_place)))
-      return fail();
+      return fail(m_no_space);
     m_is_open = false;
     m_part.clear();
   }
 
 private:
-  void fail()
+  void fail(const std::string& reason)
   {
     abandon();
     Run_files::instance().note_failure();
-    std::cerr << "flip_geodesics: " + printable(m_name) +
-                     ": could not be written to its end; look for space on the disk\n";
+    std::cerr << "flip_geodesics: " + printable(m_name) + ": " + reason + '\n';
   }
 
   // Leaves what was there before.
@@ -98,6 +113,8 @@ private:
     Run_files::instance().remove(m_part);
     m_part.clear();
   }
+
+  static constexpr const char* m_no_space = "could not be written to its end; look for space on the disk";
 
   std::string m_name;
   std::filesystem::path m_place, m_part; // the latter empty if there is none

@@ -168,6 +168,15 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
+/// A file cannot be written: there is no place for it or not enough, nothing is to be written, or its format has no
+/// numbers for that many elements.
+class File_write_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
 /// What is loaded was saved for another mesh, or another metric.
 class Input_mismatch_error : public Error
 {

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_IO_GLB_H
+#define CGAL_FLIP_GEODESICS_IO_GLB_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/io/Figure.h>
+#include <CGAL/Flip_geodesics/internal/io/Number_writer.h>
+#include <CGAL/Flip_geodesics/internal/io/write_parts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * A node for each shape, below one that moves them to their place, since coordinates are floats relative to the center.
+ * Shapes that show nothing are left out: glTF has no empty arrays. The bytes of a shape are those of its points, and
+ * for triangles those of their corners, each with a view and an accessor of its own.
+ */
+class Glb_writer
+{
+public:
+  Glb_writer(const Figure& figure, const Number_format&)
+  {
+    for(const Shape& shape : figure.shapes())
+      add(shape);
+    if(m_pieces.empty())
+      throw File_write_error("there is nothing to write: no face, no curve with a point, and no point");
+    check_size(m_size);
+    set_center();
+    for(Piece& piece : m_pieces)
+      set_bounds(piece);
+    m_header = header();
+    m_header.append((4 - m_header.size() % 4) % 4, ' ');
+    check_size(file_size());
+  }
+
+  void write(std::ostream& out) const
+  {
+    constexpr std::uint32_t version = 2;
+    out << "glTF";
+    write_bytes(out, version);
+    write_bytes(out, static_cast<std::uint32_t>(file_size()));
+    write_bytes(out, static_cast<std::uint32_t>(m_header.size()));
+    out << "JSON" << m_header;
+    write_bytes(out, static_cast<std::uint32_t>(m_size));
+    out.write("BIN\0", 4);
+    for(const Piece& piece : m_pieces)
+      write_arrays(out, *piece.shape);
+  }
+
+private:
+  using Bounds = std::array<float, 3>;
+
+  struct Piece
+  {
+    const Shape* shape;
+    std::size_t view;     // the first of its views; accessors have the same numbers
+    std::uint64_t offset; // of its bytes
+    Bounds least, most;
+  };
+
+  static std::uint64_t point_bytes(const Shape& shape) { return std::uint64_t(12) * shape.number_of_points; }
+  static std::uint64_t corner_bytes(const Shape& shape) { return std::uint64_t(12) * shape.number_of_triangles; }
+
+  static bool has_corners(const Shape& shape) { return shape.kind == Shape::Kind::TRIANGLES; }
+
+  void add(const Shape& shape)
+  {
+    if(has_corners(shape) && shape.number_of_triangles == 0)
+      return;
+    m_pieces.push_back({&shape, m_number_of_views, m_size, {}, {}});
+    m_number_of_views += has_corners(shape) ? 2 : 1;
+    m_size += point_bytes(shape) + corner_bytes(shape);
+  }
+
+  // Of the file's header, of those of both chunks, and of what is in them.
+  std::uint64_t file_size() const { return 12 + 8 + m_header.size() + 8 + m_size; }
+
+  // So indices of points have 32 bits as well.
+  static void check_size(std::uint64_t size)
+  {
+    if(size > (std::numeric_limits<std::uint32_t>::max)())
+      throw File_write_error("a GLB file has 4294967295 bytes or less, and this one would have " +
+                             std::to_string(size));
+  }
+
+  // That of the box about the surfaces, or about everything if there are none.
+  void set_center()
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Figure_point least = {infinity, infinity, infinity}, most = {-infinity, -infinity, -infinity};
+    const auto is_surface = [](const Piece& piece) {
+      return piece.shape->kind == Shape::Kind::TRIANGLES && piece.shape->curve == Shape::no_curve;
+    };
+    const bool has_surface = std::any_of(m_pieces.begin(), m_pieces.end(), is_surface);
+    for(const Piece& piece : m_pieces) {
+      check_finite(*piece.shape);
+      if(is_surface(piece) == has_surface)
+        piece.shape->for_each_point([&](const Figure_point& p) { extend(least, most, p); });
+    }
+    for(int i = 0; i < 3; ++i)
+      m_center[i] = least[i] + (most[i] - least[i]) / 2;
+  }
+
+  template <class Vector>
+  static void extend(Vector& least, Vector& most, const Vector& p)
+  {
+    for(int i = 0; i < 3; ++i) {
+      least[i] = (std::min)(least[i], p[i]);
+      most[i] = (std::max)(most[i], p[i]);
+    }
+  }
+
+  Bounds relative(const Figure_point& p) const
+  {
+    return {static_cast<float>(p[0] - m_center[0]), static_cast<float>(p[1] - m_center[1]),
+            static_cast<float>(p[2] - m_center[2])};
+  }
+
+  void set_bounds(Piece& piece) const
+  {
+    piece.least.fill((std::numeric_limits<float>::max)());
+    piece.most.fill(std::numeric_limits<float>::lowest());
+    std::size_t i = 0;
+    piece.shape->for_each_point([&](const Figure_point& p) {
+      for(int k = 0; k < 3; ++k)
+        if(!(std::abs(p[k] - m_center[k]) <= (std::numeric_limits<float>::max)()))
+          throw_unusable_point(*piece.shape, i, " is too far from the center for the floats of GLB");
+      extend(piece.least, piece.most, relative(p));
+      ++i;
+    });
+  }
+
+  void write_arrays(std::ostream& out, const Shape& shape) const
+  {
+    shape.for_each_point([&](const Figure_point& p) {
+      for(float x : relative(p))
+        write_bytes(out, x);
+    });
+    if(has_corners(shape))
+      shape.for_each_triangle([&](const Figure_triangle& t) {
+        for(std::size_t corner : t)
+          write_bytes(out, static_cast<std::uint32_t>(corner));
+      });
+  }
+
+  // Three numbers of a JSON list.
+  template <class Vector>
+  static std::string three(const Vector& v)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << double(v[0]) << ',' << double(v[1]) << ',' << double(v[2]);
+    return text.str();
+  }
+
+  // A JSON list of what `item(piece)` says of each piece.
+  template <class Item>
+  std::string list(const Item& item, const std::string& last = "") const
+  {
+    std::string result;
+    for(const Piece& piece : m_pieces)
+      result += (result.empty() ? "" : ",") + item(piece);
+    return '[' + result + last + ']';
+  }
+
+  std::size_t number(const Piece& piece) const { return static_cast<std::size_t>(&piece - m_pieces.data()); }
+
+  static Figure_point color(const Shape& shape)
+  {
+    if(shape.curve == Shape::no_curve)
+      return has_corners(shape) ? Figure_point{0.75, 0.76, 0.78} : Figure_point{0.05, 0.05, 0.05};
+    constexpr Figure_point colors[] = {{0.72, 0.04, 0.04}, {0.02, 0.2, 0.6}, {0.0, 0.33, 0.1}, {0.55, 0.25, 0.0}};
+    return colors[shape.curve % 4];
+  }
+
+  static std::string name(const Piece& piece) { return "{\"name\":\"" + piece.shape->name() + '"'; }
+
+  static std::string material(const Piece& piece)
+  {
+    return name(piece) + ",\"doubleSided\":true,\"pbrMetallicRoughness\":{\"baseColorFactor\":[" +
+           three(color(*piece.shape)) + ",1],\"metallicFactor\":0,\"roughnessFactor\":0.8}}";
+  }
+
+  static std::string view(std::uint64_t offset, std::uint64_t length, const char* target)
+  {
+    return "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) + ",\"byteLength\":" + std::to_string(length) +
+           ",\"target\":" + target + '}';
+  }
+
+  static std::string views(const Piece& piece)
+  {
+    const std::uint64_t end = piece.offset + point_bytes(*piece.shape);
+    const std::string points = view(piece.offset, point_bytes(*piece.shape), "34962"); // an array of vertices
+    return has_corners(*piece.shape) ? points + ',' + view(end, corner_bytes(*piece.shape), "34963")
+                                     : points; // of indices
+  }
+
+  static std::string accessors(const Piece& piece)
+  {
+    const Shape& shape = *piece.shape;
+    const std::string points = "{\"bufferView\":" + std::to_string(piece.view) +
+                               ",\"componentType\":5126,\"count\":" + std::to_string(shape.number_of_points) +
+                               ",\"type\":\"VEC3\",\"min\":[" + three(piece.least) + "],\"max\":[" + three(piece.most) +
+                               "]}"; // 5126: floats
+    if(!has_corners(*piece.shape))
+      return points;
+    return points + ",{\"bufferView\":" + std::to_string(piece.view + 1) +
+           ",\"componentType\":5125,\"count\":" + std::to_string(3 * shape.number_of_triangles) +
+           ",\"type\":\"SCALAR\"}"; // 5125: unsigned integers
+  }
+
+  static const char* mode(const Shape& shape)
+  {
+    switch(shape.kind) {
+    case Shape::Kind::TRIANGLES:
+      return "4";
+    case Shape::Kind::LINE:
+      return "3"; // a strip
+    case Shape::Kind::POINTS:
+      break;
+    }
+    return "0";
+  }
+
+  std::string mesh(const Piece& piece) const
+  {
+    const std::string indices =
+        has_corners(*piece.shape) ? ",\"indices\":" + std::to_string(piece.view + 1) : std::string();
+    return name(piece) + ",\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(piece.view) + '}' +
+           indices + ",\"mode\":" + mode(*piece.shape) + ",\"material\":" + std::to_string(number(piece)) + "}]}";
+  }
+
+  std::string header() const
+  {
+    const auto node = [&](const Piece& piece) {
+      return name(piece) + ",\"mesh\":" + std::to_string(number(piece)) + '}';
+    };
+    const std::string children = list([&](const Piece& piece) { return std::to_string(number(piece)); });
+    const std::string root =
+        ",{\"name\":\"all\",\"children\":" + children + ",\"translation\":[" + three(m_center) + "]}";
+    return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"flip_geodesics\"},\"scene\":0,\"scenes\":[{\"nodes\":[" +
+           std::to_string(m_pieces.size()) + "]}],\"nodes\":" + list(node, root) +
+           ",\"meshes\":" + list([&](const Piece& piece) { return mesh(piece); }) + ",\"materials\":" + list(material) +
+           ",\"accessors\":" + list(accessors) + ",\"bufferViews\":" + list(views) +
+           ",\"buffers\":[{\"byteLength\":" + std::to_string(m_size) + "}]}";
+  }
+
+  std::vector<Piece> m_pieces;
+  std::size_t m_number_of_views = 0;
+  std::uint64_t m_size = 0; // of all arrays together
+  Figure_point m_center = {0, 0, 0};
+  std::string m_header;
+};
+
+} // namespace internal
+
+namespace IO {
+
+/*!
+ * \ingroup PkgFlipGeodesicsIO
+ *
+ * Writes surfaces, curves and points in binary glTF 2.0, which browsers and programs for animation show: a node
+ * `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats, relative to the center of
+ * the surface.
+ *
+ * \param parts as for `write_VTP()`; of the named parameters, `use_binary_mode` and `stream_precision` are not looked
+ *        at. A mesh without faces is left out.
+ *
+ * \throws File_write_error also if the file would have 4294967296 bytes or more, and as `write_VTP()`
+ * \throws Invalid_coordinate_error also if a point is farther from the center than floats reach, and as `write_VTP()`
+ * \throws Invalid_mesh_error as `write_VTP()`
+ */
+template <class... Parts>
+void write_GLB(std::ostream& out, const Parts&... parts)
+{
+  internal::write_parts<internal::Glb_writer>(out, parts...);
+}
+
+/// \ingroup PkgFlipGeodesicsIO
+/// Writes a file in binary glTF 2.0. Another one of that name is replaced.
+template <class... Parts>
+void write_GLB(const std::string& file, const Parts&... parts)
+{
+  internal::write_parts<internal::Glb_writer>(file, parts...);
+}
+
+} // namespace IO
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_IO_GLB_H

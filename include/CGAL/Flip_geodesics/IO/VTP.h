@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_IO_VTP_H
+#define CGAL_FLIP_GEODESICS_IO_VTP_H
+
+#include <CGAL/Flip_geodesics/internal/io/Figure.h>
+#include <CGAL/Flip_geodesics/internal/io/Number_writer.h>
+#include <CGAL/Flip_geodesics/internal/io/write_parts.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* In binary files the numbers of all arrays come after the XML, each with the number of its bytes in front. */
+class Vtp_writer
+{
+public:
+  Vtp_writer(const Figure& figure, const Number_format& format)
+    : m_figure(figure)
+    , m_is_binary(format.is_binary)
+  {
+    check_writable(figure);
+    for(Shape::Kind kind : {Shape::Kind::POINTS, Shape::Kind::LINE, Shape::Kind::TRIANGLES})
+      figure.for_each_shape(kind, [&](const Shape& shape, std::size_t) {
+        m_cells[index(kind)] += number_of_cells(shape);
+        m_corners[index(kind)] += number_of_corners(shape);
+      });
+    add_points();
+    add_curve_numbers();
+    if(m_cells[index(Shape::Kind::POINTS)] > 0)
+      add_cells("Verts", Shape::Kind::POINTS);
+    add_cells("Lines", Shape::Kind::LINE);
+    add_cells("Polys", Shape::Kind::TRIANGLES);
+  }
+  Vtp_writer(const Vtp_writer&) = delete; // arrays know their writer
+  Vtp_writer& operator=(const Vtp_writer&) = delete;
+
+  void write(std::ostream& out) const
+  {
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"" << (m_is_binary ? "1.0" : "0.1")
+        << "\" byte_order=\"LittleEndian\"" << (m_is_binary ? " header_type=\"UInt64\"" : "")
+        << ">\n<PolyData>\n<Piece NumberOfPoints=\"" << m_figure.number_of_points() << "\" NumberOfVerts=\""
+        << m_cells[index(Shape::Kind::POINTS)] << "\" NumberOfLines=\"" << m_cells[index(Shape::Kind::LINE)]
+        << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << m_cells[index(Shape::Kind::TRIANGLES)] << "\">\n";
+    std::uint64_t offset = 0;
+    for(const Group& group : m_groups) {
+      out << '<' << group.name << group.attributes << ">\n";
+      for(const Array& array : group.arrays)
+        write_array(out, array, offset);
+      out << "</" << group.name << ">\n";
+    }
+    out << "</Piece>\n</PolyData>\n";
+    if(m_is_binary)
+      write_appended(out);
+    out << "</VTKFile>\n";
+  }
+
+private:
+  struct Array
+  {
+    const char* attributes;
+    std::uint64_t size; // in bytes
+    std::function<void(const Number_writer&)> write;
+  };
+
+  struct Group
+  {
+    const char *name, *attributes;
+    std::vector<Array> arrays;
+  };
+
+  static constexpr std::uint64_t bytes_of_number = 8; // all are Float64 or Int64
+
+  static std::size_t index(Shape::Kind kind) { return static_cast<std::size_t>(kind); }
+
+  static std::size_t number_of_cells(const Shape& shape)
+  {
+    switch(shape.kind) {
+    case Shape::Kind::TRIANGLES:
+      return shape.number_of_triangles;
+    case Shape::Kind::LINE:
+      return 1;
+    case Shape::Kind::POINTS:
+      break;
+    }
+    return shape.number_of_points;
+  }
+
+  static std::size_t number_of_corners(const Shape& shape)
+  {
+    return shape.kind == Shape::Kind::TRIANGLES ? 3 * shape.number_of_triangles : shape.number_of_points;
+  }
+
+  void add_points()
+  {
+    m_groups.push_back({"Points", "", {}});
+    m_groups.back().arrays.push_back({"type=\"Float64\" NumberOfComponents=\"3\"",
+                                      3 * bytes_of_number * m_figure.number_of_points(),
+                                      [this](const Number_writer& number) {
+                                        m_figure.for_each_point([&](const Figure_point& p) {
+                                          number(p[0], " ");
+                                          number(p[1], " ");
+                                          number(p[2], "\n");
+                                        });
+                                      }});
+  }
+
+  // Cells are counted in this order of their kinds; what is no curve has the number -1.
+  void add_curve_numbers()
+  {
+    m_groups.push_back({"CellData", " Scalars=\"curve\"", {}});
+    m_groups.back().arrays.push_back(
+        {"type=\"Int64\" Name=\"curve\"", bytes_of_number * (m_cells[0] + m_cells[1] + m_cells[2]),
+         [this](const Number_writer& number) {
+           for(Shape::Kind kind : {Shape::Kind::POINTS, Shape::Kind::LINE, Shape::Kind::TRIANGLES})
+             m_figure.for_each_shape(kind, [&](const Shape& shape, std::size_t) {
+               for(std::size_t i = 0; i < number_of_cells(shape); ++i)
+                 number(shape.curve, "\n");
+             });
+         }});
+  }
+
+  // The corners of all cells of a kind in a row, and where each cell ends.
+  void add_cells(const char* name, Shape::Kind kind)
+  {
+    m_groups.push_back({name, "", {}});
+    m_groups.back().arrays.push_back({"type=\"Int64\" Name=\"connectivity\"", bytes_of_number * m_corners[index(kind)],
+                                      [this, kind](const Number_writer& number) {
+                                        m_figure.for_each_shape(kind, [&](const Shape& shape, std::size_t first) {
+                                          write_corners(number, shape, static_cast<std::int64_t>(first));
+                                        });
+                                      }});
+    m_groups.back().arrays.push_back({"type=\"Int64\" Name=\"offsets\"", bytes_of_number * m_cells[index(kind)],
+                                      [this, kind](const Number_writer& number) {
+                                        std::int64_t end = 0;
+                                        m_figure.for_each_shape(kind, [&](const Shape& shape, std::size_t) {
+                                          const std::size_t cells = number_of_cells(shape);
+                                          const auto corners = static_cast<std::int64_t>(
+                                              cells == 0 ? 0 : number_of_corners(shape) / cells);
+                                          for(std::size_t i = 0; i < cells; ++i)
+                                            number(end += corners, "\n");
+                                        });
+                                      }});
+  }
+
+  static void write_corners(const Number_writer& number, const Shape& shape, std::int64_t first)
+  {
+    if(shape.kind == Shape::Kind::TRIANGLES)
+      shape.for_each_triangle([&](const Figure_triangle& t) {
+        number(first + static_cast<std::int64_t>(t[0]), " ");
+        number(first + static_cast<std::int64_t>(t[1]), " ");
+        number(first + static_cast<std::int64_t>(t[2]), " \n");
+      });
+    else
+      for(std::size_t i = 0; i < shape.number_of_points; ++i)
+        number(first + static_cast<std::int64_t>(i), "\n");
+  }
+
+  void write_array(std::ostream& out, const Array& array, std::uint64_t& offset) const
+  {
+    out << "<DataArray " << array.attributes;
+    if(m_is_binary) {
+      out << " format=\"appended\" offset=\"" << offset << "\"/>\n";
+      offset += sizeof offset + array.size;
+      return;
+    }
+    out << " format=\"ascii\">\n";
+    array.write(Number_writer(out, false));
+    out << "</DataArray>\n";
+  }
+
+  void write_appended(std::ostream& out) const
+  {
+    out << "<AppendedData encoding=\"raw\">\n_";
+    for(const Group& group : m_groups)
+      for(const Array& array : group.arrays) {
+        write_bytes(out, array.size);
+        array.write(Number_writer(out, true));
+      }
+    out << "\n</AppendedData>\n";
+  }
+
+  const Figure& m_figure;
+  bool m_is_binary;
+  std::size_t m_cells[3] = {0, 0, 0}, m_corners[3] = {0, 0, 0}; // by kind
+  std::vector<Group> m_groups;
+};
+
+} // namespace internal
+
+namespace IO {
+
+/*!
+ * \ingroup PkgFlipGeodesicsIO
+ *
+ * Writes surfaces, curves and points in VTK's format for them, which ParaView reads. Cells have an array `curve`: the
+ * number of the curve that they belong to, and -1 for surfaces and points.
+ *
+ * Nothing is written if what is to be written is refused. Linear in it; it is not copied, but tubes are kept until they
+ * are written, and a mesh that is no `Surface_mesh` is numbered.
+ *
+ * \param out a stream that is open for bytes, on systems that tell them from text; its locale and its settings have no
+ *        influence
+ * \param parts what is to be written, one or several of:
+ *        - a triangle mesh, a model of `FaceListGraph`;
+ *        - a range of points, with `x()`, `y()` and `z()`;
+ *        - a range of polylines, which are ranges of points. Curves are counted from 0 over all ranges in the call;
+ *          those without points are left out, but counted. A curve of one point is written as a point;
+ *        - `Tubes`, if curves are to be tubes;
+ *        - and at the end, named parameters: `vertex_point_map` of the mesh, which then needs no vertex point property;
+ *          `use_binary_mode`, whether numbers are written as bytes, the lowest first, or as text (default: true); and
+ *          `stream_precision`, the number of digits in text (default: 17, with which a `double` is read back as it was)
+ *
+ * \throws File_write_error if there is nothing to write, or if the stream has failed or fails; its state says so, too
+ * \throws Invalid_coordinate_error if a coordinate is no finite number; `elements()` is the vertex or the point, and
+ *         before it the curve if it is of one
+ * \throws Invalid_mesh_error if a face is not a triangle, or a `Surface_mesh` keeps elements that have been removed
+ */
+template <class... Parts>
+void write_VTP(std::ostream& out, const Parts&... parts)
+{
+  internal::write_parts<internal::Vtp_writer>(out, parts...);
+}
+
+/// \ingroup PkgFlipGeodesicsIO
+/// Writes a file in VTK's format. Another one of that name is replaced.
+template <class... Parts>
+void write_VTP(const std::string& file, const Parts&... parts)
+{
+  internal::write_parts<internal::Vtp_writer>(file, parts...);
+}
+
+} // namespace IO
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_IO_VTP_H

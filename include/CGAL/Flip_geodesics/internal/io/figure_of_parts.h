@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_IO_FIGURE_OF_PARTS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_IO_FIGURE_OF_PARTS_H
+
+#include <CGAL/Flip_geodesics/IO/Tubes.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/io/Figure.h>
+#include <CGAL/Flip_geodesics/internal/io/Tube.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// From what a user gives to a writer to a figure.
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+template <class T, class = void>
+struct Has_faces : std::false_type
+{
+};
+
+template <class T>
+struct Has_faces<T, std::void_t<decltype(faces(std::declval<const T&>()))>> : std::true_type
+{
+};
+
+template <class T, class = void>
+struct Has_coordinates : std::false_type
+{
+};
+
+template <class T>
+struct Has_coordinates<T, std::void_t<decltype(CGAL::to_double(std::declval<const T&>().x())),
+                                      decltype(CGAL::to_double(std::declval<const T&>().z()))>> : std::true_type
+{
+};
+
+template <class T, class = void>
+struct Is_range_of_points : std::false_type
+{
+};
+
+template <class T>
+struct Is_range_of_points<T, std::void_t<Range_value<T>>> : Has_coordinates<Range_value<T>>
+{
+};
+
+template <class T, class = void>
+struct Is_range_of_polylines : std::false_type
+{
+};
+
+template <class T>
+struct Is_range_of_polylines<T, std::void_t<Range_value<T>>>
+  : std::conjunction<std::negation<Has_coordinates<Range_value<T>>>, Is_range_of_points<Range_value<T>>>
+{
+};
+
+template <class Point>
+Figure_point figure_point(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+/* The range is seen again whenever the points are asked for. */
+template <class MakeRange>
+Shape shape_of_points(Shape::Kind kind, const MakeRange& range)
+{
+  Shape shape;
+  shape.kind = kind;
+  decltype(auto) points = range();
+  shape.number_of_points = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
+  shape.for_each_point = [range](const Sink<Figure_point>& sink) {
+    decltype(auto) points = range();
+    for(const auto& p : points)
+      sink(figure_point(p));
+  };
+  return shape;
+}
+
+/* Asks for a point property of the mesh's own only if no map is given. */
+template <class FaceGraph, class NamedParameters>
+auto given_or_own_points(const FaceGraph& mesh, const NamedParameters& np)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
+    return get_const_property_map(CGAL::vertex_point, mesh);
+  else
+    return parameters::get_parameter(np, internal_np::vertex_point);
+}
+
+/* \throws Invalid_mesh_error if a face is no triangle, or elements of a `Surface_mesh` have been removed */
+template <class FaceGraph, class NamedParameters>
+Shape surface_shape(const FaceGraph& mesh, const NamedParameters& np)
+{
+  const auto numbers = std::make_shared<const Indexed_mesh<FaceGraph>>(mesh);
+  Shape shape;
+  shape.kind = Shape::Kind::TRIANGLES;
+  shape.number_of_points = static_cast<std::size_t>(numbers->number_of_vertices());
+  for(const auto& f : faces(mesh)) {
+    check_triangle(*numbers, numbers->index(graph_halfedge(f, mesh)));
+    ++shape.number_of_triangles;
+  }
+  shape.for_each_point = [&mesh, points = given_or_own_points(mesh, np)](const Sink<Figure_point>& sink) {
+    for(const auto& v : vertices(mesh))
+      sink(figure_point(get(points, v)));
+  };
+  shape.for_each_triangle = [&mesh, numbers](const Sink<Figure_triangle>& sink) {
+    for(const auto& f : faces(mesh)) {
+      Figure_triangle corners;
+      auto h = graph_halfedge(f, mesh);
+      for(std::size_t& corner : corners) {
+        corner = static_cast<std::size_t>(numbers->index(target(h, mesh)).idx());
+        h = graph_next(h, mesh);
+      }
+      sink(corners);
+    }
+  };
+  return shape;
+}
+
+/* A line that has no length stays what it is. */
+inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
+{
+  check_finite(line);
+  std::vector<Figure_point> polyline;
+  line.for_each_point([&](const Figure_point& p) { polyline.push_back(p); });
+  const auto tube = std::make_shared<const Tube>(polyline, tubes);
+  if(tube->triangles().empty())
+    return line;
+  Shape shape;
+  shape.kind = Shape::Kind::TRIANGLES;
+  shape.curve = line.curve;
+  shape.number_of_points = tube->points().size();
+  shape.number_of_triangles = tube->triangles().size();
+  shape.for_each_point = [tube](const Sink<Figure_point>& sink) {
+    for(const Figure_point& p : tube->points())
+      sink(p);
+  };
+  shape.for_each_triangle = [tube](const Sink<Figure_triangle>& sink) {
+    for(const Figure_triangle& t : tube->triangles())
+      sink(t);
+  };
+  return shape;
+}
+
+/* Turns what a writer is given, one after the other, into shapes. Curves are counted over all ranges of them. */
+class Figure_builder
+{
+public:
+  template <class Part, class NamedParameters>
+  void add(const Part& part, const NamedParameters& np)
+  {
+    if constexpr(Is_range_of_points<Part>::value)
+      m_figure.add(shape_of_points(Shape::Kind::POINTS, [&part]() -> decltype(auto) { return (part); }));
+    else if constexpr(Is_range_of_polylines<Part>::value)
+      add_curves(part);
+    else if constexpr(Has_faces<Part>::value)
+      m_figure.add(surface_shape(part, np));
+    else
+      static_assert(std::is_same<Part, IO::Tubes>::value || Is_named_parameters<Part>::value,
+                    "what is written is a face graph, a range of points or a range of polylines");
+  }
+
+  template <class Part>
+  void find_tubes(const Part& part)
+  {
+    if constexpr(std::is_same<Part, IO::Tubes>::value)
+      m_tubes = &part;
+  }
+
+  Figure& figure() { return m_figure; }
+
+private:
+  // A curve of one point is a point.
+  template <class Polylines>
+  void add_curves(const Polylines& polylines)
+  {
+    for(auto it = std::begin(polylines); it != std::end(polylines); ++it, ++m_curve) {
+      Shape line = shape_of_points(Shape::Kind::LINE, [it]() -> decltype(auto) { return *it; });
+      if(line.number_of_points == 1)
+        line.kind = Shape::Kind::POINTS;
+      line.curve = m_curve;
+      m_figure.add(m_tubes == nullptr ? std::move(line) : tube_shape(line, *m_tubes));
+    }
+  }
+
+  const IO::Tubes* m_tubes = nullptr;
+  std::int64_t m_curve = 0;
+  Figure m_figure;
+};
+
+/* The named parameters, which are the last of all if there are any. */
+template <class... Parts>
+decltype(auto) named_parameters_of(const Parts&... parts)
+{
+  constexpr std::size_t count = (std::size_t(0) + ... + (Is_named_parameters<Parts>::value ? 1 : 0));
+  static_assert(sizeof...(Parts) > count, "something is to be written: a face graph, points or polylines");
+  using Last = std::tuple_element_t<sizeof...(Parts) - 1, std::tuple<Parts...>>;
+  static_assert(count == (Is_named_parameters<Last>::value ? 1 : 0), "named parameters come last");
+  if constexpr(count == 0)
+    return parameters::default_values();
+  else
+    return std::get<sizeof...(Parts) - 1>(std::tie(parts...));
+}
+
+template <class NamedParameters, class... Parts>
+Figure figure_of_parts(const NamedParameters& np, const Parts&... parts)
+{
+  Figure_builder builder;
+  (builder.find_tubes(parts), ...);
+  (builder.add(parts, np), ...);
+  return std::move(builder.figure());
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_IO_FIGURE_OF_PARTS_H
