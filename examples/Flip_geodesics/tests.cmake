@@ -23,7 +23,8 @@ foreach(
   network_early_stop_example
   own_mesh_and_kernel_example
   poisson_example
-  shortest_path_example)
+  shortest_path_example
+  write_files_example)
   if(TARGET ${example})
     add_test(NAME ${example} COMMAND ${example} WORKING_DIRECTORY ${example_dir})
     # With an exit status of its own: a crash is none.
