@@ -5,7 +5,8 @@
     check_rooms.py SOURCE_DIR
 
 Each header is in one room: a public one in the row that names it, an internal one in the row of its folder. It includes
-headers of its own room and of rooms above it in the table, and never, over others, itself.
+headers of its own room and of rooms above it in the table, and never, over others, itself. It has 500 lines at most. Its
+classes have no friends but functions that they define themselves, and classes of the same header.
 """
 
 import collections
@@ -15,6 +16,10 @@ from pathlib import Path
 
 ROW = re.compile(r'^\| (\w+) \| (.*) \| .* \|$')
 INCLUDE = re.compile(r'^ *# *include +<CGAL/Flip_geodesics/([^>]+)>', re.MULTILINE)
+COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/', re.DOTALL)
+FRIEND = re.compile(r'\bfriend\s+([^;{]*?)\s*([;{])')
+FRIEND_NAME = re.compile(r'([\w:]+)(?:<[^;]*>)?$')
+MOST_LINES = 500
 
 
 def rooms_of_table(manual):
@@ -53,11 +58,23 @@ def find_circles(includes):
     return [c for name in includes for c in reach(name, [])]
 
 
+def wrong_friends(text):
+    """What the classes of a header befriend and may not. Boost's iterators ask for one friend."""
+    code = COMMENT.sub('', text)
+    declared = [what for what, end in FRIEND.findall(code) if end == ';']
+    names = [name.group(1) if name else what for what in declared for name in [FRIEND_NAME.search(what)]]
+    return [name for name in names if name != 'boost::iterator_core_access' and
+            not re.search(rf'\b(?:class|struct)\s+{re.escape(name)}\b[^;{{]*{{', code)]
+
+
 def main():
     source = Path(sys.argv[1])
     folder = source / 'include/CGAL/Flip_geodesics'
     order, room_of, wrong = rooms_of_table(source / 'doc/Flip_geodesics/Design.txt')
-    includes = {str(p.relative_to(folder)): INCLUDE.findall(p.read_text()) for p in sorted(folder.rglob('*.h'))}
+    texts = {str(p.relative_to(folder)): p.read_text() for p in sorted(folder.rglob('*.h'))}
+    includes = {name: INCLUDE.findall(text) for name, text in texts.items()}
+    wrong += [f'{name} has {text.count(chr(10))} lines' for name, text in texts.items() if text.count('\n') > MOST_LINES]
+    wrong += [f'{name} befriends {friend}' for name, text in texts.items() for friend in wrong_friends(text)]
     wrong += [f'{h} of the table does not exist' for h in room_of if h not in includes]
     for name, others in includes.items():
         room = room_of_header(name, room_of)

@@ -5,21 +5,17 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Flip_record.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_elements.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
-#include <CGAL/Flip_geodesics/internal/base/Network_place.h>
-#include <CGAL/Flip_geodesics/internal/base/is_valid_halfedge.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/store/Flip_log.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
-#include <CGAL/Flip_geodesics/internal/store/Placed_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/words/Edge_history.h>
@@ -30,7 +26,6 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -80,35 +75,27 @@ enum class Zero_length_edges {
  */
 template <class TriangleMesh, class Traits_ = internal::Default_traits<TriangleMesh>,
           class Metric_ = Embedded_metric<TriangleMesh, internal::Default_point_map<TriangleMesh>>>
-class Intrinsic_triangulation
+class Intrinsic_triangulation : public Intrinsic_triangulation_elements<TriangleMesh, Traits_, Metric_>
 {
-  static_assert(internal::Is_triangulation_traits<Traits_>::value,
-                "the traits are no model of IntrinsicTriangulationTraits: of a kernel K, give "
-                "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
+  using Elements = Intrinsic_triangulation_elements<TriangleMesh, Traits_, Metric_>;
+  using Store = typename Elements::Store;
 
 public:
-  using Triangle_mesh = TriangleMesh;
   using Traits = Traits_;
   using Metric = Metric_;
-  using Input_mesh = Numbered_mesh<TriangleMesh>;
-  using vertex_descriptor = Vertex_index;
-  using halfedge_descriptor = Halfedge_index;
-  using edge_descriptor = Edge_index;
-  using face_descriptor = Face_index;
-  using FT = typename Traits::FT;
+  using Input_mesh = typename Elements::Input_mesh;
   using Halfedge_geometry = typename Traits::Halfedge_geometry;
   using Turn = typename Traits::Turn;
-  /// Descriptors of `Triangle_mesh`.
-  using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  /// A model of `IntrinsicTriangulationWalker`.
-  using Walker = internal::Placed_halfedge<internal::Halfedge_store<Input_mesh, Traits, Metric>>;
+  using Walker = typename Elements::Walker;
 
   /// What the log keeps of a flip.
   using Flip_record = Flip_geodesics::Flip_record<Halfedge_geometry>;
 
   /// A position in the flip log, to roll back to.
   using Log_position = std::size_t;
+
+  using Elements::edge, Elements::geometry, Elements::input, Elements::is_border, Elements::label, Elements::next,
+      Elements::traits, Elements::twin, Elements::walker;
 
   /// \name Construction
   /// @{
@@ -122,7 +109,7 @@ public:
 
   /// Over a mesh with a metric. Complexity, exceptions: as above.
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits = Traits())
-    : m_halfedges(Input_mesh(mesh), metric, traits)
+    : Elements(Input_mesh(mesh), metric, traits)
   {
   }
 
@@ -139,7 +126,7 @@ public:
    */
   Intrinsic_triangulation(const TriangleMesh& mesh, const Metric& metric, const Traits& traits,
                           Zero_length_edges zero_length_edges)
-    : m_halfedges(make_input(mesh, metric, zero_length_edges), metric, traits)
+    : Elements(make_input(mesh, metric, zero_length_edges), metric, traits)
   {
   }
 
@@ -149,119 +136,15 @@ public:
   Intrinsic_triangulation& operator=(Intrinsic_triangulation&&) = default;
 
   /// @}
-  /// \name The input
-  /// @{
-
-  /// The input mesh, numbered by consecutive integers.
-  const Input_mesh& input() const { return m_halfedges.input(); }
-  /// Where the lengths of the input's edges come from.
-  const Metric& metric() const { return m_halfedges.metric(); }
-  /// The arithmetic.
-  const Traits& traits() const { return m_halfedges.traits(); }
-
-  /// The number of vertices: the input's, and those inserted, which come after them.
-  Index number_of_vertices() const { return m_halfedges.number_of_vertices(); }
-  /// The number of halfedges, twice the number of edges.
-  Index number_of_halfedges() const { return 2 * number_of_edges(); }
-  /// The number of edges, the input's and those of inserted points; flips do not change it.
-  Index number_of_edges() const { return m_halfedges.number_of_edges(); }
-
-  /// The vertex that a vertex of the input mesh is, `null_index` if it is not one.
-  Vertex_index index(Mesh_vertex v) const { return input().index(v); }
-  /// The halfedge that a halfedge of the input mesh is as long as its edge is not flipped; none if it is not one.
-  Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
-
-  /// What vertex `v` is in the input mesh. \pre `v` was not inserted
-  Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
-
-  /// The input mesh's halfedge with the number of `h`.
-  Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
-
-  /// @}
-  /// \name Connectivity
-  /// Constant time; the face on the left of a halfedge is copied from the input at the first touch, and then a face
-  /// that is no triangle, degenerate or not finite throws `Invalid_mesh_error`, `Degenerate_face_error` or
-  /// `Invalid_coordinate_error`.
-  /// @{
-
-  /// The other side of the edge.
-  static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
-  /// The edge that `h` is a side of.
-  static Edge_index edge(Halfedge_index h) { return internal::edge_of(h); }
-
-  /// The next halfedge around the face. \pre `h` is not on the border
-  Halfedge_index next(Halfedge_index h) const { return m_halfedges.halfedge(record(h).next()); }
-  /// The previous halfedge around the face. \pre `h` is not on the border
-  Halfedge_index previous(Halfedge_index h) const { return m_halfedges.halfedge(m_halfedges[record(h).next()].next()); }
-  /// The vertex at which `h` starts.
-  Vertex_index tail(Halfedge_index h) const { return record(h).tail; }
-  /// The vertex at which `h` ends.
-  Vertex_index head(Halfedge_index h) const { return record(twin(h)).tail; }
-  /// Has `h` no face on its left?
-  bool is_border(Halfedge_index h) const { return record(h).is_border(); }
-
-  /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
-  Halfedge_index clockwise(Halfedge_index h) const
-  {
-    const Halfedge_record& at_t = record(twin(h));
-    return at_t.is_border() ? null_index : m_halfedges.halfedge(at_t.next());
-  }
-
-  /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
-  Halfedge_index counterclockwise(Halfedge_index h) const { return is_border(h) ? null_index : twin(previous(h)); }
-
-  /// A walker that stands at `h`.
-  Walker walker(Halfedge_index h) const { return Walker(m_halfedges, m_halfedges.taken(h)); }
-  /// The same, given the place of a walker at either side of the edge.
-  Walker walker(typename Walker::Place place, Halfedge_index h) const
-  {
-    return Walker(m_halfedges, internal::side_slot(place, h));
-  }
-
-  /// Announces that the face on the left of `h` will be read soon: a hint to the cache, without any effect.
-  void prefetch_face(Halfedge_index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
-
-  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
-  Halfedge_index outgoing(Vertex_index v) const { return m_halfedges.outgoing(v); }
-
-  /// @}
   /// \name Geometry
   /// @{
-
-  /// What the traits keep of a halfedge, in the frame of its face. \pre `h` is not on the border
-  const Halfedge_geometry& geometry(Halfedge_index h) const { return record(h).geometry; }
 
   /// Replaces the vectors of the face on the left of `h`, from `h` on, by more accurate ones. The log keeps the old
   /// ones.
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {
-    m_log.lay_out(m_halfedges, h, geometry);
+    m_log.lay_out(store(), h, geometry);
   }
-
-  /// The squared length of edge `edge(h)`, in the traits' number type.
-  FT squared_length(Halfedge_index h) const
-  {
-    return traits().compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
-  }
-
-  /// The length of edge `edge(h)`, rounded to double.
-  double length(Halfedge_index h) const
-  {
-    return traits().compute_length_object()(geometry(is_border(h) ? twin(h) : h));
-  }
-
-  /*!
-   * Adds to a turn about the tail of `h` the corner on the right of `h`, and moves on.
-   * \return the next halfedge clockwise, `null_index` where the border intervenes and nothing is added
-   */
-  Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
-  {
-    const Walker next = walker(h).extend_turn_clockwise(turn);
-    return next.is_none() ? null_index : next.index();
-  }
-
-  /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
-  void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /*!
    * Is the turn, which leads clockwise about a vertex from halfedge `from` to halfedge `to`, at least \f$\pi\f$?
@@ -342,7 +225,7 @@ public:
    * has changed.
    * \pre `is_flippable(h)`, and no curve lies on the edge
    */
-  void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(m_halfedges, h)); }
+  void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
 
   /// The end of the flip log: the number of flips and insertions since the input, and of faces laid out afresh.
   Log_position log_position() const { return m_log.size(); }
@@ -368,7 +251,7 @@ public:
       if(m_log.back().is_insertion())
         editor().take_back();
       else
-        m_log.take_back(m_halfedges);
+        m_log.take_back(store());
     }
   }
 
@@ -467,7 +350,7 @@ public:
   /// @{
 
   /// How many input edges the edge crosses; -1 if it lies along an input edge [GSC21].
-  Index crossings(Edge_index e) const { return m_halfedges.crossings(m_halfedges.slot(internal::first_side(e))); }
+  Index crossings(Edge_index e) const { return store().crossings(store().slot(internal::first_side(e))); }
 
   /*!
    * The word of the input edges that halfedge `h` crosses, from tail to head; exact, by integers alone [GSC21, section
@@ -478,7 +361,7 @@ public:
   Crossing_word crossing_word(Halfedge_index h) const { return m_history.word(*this, h); }
 
   /// The version of an edge: 0 for the input's, otherwise one more than the position of its last flip in the log.
-  Index version(Edge_index e) const { return m_halfedges.version(m_halfedges.slot(internal::first_side(e))); }
+  Index version(Edge_index e) const { return store().version(store().slot(internal::first_side(e))); }
 
   /*!
    * How many input edges start strictly inside the wedge from halfedge `from` clockwise to halfedge `to` of one vertex;
@@ -499,38 +382,9 @@ public:
   }
 
   /// @}
-  /// \name Labels
-  /// An integer per edge at the disposal of the one curve network that lives in the triangulation; 0 at first.
-  /// @{
-
-  /// The label of edge `e`.
-  Index label(Edge_index e) const { return m_halfedges.label(m_halfedges.slot(internal::first_side(e))); }
-  /// Sets the label of edge `e`.
-  void set_label(Edge_index e, Index label) { m_halfedges.label(m_halfedges.taken(internal::first_side(e))) = label; }
-
-  /// Where the network claims its place.
-  internal::Network_place& network_place() { return m_network_place; }
-  /// Does a network live in the triangulation that has curves?
-  bool has_curves() const { return m_network_place.has_curves(); }
-
-  /// @}
-
-  /*!
-   * Checks the invariant of all that has been touched: the links of faces, the closing of their vectors, the equal
-   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`. Linear in the mesh.
-   */
-  bool is_valid(double tolerance = 1e-9) const
-  {
-    for(Halfedge_index h : internal::descriptors<Halfedge_index>(number_of_halfedges()))
-      if(m_halfedges[m_halfedges.slot(h)].encoded_next > 0 &&
-         !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges[m_halfedges.slot(twin(h))].is_known()))
-        return false;
-    return true;
-  }
 
 private:
-  using Halfedge_store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
-  using Halfedge_record = typename Halfedge_store::Record;
+  using Elements::store;
 
   static Input_mesh make_input(const TriangleMesh& mesh, const Metric& metric, Zero_length_edges zero_length_edges)
   {
@@ -540,33 +394,28 @@ private:
     return input.contracted([&](Input_halfedge_index h) { return metric.weight(input, h); });
   }
 
-  // Of a face that is known from here on.
-  const Halfedge_record& record(Halfedge_index h) const { return m_halfedges.known(h); }
-
-  internal::Insertion_editor<Intrinsic_triangulation, Halfedge_store> editor()
+  internal::Insertion_editor<Intrinsic_triangulation, Store> editor()
   {
-    return {*this, m_halfedges, m_log, m_points, m_history};
+    return {*this, store(), m_log, m_points, m_history};
   }
 
   // After a flip; if it fails, the flip is taken back.
-  void refresh_inaccurate(const std::array<internal::Slot, 4>& halfedges)
+  void refresh_inaccurate(const std::array<internal::Slot, 4>& changed)
   {
     const Log_position before = log_position() - 1;
     try {
-      for(internal::Slot s : halfedges)
-        if(traits().is_inaccurate_object()(m_halfedges[s].geometry))
-          internal::refresh_face(*this, m_halfedges.halfedge(s));
+      for(internal::Slot s : changed)
+        if(traits().is_inaccurate_object()(store()[s].geometry))
+          internal::refresh_face(*this, store().halfedge(s));
     } catch(...) {
       rollback(before);
       throw;
     }
   }
 
-  internal::Network_place m_network_place; // first, so that it can refuse to be moved before anything is
-  mutable Halfedge_store m_halfedges;      // mutable, since faces of the input are copied when they are first read
   mutable internal::Edge_history<Intrinsic_triangulation> m_history;
   mutable Decision_statistics m_statistics;
-  internal::Flip_log<Halfedge_store> m_log;
+  internal::Flip_log<Store> m_log;
   std::vector<internal::Inserted_point<Halfedge_geometry>> m_points;
 };
 

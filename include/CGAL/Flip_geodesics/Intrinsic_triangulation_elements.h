@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_ELEMENTS_H
+#define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_ELEMENTS_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Numbered_mesh.h>
+#include <CGAL/Flip_geodesics/internal/base/Network_place.h>
+#include <CGAL/Flip_geodesics/internal/base/is_valid_halfedge.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
+#include <CGAL/Flip_geodesics/internal/store/Placed_halfedge.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsRef
+ *
+ * The elements of an intrinsic triangulation: how they hang together, how long they are, and what a network keeps of
+ * them. This is the base of `Intrinsic_triangulation`, which flips edges and inserts points.
+ *
+ * Template parameters are those of `Intrinsic_triangulation`.
+ */
+template <class TriangleMesh, class Traits_, class Metric_>
+class Intrinsic_triangulation_elements
+{
+  static_assert(internal::Is_triangulation_traits<Traits_>::value,
+                "the traits are no model of IntrinsicTriangulationTraits: of a kernel K, give "
+                "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
+
+public:
+  using Triangle_mesh = TriangleMesh;
+  using Traits = Traits_;
+  using Metric = Metric_;
+  using Input_mesh = Numbered_mesh<TriangleMesh>;
+  using vertex_descriptor = Vertex_index;
+  using halfedge_descriptor = Halfedge_index;
+  using edge_descriptor = Edge_index;
+  using face_descriptor = Face_index;
+  using FT = typename Traits::FT;
+  using Halfedge_geometry = typename Traits::Halfedge_geometry;
+  using Turn = typename Traits::Turn;
+  /// Descriptors of `Triangle_mesh`.
+  using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  /// A model of `IntrinsicTriangulationWalker`.
+  using Walker = internal::Placed_halfedge<internal::Halfedge_store<Input_mesh, Traits, Metric>>;
+
+  /// \name The input
+  /// @{
+
+  /// The input mesh, numbered by consecutive integers.
+  const Input_mesh& input() const { return m_halfedges.input(); }
+  /// Where the lengths of the input's edges come from.
+  const Metric& metric() const { return m_halfedges.metric(); }
+  /// The arithmetic.
+  const Traits& traits() const { return m_halfedges.traits(); }
+
+  /// The number of vertices: the input's, and those inserted, which come after them.
+  Index number_of_vertices() const { return m_halfedges.number_of_vertices(); }
+  /// The number of halfedges, twice the number of edges.
+  Index number_of_halfedges() const { return 2 * number_of_edges(); }
+  /// The number of edges, the input's and those of inserted points; flips do not change it.
+  Index number_of_edges() const { return m_halfedges.number_of_edges(); }
+
+  /// The vertex that a vertex of the input mesh is, `null_index` if it is not one.
+  Vertex_index index(Mesh_vertex v) const { return input().index(v); }
+  /// The halfedge that a halfedge of the input mesh is as long as its edge is not flipped; none if it is not one.
+  Halfedge_index index(Mesh_halfedge h) const { return internal::as_intrinsic(input().index(h)); }
+
+  /// What vertex `v` is in the input mesh. \pre `v` was not inserted
+  Mesh_vertex vertex(Vertex_index v) const { return input().vertex(v); }
+
+  /// The input mesh's halfedge with the number of `h`.
+  Mesh_halfedge input_halfedge(Halfedge_index h) const { return input().halfedge(internal::as_input(h)); }
+
+  /// @}
+  /// \name Connectivity
+  /// Constant time; the face on the left of a halfedge is copied from the input at the first touch, and then a face
+  /// that is no triangle, degenerate or not finite throws `Invalid_mesh_error`, `Degenerate_face_error` or
+  /// `Invalid_coordinate_error`.
+  /// @{
+
+  /// The other side of the edge.
+  static Halfedge_index twin(Halfedge_index h) { return internal::twin_index(h); }
+  /// The edge that `h` is a side of.
+  static Edge_index edge(Halfedge_index h) { return internal::edge_of(h); }
+
+  /// The next halfedge around the face. \pre `h` is not on the border
+  Halfedge_index next(Halfedge_index h) const { return m_halfedges.halfedge(record(h).next()); }
+  /// The previous halfedge around the face. \pre `h` is not on the border
+  Halfedge_index previous(Halfedge_index h) const { return m_halfedges.halfedge(m_halfedges[record(h).next()].next()); }
+  /// The vertex at which `h` starts.
+  Vertex_index tail(Halfedge_index h) const { return record(h).tail; }
+  /// The vertex at which `h` ends.
+  Vertex_index head(Halfedge_index h) const { return record(twin(h)).tail; }
+  /// Has `h` no face on its left?
+  bool is_border(Halfedge_index h) const { return record(h).is_border(); }
+
+  /// The next halfedge clockwise about the tail, `null_index` where the border intervenes.
+  Halfedge_index clockwise(Halfedge_index h) const
+  {
+    const Record& at_t = record(twin(h));
+    return at_t.is_border() ? null_index : m_halfedges.halfedge(at_t.next());
+  }
+
+  /// The next halfedge counterclockwise about the tail, `null_index` where the border intervenes.
+  Halfedge_index counterclockwise(Halfedge_index h) const { return is_border(h) ? null_index : twin(previous(h)); }
+
+  /// A walker that stands at `h`.
+  Walker walker(Halfedge_index h) const { return Walker(m_halfedges, m_halfedges.taken(h)); }
+  /// The same, given the place of a walker at either side of the edge.
+  Walker walker(typename Walker::Place place, Halfedge_index h) const
+  {
+    return Walker(m_halfedges, internal::side_slot(place, h));
+  }
+
+  /// Announces that the face on the left of `h` will be read soon: a hint to the cache, without any effect.
+  void prefetch_face(Halfedge_index h) const { m_halfedges.prefetch_face(m_halfedges.slot(h)); }
+
+  /// A halfedge that starts at `v`, `null_index` at an isolated vertex.
+  Halfedge_index outgoing(Vertex_index v) const { return m_halfedges.outgoing(v); }
+
+  /// @}
+  /// \name Geometry
+  /// @{
+
+  /// What the traits keep of a halfedge, in the frame of its face. \pre `h` is not on the border
+  const Halfedge_geometry& geometry(Halfedge_index h) const { return record(h).geometry; }
+
+  /// The squared length of edge `edge(h)`, in the traits' number type.
+  FT squared_length(Halfedge_index h) const
+  {
+    return traits().compute_squared_length_object()(geometry(is_border(h) ? twin(h) : h));
+  }
+
+  /// The length of edge `edge(h)`, rounded to double.
+  double length(Halfedge_index h) const
+  {
+    return traits().compute_length_object()(geometry(is_border(h) ? twin(h) : h));
+  }
+
+  /*!
+   * Adds to a turn about the tail of `h` the corner on the right of `h`, and moves on.
+   * \return the next halfedge clockwise, `null_index` where the border intervenes and nothing is added
+   */
+  Halfedge_index extend_turn_clockwise(Turn& turn, Halfedge_index h) const
+  {
+    const Walker next = walker(h).extend_turn_clockwise(turn);
+    return next.is_none() ? null_index : next.index();
+  }
+
+  /// Adds to a turn the corner at the head of `h`, from `next(h)` counterclockwise to `twin(h)`.
+  void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
+
+  /// @}
+  /// \name Labels
+  /// An integer per edge at the disposal of the one curve network that lives in the triangulation; 0 at first.
+  /// @{
+
+  /// The label of edge `e`.
+  Index label(Edge_index e) const { return m_halfedges.label(m_halfedges.slot(internal::first_side(e))); }
+  /// Sets the label of edge `e`.
+  void set_label(Edge_index e, Index label) { m_halfedges.label(m_halfedges.taken(internal::first_side(e))) = label; }
+
+  /// Where the network claims its place.
+  internal::Network_place& network_place() { return m_network_place; }
+  /// Does a network live in the triangulation that has curves?
+  bool has_curves() const { return m_network_place.has_curves(); }
+
+  /// @}
+
+  /*!
+   * Checks the invariant of all that has been touched: the links of faces, the closing of their vectors, the equal
+   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`. Linear in the mesh.
+   */
+  bool is_valid(double tolerance = 1e-9) const
+  {
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(number_of_halfedges()))
+      if(m_halfedges[m_halfedges.slot(h)].encoded_next > 0 &&
+         !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges[m_halfedges.slot(twin(h))].is_known()))
+        return false;
+    return true;
+  }
+
+protected:
+  using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
+
+  Intrinsic_triangulation_elements(const Input_mesh& input, const Metric& metric, const Traits& traits)
+    : m_halfedges(input, metric, traits)
+  {
+  }
+
+  Intrinsic_triangulation_elements(Intrinsic_triangulation_elements&&) = default;
+  Intrinsic_triangulation_elements& operator=(Intrinsic_triangulation_elements&&) = default;
+
+  // Where the elements are kept, for what changes them: faces of the input are copied when they are first read.
+  Store& store() const { return m_halfedges; }
+
+private:
+  using Record = typename Store::Record;
+
+  // Of a face that is known from here on.
+  const Record& record(Halfedge_index h) const { return m_halfedges.known(h); }
+
+  internal::Network_place m_network_place; // first, so that it can refuse to be moved before anything is
+  mutable Store m_halfedges;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_ELEMENTS_H
