@@ -97,10 +97,13 @@ Shape shape_of_points(Shape::Kind kind, const MakeRange& range)
 template <class FaceGraph, class NamedParameters>
 auto given_or_own_points(const FaceGraph& mesh, const NamedParameters& np)
 {
-  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value) {
+    static_assert(graph_has_property<FaceGraph, boost::vertex_point_t>::value,
+                  "the mesh has no points of its own: give vertex_point_map()");
     return get_const_property_map(CGAL::vertex_point, mesh);
-  else
+  } else {
     return parameters::get_parameter(np, internal_np::vertex_point);
+  }
 }
 
 /* \throws Invalid_mesh_error if a face is no triangle, or elements of a `Surface_mesh` have been removed */
