@@ -268,6 +268,80 @@ BOOST_AUTO_TEST_CASE(a_flip_without_memory_changes_nothing)
   BOOST_TEST((replayed.flips() == done.flips()));
 }
 
+// Inserts a point, while every allocation fails in turn and `check` looks at what there is then, until none does. Adds
+// to the failures.
+template <class Insert, class Check>
+Vertex_index insert_at_last(const Insert& insert, const Check& check, std::size_t& failures)
+{
+  for(std::size_t allocations = 0;; ++allocations) {
+    Vertex_index x = FG::null_index;
+    allocations_left = allocations;
+    try {
+      x = insert();
+    } catch(const std::bad_alloc&) {
+      ++failures;
+    }
+    allocations_left = std::numeric_limits<std::size_t>::max();
+    if(x != FG::null_index)
+      return x;
+    check();
+  }
+}
+
+// Points in faces and on edges.
+BOOST_AUTO_TEST_CASE(an_insertion_without_memory_changes_nothing)
+{
+  Setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
+  Triangulation& t = setting.triangulation;
+  std::size_t failures = 0;
+  for(FG::Input_halfedge_index h(0); h.idx() < 60; ++h) {
+    if(t.input().is_border(h))
+      continue;
+    const FG::Surface_location location = {h, {{0.25, 0.5, h.idx() % 3 == 0 ? 0 : 0.25}}};
+    const FG::Index vertices = t.number_of_vertices(), edges = t.number_of_edges();
+    const std::size_t before = t.log_position();
+    const auto is_as_before = [&] {
+      BOOST_TEST_REQUIRE(t.number_of_vertices() == vertices);
+      BOOST_TEST_REQUIRE(t.number_of_edges() == edges);
+      BOOST_TEST_REQUIRE(t.log_position() == before);
+      BOOST_TEST_REQUIRE(t.is_valid());
+    };
+    const Vertex_index x = insert_at_last([&] { return t.insert(location); }, is_as_before, failures);
+    BOOST_TEST_REQUIRE(x == Vertex_index(vertices));
+    BOOST_TEST_REQUIRE(t.is_valid());
+  }
+  BOOST_TEST(failures > 100u);
+  t.rollback();
+  BOOST_TEST(t.number_of_vertices() == 25);
+  BOOST_TEST(t.is_valid());
+}
+
+// Points on an edge under curves, more of them each time.
+BOOST_AUTO_TEST_CASE(an_insertion_under_curves_without_memory_changes_nothing)
+{
+  std::size_t failures = 0;
+  for(int curves = 1; curves <= 20; ++curves) {
+    Setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
+    for(int i = 0; i < curves; ++i)
+      setting.add_path(Vertex_index(grid_vertex(4, 1, 2)), Vertex_index(grid_vertex(4, 2, 2)));
+    const Halfedge_index h = setting.network.halfedge(setting.network.first_segment(0_c));
+    const std::vector<FG::Segment_index> stack = setting.network.stack(Triangulation::edge(h));
+    BOOST_TEST_REQUIRE(stack.size() == static_cast<std::size_t>(curves));
+    const auto is_as_before = [&] {
+      BOOST_TEST_REQUIRE(setting.triangulation.log_position() == 0u);
+      BOOST_TEST_REQUIRE((setting.network.stack(Triangulation::edge(h)) == stack));
+      BOOST_TEST_REQUIRE(setting.network.is_valid());
+    };
+    const FG::Surface_location location = {FG::internal::as_input(h), {{0.25, 0.75, 0}}};
+    const Vertex_index x = insert_at_last([&] { return setting.network.insert(location); }, is_as_before, failures);
+    BOOST_TEST_REQUIRE(x == 25_v);
+    BOOST_TEST_REQUIRE(setting.network.is_valid());
+    for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(curves))
+      BOOST_TEST_REQUIRE(setting.network.halfedges(c).size() == 2u);
+  }
+  BOOST_TEST(failures > 100u);
+}
+
 // Streams tell of a failed allocation by their state, so that a text can seem to be cut off.
 BOOST_AUTO_TEST_CASE(a_network_is_loaded_as_a_whole_or_not_at_all)
 {

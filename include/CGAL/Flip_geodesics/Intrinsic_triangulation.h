@@ -300,18 +300,15 @@ public:
    */
   Vertex_index insert(const Surface_location& location)
   {
-    const Log_position start = log_position();
-    return insert(location, [this, start](const internal::Edge_halves& halves) {
-      if(label(edge(halves.first)) == 0)
-        return;
-      rollback(start);
-      throw Occupied_triangulation_error("a curve lies on the edge that a point is to be inserted on");
+    return insert(location, [this](const internal::Edge_halves& halves) {
+      if(label(edge(halves.first)) != 0)
+        throw Occupied_triangulation_error("a curve lies on the edge that a point is to be inserted on");
     });
   }
 
   /*!
    * As above. Where an edge is split, `on_split` is called with two halfedges: `first`, which is now half as long, and
-   * `second`, which leads on from the new vertex to the old head of `first`.
+   * `second`, which leads on from the new vertex to the old head of `first`. If it throws, the insertion is taken back.
    *
    * `near` is for `refine()`, which knows where the point is: many edges in the input face need not be passed then.
    */

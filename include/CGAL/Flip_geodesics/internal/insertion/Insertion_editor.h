@@ -58,12 +58,14 @@ public:
     checked_index_bound(2 * (static_cast<std::size_t>(t.number_of_edges()) + 3));
     const Halfedge_index h = place.halfedge;
     const Edge_index e = Triangulation::edge(h);
-    m_points.push_back(record(place, location));
+    const auto number = static_cast<std::ptrdiff_t>(m_points.size());
+    m_halfedges.add_vertex();
     try {
-      m_halfedges.add_vertex();
-      m_log.note_insertion(h, static_cast<Index>(m_points.size()) - 1, t.version(e), t.crossings(e) + 1);
+      m_points.push_back(record(place, location));
+      m_log.note_insertion(h, static_cast<Index>(number), t.version(e), t.crossings(e) + 1);
     } catch(...) {
-      m_points.pop_back();
+      m_points.erase(m_points.begin() + number, m_points.end());
+      m_halfedges.remove_last_vertex();
       throw;
     }
     return Vertex_index(t.number_of_vertices() - 1);

@@ -280,7 +280,7 @@ private:
 };
 
 /* Makes a located point a vertex of a triangulation, of which there is an editor. If an edge is split, `on_split` gets
- * its halves. If anything but that throws, nothing has changed. */
+ * its halves; if that throws, it must have changed nothing. Then, and if anything else throws, nothing has changed. */
 template <class Triangulation, class Editor, class OnSplit>
 Vertex_index insert_point(Triangulation& triangulation, Editor editor, Located_point place,
                           const Surface_location& location, const OnSplit& on_split)
@@ -292,19 +292,16 @@ Vertex_index insert_point(Triangulation& triangulation, Editor editor, Located_p
     place = {t, (std::max)(triangulation.crossings(Triangulation::edge(t)), 0) - place.gap, true, null_index};
   const std::size_t start = triangulation.log_position();
   const Vertex_index x = editor.begin(place, location);
-  Edge_halves halves;
   try {
     Point_insertion<Triangulation, Editor> insertion(triangulation, editor, place, x);
     if(place.is_on_edge)
-      halves = insertion.split_edge();
+      on_split(insertion.split_edge());
     else
       insertion.split_face();
   } catch(...) {
     triangulation.rollback(start);
     throw;
   }
-  if(place.is_on_edge)
-    on_split(halves);
   return x;
 }
 

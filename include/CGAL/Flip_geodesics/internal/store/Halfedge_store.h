@@ -177,8 +177,8 @@ public:
   void set_outgoing(Vertex_index v, Slot s)
   {
     if(!m_vertex_slots.has_slot(v.idx())) {
+      m_outgoing.resize(m_vertex_slots.number_of_slots() + Vertex_slots::block_size, Slot::NONE);
       m_vertex_slots.add(v.idx());
-      m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
     }
     m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])] = s;
     if(s != Slot::NONE)
@@ -221,17 +221,27 @@ public:
     (*this)[second.next()].geometry = at_hp;
   }
 
-  void add_vertex() { m_vertex_slots.grow(static_cast<std::size_t>(++m_number_of_vertices)); }
+  /* If it throws, as the next but one, nothing has changed. */
+  void add_vertex()
+  {
+    m_vertex_slots.grow(static_cast<std::size_t>(m_number_of_vertices) + 1);
+    ++m_number_of_vertices;
+  }
 
-  void remove_last_vertex() { set_outgoing(Vertex_index(--m_number_of_vertices), Slot::NONE); }
+  void remove_last_vertex()
+  {
+    const Vertex_index v(--m_number_of_vertices);
+    if(m_vertex_slots.has_slot(v.idx()))
+      set_outgoing(v, Slot::NONE);
+  }
 
   /* An edge whose sides are in no face yet; all may move. Returns its first slot. */
   Slot add_edge()
   {
-    m_number_of_halfedges += 2;
-    m_slots.grow(static_cast<std::size_t>(m_number_of_halfedges));
+    m_slots.grow(static_cast<std::size_t>(m_number_of_halfedges) + 2);
     if(m_records.capacity() < m_slots.largest_number_of_slots())
       m_records.reserve(room_for(m_slots));
+    m_number_of_halfedges += 2;
     return taken(Halfedge_index(m_number_of_halfedges - 2));
   }
 

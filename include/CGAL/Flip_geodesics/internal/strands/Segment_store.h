@@ -158,7 +158,7 @@ public:
 
   /*
    * Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
-   * them, in their order. Returns what the first half of a watched one has become.
+   * them, in their order. Returns what the first half of a watched one has become. If it throws, nothing has changed.
    */
   Segment_index divide_stack(Halfedge_index h, const std::array<Halfedge_index, 2>& chain,
                              Segment_index watched = null_index)
@@ -167,6 +167,7 @@ public:
     std::vector<Segment_index> segments = stack(Triangulation::edge(h));
     if(!is_first_side(h))
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
+    make_room(2 * segments.size());
     for(Segment_index s : segments)
       unlink(s);
     for(Segment_index s : segments) {
