@@ -222,7 +222,7 @@ private:
   double length_of_curves() const
   {
     double sum = 0;
-    for(FG::Curve_index c(0); c.idx() < m_network.number_of_curves(); ++c)
+    for(FG::Curve_index c : m_network.curves())
       sum += m_network.length(c);
     return sum;
   }

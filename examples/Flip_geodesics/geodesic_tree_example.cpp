@@ -39,7 +39,7 @@ bool write_textured_obj(const char* file, const Mesh& mesh, const Triangulation&
   for(const auto f : mesh.faces()) {
     bool is_mapped = true;
     for(const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      const double radius = map.vertices[triangulation.index(v).idx()].radius;
+      const double radius = map.vertices[triangulation.index(v)].radius;
       is_mapped = is_mapped && radius < std::numeric_limits<double>::infinity();
     }
     if(!is_mapped)

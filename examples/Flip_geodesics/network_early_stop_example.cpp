@@ -56,7 +56,7 @@ bool write_curves(const char* file, const Network& network)
 {
   std::vector<std::vector<Point_3>> curves;
   FG::Curve_extractor<Network> extractor(network);
-  for(FG::Curve_index c(0); c.idx() < network.number_of_curves(); ++c) {
+  for(FG::Curve_index c : network.curves()) {
     curves.emplace_back();
     extractor.points(c, std::back_inserter(curves.back()));
   }

@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(marked_edges_become_curves_between_junctions)
   BOOST_CHECK_EQUAL(FG::add_marked_edges(network, mesh, is_marked), 4);
   BOOST_CHECK(network.is_valid());
   int closed = 0, segments = 0;
-  for(FG::Curve_index c(0); c.idx() < network.number_of_curves(); ++c) {
+  for(FG::Curve_index c : network.curves()) {
     closed += network.is_closed(c) ? 1 : 0;
     segments += static_cast<int>(network.halfedges(c).size());
   }

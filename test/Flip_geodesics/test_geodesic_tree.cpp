@@ -127,18 +127,18 @@ BOOST_AUTO_TEST_CASE(plane)
         return plane_angle(soup.points[v.idx()][0] - s[0], soup.points[v.idx()][1] - s[1]);
       };
       const Vertex_index other = source == 0_v ? 1_v : 0_v;
-      const double turn = plane_angle_of(other) - map.vertices[other.idx()].angle;
+      const double turn = plane_angle_of(other) - map.vertices[other].angle;
       for(Vertex_index v : setting.vertices()) {
         if(v == source)
           continue;
-        const FG::Polar_coordinates& p = map.vertices[v.idx()];
+        const FG::Polar_coordinates& p = map.vertices[v];
         BOOST_TEST(is_close(p.radius, distance(s, soup.points[v.idx()]), n));
         BOOST_TEST(is_same_angle(p.angle + turn, plane_angle_of(v), 2 * pi));
         BOOST_TEST(p.angle >= 0);
         BOOST_TEST(p.angle <= map.total_angle + tolerance);
       }
-      BOOST_TEST(map.vertices[source.idx()].radius == 0);
-      BOOST_TEST(std::isnan(map.vertices[source.idx()].angle));
+      BOOST_TEST(map.vertices[source].radius == 0);
+      BOOST_TEST(std::isnan(map.vertices[source].angle));
       BOOST_TEST(map.is_on_border == (source != inner));
       if(!map.is_on_border)
         BOOST_TEST(is_close(map.total_angle, 2 * pi));
@@ -201,8 +201,8 @@ BOOST_AUTO_TEST_CASE(cylinder_unrolls)
     BOOST_TEST(is_close(turns, std::round(turns)), "vertex " << v.idx());
     BOOST_TEST(is_close(y, height * (v.idx() / n - source.idx() / n) / m, height));
     const double shortest = cylinder_distance(n, m, radius, height, source.idx(), v.idx());
-    BOOST_TEST(map.vertices[v.idx()].radius >= shortest * (1 - tolerance));
-    minimal += is_close(map.vertices[v.idx()].radius, shortest, height) ? 1 : 0;
+    BOOST_TEST(map.vertices[v].radius >= shortest * (1 - tolerance));
+    minimal += is_close(map.vertices[v].radius, shortest, height) ? 1 : 0;
   }
   BOOST_TEST(minimal >= setting.size() * 9 / 10);
 }
@@ -215,10 +215,10 @@ BOOST_AUTO_TEST_CASE(cone_from_the_apex_and_from_elsewhere)
   check_tree(setting, setting.tree.grow(0_v));
   const FG::Logarithmic_map from_apex = FG::logarithmic_map(setting.tree);
   BOOST_TEST(is_close(from_apex.total_angle, total));
-  const double first = from_apex.vertices[disk_vertex(n, 1, 0)].angle;
+  const double first = from_apex.vertices[FG::Vertex_index(disk_vertex(n, 1, 0))].angle;
   for(int r = 1; r <= m; ++r)
     for(int i = 0; i < n; ++i) {
-      const FG::Polar_coordinates& p = from_apex.vertices[disk_vertex(n, r, i)];
+      const FG::Polar_coordinates& p = from_apex.vertices[FG::Vertex_index(disk_vertex(n, r, i))];
       BOOST_TEST(is_close(p.radius, r, m));
       BOOST_TEST(is_same_angle(p.angle - first, i * total / n, total));
     }
@@ -227,11 +227,11 @@ BOOST_AUTO_TEST_CASE(cone_from_the_apex_and_from_elsewhere)
   const Vertex_index source(disk_vertex(n, 4, 0));
   check_tree(setting, setting.tree.grow(source));
   const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree);
-  const double to_apex = map.vertices[0].angle;
+  const double to_apex = map.vertices[0_v].angle;
   for(int r = 1; r <= m; ++r)
     for(int i = 1; i < n; ++i) {
       // Beside the apex on one side or the other, a triangle with it and the source.
-      const FG::Polar_coordinates& p = map.vertices[disk_vertex(n, r, i)];
+      const FG::Polar_coordinates& p = map.vertices[FG::Vertex_index(disk_vertex(n, r, i))];
       const bool is_on_left = is_close(p.radius, cone_distance(4, r, i * total / n), m);
       const double around = is_on_left ? i * total / n : (n - i) * total / n;
       BOOST_TEST(is_close(p.radius, cone_distance(4, r, around), m));
@@ -255,13 +255,13 @@ BOOST_AUTO_TEST_CASE(shadow_of_a_saddle)
   int in_shadow = 0;
   for(int r = 1; r <= m; ++r)
     for(int i = 1; i < k; ++i) {
-      const FG::Polar_coordinates& p = map.vertices[disk_vertex(k, r, i)];
+      const FG::Polar_coordinates& p = map.vertices[FG::Vertex_index(disk_vertex(k, r, i))];
       const double around = (std::min)(i, k - i) * total / k;
       BOOST_TEST(is_close(p.radius, cone_distance(3, r, around), m));
       if(around < pi)
         continue;
       ++in_shadow;
-      BOOST_TEST(is_same_angle(p.angle, map.vertices[0].angle, map.total_angle));
+      BOOST_TEST(is_same_angle(p.angle, map.vertices[0_v].angle, map.total_angle));
     }
   BOOST_TEST(in_shadow > 0);
 }
@@ -335,15 +335,15 @@ BOOST_AUTO_TEST_CASE(other_components_are_not_reached)
   for(Vertex_index v : {0_v, last, other}) {
     BOOST_TEST(!setting.tree.is_reached(v));
     BOOST_TEST(setting.tree.path(v).empty());
-    BOOST_TEST(std::isinf(map.vertices[v.idx()].radius));
-    BOOST_TEST(std::isnan(map.vertices[v.idx()].angle));
+    BOOST_TEST(std::isinf(map.vertices[v].radius));
+    BOOST_TEST(std::isnan(map.vertices[v].angle));
   }
   // From an isolated vertex there is nowhere to go.
   setting.triangulation.rollback();
   setting.tree.grow(0_v);
   BOOST_TEST(setting.tree.is_reached(0_v));
   BOOST_TEST(!setting.tree.is_reached(5_v));
-  BOOST_TEST(std::isinf(FG::logarithmic_map(setting.tree).vertices[5].radius));
+  BOOST_TEST(std::isinf(FG::logarithmic_map(setting.tree).vertices[5_v].radius));
 }
 
 // A tree grown anew, in a flipped triangulation or in one rolled back, is a tree; rolled back it is the same.
@@ -484,13 +484,13 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
     const FG::Logarithmic_map map = FG::logarithmic_map(tree);
     const Coordinates s = place(source), other = place(3_v);
     BOOST_TEST(map.is_on_border == (location.halfedge == border));
-    const double turn = plane_angle(other[0] - s[0], other[1] - s[1]) - map.vertices[3].angle;
+    const double turn = plane_angle(other[0] - s[0], other[1] - s[1]) - map.vertices[3_v].angle;
     for(Vertex_index v : setting.vertices()) {
       if(v == source)
         continue;
       const Coordinates p = place(v);
-      BOOST_TEST(is_close(map.vertices[v.idx()].radius, distance(s, p), n));
-      BOOST_TEST(is_same_angle(map.vertices[v.idx()].angle + turn, plane_angle(p[0] - s[0], p[1] - s[1]), 2 * pi));
+      BOOST_TEST(is_close(map.vertices[v].radius, distance(s, p), n));
+      BOOST_TEST(is_same_angle(map.vertices[v].angle + turn, plane_angle(p[0] - s[0], p[1] - s[1]), 2 * pi));
     }
   }
 }

@@ -95,7 +95,7 @@ inline Network_request requests(const Network& network, const std::string& name)
 {
   namespace FG = CGAL::Flip_geodesics;
   Network_request request;
-  for(FG::Curve_index c(0); c.idx() < network.number_of_curves(); ++c) {
+  for(FG::Curve_index c : network.curves()) {
     Curve_request curve;
     curve.name = name + ", curve " + std::to_string(c.idx());
     curve.is_closed = network.is_closed(c);

@@ -46,7 +46,7 @@ public:
     if(network.triangulation().log_position() > 0)
       add_changed_edges();
     m_position = network.triangulation().log_position();
-    for(Curve_index c(0); c.idx() < network.number_of_curves(); ++c)
+    for(Curve_index c : network.curves())
       m_strands.push_back(strand(c));
     m_record.curves = m_strands;
   }
@@ -64,7 +64,7 @@ public:
   /// After the last step; the recorder is empty then.
   Shortening_record finish()
   {
-    for(Curve_index c(0); c.idx() < m_network.number_of_curves(); ++c)
+    for(Curve_index c : m_network.curves())
       add_changes(c, flipped_edges()); // the first has all of them
     return std::move(m_record);
   }

@@ -115,7 +115,7 @@ void put_on_mesh(const Triangulation& triangulation, std::vector<Curve_result>& 
   for(Curve_result& result : tree)
     result.are_zero_edges_contracted = true;
   for(Vertex_index v(0); v.idx() < triangulation.number_of_vertices(); ++v)
-    map.vertices[v.idx()] = map.vertices[CGAL::Flip_geodesics::vertex_on_surface(triangulation, v).idx()];
+    map.vertices[v] = map.vertices[CGAL::Flip_geodesics::vertex_on_surface(triangulation, v)];
 }
 
 /// Lets a curve that ends at vertices start and end at those that were asked for, which lie in the same places.

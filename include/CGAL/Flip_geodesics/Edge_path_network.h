@@ -204,6 +204,8 @@ public:
 
   /// The number of curves added, those that have contracted included; curves are numbered from 0.
   Index number_of_curves() const { return m_segments.number_of_curves(); }
+  /// All curves, a range with random access: `for(Curve_index c : network.curves())`.
+  auto curves() const { return internal::descriptors<Curve_index>(number_of_curves()); }
 
   /// One more than the largest segment id given so far; ids start at 1.
   Index end_of_segment_ids() const { return m_segments.end_of_ids(); }

@@ -55,7 +55,7 @@ void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Tri
                              const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
 {
   for(const auto v : CGAL::make_range(vertices(mesh)))
-    put(coordinates, v, map.vertices[tree.triangulation().index(v).idx()]);
+    put(coordinates, v, map.vertices[tree.triangulation().index(v)]);
 }
 
 /*!

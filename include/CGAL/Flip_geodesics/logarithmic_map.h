@@ -33,7 +33,8 @@ struct Polar_coordinates
 /// The coordinates of all vertices, and what the angles add up to.
 struct Logarithmic_map
 {
-  std::vector<Polar_coordinates> vertices; ///< by index
+  /// An array whose subscripts are vertices: `vertices[v]`.
+  internal::Indexed_by<Vertex_index, std::vector<Polar_coordinates>> vertices;
   double total_angle = 0;    ///< the sum of the angles of the faces about the source, \f$2\pi\f$ where it is flat
   bool is_on_border = false; ///< does the source lie on the border?
 
@@ -43,7 +44,7 @@ struct Logarithmic_map
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {
-    const Polar_coordinates& p = vertices[v.idx()];
+    const Polar_coordinates& p = vertices[v];
     if(p.radius == 0)
       return {0, 0};
     const double stretch = is_on_border ? 1 : boost::math::constants::two_pi<double>() / total_angle;
@@ -83,7 +84,7 @@ Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_
   const internal::Vertex_directions<Triangulation> directions(triangulation, tree.source());
   Logarithmic_map map;
   map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
-  map.vertices[tree.source().idx()].radius = 0;
+  map.vertices[tree.source()].radius = 0;
   map.total_angle = directions.total();
   map.is_on_border = directions.has_border();
   const double start = is_zero_told && !map.is_on_border ? directions.of_input(zero) : 0;
@@ -93,16 +94,16 @@ Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_
     if(!tree.is_reached(v) || v == tree.source())
       continue;
     way.clear();
-    for(Vertex_index w = v; w != tree.source() && std::isnan(map.vertices[w.idx()].angle);
+    for(Vertex_index w = v; w != tree.source() && std::isnan(map.vertices[w].angle);
         w = triangulation.tail(tree.incoming(w)))
       way.push_back(w);
     for(std::size_t i = way.size(); i-- > 0;) {
       const Vertex_index w = way[i];
       const Halfedge_index h = tree.incoming(w);
       const Vertex_index parent = triangulation.tail(h);
-      Polar_coordinates& p = map.vertices[w.idx()];
+      Polar_coordinates& p = map.vertices[w];
       p.radius = tree.distance(w);
-      p.angle = map.vertices[parent.idx()].angle;
+      p.angle = map.vertices[parent].angle;
       if(parent == tree.source()) {
         p.angle = directions(h) - start;
         p.angle += !map.is_on_border && p.angle < 0 ? map.total_angle : 0;
