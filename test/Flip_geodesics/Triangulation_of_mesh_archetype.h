@@ -8,6 +8,8 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 
+#include <CGAL/boost/graph/properties.h>
+
 #include <cstddef>
 #include <utility>
 
@@ -90,9 +92,8 @@ public:
     bool m_is_flip, m_is_insertion;
   };
 
-  template <class... Arguments>
-  explicit Triangulation_of_mesh_archetype(const Triangle_mesh& mesh, const Arguments&... arguments)
-    : m_model(mesh, arguments...)
+  explicit Triangulation_of_mesh_archetype(const Triangle_mesh& mesh)
+    : m_model(mesh, Metric(get(CGAL::vertex_point, mesh)))
   {
   }
 

@@ -7,7 +7,9 @@
 
 #include "Curve_network_archetype.h"
 #include "Curve_setting.h"
+#include "Metric_archetype.h"
 #include "Plain_triangulation.h"
+#include "Policy_archetypes.h"
 #include "Triangulation_of_mesh_archetype.h"
 #include "number_type_checks.h"
 #include "random_curves.h"
@@ -44,6 +46,7 @@
 #include <cstddef>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -57,7 +60,8 @@ namespace {
 
 using Traits = FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
 using Model = FG::Intrinsic_triangulation<Surface, Traits>;
-using Archetype = Triangulation_of_mesh_archetype<Model>;
+using Archetype = Triangulation_of_mesh_archetype<
+    FG::Intrinsic_triangulation<Surface, Traits, Metric_archetype<typename Model::Metric>>>;
 
 // What is seen of a network, told in text, with all bits of its numbers.
 class Record
@@ -358,11 +362,17 @@ private:
       return;
     ++m_pulled;
     FG::Shortener<Network> shortener(network);
-    shortener.run(FG::Iteration_stop_predicate(3));
-    shortener.run(FG::Never_stop_predicate());
+    Visitor_archetype visitor;
+    shortener.run(Stop_predicate_archetype(3), visitor);
+    BOOST_TEST(visitor.steps() <= 3);
+    shortener.run(FG::Never_stop_predicate(), visitor);
+    BOOST_TEST(static_cast<std::size_t>(visitor.steps()) == shortener.number_of_steps());
     m_record.report(shortener.report());
     m_record.ways(network);
-    m_record.report(FG::refine(network, {15, 0.8, 20}));
+    Refinement_visitor_archetype refinement_visitor;
+    const FG::Refinement_report refined = FG::refine(network, {15, 0.8, 20}, refinement_visitor);
+    BOOST_TEST(static_cast<std::size_t>(refinement_visitor.insertions()) == refined.insertions);
+    m_record.report(refined);
     m_record.ways(network);
   }
 
@@ -400,7 +410,9 @@ private:
   void shortest(Network& network)
   {
     FG::Shortest_edge_path<Triangulation> search(network.triangulation());
-    m_record.report(FG::add_shortest_path(network, search, Vertex(0), m_last));
+    Visitor_archetype visitor;
+    m_record.report(FG::add_shortest_path(network, search, Vertex(0), m_last, FG::Window_limit(), visitor));
+    BOOST_TEST(visitor.questions() > 0);
   }
 
   void straightened(Network& network)
@@ -453,7 +465,10 @@ private:
 
   void free_curves(Triangulation& triangulation)
   {
-    const FG::Free_legs legs = FG::geodesics_through(triangulation, points(triangulation));
+    Visitor_archetype visitor;
+    const Stop_predicate_archetype stop(1000);
+    const FG::Free_legs legs = FG::geodesics_through(triangulation, points(triangulation), stop, visitor);
+    BOOST_TEST(visitor.questions() > 0);
     for(const auto& leg : legs.legs)
       m_record.polyline(leg);
     m_record.report(legs.report);
@@ -466,7 +481,9 @@ private:
   void trees(Triangulation& triangulation)
   {
     FG::Geodesic_tree<Triangulation> tree(triangulation);
-    tree.grow(Vertex(0));
+    Visitor_archetype visitor;
+    const FG::Geodesic_tree_report report = tree.grow(Vertex(0), std::numeric_limits<double>::infinity(), visitor);
+    BOOST_TEST(static_cast<std::size_t>(visitor.flips()) == report.flips);
     m_record.tree(tree);
     m_record.report(FG::make_shortest(tree));
     m_record.tree(tree);
@@ -476,7 +493,10 @@ private:
   void delaunay(Triangulation& triangulation)
   {
     m_record.triangulation(triangulation, m_mesh);
-    FG::flip_to_delaunay(triangulation);
+    Visitor_archetype visitor;
+    const FG::Delaunay_report report =
+        FG::flip_to_delaunay(triangulation, (std::numeric_limits<std::size_t>::max)(), visitor);
+    BOOST_TEST(static_cast<std::size_t>(visitor.flips()) == report.flips);
     m_record.report(FG::refine(triangulation, {25, 0.5, 50}));
     m_record.triangulation(triangulation, m_mesh);
   }

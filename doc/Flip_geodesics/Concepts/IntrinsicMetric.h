@@ -8,11 +8,9 @@
  * so: a triangulation keeps a copy.
  *
  * The argument `mesh` of its members is the mesh as `Intrinsic_triangulation::input()` gives it, numbered by
- * consecutive integers: `mesh.vertex(v)` and `mesh.halfedge(h)` are the mesh's own descriptors of vertex `v` and
- * halfedge `h`, `mesh.tail(h)` is the vertex at which `h` starts, and `mesh.next(h)` the next halfedge around the face.
- * The two halfedges of an edge have the numbers `2e` and `2e+1`.
+ * consecutive integers.
  *
- * The last two members are needed only for traits of which `Has_drift` is `CGAL::Tag_false`, which may leave decisions
+ * The members `exact_face()` and `sine_in_plane()` are needed only for traits of which `Has_drift` is `CGAL::Tag_false`, which may leave decisions
  * to the triangulation, and for `certify()`. Their types are not documented: a metric of one's own gets them by
  * deriving from one of the models, as `CGAL::Flip_geodesics::Mollified_metric` does.
  *
@@ -27,7 +25,7 @@
 class IntrinsicMetric
 {
 public:
-  /// The type of `Intrinsic_triangulation::input()`.
+  /// `CGAL::Flip_geodesics::Numbered_mesh` of the mesh's type, that of `Intrinsic_triangulation::input()`.
   typedef unspecified_type Mesh;
 
   /// A \cgal kernel. The measurement of finished curves lays faces out by `Intrinsic_triangulation_traits<Kernel>`.
@@ -41,8 +39,9 @@ public:
   /// whatever there is where it has no usable one.
   double weight(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// What a lower bound needs to know of a vertex, such as the coordinates of its point; copied freely. An empty class
-  /// says that there is no bound but zero.
+  /// What a lower bound needs to know of a vertex, such as the coordinates of its point; default constructible, and
+  /// copied freely. An empty class says that there is no bound but zero. A `std::array<double, 3>` is taken for the
+  /// coordinates of a point: from these, `add_straightened_path()` lays faces out to find its path.
   typedef unspecified_type Place;
 
   /// `weight(mesh, h)`, bit for bit, where the places of the halfedge's two ends are at hand: what a search asks most.
@@ -55,6 +54,14 @@ public:
   /// from a vertex to itself, and from the two ends of an edge to one vertex it differs by no more than the edge's
   /// weight.
   double distance_lower_bound(const Place& p, const Place& q) const;
+
+  /// The type of points, only where vertices have points in space; points are written as this, see `point_in_space()`.
+  /// It has `x()`, `y()` and `z()`, and is constructed from three of them. Without points there is no such type, or it
+  /// is `void`.
+  typedef unspecified_type Point_3;
+
+  /// The point of vertex `v`, where there is a type of points.
+  Point_3 point(const Mesh& mesh, Vertex_index v) const;
 
   /// The geometry of the face on the left of `h`, from `h` on, made by one of the functors of `traits`.
   /// \throws Degenerate_face_error, Invalid_coordinate_error if the face has no usable shape

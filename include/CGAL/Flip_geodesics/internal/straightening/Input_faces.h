@@ -22,8 +22,6 @@ namespace internal {
 template <class Triangulation>
 class Input_faces
 {
-  using Metric = typename Triangulation::Metric;
-
 public:
   explicit Input_faces(const Triangulation& triangulation)
     : m_triangulation(triangulation)
@@ -49,12 +47,12 @@ public:
   /* The third corner of the face of h, which has to be a triangle, where h leads from 0 to 1 in the complex plane. */
   Plane_vector corner(Input_halfedge_index h) const
   {
-    if constexpr(std::is_empty<typename Metric::Place>::value) {
-      const auto face = input_face_geometry(m_triangulation, h);
-      return {-face[2].x / face[0].x, -face[2].y / face[0].x};
-    } else {
+    if constexpr(std::is_same<typename Triangulation::Metric::Place, std::array<double, 3>>::value) {
       check_triangle(m_triangulation.input(), h);
       return corner(place(tail(h)), place(head(h)), place(apex(h)));
+    } else {
+      const auto face = input_face_geometry(m_triangulation, h);
+      return {-face[2].x / face[0].x, -face[2].y / face[0].x};
     }
   }
 
