@@ -22,6 +22,8 @@ if(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR AND FLIP_GEODESICS_OPENMESH_LIBRARY)
                INTERFACE_COMPILE_DEFINITIONS "CGAL_USE_OPENMESH;NOMINMAX;_USE_MATH_DEFINES"
                # OpenMesh has elements without initial values, which g++ reports where they are inlined.
                INTERFACE_COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
+else()
+  message(STATUS "Flip_geodesics: meshes of OpenMesh are NOT tested, because it was not found")
 endif()
 
 add_library(Flip_geodesics_warnings INTERFACE)

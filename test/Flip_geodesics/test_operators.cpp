@@ -3,12 +3,16 @@
 // Finite elements on intrinsic triangulations: identities between the operators, and problems with known solutions,
 // each also after random flips, which must not change what the operators mean. Without Eigen there is nothing to test.
 
+#include "Curve_network_archetype.h"
+#include "Plain_triangulation.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 #include "mesh_soup.h"
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include <CGAL/Flip_geodesics/Conformal_flattening.h>
+#include <CGAL/Flip_geodesics/Direction_field.h>
 #include <CGAL/Flip_geodesics/Dirichlet_problem.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Operators.h>
@@ -230,6 +234,51 @@ BOOST_AUTO_TEST_CASE(parallel_assembly_gives_the_same_bits)
   BOOST_TEST(Operators::Matrix(sequential.gradient() - parallel.gradient()).norm() == 0);
 }
 #endif
+
+namespace {
+
+// What all solvers say of a sphere with a cut of two edges, but for where angles start, which is the model's choice.
+template <class Archetype>
+std::vector<double> solutions(const Mesh& mesh)
+{
+  Archetype triangulation(mesh);
+  FG::Edge_path_network<Archetype> network(triangulation);
+  const FG::Halfedge_index h = 0_h, t = Archetype::twin(h);
+  network.add_curve(std::vector<FG::Halfedge_index>{h, triangulation.clockwise(triangulation.clockwise(t))}, false);
+  for(FG::Halfedge_index g : {40_h, 60_h, 80_h, 100_h, 120_h})
+    if(triangulation.label(Archetype::edge(g)) == 0 && triangulation.is_flippable(g))
+      triangulation.flip(g);
+  BOOST_TEST(triangulation.log_position() >= 3u);
+  const Curve_network_archetype<FG::Edge_path_network<Archetype>> window(network);
+
+  const FG::Operators<Archetype> operators(triangulation);
+  const auto n = static_cast<Eigen::Index>(operators.number_of_vertices());
+  const FG::Dirichlet_problem<FG::Operators<Archetype>> problem(operators, {3_v, 7_v});
+  const Vector solution = problem.solve(Vector(), Vector::LinSpaced(n, 0, 1));
+  std::vector<double> result(solution.data(), solution.data() + n);
+  FG::Direction_field<Archetype> field(triangulation, 4);
+  field.align(window);
+  field.compute();
+  const FG::Conformal_flattening<Archetype> flattening(window);
+  for(FG::Halfedge_index g : FG::internal::descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges())) {
+    result.push_back(std::cos(4 * (field.angle(triangulation.tail(g)) - field.tangent_spaces().angle(g))));
+    result.push_back(flattening.log_scale(flattening.copy_at(g)));
+  }
+  return result;
+}
+
+} // namespace
+
+// Models that have nothing but what the pages of the concepts say.
+BOOST_AUTO_TEST_CASE(no_mesh_is_needed)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(3, 0.2, 1));
+  const std::vector<double> expected = solutions<Triangulation>(mesh);
+  const std::vector<double> plain = solutions<Plain_triangulation<Triangulation::Traits>>(mesh);
+  BOOST_REQUIRE_EQUAL(plain.size(), expected.size());
+  for(std::size_t i = 0; i < plain.size(); ++i)
+    BOOST_TEST(std::abs(plain[i] - expected[i]) < 1e-8);
+}
 
 // Its lengths say that the triangle has no area, though its points do not.
 BOOST_AUTO_TEST_CASE(faces_without_area_are_refused)

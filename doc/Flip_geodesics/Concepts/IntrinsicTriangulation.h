@@ -14,8 +14,8 @@
  * edges between two vertices, and faces that are glued to themselves. Faces are triangles, and lie on the left of their
  * halfedges; a border halfedge has none. The surface is oriented and a manifold.
  *
- * Where `Traits::Has_drift` is `CGAL::Tag_true`, finished curves and trees are measured from the input; `shorten()` and
- * `Geodesic_tree` then ask for `IntrinsicTriangulationOfMesh`.
+ * Where `Traits::Has_drift` is `CGAL::Tag_true`, finished curves and trees are measured from the input, and faces laid
+ * out afresh; `shorten()`, `Geodesic_tree` and `flip_to_delaunay()` then ask for `IntrinsicTriangulationOfMesh`.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Intrinsic_triangulation<TriangleMesh\,Traits\,Metric>}

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/internal/tree/Tree_labels.h>
@@ -61,6 +62,9 @@ struct Geodesic_tree_report
 template <class Triangulation_>
 class Geodesic_tree
 {
+  static_assert(internal::Has_words<Triangulation_>::value || !Triangulation_::Traits::Has_drift::value,
+                "decisions that can err are measured from the input, with which the triangulation does not correspond");
+
 public:
   using Triangulation = Triangulation_;
 

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
@@ -19,23 +20,6 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-namespace internal {
-
-/* Does a triangulation tell the words of its edges on an input? */
-template <class Triangulation, class = void>
-struct Has_words : std::false_type
-{
-};
-
-template <class Triangulation>
-struct Has_words<Triangulation,
-                 std::void_t<decltype(std::declval<const Triangulation&>().crossing_word(Halfedge_index()))>>
-  : std::true_type
-{
-};
-
-} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsRef

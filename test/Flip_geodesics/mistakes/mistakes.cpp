@@ -5,6 +5,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -44,6 +45,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], std::back_inserter(wrong_points));
 #elif MISTAKE == 8
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(std::cref(visitor)));
+#elif MISTAKE == 9
+  FG::geodesic_loop(mesh, std::vector<CGAL::Polyhedron_3<Kernel>::Vertex_handle>(), out);
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));

@@ -28,6 +28,19 @@ struct Is_triangulation_traits<T, std::void_t<typename T::Halfedge_geometry, typ
 {
 };
 
+/* Does a triangulation tell the words of its edges on an input? */
+template <class Triangulation, class = void>
+struct Has_words : std::false_type
+{
+};
+
+template <class Triangulation>
+struct Has_words<Triangulation,
+                 std::void_t<decltype(std::declval<const Triangulation&>().crossing_word(Halfedge_index()))>>
+  : std::true_type
+{
+};
+
 template <class T>
 struct Is_named_parameters : std::false_type
 {

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_LAWSON_FLIPS_H
 
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 
 #include <cstddef>
@@ -42,6 +43,9 @@ void for_each_edge_in_star(const Triangulation& triangulation, Vertex_index v, F
 template <class Triangulation>
 class Lawson_flips
 {
+  static_assert(Has_words<Triangulation>::value || !Triangulation::Traits::Has_drift::value,
+                "faces that err are laid out afresh from the input, with which the triangulation does not correspond");
+
 public:
   /* On the edges that are allowed then, or on all, of which those that are looked at are queued. */
   explicit Lawson_flips(Triangulation& triangulation, bool allows_all = false)
