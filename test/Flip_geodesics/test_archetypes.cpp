@@ -10,6 +10,7 @@
 #include "Metric_archetype.h"
 #include "Plain_triangulation.h"
 #include "Policy_archetypes.h"
+#include "Traits_archetype.h"
 #include "Triangulation_of_mesh_archetype.h"
 #include "number_type_checks.h"
 #include "random_curves.h"
@@ -26,6 +27,7 @@
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/network_io.h>
@@ -39,6 +41,7 @@
 
 #include <CGAL/Gmpq.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -47,6 +50,7 @@
 #include <exception>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -112,8 +116,8 @@ public:
     }
   }
 
-  template <class Subdivision>
-  void subdivision(const Subdivision& subdivision)
+  template <class Triangulation>
+  void subdivision(const FG::Surface_subdivision<Triangulation, Surface>& subdivision)
   {
     for(Surface::Vertex_index v : subdivision.mesh().vertices())
       m_out << subdivision.mesh().point(v) << ' ' << subdivision.vertex_origin(v).intrinsic_vertex << '\n';
@@ -147,6 +151,13 @@ public:
   }
 
   template <class Triangulation>
+  void space(const Triangulation& triangulation, const Surface& mesh, const FG::Surface_point& p)
+  {
+    const auto [face, weights] = FG::face_location(triangulation, mesh, p);
+    m_out << FG::point_in_space(triangulation, p) << ' ' << face << ' ' << weights[0] << ' ' << weights[1] << '\n';
+  }
+
+  template <class Triangulation>
   void triangulation(const Triangulation& triangulation, const Surface& mesh)
   {
     faces(triangulation);
@@ -154,6 +165,10 @@ public:
     m_out << FG::is_delaunay(triangulation) << '\n';
     for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges())) {
       location(FG::location_on_edge(triangulation, h, 0.3));
+      std::vector<FG::Surface_point> points;
+      FG::edge_surface_points(triangulation, h, std::back_inserter(points));
+      for(const FG::Surface_point& p : points)
+        space(triangulation, mesh, p);
       if(!triangulation.is_border(h))
         location(FG::location_in_face(triangulation, h, {{0.2, 0.3, 0.5}}));
     }
@@ -461,6 +476,9 @@ private:
     const auto polyline = FG::complete_polyline(triangulation, points(triangulation));
     m_record.halfedges(FG::halfedges_on_surface(triangulation, FG::snap_polyline(triangulation, polyline), false));
     m_record.polyline(FG::points_on_surface(triangulation, points(triangulation)));
+    const std::vector<Vertex> ends = {FG::vertex_on_surface(triangulation, Vertex(1)), m_last};
+    m_record.halfedges(FG::shortest_halfedges_through(search, ends));
+    m_record.space(triangulation, m_mesh, FG::surface_point(triangulation, points(triangulation).front()));
   }
 
   void free_curves(Triangulation& triangulation)
@@ -487,7 +505,14 @@ private:
     m_record.tree(tree);
     m_record.report(FG::make_shortest(tree));
     m_record.tree(tree);
-    m_record.map(FG::logarithmic_map(tree));
+    const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+    m_record.map(map);
+    std::map<Surface::Vertex_index, double> distances;
+    std::map<Surface::Vertex_index, FG::Polar_coordinates> coordinates;
+    FG::write_distances(tree, m_mesh, boost::make_assoc_property_map(distances));
+    FG::write_polar_coordinates(map, tree, m_mesh, boost::make_assoc_property_map(coordinates));
+    for(Surface::Vertex_index v : m_mesh.vertices())
+      BOOST_TEST(distances[v] == coordinates[v].radius);
   }
 
   void delaunay(Triangulation& triangulation)
@@ -558,5 +583,17 @@ BOOST_AUTO_TEST_CASE(no_mesh_is_needed)
     const std::string expected = without_mesh<FG::Intrinsic_triangulation<Surface, Traits>>(mesh);
     BOOST_TEST(expected.size() > 5000u);
     BOOST_TEST((without_mesh<Plain_triangulation<Traits>>(mesh) == expected));
+  }
+}
+
+// Traits that compute otherwise, with drift: what comes out is as valid, and measured.
+BOOST_AUTO_TEST_CASE(least_traits_are_enough)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface, Traits_archetype>;
+  for(const Mesh_soup& soup : soups()) {
+    const Surface mesh = to_mesh<Surface>(soup);
+    const Constructions<Triangulation> constructions(mesh);
+    BOOST_TEST(constructions.pulled() >= 9);
+    BOOST_TEST((reading<Triangulation, Itself>(mesh)).size() > 10000u);
   }
 }

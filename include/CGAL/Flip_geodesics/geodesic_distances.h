@@ -33,7 +33,7 @@ void write_distances(const Geodesic_tree<Triangulation>& tree, const typename Tr
                      VertexDistanceMap distances)
 {
   for(const auto v : CGAL::make_range(vertices(mesh)))
-    put(distances, v, tree.distance(tree.triangulation().index(v)));
+    put(distances, v, tree.distance(tree.triangulation().input().index(v)));
 }
 
 /*!
@@ -55,7 +55,7 @@ void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Tri
                              const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
 {
   for(const auto v : CGAL::make_range(vertices(mesh)))
-    put(coordinates, v, map.vertices[tree.triangulation().index(v)]);
+    put(coordinates, v, map.vertices[tree.triangulation().input().index(v)]);
 }
 
 /*!

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_LAWSON_FLIPS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_LAWSON_FLIPS_H
 
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 
 #include <cstddef>

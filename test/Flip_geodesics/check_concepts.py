@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Reads the manual's table of what asks for which concept, the headers and the tests, and compares them.
+
+    check_concepts.py SOURCE_DIR
+
+What the table names is public, each concept has a page, and each public template over a triangulation or a network is
+in the table. The tests that hand archetypes on name all of it.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+TESTS = ['test_archetypes.cpp', 'test_operators.cpp', 'test_edge_path_graph.cpp']
+ROW = re.compile(r'^\| (.*) \| (.*) \| (.*)\|$')
+NAME = re.compile(r'`(\w+)(?:\(\))?`')
+INTERNAL = re.compile(r'^namespace internal \{.*?^\} // namespace internal', re.MULTILINE | re.DOTALL)
+TEMPLATE = re.compile(r'^template <class (?:Triangulation_?|Network_?|Search)\b[^;{]*?[>\n](?:class (\w+)|[^;{(]*?\b(\w+)\()',
+                      re.MULTILINE)
+
+
+def table(manual):
+    """The names of algorithms, those of concepts and the classes that stand for one, from the manual's table."""
+    text = manual.read_text()
+    section = text[text.index('\\section Flip_geodesicsAsked'):]
+    rows = [ROW.match(line) for line in section[:section.index('\n\\section', 1)].split('\n')]
+    rows = [row for row in rows if row][1:]
+    names = [name for row in rows for name in NAME.findall(row.group(1))]
+    asked = {name for row in rows for column in (2, 3) for name in NAME.findall(row.group(column))}
+    return names, asked
+
+
+def main():
+    source = Path(sys.argv[1])
+    headers = {p.name: INTERNAL.sub('', p.read_text())
+               for p in sorted((source / 'include/CGAL/Flip_geodesics').glob('*.h'))}
+    public = '\n'.join(headers.values())
+    tests = '\n'.join((source / 'test/Flip_geodesics' / test).read_text() for test in TESTS)
+    names, asked = table(source / 'doc/Flip_geodesics/Design.txt')
+    wrong = [f'{name} is twice in the table' for name in sorted(set(names)) if names.count(name) > 1]
+    for name in names:
+        if not re.search(rf'\b(?:class {name}\b|{name}\()', public):
+            wrong.append(f'{name} of the table is not public')
+        if not re.search(rf'\b{name}\b', tests):
+            wrong.append(f'{name} of the table gets no archetype in {", ".join(TESTS)}')
+    for name in asked - {'Edge_path_network'}:
+        if not (source / f'doc/Flip_geodesics/Concepts/{name}.h').exists():
+            wrong.append(f'{name} of the table has no page')
+    for header, text in headers.items():
+        for match in TEMPLATE.finditer(text):
+            name = match.group(1) or match.group(2)
+            if name not in names:
+                wrong.append(f'{name} of {header} is not in the table')
+    print('\n'.join(wrong) if wrong else f'{len(names)} algorithms, {len(asked)} concepts and classes')
+    return 1 if wrong or not names else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
