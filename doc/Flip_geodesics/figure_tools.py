@@ -3,7 +3,9 @@
 
 import heapq
 import math
+import re
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -109,13 +111,24 @@ def read_off(path):
             [tuple(int(next(numbers)) for _ in range(int(next(numbers)))) for _ in range(faces)])
 
 
-def read_polylines(path):
-    """The polylines of a file in the format of CGAL's demo."""
-    polylines = []
-    for line in path.read_text().splitlines():
-        numbers = [float(x) for x in line.split()[1:]]
-        polylines.append(list(zip(numbers[0::3], numbers[1::3], numbers[2::3])))
-    return polylines
+def read_vtp(path):
+    """The polylines of a VTP file, as the library writes them: all numbers at the end, in eight bytes each."""
+    head, data = path.read_bytes().split(b'<AppendedData encoding="raw">\n_', 1)
+    section, arrays = '', {}
+    for line in head.decode().splitlines():
+        section = line.strip('<>') if line.startswith('<') and not line.startswith(('</', '<DataArray')) else section
+        offset = re.search(r'offset="(\d+)"', line)
+        if offset:
+            start = int(offset[1])
+            size, = struct.unpack_from('<Q', data, start)
+            kind = 'd' if 'Float64' in line else 'q'
+            name = re.search(r'Name="(\w+)"', line)
+            arrays[section, name[1] if name else ''] = struct.unpack_from(f'<{size // 8}{kind}', data, start + 8)
+    numbers = arrays['Points', '']
+    points = list(zip(numbers[0::3], numbers[1::3], numbers[2::3]))
+    corners = [points[i] for i in arrays['Lines', 'connectivity']]
+    ends = arrays['Lines', 'offsets']
+    return [corners[start:end] for start, end in zip((0, *ends), ends)]
 
 
 class Graph:

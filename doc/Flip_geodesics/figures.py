@@ -26,7 +26,7 @@ root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
 from figure_drawing import BLUE, GREEN, INK, ORANGE, RED, WHITE, Panel, make_small, size_of, write_png  # noqa: E402
-from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_polylines  # noqa: E402
+from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_vtp  # noqa: E402
 
 figures = {}
 
@@ -170,15 +170,15 @@ def network(tools):
 
 @figure(900, 420)
 def early_stop(tools):
-    """A network whose curves were stopped at 95 % of their lengths and saved; and loaded and pulled tight."""
+    """A network whose curves were stopped at 95 % of their lengths; and pulled tight."""
     mesh = tools.torus(96, 48)
-    tools.run('network_early_stop_example', mesh, 0.95)
     points, faces = read_off(mesh)
     panels = []
-    for name, shade in (('network', ORANGE), ('finished_network', BLUE)):
+    for ratio, shade in ((0.95, ORANGE), (0, BLUE)):
+        tools.run('network_early_stop_example', mesh, ratio)
         panel = Panel(size_of(points))
         panel.surface(points, faces)
-        panel.tubes(read_polylines(tools.folder / f'{name}.polylines.txt'), shade, 0.008)
+        panel.tubes(read_vtp(tools.folder / 'network.vtp'), shade, 0.008)
         panel.look((0, -0.9, 1))
         panels.append(panel)
     return panels
@@ -223,9 +223,10 @@ def seams(tools):
 @figure(900, 400)
 def drawn_polyline(tools):
     """A polyline across the faces of a mesh; the edges that it is snapped to, and the geodesic that it becomes."""
-    tools.run('drawn_polyline_example')
-    drawn, tight, snapped = read_polylines(tools.folder / 'drawn_polyline.polylines.txt')
-    points, faces = read_off(tools.torus(48, 24))
+    mesh = tools.torus(48, 24)
+    tools.run('drawn_polyline_example', mesh)
+    drawn, tight, snapped = read_vtp(tools.folder / 'drawn_polyline.vtp')
+    points, faces = read_off(mesh)
     panels = []
     for shown in (((drawn, RED),), ((snapped, ORANGE), (tight, BLUE))):
         panel = Panel(size_of(points))
@@ -293,11 +294,10 @@ def cross_field(tools):
     mesh = tools.torus(72, 36)
     source, target = 9, 1340
     tools.run('cross_field_example', mesh, source, target)
-    lines = read_obj(tools.folder / 'cross_field.obj')
     page = tools.curves(mesh, '--from', source, '--to', target)
     panel = Panel(size_of(page.points))
     panel.surface(page.points, page.faces)
-    panel.tubes([[lines['v'][i] for i in line] for line in lines['l']], BLUE, 0.0028)
+    panel.tubes(read_vtp(tools.folder / 'cross_field.vtp'), BLUE, 0.0028)
     panel.tubes(page.curves.values(), RED, 0.009)
     panel.look((0, -0.8, 1))
     return [panel]
@@ -379,7 +379,7 @@ def boundaries(points, faces):
 @figure(1000, 420)
 def flattening(tools):
     """A torus cut open along two geodesic loops and flattened, with lines of equal texture coordinates."""
-    tools.run('flattening_example')
+    tools.run('flattening_example', tools.torus(96, 48), 0, 16, 32, 0, 1536, 3072, 0)
     mesh = read_obj(tools.folder / 'flattening.obj')
     corners = [mesh['v'][v] for face in mesh['f'] for v in face]
     flat = [(x, y, 0.0) for x, y in mesh['vt']]
@@ -445,7 +445,7 @@ def shortest_path(tools):
     mesh = tools.torus(48, 24)
     ends = 6, 620
     tools.run('shortest_path_example', mesh, *ends)
-    shortest, = read_polylines(tools.folder / 'shortest_path.polylines.txt')
+    shortest, = read_vtp(tools.folder / 'shortest_path.vtp')
     page = tools.curves(mesh, '--from', ends[0], '--to', ends[1], '--search', 'dijkstra')
     panels = []
     for view in ((0, -0.9, 1), (0, 0.9, -1)):
@@ -465,7 +465,7 @@ def spline(tools):
     mesh = tools.torus(20, 10)  # on which the example's faces lie well
     page = tools.curves(mesh, '--random', 1)
     tools.run('geodesic_spline_example', mesh)
-    geodesic, bezier, b_spline = read_polylines(tools.folder / 'geodesic_spline.polylines.txt')
+    geodesic, bezier, b_spline = read_vtp(tools.folder / 'geodesic_spline.vtp')
 
     def point(face, first):  # the example's weights, from one corner of a face on
         corners = [page.points[page.faces[face][(first + k) % 3]] for k in range(3)]

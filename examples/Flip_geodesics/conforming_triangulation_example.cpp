@@ -3,9 +3,9 @@
 // The triangulation of the same surface that has a geodesic among its edges, as triples of vertices with edge lengths:
 // what a finite-element code needs to cut or constrain along the curve.
 //
-//   conforming_triangulation_example [MESH]
-
-#include "torus.h"
+//   conforming_triangulation_example MESH
+//
+// Writes conforming_triangulation.txt.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -19,48 +19,42 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
-
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 
 int main(int argc, char** argv)
-{
+try {
   Mesh mesh;
-  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
-    std::cerr << "This is not a triangle mesh.\n";
-    return EXIT_FAILURE;
-  }
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
 
+  Triangulation triangulation(mesh);
+  FG::Shortest_edge_path<Triangulation> search(triangulation);
+  Network network(triangulation);
+  const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
+  const FG::Curve_index curve = network.add_curve(search(source, target), false);
+  FG::shorten(network);
   std::vector<FG::Intrinsic_face> faces;
-  std::size_t edges_of_curve = 0;
-  try {
-    Triangulation triangulation(mesh);
-    FG::Shortest_edge_path<Triangulation> search(triangulation);
-    Network network(triangulation);
-    const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
-    const FG::Curve_index curve = network.add_curve(search(source, target), false);
-    FG::shorten(network);
-    edges_of_curve = network.halfedges(curve).size();
-    FG::intrinsic_faces(triangulation, std::back_inserter(faces));
-  } catch(const FG::Error& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  FG::intrinsic_faces(triangulation, std::back_inserter(faces));
 
   std::ofstream out("conforming_triangulation.txt");
   out.precision(17);
   for(const FG::Intrinsic_face& f : faces)
     out << f.vertices[0].idx() << ' ' << f.vertices[1].idx() << ' ' << f.vertices[2].idx() << ' ' << f.lengths[0] << ' '
         << f.lengths[1] << ' ' << f.lengths[2] << '\n';
-  std::cout << faces.size() << " faces, the geodesic along " << edges_of_curve << " of their edges.\n";
+  std::cout << faces.size() << " faces, the geodesic along " << network.halfedges(curve).size() << " of their edges.\n";
   return out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
 }

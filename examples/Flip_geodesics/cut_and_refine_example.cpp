@@ -3,12 +3,12 @@
 // Refines a triangulation that has a geodesic among its edges, takes its common subdivision with the mesh, and cuts the
 // mesh open along the geodesic.
 //
-//   cut_and_refine_example [MESH]
-
-#include "kept_input.h"
-#include "torus.h"
+//   cut_and_refine_example MESH
+//
+// Writes cut.vtp and subdivision.vtp.
 
 #include <CGAL/Flip_geodesics.h>
+#include <CGAL/Flip_geodesics/IO/VTP.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -16,54 +16,47 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
 
 namespace FG = CGAL::Flip_geodesics;
-
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 
 int main(int argc, char** argv)
-{
+try {
   Mesh mesh;
-  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
-    std::cerr << "This is not a triangle mesh.\n";
-    return EXIT_FAILURE;
-  }
-  if(!is_input_kept(argc, argv, {"cut.off", "subdivision.off"}))
-    return EXIT_FAILURE;
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
 
-  try {
-    Triangulation triangulation(mesh);
-    FG::Shortest_edge_path<Triangulation> search(triangulation);
-    Network network(triangulation);
-    const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
-    network.add_curve(search(source, target), false);
-    FG::shorten(network);
+  Triangulation triangulation(mesh);
+  FG::Shortest_edge_path<Triangulation> search(triangulation);
+  Network network(triangulation);
+  const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
+  network.add_curve(search(source, target), false);
+  FG::shorten(network);
 
-    const auto cut = FG::cut_along_curves(network, mesh);
-    std::size_t on_cut = 0;
-    for(const auto e : cut.mesh().edges())
-      on_cut += get(cut.edge_is_constrained_map(), e) ? 1 : 0;
-    std::cout << "Cut open: " << cut.mesh().number_of_faces() << " faces, " << on_cut << " border edges at the cut.\n";
+  const auto cut = FG::cut_along_curves(network, mesh);
+  std::size_t on_cut = 0;
+  for(const auto e : cut.mesh().edges())
+    on_cut += get(cut.edge_is_constrained_map(), e) ? 1 : 0;
+  std::cout << "Cut open: " << cut.mesh().number_of_faces() << " faces, " << on_cut << " border edges at the cut.\n";
+  FG::IO::write_VTP("cut.vtp", cut.mesh());
 
-    FG::Refinement_options options;
-    options.smallest_angle = 25;
-    const FG::Refinement_report report = FG::refine(network, options);
-    std::cout << "Refined: " << report.insertions + report.splits << " vertices more, smallest angle "
-              << report.smallest_angle << " degrees.\n";
+  FG::Refinement_options options;
+  options.smallest_angle = 25;
+  const FG::Refinement_report report = FG::refine(network, options);
+  std::cout << "Refined: " << report.insertions + report.splits << " vertices more, smallest angle "
+            << report.smallest_angle << " degrees.\n";
 
-    const auto subdivision = FG::common_subdivision(triangulation, mesh);
-    std::cout << "Common subdivision: " << subdivision.mesh().number_of_faces() << " faces.\n";
-    return CGAL::IO::write_polygon_mesh("cut.off", cut.mesh()) &&
-                   CGAL::IO::write_polygon_mesh("subdivision.off", subdivision.mesh()) && std::cout.flush()
-               ? EXIT_SUCCESS
-               : EXIT_FAILURE;
-  } catch(const FG::Error& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  const auto subdivision = FG::common_subdivision(triangulation, mesh);
+  std::cout << "Common subdivision: " << subdivision.mesh().number_of_faces() << " faces.\n";
+  FG::IO::write_VTP("subdivision.vtp", subdivision.mesh());
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
 }

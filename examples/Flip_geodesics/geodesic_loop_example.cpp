@@ -2,11 +2,11 @@
 //
 // A closed geodesic: a loop of edges through way points, pulled tight. A loop that can contract to a point does.
 //
-//   geodesic_loop_example [MESH VERTEX VERTEX VERTEX ...]
+//   geodesic_loop_example MESH VERTEX VERTEX VERTEX...
+//
+// Writes geodesic_loop.vtp, the curve, if it has not contracted.
 
-#include "polylines_io.h"
-#include "torus.h"
-
+#include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
@@ -17,48 +17,41 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
-
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 
 int main(int argc, char** argv)
-{
+try {
   Mesh mesh;
-  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
-    std::cerr << "This is not a triangle mesh.\n";
-    return EXIT_FAILURE;
-  }
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
   std::vector<FG::Vertex_index> way_points;
   for(int i = 2; i < argc; ++i)
-    way_points.emplace_back(static_cast<FG::Index>(std::strtol(argv[i], nullptr, 10)));
-  if(argc <= 1)
-    for(FG::Index v : {0, 1440, 2900}) // around the hole of the torus
-      way_points.emplace_back(v);
+    way_points.emplace_back(std::stoi(argv[i]));
 
-  try {
-    const Triangulation triangulation(mesh);
-    FG::Shortest_edge_path<Triangulation> search(triangulation);
-    std::vector<Mesh::Vertex_index> loop;
-    for(FG::Halfedge_index h : FG::shortest_halfedges_through(search, way_points, true))
-      loop.push_back(triangulation.vertex(triangulation.tail(h)));
+  const Triangulation triangulation(mesh);
+  FG::Shortest_edge_path<Triangulation> search(triangulation);
+  std::vector<Mesh::Vertex_index> loop;
+  for(FG::Halfedge_index h : FG::shortest_halfedges_through(search, way_points, true))
+    loop.push_back(triangulation.vertex(triangulation.tail(h)));
 
-    std::vector<Kernel::Point_3> points;
-    const auto result = FG::geodesic_loop(mesh, loop, std::back_inserter(points));
-    const FG::Curve_report& curve = result.report.curves.front();
-    std::cout << "The loop of " << loop.size() << " edges is " << curve.initial_length << " long, the geodesic "
-              << curve.length << ": " << to_string(curve.status) << ".\n";
-    return write_polylines<Kernel::Point_3>("geodesic_loop.polylines.txt", {points}) && std::cout.flush()
-               ? EXIT_SUCCESS
-               : EXIT_FAILURE;
-  } catch(const FG::Error& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  std::vector<Kernel::Point_3> points;
+  const auto result = FG::geodesic_loop(mesh, loop, std::back_inserter(points));
+  std::cout << "A loop of " << loop.size() << " edges has become a closed curve of length " << result.length() << ": "
+            << to_string(result.status()) << ".\n";
+  if(!points.empty())
+    FG::IO::write_VTP("geodesic_loop.vtp", std::vector<std::vector<Kernel::Point_3>>{points});
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -2,11 +2,11 @@
 //
 // A geodesic from one vertex to another, by one call.
 //
-//   geodesic_path_example [MESH [SOURCE TARGET]]
+//   geodesic_path_example MESH [SOURCE TARGET]
+//
+// Writes geodesic_path.vtp, the curve.
 
-#include "polylines_io.h"
-#include "torus.h"
-
+#include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,36 +15,32 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+namespace FG = CGAL::Flip_geodesics;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 int main(int argc, char** argv)
-{
+try {
   Mesh mesh;
-  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
-    std::cerr << "This is not a triangle mesh.\n";
-    return EXIT_FAILURE;
-  }
-  const std::size_t source = argc > 3 ? std::strtoul(argv[2], nullptr, 10) : 0;
-  const std::size_t target = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : mesh.number_of_vertices() / 2;
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
+  const Mesh::Vertex_index source(argc > 3 ? std::stoul(argv[2]) : 0);
+  const Mesh::Vertex_index target(argc > 3 ? std::stoul(argv[3]) : mesh.number_of_vertices() / 2);
 
   std::vector<Kernel::Point_3> points;
-  try {
-    const auto result = CGAL::Flip_geodesics::geodesic_path(mesh, Mesh::Vertex_index(source),
-                                                            Mesh::Vertex_index(target), std::back_inserter(points));
-    const CGAL::Flip_geodesics::Curve_report& curve = result.report.curves.front();
-    std::cout << "The edge path is " << curve.initial_length << " long, the geodesic " << curve.length << ", after "
-              << result.report.flips << " flips: " << to_string(curve.status) << ".\n";
-  } catch(const CGAL::Flip_geodesics::Error& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
-
-  return write_polylines<Kernel::Point_3>("geodesic_path.polylines.txt", {points}) && std::cout.flush() ? EXIT_SUCCESS
-                                                                                                        : EXIT_FAILURE;
+  const auto result = FG::geodesic_path(mesh, source, target, std::back_inserter(points));
+  std::cout << "A geodesic of " << points.size() << " points, " << result.length() << " long, after "
+            << result.report.flips << " flips: " << to_string(result.status()) << ".\n";
+  FG::IO::write_VTP("geodesic_path.vtp", std::vector<std::vector<Kernel::Point_3>>{points});
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
 }

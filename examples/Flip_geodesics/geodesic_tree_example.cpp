@@ -3,10 +3,9 @@
 // Geodesics from one vertex to all others, as a tree in one triangulation, and the logarithmic map that comes of it:
 // polar coordinates about the source, written as the texture coordinates of a mesh.
 //
-//   geodesic_tree_example [MESH [SOURCE]]
-
-#include "kept_input.h"
-#include "torus.h"
+//   geodesic_tree_example MESH [SOURCE]
+//
+// Writes logarithmic_map.obj. Faces with a vertex that no path reaches are left out.
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -18,61 +17,51 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cstdlib>
+#include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 
 namespace FG = CGAL::Flip_geodesics;
-using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 
-// Faces with a vertex that has no path are left out.
-bool write_textured_obj(const char* file, const Mesh& mesh, const Triangulation& triangulation,
-                        const FG::Logarithmic_map& map)
-{
-  std::ofstream out(file);
+int main(int argc, char** argv)
+try {
+  Mesh mesh;
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
+  if(std::error_code absent; std::filesystem::equivalent(argv[1], "logarithmic_map.obj", absent))
+    throw std::invalid_argument("the result would replace the mesh; rename it");
+
+  Triangulation triangulation(mesh);
+  FG::Geodesic_tree<Triangulation> tree(triangulation);
+  const FG::Geodesic_tree_report report = tree.grow(FG::Vertex_index(argc > 2 ? std::stoi(argv[2]) : 0));
+  std::cout << report.flips << " flips; the paths are " << to_string(report.status) << '\n';
+  const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+
+  std::ofstream out("logarithmic_map.obj");
   for(const auto v : mesh.vertices()) {
     const auto [x, y] = map.in_plane(triangulation.index(v));
     out << "v " << mesh.point(v) << "\nvt " << x << ' ' << y << '\n';
   }
   for(const auto f : mesh.faces()) {
+    std::string line = "f";
     bool is_mapped = true;
     for(const auto v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      const double radius = map.vertices[triangulation.index(v)].radius;
-      is_mapped = is_mapped && radius < std::numeric_limits<double>::infinity();
+      is_mapped = is_mapped && tree.distance(triangulation.index(v)) < std::numeric_limits<double>::infinity();
+      line += ' ' + std::to_string(v + 1) + '/' + std::to_string(v + 1);
     }
-    if(!is_mapped)
-      continue;
-    out << 'f';
-    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      out << ' ' << v + 1 << '/' << v + 1;
-    out << '\n';
+    if(is_mapped)
+      out << line << '\n';
   }
-  return static_cast<bool>(out.flush());
-}
-
-int main(int argc, char** argv)
-{
-  Mesh mesh;
-  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  const FG::Vertex_index source(argc > 2 ? std::atoi(argv[2]) : 0);
-  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
-    std::cerr << "This is not a triangle mesh.\n";
-    return EXIT_FAILURE;
-  }
-  if(!is_input_kept(argc, argv, {"logarithmic_map.obj"}))
-    return EXIT_FAILURE;
-  try {
-    Triangulation triangulation(mesh);
-    FG::Geodesic_tree<Triangulation> tree(triangulation);
-    const FG::Geodesic_tree_report report = tree.grow(source);
-    std::cout << report.flips << " flips; the paths are " << FG::to_string(report.status) << '\n';
-    const FG::Logarithmic_map map = FG::logarithmic_map(tree);
-    const bool is_written = write_textured_obj("logarithmic_map.obj", mesh, triangulation, map);
-    return is_written && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
-  } catch(const FG::Error& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  return out.flush() && std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
 }

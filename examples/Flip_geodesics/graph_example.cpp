@@ -3,9 +3,7 @@
 // A surface divided by the three geodesics between three vertices: the triangulation has them as edges and is a graph
 // of CGAL's, so that a function of Polygon Mesh Processing finds the regions.
 //
-//   graph_example [MESH [VERTEX VERTEX VERTEX]]
-
-#include "torus.h"
+//   graph_example MESH [VERTEX VERTEX VERTEX]
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/graph_traits.h>
@@ -22,14 +20,20 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
-using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Network = FG::Edge_path_network<Triangulation>;
 
 // Heron's formula, in Kahan's order.
 double area(const Triangulation& triangulation, FG::Face_index f)
@@ -43,38 +47,34 @@ double area(const Triangulation& triangulation, FG::Face_index f)
 }
 
 int main(int argc, char** argv)
-{
+try {
   Mesh mesh;
-  const bool has_mesh = argc > 1 ? CGAL::IO::read_polygon_mesh(argv[1], mesh) : make_torus(mesh) > 0;
-  if(!has_mesh || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty()) {
-    std::cerr << "This is not a triangle mesh.\n";
-    return EXIT_FAILURE;
-  }
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
   const auto n = static_cast<FG::Index>(mesh.number_of_vertices());
-  std::vector<FG::Vertex_index> corners = {FG::Vertex_index(0), FG::Vertex_index(n / 12), FG::Vertex_index(n / 23)};
+  std::array<FG::Vertex_index, 3> corners = {FG::Vertex_index(0), FG::Vertex_index(n / 12), FG::Vertex_index(n / 23)};
   for(int i = 0; i < 3 && argc > 4; ++i)
-    corners[i] = FG::Vertex_index(std::atoi(argv[2 + i]));
-  try {
-    Triangulation triangulation(mesh);
-    FG::Edge_path_network<Triangulation> network(triangulation);
-    FG::Shortest_edge_path<Triangulation> search(triangulation);
-    for(int i = 0; i < 3; ++i)
-      network.add_curve(search(corners[i], corners[(i + 1) % 3]), false);
-    FG::order_overlapping_curves(network);
-    FG::shorten(network);
+    corners[i] = FG::Vertex_index(std::stoi(argv[2 + i]));
 
-    const auto is_on_geodesic = boost::make_function_property_map<FG::Edge_index>(
-        [&](FG::Edge_index e) { return network.is_occupied(e.halfedge()); });
-    auto region = get(CGAL::dynamic_face_property_t<std::size_t>(), triangulation);
-    std::vector<double> areas(CGAL::Polygon_mesh_processing::connected_components(
-        triangulation, region, CGAL::parameters::edge_is_constrained_map(is_on_geodesic)));
-    for(FG::Face_index f : faces(triangulation))
-      areas[get(region, f)] += area(triangulation, f);
-    for(std::size_t i = 0; i < areas.size(); ++i)
-      std::cout << "region " << i << " has the area " << areas[i] << '\n';
-    return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
-  } catch(const FG::Error& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  Triangulation triangulation(mesh);
+  Network network(triangulation);
+  FG::Shortest_edge_path<Triangulation> search(triangulation);
+  for(int i = 0; i < 3; ++i)
+    network.add_curve(search(corners[i], corners[(i + 1) % 3]), false);
+  FG::order_overlapping_curves(network);
+  FG::shorten(network);
+
+  const auto is_on_geodesic = boost::make_function_property_map<FG::Edge_index>(
+      [&](FG::Edge_index e) { return network.is_occupied(e.halfedge()); });
+  auto region = get(CGAL::dynamic_face_property_t<std::size_t>(), triangulation);
+  std::vector<double> areas(CGAL::Polygon_mesh_processing::connected_components(
+      triangulation, region, CGAL::parameters::edge_is_constrained_map(is_on_geodesic)));
+  for(FG::Face_index f : faces(triangulation))
+    areas[get(region, f)] += area(triangulation, f);
+  for(std::size_t i = 0; i < areas.size(); ++i)
+    std::cout << "region " << i << " has the area " << areas[i] << '\n';
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
 }

@@ -1,61 +1,76 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Runs the examples on a mesh that they make themselves.
+# Runs the examples on a torus that the program generate_torus makes.
 
 set(run_program ${CMAKE_CURRENT_SOURCE_DIR}/../run_program.cmake)
 set(example_dir ${CMAKE_CURRENT_BINARY_DIR}/run)
 file(MAKE_DIRECTORY ${example_dir})
 
-foreach(
-  example
-  conforming_triangulation_example
-  cross_field_example
-  cut_and_refine_example
-  drawn_polyline_example
-  edge_length_metric_example
-  exact_number_type_example
-  flattening_example
-  geodesic_loop_example
-  geodesic_path_example
-  geodesic_spline_example
-  geodesic_tree_example
-  graph_example
-  network_early_stop_example
-  own_mesh_and_kernel_example
-  poisson_example
-  shortest_path_example
-  write_files_example)
-  if(TARGET ${example})
-    add_test(NAME ${example} COMMAND ${example} WORKING_DIRECTORY ${example_dir})
-    # With an exit status of its own: a crash is none.
+# With 12 * 24 vertices; those of the closed curves are around its hole and around its tube.
+add_test(NAME example_input COMMAND $<TARGET_FILE:generate_torus> torus.off 24 12 WORKING_DIRECTORY ${example_dir})
+set_tests_properties(example_input PROPERTIES FIXTURES_SETUP example_input)
+
+# flip_geodesics_test_example(name arguments...)
+function(flip_geodesics_test_example name)
+  if(NOT TARGET ${name})
+    return()
+  endif()
+  add_test(NAME ${name} COMMAND ${name} ${ARGN} WORKING_DIRECTORY ${example_dir})
+  if(EXISTS /dev/full)
+    add_test(NAME ${name}_full_output COMMAND sh -c "\"$@\" > /dev/full; test $? -eq 1" sh $<TARGET_FILE:${name}> ${ARGN}
+             WORKING_DIRECTORY ${example_dir})
+    # Both write the same files.
+    set_tests_properties(${name}_full_output PROPERTIES FIXTURES_REQUIRED example_input RESOURCE_LOCK ${name})
+  endif()
+  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED example_input RESOURCE_LOCK ${name})
+  if("${ARGN}" STREQUAL "") # makes its own mesh
+    return()
+  endif()
+  # With an exit status of its own: a crash is none.
+  list(TRANSFORM ARGN REPLACE "torus.off" "no_such_mesh.off" OUTPUT_VARIABLE arguments)
+  list(JOIN arguments "|" arguments)
+  add_test(
+    NAME ${name}_bad_input
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D STATUS=1 -D "PATTERN=triangle mesh" -D
+            "ARGUMENTS=${arguments}" -P ${run_program}
+    WORKING_DIRECTORY ${example_dir})
+endfunction()
+flip_geodesics_test_example(conforming_triangulation_example torus.off)
+flip_geodesics_test_example(cross_field_example torus.off 0 150)
+flip_geodesics_test_example(cut_and_refine_example torus.off)
+flip_geodesics_test_example(drawn_polyline_example torus.off)
+flip_geodesics_test_example(edge_length_metric_example torus.off)
+flip_geodesics_test_example(exact_number_type_example)
+flip_geodesics_test_example(flattening_example torus.off 0 4 8 0 96 192 0)
+flip_geodesics_test_example(geodesic_loop_example torus.off 0 96 192)
+flip_geodesics_test_example(geodesic_path_example torus.off)
+flip_geodesics_test_example(geodesic_spline_example torus.off)
+flip_geodesics_test_example(geodesic_tree_example torus.off 7)
+flip_geodesics_test_example(graph_example torus.off 0 40 5)
+flip_geodesics_test_example(network_early_stop_example torus.off)
+flip_geodesics_test_example(own_mesh_and_kernel_example torus.off)
+flip_geodesics_test_example(poisson_example torus.off 0 150)
+flip_geodesics_test_example(save_network_example torus.off)
+flip_geodesics_test_example(shortest_path_example torus.off 6 150)
+flip_geodesics_test_example(write_files_example torus.off)
+
+# A result of one run as the mesh of the next.
+foreach(case "flattening_example flattening.obj 0 1 2" "geodesic_tree_example logarithmic_map.obj"
+             "poisson_example poisson.ply 0 1" "write_files_example ends.ply")
+  string(REPLACE " " ";" case "${case}")
+  list(POP_FRONT case name result)
+  list(JOIN case "|" arguments)
+  if(TARGET ${name})
     add_test(
-      NAME ${example}_bad_input
-      COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${example}> -D STATUS=1 -D PATTERN=. -D
-              ARGUMENTS=no_such_mesh.off -P ${run_program}
+      NAME ${name}_input_kept
+      COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D STATUS=1 -D PATTERN=replace -D
+              "ARGUMENTS=./${result}|${arguments}" -P ${run_program}
       WORKING_DIRECTORY ${example_dir})
-    if(EXISTS /dev/full)
-      add_test(NAME ${example}_full_output COMMAND sh -c "\"$1\" > /dev/full; test $? -eq 1" sh $<TARGET_FILE:${example}>
-               WORKING_DIRECTORY ${example_dir})
-      # Both write the same files.
-      set_tests_properties(${example} ${example}_full_output PROPERTIES RESOURCE_LOCK ${example})
-    endif()
+    set_tests_properties(${name}_input_kept PROPERTIES DEPENDS ${name} RESOURCE_LOCK ${name})
   endif()
 endforeach()
 
-# A result of one run as the mesh of the next.
-if(TARGET cut_and_refine_example)
-  add_test(
-    NAME cut_and_refine_example_input_kept
-    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:cut_and_refine_example> -D STATUS=1 -D PATTERN=replace -D
-            ARGUMENTS=./cut.off -P ${run_program}
-    WORKING_DIRECTORY ${example_dir})
-  set_tests_properties(cut_and_refine_example_input_kept PROPERTIES DEPENDS cut_and_refine_example RESOURCE_LOCK
-                                                                    cut_and_refine_example)
-endif()
-
 # The listing of README.md.
-add_test(NAME readme_input COMMAND $<TARGET_FILE:generate_torus> torus.off 24 12 WORKING_DIRECTORY ${example_dir})
-set_tests_properties(readme_input PROPERTIES FIXTURES_SETUP readme_input)
 file(WRITE ${example_dir}/no_vertex.off "OFF\n0 0 0\n")
 file(WRITE ${example_dir}/one_vertex.off "OFF\n1 0 0\n0 0 0\n")
 file(WRITE ${example_dir}/two_parts.off
@@ -69,7 +84,7 @@ function(flip_geodesics_add_readme_test name status pattern)
       ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:readme_example> -D STATUS=${status} -D PATTERN=${pattern} -D
       ARGUMENTS=${ARGN} -P ${run_program}
     WORKING_DIRECTORY ${example_dir})
-  set_tests_properties(readme_example${name} PROPERTIES FIXTURES_REQUIRED readme_input)
+  set_tests_properties(readme_example${name} PROPERTIES FIXTURES_REQUIRED example_input)
 endfunction()
 flip_geodesics_add_readme_test("" 0 "LOCALLY_SHORTEST" torus.off)
 flip_geodesics_add_readme_test(_disconnected 1 "^no path of edges joins vertex 0 and vertex 5\n$" two_parts.off)

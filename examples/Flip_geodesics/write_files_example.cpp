@@ -2,10 +2,11 @@
 //
 // Geodesics with their mesh and their ends in files for viewers.
 //
-//   write_files_example [MESH]
+//   write_files_example MESH
+//
+// Writes geodesics.vtp, geodesics.glb and ends.ply.
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
-#include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>
 #include <CGAL/Flip_geodesics/IO/Tubes.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
@@ -14,13 +15,17 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
+#include <system_error>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -31,16 +36,10 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 int main(int argc, char** argv)
 try {
   Mesh mesh;
-  if(argc > 1)
-    CGAL::IO::read_polygon_mesh(argv[1], mesh);
-  else // hills
-    CGAL::make_grid(
-        40, 40, mesh, [](double i, double j) { return Point_3(i, j, 3 * std::sin(0.4 * i) * std::cos(0.3 * j)); },
-        true);
-  if(mesh.number_of_faces() == 0 || !CGAL::is_triangle_mesh(mesh)) {
-    std::cerr << "This is not a triangle mesh.\n";
-    return EXIT_FAILURE;
-  }
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
+  if(std::error_code absent; std::filesystem::equivalent(argv[1], "ends.ply", absent))
+    throw std::invalid_argument("the result would replace the mesh; rename it");
 
   // From the first vertex to some others.
   const Mesh::Vertex_index source(0);
@@ -57,12 +56,11 @@ try {
   const double thickness = 0.005 * std::hypot(box.x_span(), box.y_span(), box.z_span());
   FG::IO::write_VTP("geodesics.vtp", mesh, paths, ends);                     // for ParaView
   FG::IO::write_GLB("geodesics.glb", mesh, paths, FG::IO::Tubes(thickness)); // for Blender and browsers
-  FG::IO::write_OBJ("geodesics.obj", paths);                                 // lines alone
   FG::IO::write_PLY("ends.ply", ends, CGAL::parameters::use_binary_mode(false).stream_precision(6));
 
-  std::cout << count << " geodesics are in geodesics.vtp, geodesics.glb and geodesics.obj.\n";
+  std::cout << count << " geodesics are in geodesics.vtp and geodesics.glb.\n";
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
-} catch(const FG::Error& error) {
+} catch(const std::exception& error) {
   std::cerr << error.what() << '\n';
   return EXIT_FAILURE;
 }

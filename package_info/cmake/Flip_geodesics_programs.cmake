@@ -50,7 +50,9 @@ target_include_directories(Flip_geodesics_without_gmp SYSTEM
 # without it: GUARDED (the source has an #ifdef) or REQUIRED (the program is left out).
 set(flip_geodesics_optional_libraries
     "CGAL_EIGEN3_ENABLED" CGAL::Eigen3_support GUARDED
-    "#include <Eigen/" CGAL::Eigen3_support REQUIRED
+    "#include <Eigen/|/(Operators|Tangent_spaces|Dirichlet_problem|Direction_field|Conformal_flattening)\\.h>"
+    CGAL::Eigen3_support
+    REQUIRED
     "CGAL_LINKED_WITH_TBB|CGAL::Parallel_tag" CGAL::TBB_support GUARDED
     "CGAL_USE_OPENMESH" Flip_geodesics_OpenMesh GUARDED
     "<CLI/CLI.hpp>" CLI11::CLI11 REQUIRED

@@ -343,8 +343,9 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * \param kind which spline
  * \param out receives the points of the curve, as `geodesic_path()` writes them
  * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, and `number_of_iterations`, the
- * number of times that the pieces are halved, 5 by default \return the end of the output, and the report, which has one
- * curve \throws Invalid_location_error, and as `Free_geodesic_spline`
+ *        number of times that the pieces are halved, 5 by default
+ * \return the end of the output, and the report, which has one curve
+ * \throws Invalid_location_error, and as `Free_geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>

@@ -90,10 +90,12 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
  * The segments start out as paths of edges in their input faces. So polylines may be drawn one after another; those
  * that cross themselves or others are told from the rest by `order_overlapping_curves()`.
  *
- * \param polyline the points; each two in a row lie in a common face or on a common edge of the input. A closed
- * polyline does not repeat the first. Points that repeat the one before are skipped. \return the curve's index \pre no
- * edge of the triangulation in these faces crosses an input edge \throws Invalid_curve_error if two points in a row are
- * in no common face, or there are too few \throws Invalid_location_error, and as `Edge_path_network::insert()`
+ * \param polyline the points; each two in a row lie in a common face or on a common edge of the input. A closed polyline
+ *        does not repeat the first. Points that repeat the one before are skipped.
+ * \return the curve's index
+ * \pre no edge of the triangulation in these faces crosses an input edge
+ * \throws Invalid_curve_error if two points in a row are in no common face, or there are too few
+ * \throws Invalid_location_error, and as `Edge_path_network::insert()`
  */
 template <class Network>
 Curve_index draw_polyline(Network& network, const std::vector<Surface_location>& polyline, bool is_closed = false)

@@ -235,10 +235,15 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *         `CGAL::Exact_predicates_inexact_constructions_kernel` decide; where not, its own, which have to be exact.
  * \tparam PolygonRange a range of ranges of positions in `points`, of any integer type
  * \tparam TriangleMesh a model of `MutableFaceGraph`, with vertices and faces listed in the order in which they are
- * added \param points the points \param polygons the corners of each polygon \param mesh the mesh that is made. An
- * isolated vertex of a point that is not finite gets the place of another. \param np named parameters:
- * `vertex_point_map` \pre `mesh` is empty \return what was done, and which elements come from which \throws
- * Invalid_mesh_error if there are no polygons, or no triangle is left of them, with the reason; `mesh` is then empty
+ *         added
+ * \param points the points
+ * \param polygons the corners of each polygon
+ * \param mesh the mesh that is made. An isolated vertex of a point that is not finite gets the place of another.
+ * \param np named parameters: `vertex_point_map`
+ * \pre `mesh` is empty
+ * \return what was done, and which elements come from which
+ * \throws Invalid_mesh_error if there are no polygons, or no triangle is left of them, with the reason; `mesh` is then
+ *         empty
  *
  * The time is about that of sorting the corners a few times. Polygons of many corners take the time of a
  * triangulation in the plane, and CGAL's orientation takes up to the square of a vertex' degree.

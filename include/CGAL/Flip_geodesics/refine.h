@@ -156,8 +156,9 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * \param options the bounds; up to about 25 degrees the process ends by itself in practice
  * \param visitor a model of `RefinementVisitor`: `go_further()` is asked before each flip to Delaunay and then before
  *        each bad face, `on_flip()` called after each flip and `on_insertion()` after each vertex. Ended by it, or by
- * an exception that it throws, the triangulation and its curves are valid, and the curves as long as before. \return
- * what was reached, measured on the result \throws what is thrown when faces are first touched
+ *        an exception that it throws, the triangulation and its curves are valid, and the curves as long as before
+ * \return what was reached, measured on the result
+ * \throws what is thrown when faces are first touched
  *
  * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
  * faces that are refined: how many points an input face has got does not slow further ones down.
