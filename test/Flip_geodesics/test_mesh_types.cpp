@@ -21,10 +21,14 @@
 #endif
 
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/network_io.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <boost/mpl/list.hpp>
 #include <boost/mpl/push_front.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -32,6 +36,8 @@
 #include <cstddef>
 #include <iostream>
 #include <iterator>
+#include <map>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -189,6 +195,42 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_same_geodesics_come_out, Type, Mesh_types)
   }
   std::cout << points << " points compared\n";
   BOOST_TEST(points > 200u);
+}
+
+// Trees, distances by vertices of the mesh, subdivisions and files.
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_same_source_does_the_rest, Type, Mesh_types)
+{
+  using Mesh = typename Type::Mesh;
+  Curves_on<Type> curves(soups().front());
+  Curves_on<Mesh_type<CGAL::Surface_mesh<Simple::Point_3>>> expected(soups().front());
+  auto& triangulation = curves.triangulation();
+  using Triangulation = std::decay_t<decltype(triangulation)>;
+  using Network = FG::Edge_path_network<Triangulation>;
+  FG::Geodesic_tree<Triangulation> tree(triangulation);
+  FG::Geodesic_tree<std::decay_t<decltype(expected.triangulation())>> expected_tree(expected.triangulation());
+  tree.grow(0_v);
+  expected_tree.grow(0_v);
+  std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, double> distances;
+  FG::write_distances(tree, curves.mesh(), boost::make_assoc_property_map(distances));
+  FG::Vertex_index i(0);
+  for(const auto v : vertices(curves.mesh())) {
+    BOOST_TEST(std::abs(distances[v] - expected_tree.distance(i)) < 1e-9);
+    ++i;
+  }
+  triangulation.rollback();
+
+  Network network(triangulation);
+  network.add_curve(std::vector<FG::Halfedge_index>{triangulation.outgoing(0_v)}, false);
+  FG::shorten(network);
+  const auto subdivision =
+      FG::insert_curves<CGAL::Surface_mesh<typename Triangulation::Metric::Point_3>>(network, curves.mesh());
+  BOOST_TEST(subdivision.mesh().number_of_vertices() == distances.size());
+  std::stringstream file;
+  FG::write_network(file, network);
+  Triangulation other(curves.mesh(), triangulation.metric());
+  Network restored(other);
+  FG::read_network(file, restored);
+  BOOST_TEST(restored.length(0_c) == network.length(0_c));
 }
 
 // The functions for one curve resolve the mesh's own point map.

@@ -32,7 +32,7 @@ template <class Triangulation, class VertexDistanceMap>
 void write_distances(const Geodesic_tree<Triangulation>& tree, const typename Triangulation::Triangle_mesh& mesh,
                      VertexDistanceMap distances)
 {
-  for(const auto v : CGAL::make_range(vertices(mesh)))
+  for(const auto v : vertices(mesh))
     put(distances, v, tree.distance(tree.triangulation().input().index(v)));
 }
 
@@ -54,7 +54,7 @@ template <class Triangulation, class VertexPolarMap>
 void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Triangulation>& tree,
                              const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
 {
-  for(const auto v : CGAL::make_range(vertices(mesh)))
+  for(const auto v : vertices(mesh))
     put(coordinates, v, map.vertices[tree.triangulation().input().index(v)]);
 }
 
