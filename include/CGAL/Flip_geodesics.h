@@ -8,8 +8,8 @@
  * \ingroup PkgFlipGeodesicsRef
  * Includes the headers of the package but these, which are to be included by themselves:
  * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`, `Tangent_spaces.h`,
- * `Dirichlet_problem.h`, `Direction_field.h`, `Conformal_flattening.h`), and those that include packages of CGAL under
- * the GPL (`nearest_location.h`, `polygon_soup_to_triangle_mesh.h`).
+ * `Dirichlet_problem.h`, `Direction_field.h`, `Conformal_flattening.h`), and `polygon_soup_to_triangle_mesh.h`, which
+ * includes packages of CGAL under the GPL.
  */
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -53,6 +53,7 @@
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/nearest_location.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>

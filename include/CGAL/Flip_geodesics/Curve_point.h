@@ -140,7 +140,7 @@ struct Curve_form_of
   using type = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
                                    typename Forms::Exact_location, typename Forms::All>::type;
   static_assert(!std::is_void<type>::value,
-                "the output takes neither the mesh's points nor Face_locations nor Curve_points");
+                "the output takes neither the metric's points (lengths have none) nor Face_locations nor Curve_points");
 };
 
 template <class Triangulation, class Output, template <class> class Container = Itself>

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
+#include <CGAL/Flip_geodesics/nearest_location.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
@@ -20,6 +21,8 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -149,7 +152,7 @@ template <class Triangulation, class TriangleMesh, class Place>
 Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
   static_assert(is_place<Triangulation, TriangleMesh, Place>,
-                "this is no vertex, Face_location or Surface_location; for points in space include nearest_location.h");
+                "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
   return surface_location(triangulation, mesh, place);
 }
 
@@ -266,7 +269,7 @@ constexpr bool is_mesh_vertex =
  *
  * \param mesh a triangle mesh
  * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, pairs of a face
- *        and barycentric coordinates, of `Surface_location`s, or, with `nearest_location.h`, of points in space; see
+ *        and barycentric coordinates, of `Surface_location`s, or of points in space; see
  *        `surface_location()` for how points are snapped, and which point of the mesh is taken for one in space
  * \param out receives the points of the path, as `geodesic_path()` writes them
  * \param stop, np as for `geodesic_path()`, for each leg between two points
@@ -299,8 +302,8 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic between two ends of any kinds: vertices of the mesh,
- * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, and, with `nearest_location.h`, points in
- * space. Parameters, exceptions and complexity are those of `geodesic_path_through()`.
+ * `CGAL::Polygon_mesh_processing::Face_location`s, `Surface_location`s, points in space.
+ * Parameters, exceptions and complexity are those of `geodesic_path_through()`.
  */
 template <
     class TriangleMesh, class Source, class Target, class OutputIterator, class StopPredicate, class NamedParameters,
@@ -343,8 +346,9 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * \param kind which spline
  * \param out receives the points of the curve, as `geodesic_path()` writes them
  * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, and `number_of_iterations`, the
- *        number of times that the pieces are halved, 5 by default
+ *        number of times that the pieces are halved, from 0 to 30, 5 by default
  * \return the end of the output, and the report, which has one curve
+ * \throws Invalid_curve_error if there are fewer than two points, or another number of iterations
  * \throws Invalid_location_error, and as `Free_geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class OutputIterator,
@@ -355,8 +359,12 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
-  const unsigned rounds = static_cast<unsigned>(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 5));
+  const auto rounds = parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 5);
+  static_assert(std::is_integral<std::remove_const_t<decltype(rounds)>>::value,
+                "number_of_iterations() is a whole number");
+  if(rounds < 0 || static_cast<std::uintmax_t>(rounds) > 30)
+    throw Invalid_curve_error("number_of_iterations is " + std::to_string(rounds) +
+                              ", and the pieces of a spline can be halved 0 to 30 times");
   const auto locate = [&](const auto& triangulation) { return internal::located(triangulation, mesh, control_points); };
   std::vector<Surface_location> given;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
@@ -364,7 +372,7 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
     if(given.size() > 1 && points.size() == 1)
       return internal::curve_in_one_place<Form>(triangulation, mesh, points.front(), out);
     Free_geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
-    for(unsigned i = 0; i < rounds; ++i)
+    for(int i = 0; i < static_cast<int>(rounds); ++i)
       spline.refine();
     const OutputIterator end = internal::write_polylines<Form>(triangulation, mesh, spline.finish(), out);
     Shortening_report report = spline.report();

@@ -150,8 +150,7 @@ Geodesic_result<OutputIterator> geodesic_between(Network& network, Search& searc
   if(triangulation.input().is_contracted() && ends[0] == ends[1])
     return path_in_one_place<Form>(triangulation, mesh, ends[0], out);
   const Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
-  out = write_curve<Form>(network, mesh, Curve_index(0), out);
-  return {out, report};
+  return {write_curve<Form>(network, mesh, Curve_index(0), out), report};
 }
 
 /* The indices of vertices of the mesh, before edges are contracted. */
@@ -208,9 +207,10 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
- * \param out receives the points of the path, from `source` to `target`: in space, as the mesh's points; if it does
- *        not take those, as `CGAL::Polygon_mesh_processing::Face_location`s; if it takes neither, as `Curve_point`s,
- *        which have both, the crossed halfedges and the tangents
+ * \param out receives the points of the path, from `source` to `target`: in space, as the metric's points, if it has
+ *        any, as lengths have none; if the output does not take those, as
+ *        `CGAL::Polygon_mesh_processing::Face_location`s; if it takes neither, as `Curve_point`s, which have both, the
+ *        crossed halfedges and the tangents, or `Curve_place`s without points
  * \param stop a model of `FlipOutStopPredicate`, which ends the process early; the report tells. With one, or with a
  *        visitor, the edge path itself is pulled tight, so that they see every step
  * \param np named parameters: `vertex_point_map`; or `with_metric()`, for another metric than that of the points;
@@ -257,7 +257,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
  * Pulls a closed loop of edges tight.
  *
  * \param mesh a triangle mesh
- * \param vertices a range of vertices of which each two in a row, and the last and the first, share an edge
+ * \param vertices a range of vertices of which each two in a row, and the last and the first, share an edge; the first
+ *        may stand at the end once more
  * \param out receives the points of the closed geodesic, as `geodesic_path()` writes them, the first again at the end;
  *        nothing if the loop contracts
  * \param stop, np as for `geodesic_path()`
@@ -275,7 +276,10 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
     typename Types::Network network(triangulation);
-    const bool is_loop = internal::add_vertex_curve(network, internal::mesh_indices(triangulation, vertices), true);
+    std::vector<Vertex_index> loop = internal::mesh_indices(triangulation, vertices);
+    if(loop.size() > 1 && loop.front() == loop.back())
+      loop.pop_back();
+    const bool is_loop = internal::add_vertex_curve(network, loop, true);
     Shortening_report report;
     if(is_loop) {
       order_overlapping_curves(network);

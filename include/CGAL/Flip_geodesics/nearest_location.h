@@ -6,65 +6,48 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/insertion/nearest_weights.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 
-#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Iterator_range.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Flip_geodesics {
 
 namespace internal {
 
-/* The points of a triangulation's metric, by the vertices of its mesh. */
-template <class Triangulation>
-struct Metric_point_map
-{
-  using key_type = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::vertex_descriptor;
-  using value_type = typename Triangulation::Metric::Point_3;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  const Triangulation* triangulation;
-
-  friend reference get(const Metric_point_map& map, const key_type& v)
-  {
-    const auto& input = map.triangulation->input().uncontracted();
-    return map.triangulation->metric().point(input, input.index(v));
-  }
-};
-
+/* Half the coordinates of a point: differences of such numbers are finite. */
 template <class Point>
-bool is_finite_point(const Point& p)
+Place_in_space half_of(const Point& p)
 {
-  return std::isfinite(CGAL::to_double(p.x())) && std::isfinite(CGAL::to_double(p.y())) &&
-         std::isfinite(CGAL::to_double(p.z()));
+  return {{CGAL::to_double(p.x()) / 2, CGAL::to_double(p.y()) / 2, CGAL::to_double(p.z()) / 2}};
 }
 
-/* Has the mesh faces, all of them triangles with finite coordinates? A search tree takes that for granted. */
-template <class Triangulation>
-void check_searchable(const Triangulation& triangulation)
+inline bool is_finite_place(const Place_in_space& p)
 {
-  const auto& input = triangulation.input();
-  bool has_faces = false;
-  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
-    if(!input.is_border(h)) {
-      check_triangle(input, h);
-      has_faces = true;
-    }
-    if(!is_finite_point(triangulation.metric().point(input, input.tail(h))))
-      throw Invalid_coordinate_error("vertex " + std::to_string(input.tail(h).idx()) +
-                                         " has a coordinate that is no finite number",
-                                     {static_cast<std::size_t>(input.tail(h).idx())});
-  }
-  if(!has_faces)
-    throw Invalid_location_error("a mesh without faces has no point nearest to one in space");
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/* The corner of a face of the mesh at the tail of a halfedge, as seen from a place. */
+template <class Triangulation>
+Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfedge_index h, const Place_in_space& from)
+{
+  const auto& input = triangulation.input().uncontracted();
+  const Vertex_index v = input.tail(h);
+  const Place_in_space p = half_of(triangulation.metric().point(input, v));
+  if(!is_finite_place(p))
+    throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) + " has a coordinate that is no finite number",
+                                   {static_cast<std::size_t>(v.idx())});
+  return {{p[0] - from[0], p[1] - from[1], p[2] - from[2]}};
 }
 
 } // namespace internal
@@ -72,29 +55,45 @@ void check_searchable(const Triangulation& triangulation)
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * The location of the point of the mesh that is nearest to a point in space, and one of them if there are several;
- * found by `CGAL::Polygon_mesh_processing::locate()`, and put on an edge or a vertex where barycentric coordinates are
- * at most 1e-9. With this header, `geodesic_path()`, `geodesic_path_through()` and `geodesic_spline()` take points in
- * space. It is not part of `Flip_geodesics.h`, since it includes packages of CGAL under the GPL.
+ * The location of the point of the mesh that is nearest to a point in space, up to rounding. Where several are as near,
+ * it is one in a face with an area, if there is one. It is put on an edge or a vertex where barycentric coordinates are
+ * at most 1e-9.
  *
- * For many points, a tree of one's own and `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` save time.
+ * All faces are looked at. For many points, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` saves time; it
+ * gives `Face_location`s.
  *
  * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is no finite number
  * \throws Invalid_coordinate_error if one of the mesh is not
  * \throws Invalid_mesh_error if a face is not a triangle
  *
- * Complexity: \f$O(n \log n)\f$.
+ * Complexity: linear in the faces of the mesh.
  */
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
                                   const typename Triangulation::Metric::Point_3& point)
 {
-  if(!internal::is_finite_point(point))
+  using Face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
+  const internal::Place_in_space from = internal::half_of(point);
+  if(!internal::is_finite_place(from))
     throw Invalid_location_error("a point in space has a coordinate that is no finite number");
-  internal::check_searchable(triangulation);
-  const internal::Metric_point_map<Triangulation> points = {&triangulation};
-  return surface_location(triangulation, mesh,
-                          Polygon_mesh_processing::locate(point, mesh, parameters::vertex_point_map(points)), 1e-9);
+  const auto& input = triangulation.input().uncontracted();
+  internal::Nearest_weights nearest;
+  Face found{};
+  for(const Face f : CGAL::make_range(faces(mesh))) {
+    const Input_halfedge_index h = input.index(internal::graph_halfedge(f, mesh));
+    internal::check_triangle(input, h);
+    const internal::Nearest_weights here =
+        internal::nearest_weights({{internal::corner_seen_from(triangulation, h, from),
+                                    internal::corner_seen_from(triangulation, input.next(h), from),
+                                    internal::corner_seen_from(triangulation, input.next(input.next(h)), from)}});
+    if(here < nearest) {
+      nearest = here;
+      found = f;
+    }
+  }
+  if(nearest.distance == std::numeric_limits<double>::infinity())
+    throw Invalid_location_error("a mesh without faces has no point nearest to one in space");
+  return surface_location(triangulation, mesh, std::make_pair(found, nearest.weights), 1e-9);
 }
 
 } // namespace Flip_geodesics

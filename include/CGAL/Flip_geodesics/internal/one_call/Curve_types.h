@@ -57,8 +57,9 @@ struct Metric_of<TriangleMesh, NamedParameters, false, false>
 template <class TriangleMesh, class NamedParameters>
 struct Curve_types
 {
-  static_assert(Is_named_parameters<NamedParameters>::value,
-                "the stop predicate comes before the named parameters, which are the last argument");
+  static_assert(
+      Is_named_parameters<NamedParameters>::value,
+      "the last argument is no named parameters: stop predicates and limits, of functions that take them, come before");
 
   using Metric = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
                                     is_given<NamedParameters, internal_np::vertex_point_t>>::type;

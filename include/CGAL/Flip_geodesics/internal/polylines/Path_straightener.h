@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -46,7 +47,11 @@ public:
         throw Invalid_curve_error("two way points in a row are in one place");
       return shortest_intrinsic_edge_path(m_triangulation, v, w);
     };
-    return pull(p, q, find_path, tighten);
+    try {
+      return pull(p, q, find_path, tighten);
+    } catch(const Disconnected_endpoints_error&) { // it names the points, which are no vertices of the mesh
+      throw_disconnected(m_triangulation.input().tail(p.halfedge), m_triangulation.input().tail(q.halfedge));
+    }
   }
 
   Surface_polyline shortest(const Surface_location& p, const Surface_location& q)
@@ -76,6 +81,13 @@ public:
   const Curve_certificate& certificate() const { return m_certificate; }
 
 private:
+  [[noreturn]] static void throw_disconnected(Vertex_index v, Vertex_index w)
+  {
+    throw Disconnected_endpoints_error("no path joins a point in a face of vertex " + std::to_string(v.idx()) +
+                                           " and one in a face of vertex " + std::to_string(w.idx()),
+                                       {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+  }
+
   template <class MakePath, class Tighten>
   Surface_polyline pull(const Surface_location& p, const Surface_location& q, const MakePath& make_path,
                         const Tighten& tighten)
