@@ -47,54 +47,67 @@ class Certified_intrinsic_triangulation_traits
   static double norm_bound(double x, double y) { return std::abs(x) + std::abs(y); }
 
 public:
-  using FT = double;
-  using Has_drift = Tag_false;
-  using Point_3 = typename K::Point_3;
+  using FT = double;                   ///< squared lengths are rounded to it
+  using Has_drift = Tag_false;         ///< what is certain is true
+  using Point_3 = typename K::Point_3; ///< of the mesh
 
   /// The vector of a halfedge in the frame of its face, and a bound of its error relative to its length.
   struct Halfedge_geometry
   {
-    double x, y;
-    double error;
+    double x;     ///< a coordinate, in the unit of the mesh
+    double y;     ///< a coordinate, in the unit of the mesh
+    double error; ///< a bound, relative to the length
   };
 
+  /// The geometry of a face, in the order of its halfedges.
   using Face_geometry = std::array<Halfedge_geometry, 3>;
 
   /// The rotation over a fan of corners, with a bound of its error relative to its magnitude.
   struct Turn
   {
-    double x = 1, y = 0;
-    double error = 0;
-    Comparison_result comparison = SMALLER;
-    bool is_certain = true;
+    double x = 1;                           ///< the real part; the argument of the number is the angle
+    double y = 0;                           ///< the imaginary part
+    double error = 0;                       ///< a bound, relative to \f$|x|+|y|\f$
+    Comparison_result comparison = SMALLER; ///< of the angle with \f$\pi\f$, if `is_certain`
+    bool is_certain = true;                 ///< does the bound leave no doubt?
   };
 
+  /// The new geometry of the four halfedges whose vectors change with a flip.
   struct Flipped_geometry
   {
-    Halfedge_geometry h, t, tn, tp;
+    Halfedge_geometry h;  ///< of the edge's side `h`
+    Halfedge_geometry t;  ///< of the edge's side `t`
+    Halfedge_geometry tn; ///< of the halfedge after `t` in its old face
+    Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
   };
 
+  /// As `Intrinsic_triangulation_traits::Construct_face_3`, with the error of a layout.
   class Construct_face_3
   {
   public:
+    /// The face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       return with_error(typename Plain::Construct_face_3()(p, q, r), layout_error);
     }
   };
 
+  /// As `Intrinsic_triangulation_traits::Construct_face_from_lengths`, with the error of a layout.
   class Construct_face_from_lengths
   {
   public:
+    /// The face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const
     {
       return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), layout_error);
     }
   };
 
+  /// As `Intrinsic_triangulation_traits::Construct_face_2`, with the error.
   class Construct_face_2
   {
   public:
+    /// The face whose halfedges have the vectors `v`, each with the relative error `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
       return with_error(typename Plain::Construct_face_2()(v, error), error);
@@ -105,6 +118,7 @@ public:
   class Extend_turn
   {
   public:
+    /// Adds the corner at the head of `in` to `turn`.
     void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
                     const Halfedge_geometry& /* opposite */) const
     {
@@ -150,9 +164,11 @@ public:
     }
   };
 
+  /// Compares a turn with \f$\pi\f$. Uncertain where the error is too large to tell.
   class Compare_turn_with_straight
   {
   public:
+    /// `SMALLER` or `LARGER`, or either.
     Uncertain<Comparison_result> operator()(const Turn& turn) const
     {
       return turn.is_certain ? Uncertain<Comparison_result>(turn.comparison)
@@ -160,9 +176,11 @@ public:
     }
   };
 
+  /// A number in [0, 2), the greater the greater the turn, below \f$\pi\f$.
   class Turn_key
   {
   public:
+    /// The key, rounded.
     double operator()(const Turn& turn) const { return 1 - turn.x / norm_bound(turn.x, turn.y); }
   };
 
@@ -170,6 +188,7 @@ public:
   class Flip
   {
   public:
+    /// The new geometry of `h`, `t`, `tn` and `tp`.
     Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
@@ -198,6 +217,7 @@ public:
   class Is_locally_delaunay
   {
   public:
+    /// The answer; indeterminate where the error is too large to tell.
     Uncertain<bool> operator()(const Halfedge_geometry& /* h */, const Halfedge_geometry& hn,
                                const Halfedge_geometry& hp, const Halfedge_geometry& /* t */,
                                const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
@@ -222,35 +242,41 @@ public:
     }
   };
 
+  /// Is the error of a vector so large that its face is to be laid out afresh?
   class Is_inaccurate
   {
   public:
+    /// Is the bound not below \f$2^{-14}\f$?
     bool operator()(const Halfedge_geometry& h) const { return !(h.error < 0x1p-14); }
   };
 
+  /// Computes the squared length of a halfedge.
   class Compute_squared_length
   {
   public:
+    /// Rounded to double.
     FT operator()(const Halfedge_geometry& h) const { return h.x * h.x + h.y * h.y; }
   };
 
+  /// Computes the length of a halfedge.
   class Compute_length
   {
   public:
+    /// Rounded to double.
     double operator()(const Halfedge_geometry& h) const { return std::sqrt(h.x * h.x + h.y * h.y); }
   };
 
-  Construct_face_3 construct_face_3_object() const { return {}; }
-  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; }
-  Construct_face_2 construct_face_2_object() const { return {}; }
-  Extend_turn extend_turn_object() const { return {}; }
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
-  Turn_key turn_key_object() const { return {}; }
-  Flip flip_object() const { return {}; }
-  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }
-  Is_inaccurate is_inaccurate_object() const { return {}; }
-  Compute_squared_length compute_squared_length_object() const { return {}; }
-  Compute_length compute_length_object() const { return {}; }
+  Construct_face_3 construct_face_3_object() const { return {}; }                       ///< a functor of this type
+  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; } ///< a functor of this type
+  Construct_face_2 construct_face_2_object() const { return {}; }                       ///< a functor of this type
+  Extend_turn extend_turn_object() const { return {}; }                                 ///< a functor of this type
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }   ///< a functor of this type
+  Turn_key turn_key_object() const { return {}; }                                       ///< a functor of this type
+  Flip flip_object() const { return {}; }                                               ///< a functor of this type
+  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }                 ///< a functor of this type
+  Is_inaccurate is_inaccurate_object() const { return {}; }                             ///< a functor of this type
+  Compute_squared_length compute_squared_length_object() const { return {}; }           ///< a functor of this type
+  Compute_length compute_length_object() const { return {}; }                           ///< a functor of this type
 
 private:
   static Face_geometry with_error(const typename Plain::Face_geometry& face, double error)

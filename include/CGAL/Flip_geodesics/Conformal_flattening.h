@@ -49,7 +49,7 @@ template <class Triangulation>
 class Conformal_flattening
 {
 public:
-  using Point = std::array<double, 2>;
+  using Point = std::array<double, 2>; ///< in the plane, in the unit of the lengths
 
   /*!
    * Cuts and flattens.

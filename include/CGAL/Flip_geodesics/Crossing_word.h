@@ -26,10 +26,11 @@ namespace Flip_geodesics {
  */
 struct Crossing_word
 {
-  Input_halfedge_index along = null_index;
-  std::vector<Input_halfedge_index> crossed;
-  Input_halfedge_index face = null_index;            ///< a halfedge of the face that holds the whole edge
-  Vertex_index tail = null_index, head = null_index; ///< the end vertices
+  Input_halfedge_index along = null_index;   ///< the input halfedge that the edge lies along, if it does
+  std::vector<Input_halfedge_index> crossed; ///< in order; empty if nothing is crossed
+  Input_halfedge_index face = null_index;    ///< a halfedge of the face that holds the whole edge
+  Vertex_index tail = null_index;            ///< the vertex at which the edge starts
+  Vertex_index head = null_index;            ///< the vertex at which the edge ends
 
   /// Turns it into the word of the other direction.
   void reverse()

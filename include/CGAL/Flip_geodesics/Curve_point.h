@@ -24,8 +24,8 @@ namespace Flip_geodesics {
 template <class TriangleMesh>
 struct Curve_place
 {
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;         ///< of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
   /// A face that has the point, and barycentric coordinates, a `CGAL::Polygon_mesh_processing::Face_location`: they
   /// belong to the source, target and third vertex of `halfedge(face, mesh)`.
@@ -41,8 +41,8 @@ struct Curve_place
 template <class TriangleMesh, class Point>
 struct Curve_point : Curve_place<TriangleMesh>
 {
-  using Point_3 = Point;
-  using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3;
+  using Point_3 = Point;                                              ///< of the mesh's points
+  using Vector_3 = typename Kernel_traits<Point_3>::Kernel::Vector_3; ///< of the kernel of `Point_3`
 
   Point_3 point; ///< in space
   /// The direction in which the curve goes on, in space, of length one; at its end the one in which it arrives. Zero

@@ -266,15 +266,19 @@ Iterator_range<Descriptor_iterator<Key>> descriptors(Index end)
 
 namespace std {
 
+/// Makes descriptors keys of unordered containers.
 template <class Element>
 struct hash<CGAL::Flip_geodesics::Descriptor<Element>>
 {
+  /// The number of the descriptor.
   size_t operator()(CGAL::Flip_geodesics::Descriptor<Element> d) const { return hash_value(d); }
 };
 
+/// Makes edges keys of unordered containers.
 template <>
 struct hash<CGAL::Flip_geodesics::Edge_index>
 {
+  /// The number of the edge.
   size_t operator()(CGAL::Flip_geodesics::Edge_index e) const { return hash_value(e); }
 };
 

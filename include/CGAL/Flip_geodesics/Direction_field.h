@@ -43,13 +43,13 @@ class Direction_field
   using Solver = Eigen::SimplicialLDLT<Matrix>;
 
 public:
-  using Vector = Eigen::VectorXcd;
+  using Vector = Eigen::VectorXcd; ///< a complex number per vertex
 
   /// A face about which the field turns: `index` is in units of `1/symmetry` turns.
   struct Singularity
   {
     std::size_t face; ///< its number in `operators().faces()`
-    int index;
+    int index;        ///< positive or negative
   };
 
   /*!

@@ -33,7 +33,7 @@ template <class Operators_>
 class Dirichlet_problem
 {
 public:
-  using Vector = Eigen::VectorXd;
+  using Vector = Eigen::VectorXd; ///< a number per vertex
 
   /*!
    * \param operators of the triangulation; needed only here

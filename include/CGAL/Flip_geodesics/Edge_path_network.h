@@ -60,14 +60,14 @@ template <class Triangulation_>
 class Edge_path_network
 {
 public:
-  using Triangulation = Triangulation_;
-  using Turn = typename Triangulation::Turn;
+  using Triangulation = Triangulation_;      ///< the template parameter
+  using Turn = typename Triangulation::Turn; ///< a rotation about a vertex, of the triangulation's traits
 
   /// What can be known of a wedge by looking at it.
   struct Wedge
   {
-    Wedge_state state;
-    Turn turn; ///< over the corners up to the next strand; to be compared only if `state` is `FREE`
+    Wedge_state state; ///< what stands in it
+    Turn turn;         ///< over the corners up to the next strand; to be compared only if `state` is `FREE`
   };
 
   /// An empty network in a triangulation.
@@ -79,7 +79,7 @@ public:
   {
   }
 
-  /* The same beside another one that has no curves, and is not used meanwhile. */
+  /// The same beside another one that has no curves, and is not used meanwhile. For the library's own use.
   Edge_path_network(Triangulation& triangulation, internal::Beside_empty_network place)
     : m_claim(triangulation.network_place(), place)
     , m_triangulation(&triangulation)

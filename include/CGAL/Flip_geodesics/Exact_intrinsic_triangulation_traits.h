@@ -79,23 +79,24 @@ class Exact_intrinsic_triangulation_traits
   using Geometry = std::conditional_t<is_exact, internal::Squared_length_geometry<NT>, internal::Vector_geometry<NT>>;
 
 public:
-  using FT = NT;
+  using FT = NT; ///< squared lengths are of it
   /// Rounded numbers drift, even if 100 digits do so unseen. Intervals know by how much.
   using Has_drift = Boolean_tag<is_rounded>;
-  using Point_3 = typename K::Point_3;
+  using Point_3 = typename K::Point_3; ///< of the mesh
   /// The type of radicands: `NT` or, for `Sqrt_extension<NT, ROOT>`, `ROOT`.
   using Radicand = typename Area_unit::Radicand;
 
-  using Halfedge_geometry = typename Geometry::Halfedge_geometry;
-  using Face_geometry = typename Geometry::Face_geometry;
-  using Flipped_geometry = typename Geometry::Flipped_geometry;
+  using Halfedge_geometry = typename Geometry::Halfedge_geometry; ///< a squared length and an area, or a vector
+  using Face_geometry = typename Geometry::Face_geometry;         ///< of a face, in the order of its halfedges
+  using Flipped_geometry = typename Geometry::Flipped_geometry;   ///< of the four halfedges that a flip changes
 
   /// The rotation over a fan of corners, a complex number of any magnitude.
   struct Turn
   {
-    NT x = NT(1), y = NT(0);
-    bool is_empty = true;
-    Uncertain<Comparison_result> comparison = SMALLER;
+    NT x = NT(1);                                      ///< the real part; the argument of the number is the angle
+    NT y = NT(0);                                      ///< the imaginary part, in the traits' unit of area
+    bool is_empty = true;                              ///< is it the rotation by zero?
+    Uncertain<Comparison_result> comparison = SMALLER; ///< of the angle with \f$\pi\f$
   };
 
   /// For any mesh, or with radicand 1 if the number type has no roots.
@@ -118,11 +119,13 @@ public:
     using Vector_3 = typename Geometry::Vector_3;
 
   public:
+    /// In the unit of area of the traits, which must outlive the functor.
     explicit Construct_face_3(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
+    /// The face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       const Vector_3 u = difference(p, q), v = difference(q, r), w = difference(r, p);
@@ -151,11 +154,13 @@ public:
   class Construct_face_from_lengths
   {
   public:
+    /// In the unit of area of the traits, which must outlive the functor.
     explicit Construct_face_from_lengths(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
+    /// The face whose halfedges have these lengths.
     Face_geometry operator()(double length_a, double length_b, double length_c) const
     {
       const NT a(length_a), b(length_b), c(length_c);
@@ -171,6 +176,7 @@ public:
   class Construct_face_2
   {
   public:
+    /// The face whose halfedges have the vectors `v`, each with the relative error `error`.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double error) const
     {
       CGAL_precondition_msg(!is_exact, "exact numbers cannot be had from rounded vectors");
@@ -181,9 +187,11 @@ public:
     }
   };
 
+  /// Lays out a triangle of points of a face.
   class Construct_exact_subface
   {
   public:
+    /// The triangle; point `i` has the weights `weights[i]` of the face's corners.
     Face_geometry operator()(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights) const
     {
       return Geometry::subface(face, weights);
@@ -197,11 +205,13 @@ public:
   class Extend_turn
   {
   public:
+    /// In the unit of area of the traits, which must outlive the functor.
     explicit Extend_turn(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
+    /// Adds the corner at the head of `in` to `turn`.
     void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
                     const Halfedge_geometry& opposite) const
     {
@@ -278,6 +288,7 @@ public:
   class Compare_turn_with_straight
   {
   public:
+    /// The answer, certain if it is given.
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.comparison.make_certain(); }
   };
 
@@ -285,11 +296,13 @@ public:
   class Turn_key
   {
   public:
+    /// In the unit of area of the traits, which must outlive the functor.
     explicit Turn_key(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
+    /// The key, a number in [0, 2], rounded.
     double operator()(const Turn& turn) const
     {
       if(has_radicand)
@@ -320,11 +333,13 @@ public:
   class Flip
   {
   public:
+    /// In the unit of area of the traits, which must outlive the functor.
     explicit Flip(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
+    /// The new geometry of `h`, `t`, `tn` and `tp`.
     Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
@@ -343,11 +358,13 @@ public:
   class Is_locally_delaunay
   {
   public:
+    /// In the unit of area of the traits, which must outlive the functor.
     explicit Is_locally_delaunay(const Area_unit& unit)
       : m_unit(&unit)
     {
     }
 
+    /// The answer, certain if it is given.
     Uncertain<bool> operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                const Halfedge_geometry& tp) const
@@ -377,6 +394,7 @@ public:
   class Is_inaccurate
   {
   public:
+    /// Never for exact numbers.
     bool operator()(const Halfedge_geometry& h) const
     {
       if constexpr(is_exact)
@@ -386,33 +404,39 @@ public:
     }
   };
 
+  /// Computes the squared length of a halfedge.
   class Compute_squared_length
   {
   public:
+    /// Exact if `NT` is.
     FT operator()(const Halfedge_geometry& h) const { return Geometry::squared_length(h); }
   };
 
+  /// Computes the length of a halfedge.
   class Compute_length
   {
   public:
+    /// Rounded to double.
     double operator()(const Halfedge_geometry& h) const
     {
       return std::sqrt(Operations::to_double(Geometry::squared_length(h)));
     }
   };
 
-  Construct_face_3 construct_face_3_object() const { return Construct_face_3(m_unit); }
+  Construct_face_3 construct_face_3_object() const { return Construct_face_3(m_unit); } ///< a functor of this type
+  /// A functor of this type.
   Construct_face_from_lengths construct_face_from_lengths_object() const { return Construct_face_from_lengths(m_unit); }
-  Construct_face_2 construct_face_2_object() const { return {}; }
-  Construct_subface construct_subface_object() const { return Construct_subface(); }
-  Extend_turn extend_turn_object() const { return Extend_turn(m_unit); }
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
-  Turn_key turn_key_object() const { return Turn_key(m_unit); }
-  Flip flip_object() const { return Flip(m_unit); }
+  Construct_face_2 construct_face_2_object() const { return {}; }                     ///< a functor of this type
+  Construct_subface construct_subface_object() const { return Construct_subface(); }  ///< a functor of this type
+  Extend_turn extend_turn_object() const { return Extend_turn(m_unit); }              ///< a functor of this type
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; } ///< a functor of this type
+  Turn_key turn_key_object() const { return Turn_key(m_unit); }                       ///< a functor of this type
+  Flip flip_object() const { return Flip(m_unit); }                                   ///< a functor of this type
+  /// A functor of this type.
   Is_locally_delaunay is_locally_delaunay_object() const { return Is_locally_delaunay(m_unit); }
-  Is_inaccurate is_inaccurate_object() const { return {}; }
-  Compute_squared_length compute_squared_length_object() const { return {}; }
-  Compute_length compute_length_object() const { return {}; }
+  Is_inaccurate is_inaccurate_object() const { return {}; }                   ///< a functor of this type
+  Compute_squared_length compute_squared_length_object() const { return {}; } ///< a functor of this type
+  Compute_length compute_length_object() const { return {}; }                 ///< a functor of this type
 
 private:
   Area_unit m_unit;

@@ -21,12 +21,18 @@ namespace Flip_geodesics {
 template <class Halfedge_geometry>
 struct Flip_record
 {
-  Halfedge_index h;             ///< the flipped halfedge, i->j before and l->k after
-  Halfedge_index hp, tn;        ///< k->i and i->l
-  Index version_hp, version_tn; ///< their versions at the time
-  Index rotation;               ///< how many input edges a turn about i from ik to il crosses
-  Index old_version, old_crossings;
-  Halfedge_geometry old_h, old_t, old_tn, old_tp;
+  Halfedge_index h;         ///< the flipped halfedge, i->j before and l->k after
+  Halfedge_index hp;        ///< k->i
+  Halfedge_index tn;        ///< i->l
+  Index version_hp;         ///< the version of `hp` at the time
+  Index version_tn;         ///< the version of `tn` at the time
+  Index rotation;           ///< how many input edges a turn about i from ik to il crosses
+  Index old_version;        ///< of the edge, before
+  Index old_crossings;      ///< one more than the number of input edges that the edge crossed before
+  Halfedge_geometry old_h;  ///< what `h` stored before
+  Halfedge_geometry old_t;  ///< what the other side of the edge stored before
+  Halfedge_geometry old_tn; ///< what `tn` stored before
+  Halfedge_geometry old_tp; ///< what the halfedge l->j stored before
 
   /// Was an edge flipped?
   bool is_flip() const { return hp != null_index; }

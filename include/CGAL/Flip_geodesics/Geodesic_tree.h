@@ -66,7 +66,7 @@ class Geodesic_tree
                 "decisions that can err are measured from the input, with which the triangulation does not correspond");
 
 public:
-  using Triangulation = Triangulation_;
+  using Triangulation = Triangulation_; ///< the template parameter
 
   /// A tree without a source. Constant time; the triangulation must outlive the tree.
   explicit Geodesic_tree(Triangulation& triangulation)

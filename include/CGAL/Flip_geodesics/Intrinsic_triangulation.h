@@ -81,12 +81,12 @@ class Intrinsic_triangulation : public Intrinsic_triangulation_elements<Triangle
   using Store = typename Elements::Store;
 
 public:
-  using Traits = Traits_;
-  using Metric = Metric_;
-  using Input_mesh = typename Elements::Input_mesh;
-  using Halfedge_geometry = typename Traits::Halfedge_geometry;
-  using Turn = typename Traits::Turn;
-  using Walker = typename Elements::Walker;
+  using Traits = Traits_;                                       ///< the template parameter
+  using Metric = Metric_;                                       ///< the template parameter
+  using Input_mesh = typename Elements::Input_mesh;             ///< the input, numbered
+  using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< what the traits store of a halfedge
+  using Turn = typename Traits::Turn;                           ///< a rotation about a vertex, of the traits
+  using Walker = typename Elements::Walker;                     ///< a model of `IntrinsicTriangulationWalker`
 
   /// What the log keeps of a flip.
   using Flip_record = Flip_geodesics::Flip_record<Halfedge_geometry>;

@@ -32,19 +32,20 @@ class Intrinsic_triangulation_elements
                 "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
 
 public:
-  using Triangle_mesh = TriangleMesh;
-  using Traits = Traits_;
-  using Metric = Metric_;
-  using Input_mesh = Numbered_mesh<TriangleMesh>;
-  using vertex_descriptor = Vertex_index;
-  using halfedge_descriptor = Halfedge_index;
-  using edge_descriptor = Edge_index;
-  using face_descriptor = Face_index;
-  using FT = typename Traits::FT;
-  using Halfedge_geometry = typename Traits::Halfedge_geometry;
-  using Turn = typename Traits::Turn;
+  using Triangle_mesh = TriangleMesh;                           ///< the input, as it was given
+  using Traits = Traits_;                                       ///< the template parameter
+  using Metric = Metric_;                                       ///< the template parameter
+  using Input_mesh = Numbered_mesh<TriangleMesh>;               ///< the input, numbered
+  using vertex_descriptor = Vertex_index;                       ///< of the intrinsic triangulation
+  using halfedge_descriptor = Halfedge_index;                   ///< of the intrinsic triangulation
+  using edge_descriptor = Edge_index;                           ///< of the intrinsic triangulation
+  using face_descriptor = Face_index;                           ///< of the intrinsic triangulation
+  using FT = typename Traits::FT;                               ///< of squared lengths
+  using Halfedge_geometry = typename Traits::Halfedge_geometry; ///< what the traits store of a halfedge
+  using Turn = typename Traits::Turn;                           ///< a rotation about a vertex, of the traits
   /// Descriptors of `Triangle_mesh`.
   using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  /// Descriptors of `Triangle_mesh`.
   using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   /// A model of `IntrinsicTriangulationWalker`.
   using Walker = internal::Placed_halfedge<internal::Halfedge_store<Input_mesh, Traits, Metric>>;
@@ -187,17 +188,20 @@ public:
   }
 
 protected:
-  using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>;
+  using Store = internal::Halfedge_store<Input_mesh, Traits, Metric>; ///< where the elements are kept
 
+  /// The elements of an input that was not touched yet.
   Intrinsic_triangulation_elements(const Input_mesh& input, const Metric& metric, const Traits& traits)
     : m_halfedges(input, metric, traits)
   {
   }
 
+  /// Moves the elements. \throws Occupied_triangulation_error while a network lives in the triangulation
   Intrinsic_triangulation_elements(Intrinsic_triangulation_elements&&) = default;
+  /// As above.
   Intrinsic_triangulation_elements& operator=(Intrinsic_triangulation_elements&&) = default;
 
-  // Where the elements are kept, for what changes them: faces of the input are copied when they are first read.
+  /// Where the elements are kept, for what changes them: faces of the input are copied when they are first read.
   Store& store() const { return m_halfedges; }
 
 private:

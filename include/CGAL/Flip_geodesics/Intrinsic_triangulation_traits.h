@@ -37,15 +37,16 @@ template <class K>
 class Intrinsic_triangulation_traits
 {
 public:
-  using FT = double;
+  using FT = double; ///< squared lengths are rounded to it
   /// Do vectors drift with flips, so that decisions can be wrong, and finished curves must be checked?
   using Has_drift = Tag_true;
-  using Point_3 = typename K::Point_3;
+  using Point_3 = typename K::Point_3; ///< of the mesh
 
   /// The vector of a halfedge in the frame of its face.
   struct Halfedge_geometry
   {
-    double x, y;
+    double x; ///< a coordinate, in the unit of the mesh
+    double y; ///< a coordinate, in the unit of the mesh
   };
 
   /// The geometry of a face, one vector per halfedge, in the order of the face.
@@ -54,14 +55,18 @@ public:
   /// The rotation over a fan of corners, a complex number of any magnitude; its angle counts only up to \f$\pi\f$.
   struct Turn
   {
-    double x = 1, y = 0;
-    bool is_straight = false;
+    double x = 1;             ///< the real part; the argument of the number is the angle
+    double y = 0;             ///< the imaginary part
+    bool is_straight = false; ///< has the angle reached \f$\pi\f$, up to `angle_tolerance()`?
   };
 
   /// The new geometry of the four halfedges whose vectors change with a flip.
   struct Flipped_geometry
   {
-    Halfedge_geometry h, t, tn, tp;
+    Halfedge_geometry h;  ///< of the edge's side `h`
+    Halfedge_geometry t;  ///< of the edge's side `t`
+    Halfedge_geometry tn; ///< of the halfedge after `t` in its old face
+    Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
   };
 
   /// An angle, in radians, by which a straight angle may be missed and still count as straight.
@@ -74,6 +79,7 @@ public:
   class Construct_face_3
   {
   public:
+    /// The face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
       const std::array<Vector_3, 3> e = {difference(p, q), difference(q, r), difference(r, p)};
@@ -112,6 +118,7 @@ public:
   class Construct_face_from_lengths
   {
   public:
+    /// The face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const
     {
       const std::array<double, 3> length = {a, b, c};
@@ -155,6 +162,7 @@ public:
   class Construct_face_2
   {
   public:
+    /// The face whose halfedges have the vectors `v`; the error is not kept.
     Face_geometry operator()(const std::array<std::array<double, 2>, 3>& v, double /* error */) const
     {
       return {{{v[0][0], v[0][1]}, {v[1][0], v[1][1]}, {v[2][0], v[2][1]}}};
@@ -168,6 +176,7 @@ public:
   class Extend_turn
   {
   public:
+    /// Adds the corner at the head of `in` to `turn`.
     void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
                     const Halfedge_geometry& /* opposite */) const
     {
@@ -214,6 +223,7 @@ public:
   class Compare_turn_with_straight
   {
   public:
+    /// Always certain; where vectors have drifted, it can be wrong.
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 
@@ -221,6 +231,7 @@ public:
   class Turn_key
   {
   public:
+    /// The key, 0 for the rotation by zero.
     double operator()(const Turn& turn) const { return 1 - turn.x / (std::abs(turn.x) + turn.y); }
   };
 
@@ -242,6 +253,7 @@ public:
   class Flip
   {
   public:
+    /// The new geometry of `h`, `t`, `tn` and `tp`.
     Flipped_geometry operator()(const Halfedge_geometry& h, const Halfedge_geometry& hn, const Halfedge_geometry& hp,
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
@@ -271,6 +283,7 @@ public:
   class Is_locally_delaunay
   {
   public:
+    /// The answer, always certain.
     Uncertain<bool> operator()(const Halfedge_geometry& /* h */, const Halfedge_geometry& hn,
                                const Halfedge_geometry& hp, const Halfedge_geometry& /* t */,
                                const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
@@ -293,32 +306,37 @@ public:
   class Is_inaccurate
   {
   public:
+    /// `false`, always.
     bool operator()(const Halfedge_geometry&) const { return false; }
   };
 
+  /// Computes the squared length of a halfedge.
   class Compute_squared_length
   {
   public:
+    /// Rounded to double.
     FT operator()(const Halfedge_geometry& h) const { return h.x * h.x + h.y * h.y; }
   };
 
+  /// Computes the length of a halfedge.
   class Compute_length
   {
   public:
+    /// Rounded to double.
     double operator()(const Halfedge_geometry& h) const { return std::sqrt(h.x * h.x + h.y * h.y); }
   };
 
-  Construct_face_3 construct_face_3_object() const { return {}; }
-  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; }
-  Construct_face_2 construct_face_2_object() const { return {}; }
-  Extend_turn extend_turn_object() const { return {}; }
-  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }
-  Turn_key turn_key_object() const { return {}; }
-  Flip flip_object() const { return {}; }
-  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }
-  Is_inaccurate is_inaccurate_object() const { return {}; }
-  Compute_squared_length compute_squared_length_object() const { return {}; }
-  Compute_length compute_length_object() const { return {}; }
+  Construct_face_3 construct_face_3_object() const { return {}; }                       ///< a functor of this type
+  Construct_face_from_lengths construct_face_from_lengths_object() const { return {}; } ///< a functor of this type
+  Construct_face_2 construct_face_2_object() const { return {}; }                       ///< a functor of this type
+  Extend_turn extend_turn_object() const { return {}; }                                 ///< a functor of this type
+  Compare_turn_with_straight compare_turn_with_straight_object() const { return {}; }   ///< a functor of this type
+  Turn_key turn_key_object() const { return {}; }                                       ///< a functor of this type
+  Flip flip_object() const { return {}; }                                               ///< a functor of this type
+  Is_locally_delaunay is_locally_delaunay_object() const { return {}; }                 ///< a functor of this type
+  Is_inaccurate is_inaccurate_object() const { return {}; }                             ///< a functor of this type
+  Compute_squared_length compute_squared_length_object() const { return {}; }           ///< a functor of this type
+  Compute_length compute_length_object() const { return {}; }                           ///< a functor of this type
 };
 
 } // namespace Flip_geodesics

@@ -21,19 +21,21 @@ inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT :
 struct Joint
 {
   Segment_index incoming; ///< the segment that arrives at the node
-  Side side;
+  Side side;              ///< on which side of the curve
 };
 
 /// \ingroup PkgFlipGeodesicsRef
 /// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
 struct Strand_end
 {
-  Halfedge_index halfedge = null_index;
-  Segment_index segment = null_index;
+  Halfedge_index halfedge = null_index; ///< outgoing at the node; null if there is no end
+  Segment_index segment = null_index;   ///< which starts or ends there along `halfedge`
 
   /// Is it no end at all?
   bool is_none() const { return halfedge == null_index; }
+  /// Is it the same end?
   bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
+  /// Is it another end?
   bool operator!=(const Strand_end& other) const { return !(*this == other); }
 };
 

@@ -52,9 +52,9 @@ class Mollified_metric : private Metric
   using Base = Metric;
 
 public:
-  using Mesh = typename Base::Mesh;
-  using Kernel = typename Base::Kernel;
-  using Point_3 = typename internal::Metric_point<Base>::type;
+  using Mesh = typename Base::Mesh;                            ///< the mesh, numbered
+  using Kernel = typename Base::Kernel;                        ///< that of the other metric
+  using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
 
   /*!
    * Finds the length to add; linear in the mesh.

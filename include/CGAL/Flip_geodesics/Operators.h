@@ -44,8 +44,8 @@ template <class Triangulation, class ConcurrencyTag = CGAL::Sequential_tag>
 class Operators
 {
 public:
-  using Matrix = Eigen::SparseMatrix<double>;
-  using Vector = Eigen::VectorXd;
+  using Matrix = Eigen::SparseMatrix<double>; ///< rows and columns as the class says
+  using Vector = Eigen::VectorXd;             ///< a number per vertex or face, or two per face
 
   /*!
    * Reads the faces of a triangulation, all of them. \f$O(n + m)\f$.

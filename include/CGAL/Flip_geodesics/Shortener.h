@@ -45,7 +45,7 @@ class Shortener
   using Straightnesses = internal::Indexed_by<Curve_index, std::vector<Straightness>>;
 
 public:
-  using Network = Network_;
+  using Network = Network_; ///< the template parameter
 
   /// Looks at every joint of the network's curves, which must outlive the shortener. Linear in the segments and the
   /// degrees of their ends.

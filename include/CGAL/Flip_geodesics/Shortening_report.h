@@ -51,9 +51,9 @@ inline const char* to_string(Shortening_status status)
 /// What happened to one curve.
 struct Curve_report
 {
-  Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
-  double initial_length = 0;
-  double length = 0;
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; ///< how the shortening ended for it
+  double initial_length = 0; ///< the length that it had at first, before anything was straightened
+  double length = 0;         ///< the length that it has now, 0 if it has contracted
   /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< edge flips for this curve, those of steps that were taken back included
@@ -66,8 +66,11 @@ struct Curve_report
 struct Shortening_report
 {
   std::vector<Curve_report> curves; ///< one per curve of the network
-  std::size_t flips = 0;            ///< edge flips, those of steps that were taken back included
-  std::size_t flip_outs = 0;        ///< steps [SC20, Algorithm 1]; the unit for a loop of one segment counts as one
+  /// Edge flips, those of steps that were taken back included, and those by which a straightened path was inserted.
+  std::size_t flips = 0;
+  /// The steps that were taken [SC20, Algorithm 1]; the unit for a loop of one segment counts as one. It is 0 where a
+  /// path was straightened beforehand, as functions do that get no stop predicate and no visitor, and needed no step.
+  std::size_t flip_outs = 0;
 
   /// Is every curve of the network locally shortest, or contracted to a point, which is as short as can be?
   bool is_complete() const

@@ -31,6 +31,7 @@ struct Straightness
 
   /// The angle, in radians, by which a straight angle may be missed: far above the error of the measurement.
   static constexpr double tolerance() { return 1e-8; }
+  /// The angle, in radians, from which on a side of a joint counts as straight: \f$\pi\f$ less `tolerance()`.
   static constexpr double straight_angle() { return boost::math::constants::pi<double>() - tolerance(); }
 
   /// Is the curve locally shortest up to `tolerance()`?
@@ -56,6 +57,7 @@ class Straightness_meter
   using Strip = internal::Strip<Triangulation>;
 
 public:
+  /// Measures curves of a network, which must outlive the meter.
   explicit Straightness_meter(const Network& network)
     : m_network(network)
     , m_triangulation(network.triangulation())

@@ -31,8 +31,8 @@ namespace Flip_geodesics {
  */
 struct Surface_location
 {
-  Input_halfedge_index halfedge = null_index;
-  std::array<double, 3> weights = {{1, 0, 0}};
+  Input_halfedge_index halfedge = null_index;  ///< a side of the face, or of the edge, that the point is on
+  std::array<double, 3> weights = {{1, 0, 0}}; ///< of tail, head and third vertex; each 0 or in [1e-100, 1e100]
 };
 
 /// \ingroup PkgFlipGeodesicsRef
@@ -52,8 +52,8 @@ inline Location_kind kind(const Surface_location& location)
 /// from that halfedge's face.
 struct Known_piece
 {
-  Halfedge_index halfedge;
-  std::size_t gap;
+  Halfedge_index halfedge; ///< an intrinsic halfedge
+  std::size_t gap;         ///< counted along its word: the piece before crossing `gap`, or the last one
   std::size_t letters; ///< how long words may be looked at to find the point from elsewhere; the search takes from it
 };
 

@@ -28,16 +28,19 @@ namespace Flip_geodesics {
  */
 struct Surface_point
 {
-  Vertex_index a, b; ///< input vertices
-  double t;
+  Vertex_index a; ///< the input vertex with the weight \f$1-t-u\f$
+  Vertex_index b; ///< the input vertex with the weight \f$t\f$; at a vertex, `a`
+  double t;       ///< the weight of `b`, without unit
   Input_halfedge_index
       halfedge; ///< on an edge: the input halfedge that is crossed, as a side of the face that is left, or that an
                 ///< inserted point lies on; inside a face: one of its halfedges; else null
-  Vertex_index c = null_index;
-  double u = 0;
+  Vertex_index c = null_index;      ///< inside a face: its third vertex; else null
+  double u = 0;                     ///< the weight of `c`, 0 unless inside a face
   Vertex_index vertex = null_index; ///< the triangulation's vertex in this place; null where an edge is crossed
 
+  /// Is it at a vertex of the input?
   bool is_vertex() const { return a == b; }
+  /// Is it inside an input face, not on an edge?
   bool is_inside_face() const { return c != null_index; }
 };
 

@@ -61,10 +61,11 @@ class Surface_subdivision
   using Map = typename boost::property_map<OutputMesh, Tag>::type;
 
 public:
-  using vertex_descriptor = typename Graph::vertex_descriptor;
-  using halfedge_descriptor = typename Graph::halfedge_descriptor;
-  using edge_descriptor = typename Graph::edge_descriptor;
-  using face_descriptor = typename Graph::face_descriptor;
+  using vertex_descriptor = typename Graph::vertex_descriptor;     ///< of `OutputMesh`
+  using halfedge_descriptor = typename Graph::halfedge_descriptor; ///< of `OutputMesh`
+  using edge_descriptor = typename Graph::edge_descriptor;         ///< of `OutputMesh`
+  using face_descriptor = typename Graph::face_descriptor;         ///< of `OutputMesh`
+  /// Of the input mesh.
   using Input_face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
   /// A model of `ReadablePropertyMap`, for the parameter `edge_is_constrained_map` of \cgal's functions.
   using Edge_is_constrained_map = Map<CGAL::dynamic_edge_property_t<bool>>;

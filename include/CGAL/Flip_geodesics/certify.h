@@ -48,10 +48,11 @@ inline const char* to_string(Certificate_verdict verdict)
 /// The verdict on one curve; if it is bent, where.
 struct Curve_certificate
 {
-  Certificate_verdict verdict = Certificate_verdict::PROVEN;
+  Certificate_verdict verdict = Certificate_verdict::PROVEN; ///< what is said of the curve
   Segment_index segment = null_index; ///< the bent segment, or the one that arrives at the bent joint
-  Side side = Side::LEFT;     ///< the side of the bent joint
+  Side side = Side::LEFT;             ///< the side of the bent joint
 
+  /// Is the curve locally shortest, `PROVEN` or `PROBABLE`?
   bool is_locally_shortest() const
   {
     return verdict == Certificate_verdict::PROVEN || verdict == Certificate_verdict::PROBABLE;
@@ -62,9 +63,10 @@ struct Curve_certificate
 /// The verdicts on all curves of a network, and how the comparisons were decided.
 struct Network_certificate
 {
-  std::vector<Curve_certificate> curves;
-  Decision_statistics statistics;
+  std::vector<Curve_certificate> curves; ///< one per curve of the network, by its index
+  Decision_statistics statistics;        ///< how the comparisons were decided
 
+  /// Are all curves locally shortest, `PROVEN` or `PROBABLE`?
   bool is_locally_shortest() const
   {
     for(const Curve_certificate& curve : curves)

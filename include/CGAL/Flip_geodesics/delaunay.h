@@ -20,10 +20,11 @@ namespace Flip_geodesics {
 /// What `flip_to_delaunay()` did.
 struct Delaunay_report
 {
-  std::size_t flips = 0;
+  std::size_t flips = 0;       ///< edge flips
   std::size_t constrained = 0; ///< edges that are not locally Delaunay, and that a curve holds
   std::size_t remaining = 0;   ///< others of the edges in question; not zero only if the process was ended early
   bool is_stopped = false;     ///< did the visitor end it?
+  /// Is each edge in question locally Delaunay, or held by a curve?
   bool is_complete() const { return remaining == 0; }
 };
 

@@ -23,6 +23,8 @@ namespace Flip_geodesics {
 class Error : public std::runtime_error
 {
 public:
+  /// \param message what is wrong, to be had from `what()`
+  /// \param elements the indices of the offending elements, in the order of the message
   explicit Error(const std::string& message, std::vector<std::size_t> elements = {})
     : std::runtime_error(message)
     , m_elements(std::move(elements))
@@ -43,7 +45,7 @@ private:
 class Invalid_mesh_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -52,7 +54,7 @@ public:
 class Degenerate_face_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -60,7 +62,7 @@ public:
 class Invalid_coordinate_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -68,7 +70,7 @@ public:
 class Vertex_out_of_range_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -76,7 +78,7 @@ public:
 class Disconnected_endpoints_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -86,7 +88,7 @@ public:
 class Invalid_location_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -95,7 +97,7 @@ public:
 class Insertion_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -103,7 +105,7 @@ public:
 class Invalid_curve_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -111,7 +113,7 @@ public:
 class Crossing_curves_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -120,7 +122,7 @@ public:
 class Occupied_triangulation_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -128,7 +130,7 @@ public:
 class Ambiguous_order_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -137,7 +139,7 @@ public:
 class Inexact_root_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -146,7 +148,7 @@ public:
 class Singular_problem_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -155,7 +157,7 @@ public:
 class Flattening_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -164,7 +166,7 @@ public:
 class File_format_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -173,7 +175,7 @@ public:
 class File_write_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
@@ -181,7 +183,7 @@ public:
 class Input_mismatch_error : public Error
 {
 public:
-  using Error::Error;
+  using Error::Error; ///< from a message and the elements
 };
 
 } // namespace Flip_geodesics

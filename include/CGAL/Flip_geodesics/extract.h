@@ -58,8 +58,9 @@ class Curve_extractor
   using Triangle_mesh = typename Triangulation::Triangle_mesh;
 
 public:
-  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< of the input mesh
 
+  /// Reads curves of a network, which must outlive the extractor.
   explicit Curve_extractor(const Network& network)
     : m_network(network)
     , m_triangulation(network.triangulation())
@@ -206,9 +207,9 @@ private:
 /// A face of the intrinsic triangulation; side `i` leads from vertex `i` to vertex `(i + 1) % 3`.
 struct Intrinsic_face
 {
-  std::array<Vertex_index, 3> vertices;
-  std::array<Halfedge_index, 3> halfedges;
-  std::array<double, 3> lengths;
+  std::array<Vertex_index, 3> vertices;    ///< the tails of the halfedges
+  std::array<Halfedge_index, 3> halfedges; ///< counterclockwise around the face
+  std::array<double, 3> lengths;           ///< of the halfedges, in the unit of the mesh, rounded to double
 };
 
 /*!

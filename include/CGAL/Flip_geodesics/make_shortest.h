@@ -22,17 +22,19 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
-/// How many paths of a tree are globally shortest.
+/// How many paths of a tree are globally shortest. Paths are compared with those that the search found, and with nothing
+/// else: unless `is_confirmed`, it may have missed vertices, or shorter paths, and 0 longer ones then prove nothing.
 struct Shortest_tree_report
 {
-  std::size_t vertices = 0;         ///< with a path, or with one no longer than the tree's limit; without the source
-  std::size_t longer_before = 0;    ///< whose path was longer than a shortest one, or missing
+  std::size_t vertices = 0;         ///< that the search reached within the tree's limit; without the source
+  std::size_t longer_before = 0;    ///< of them, whose path was longer than the one found, or missing
   std::size_t longer = 0;           ///< for which it still is; rounding, or degenerate faces, can stand in the way
   double largest_excess_before = 0; ///< the largest part of a shortest length that a path was longer
   double largest_excess = 0;        ///< the same now
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
-  /// Was the search not given up, and were there no degenerate faces, so that it is exact up to rounding?
+  /// Was the search not given up, were there no degenerate faces, and was no path of the tree shorter than the one that
+  /// was found? Then the figures are exact up to rounding.
   bool is_confirmed = false;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it?
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;

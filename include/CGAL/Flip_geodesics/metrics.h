@@ -65,10 +65,11 @@ template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric
 {
 public:
-  using Mesh = Numbered_mesh<TriangleMesh>;
-  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
-  using Kernel = typename Kernel_traits<Point_3>::Kernel;
+  using Mesh = Numbered_mesh<TriangleMesh>;                                    ///< the mesh, numbered
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type; ///< of the vertices
+  using Kernel = typename Kernel_traits<Point_3>::Kernel;                      ///< of the points
 
+  /// \param points of the mesh's vertices, read whenever a length is asked for
   explicit Embedded_metric(VertexPointMap points)
     : m_points(points)
   {
@@ -177,9 +178,11 @@ template <class TriangleMesh, class EdgeLengthMap>
 class Edge_length_metric
 {
 public:
-  using Mesh = Numbered_mesh<TriangleMesh>;
-  using Kernel = Simple_cartesian<double>;
+  using Mesh = Numbered_mesh<TriangleMesh>; ///< the mesh, numbered
+  using Kernel = Simple_cartesian<double>;  ///< in which finished curves are measured
 
+  /// \param mesh must outlive the metric
+  /// \param lengths of its edges, read whenever one is asked for; any unit, each between 1e-70 and 1e70
   Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)
     : m_mesh(&mesh)
     , m_lengths(lengths)

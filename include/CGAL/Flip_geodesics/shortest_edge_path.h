@@ -56,6 +56,7 @@ template <class Triangulation>
 class Shortest_edge_path
 {
 public:
+  /// Searches on the input of a triangulation, which must outlive the search, by a method.
   explicit Shortest_edge_path(const Triangulation& triangulation, Search_method method = Search_method::A_STAR)
     : m_triangulation(&triangulation)
     , m_method(method)

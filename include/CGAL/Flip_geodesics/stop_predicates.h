@@ -32,7 +32,7 @@ enum class Stop_decision {
 /// The step that is about to be taken, with the lengths before and after it.
 struct Shortening_step
 {
-  Curve_index curve;
+  Curve_index curve;           ///< the curve that the step shortens
   double angle_key;            ///< `Turn_key` of the wedge, in [0, 2): 1 - cos / (|cos| + sin) of its angle
   std::size_t steps;           ///< the number of steps taken so far
   double curve_initial_length; ///< of the curve
@@ -46,6 +46,7 @@ struct Shortening_step
 /// Never stops. \cgalModels{FlipOutStopPredicate}
 struct Never_stop_predicate
 {
+  /// `CONTINUE`, whatever the step.
   Stop_decision operator()(const Shortening_step&) const { return Stop_decision::CONTINUE; }
 };
 
@@ -54,6 +55,7 @@ struct Never_stop_predicate
 class Length_ratio_stop_predicate
 {
 public:
+  /// \param ratio the least length, as a part of the initial one
   /// \pre 0 <= ratio <= 1
   explicit Length_ratio_stop_predicate(double ratio)
     : m_ratio(ratio)
@@ -61,6 +63,7 @@ public:
     CGAL_precondition(0 <= ratio && ratio <= 1);
   }
 
+  /// `LENGTH_LIMIT` if the network would become shorter than allowed, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.length_after < m_ratio * step.initial_length ? Stop_decision::LENGTH_LIMIT : Stop_decision::CONTINUE;
@@ -76,6 +79,7 @@ private:
 class Curve_length_ratio_stop_predicate
 {
 public:
+  /// \param ratio the least length, as a part of the initial one
   /// \pre 0 <= ratio <= 1
   explicit Curve_length_ratio_stop_predicate(double ratio)
     : m_ratio(ratio)
@@ -83,6 +87,7 @@ public:
     CGAL_precondition(0 <= ratio && ratio <= 1);
   }
 
+  /// `CURVE_LENGTH_LIMIT` if the curve would become shorter than allowed, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.curve_length_after < m_ratio * step.curve_initial_length ? Stop_decision::CURVE_LENGTH_LIMIT
@@ -105,6 +110,7 @@ public:
     CGAL_precondition(angle > 0);
   }
 
+  /// `ANGLE_LIMIT` if the angle of the wedge, the smallest left, has reached the limit, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.angle_key >= m_key ? Stop_decision::ANGLE_LIMIT : Stop_decision::CONTINUE;
@@ -119,11 +125,13 @@ private:
 class Iteration_stop_predicate
 {
 public:
+  /// \param limit the number of steps that may be taken, as `Shortening_step::steps` counts them
   explicit Iteration_stop_predicate(std::size_t limit)
     : m_limit(limit)
   {
   }
 
+  /// `ITERATION_LIMIT` if so many steps were taken, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.steps >= m_limit ? Stop_decision::ITERATION_LIMIT : Stop_decision::CONTINUE;
@@ -167,12 +175,14 @@ decltype(auto) restarted(const StopPredicate& stop)
 class Time_stop_predicate
 {
 public:
+  /// \param limit a time in seconds, or any duration of `std::chrono`; it runs from now on
   explicit Time_stop_predicate(std::chrono::duration<double> limit)
     : m_limit(limit)
     , m_start(std::chrono::steady_clock::now())
   {
   }
 
+  /// `ITERATION_LIMIT` if the time is over, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step&) const
   {
     return std::chrono::steady_clock::now() - m_start >= m_limit ? Stop_decision::ITERATION_LIMIT
@@ -199,6 +209,7 @@ public:
   {
   }
 
+  /// `MEMORY_LIMIT` if the records with the flips of the step take more than the limit, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
     return step.memory > m_limit ? Stop_decision::MEMORY_LIMIT : Stop_decision::CONTINUE;
@@ -214,11 +225,13 @@ template <class... Predicates>
 class Any_stop_predicate
 {
 public:
+  /// Takes copies of the predicates, which are asked in this order.
   explicit Any_stop_predicate(Predicates... predicates)
     : m_predicates(predicates...)
   {
   }
 
+  /// The first answer that is not `CONTINUE`, if there is one; predicates after it are not asked.
   Stop_decision operator()(const Shortening_step& step) const
   {
     Stop_decision decision = Stop_decision::CONTINUE;
