@@ -3,6 +3,7 @@
 // Mistakes that are made with the interface, by their number; without any, MISTAKE=0, all of it compiles.
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -47,6 +48,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(std::cref(visitor)));
 #elif MISTAKE == 9
   FG::geodesic_loop(mesh, std::vector<CGAL::Polyhedron_3<Kernel>::Vertex_handle>(), out);
+#elif MISTAKE == 10
+  FG::IO::write_VTP("mesh.vtp", of_mesh);
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));
