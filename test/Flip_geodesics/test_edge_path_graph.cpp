@@ -228,16 +228,17 @@ template <class Build>
 void run(const char* title, int complexes, unsigned seed, const Build& build)
 {
   Tally tally;
-  for_random_delta_complexes(complexes * scale, seed, [&](Triangulation& triangulation, Random_numbers& random) {
-    const auto start = triangulation.log_position();
-    for(int i = 0; i < 4; ++i) {
-      Network network(triangulation);
-      if(build(network, random))
-        shorten_and_check(network, tally, random);
-      network.clear();
-      triangulation.rollback(start);
-    }
-  });
+  for_random_delta_complexes(complexes * scale / stride, seed,
+                             [&](Triangulation& triangulation, Random_numbers& random) {
+                               const auto start = triangulation.log_position();
+                               for(int i = 0; i < 4; ++i) {
+                                 Network network(triangulation);
+                                 if(build(network, random))
+                                   shorten_and_check(network, tally, random);
+                                 network.clear();
+                                 triangulation.rollback(start);
+                               }
+                             });
   tally.print(title);
   BOOST_TEST(tally.counts["LOCALLY_SHORTEST"] > 0);
 }

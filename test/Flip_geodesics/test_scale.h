@@ -12,8 +12,9 @@ constexpr int scale = 50;
 constexpr int scale = 1;
 #endif
 
-/// One in so many cases is looked at where the standard library checks, for instance, all of a heap for each change.
-#ifdef _GLIBCXX_DEBUG
+/// One in so many cases is looked at where the standard library checks, for instance, all of a heap for each change, or
+/// a sanitizer checks each access.
+#if defined(_GLIBCXX_DEBUG) || defined(__SANITIZE_ADDRESS__)
 constexpr int stride = 5;
 #else
 constexpr int stride = 1;
