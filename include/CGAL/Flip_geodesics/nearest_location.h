@@ -56,8 +56,7 @@ Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfed
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * The location of the point of the mesh that is nearest to a point in space, up to rounding. Where several are as near,
- * it is one in a face with an area, if there is one. It is put on an edge or a vertex where barycentric coordinates are
- * at most 1e-9.
+ * it is one of them. It is put on an edge or a vertex where barycentric coordinates are at most 1e-9.
  *
  * All faces are looked at. For many points, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` saves time; it
  * gives `Face_location`s.
@@ -86,7 +85,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
         internal::nearest_weights({{internal::corner_seen_from(triangulation, h, from),
                                     internal::corner_seen_from(triangulation, input.next(h), from),
                                     internal::corner_seen_from(triangulation, input.next(input.next(h)), from)}});
-    if(here < nearest) {
+    if(here.distance < nearest.distance) {
       nearest = here;
       found = f;
     }

@@ -32,12 +32,6 @@ struct Nearest_weights
 {
   std::array<double, 3> weights = {{1, 0, 0}};
   double distance = std::numeric_limits<double>::infinity();
-  bool has_area = false; // the triangle
-
-  bool operator<(const Nearest_weights& other) const
-  {
-    return distance < other.distance || (distance == other.distance && has_area && !other.has_area);
-  }
 };
 
 using Triangle_places = std::array<Place_in_space, 3>;
@@ -74,12 +68,6 @@ inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corner
   return {{1 - at_1 - at_2, at_1, at_2}};
 }
 
-inline bool has_area(const Triangle_places& corners)
-{
-  const Place_in_space normal = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
-  return dot(normal, normal) > 0;
-}
-
 /*
  * The point of a triangle that is nearest to the origin: the foot of the perpendicular if that lies inside, or a point
  * of a side; the nearest of these, so that in needles, where the first is inaccurate, another one is taken. Computed at
@@ -91,12 +79,11 @@ inline Nearest_weights nearest_weights(Triangle_places corners)
   for(const Place_in_space& p : corners)
     scale = (std::max)({scale, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   if(scale == 0)
-    return {{{1, 0, 0}}, 0, false};
+    return {{{1, 0, 0}}, 0};
   for(Place_in_space& p : corners)
     for(double& x : p)
       x /= scale;
   Nearest_weights result;
-  result.has_area = has_area(corners);
   const auto consider = [&](const std::array<double, 3>& weights) {
     const double distance = scale * distance_of(corners, weights);
     if(distance < result.distance) {
@@ -106,11 +93,9 @@ inline Nearest_weights nearest_weights(Triangle_places corners)
   };
   for(std::size_t i = 0; i < 3; ++i)
     consider(nearest_on_side(corners, i));
-  if(result.has_area) {
-    const std::array<double, 3> foot = foot_of_perpendicular(corners);
-    if(*std::min_element(foot.begin(), foot.end()) > 0)
-      consider(foot);
-  }
+  const std::array<double, 3> foot = foot_of_perpendicular(corners);
+  if(*std::min_element(foot.begin(), foot.end()) > 0) // never without an area
+    consider(foot);
   return result;
 }
 
