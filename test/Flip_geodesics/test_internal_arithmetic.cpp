@@ -886,8 +886,8 @@ namespace {
 // A triangle with a side of length 1 and corners at its ends, each with an error.
 std::optional<Plain::Face_geometry> laid_out(double at_tail, double at_head, double error)
 {
-  const double sum = at_tail + at_head, second = std::sin(at_tail) / std::sin(sum),
-               third = std::sin(at_head) / std::sin(sum);
+  const double sum = at_tail + at_head, second = std::abs(std::sin(at_tail) / std::sin(sum)),
+               third = std::abs(std::sin(at_head) / std::sin(sum));
   return FI::laid_out_face(Plain(), {{{{1, 0}, {second, 0}, {third, 0}}}, {at_tail, error}, {at_head, error}}, 0);
 }
 
