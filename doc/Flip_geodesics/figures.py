@@ -234,7 +234,7 @@ def drawn_polyline(tools):
         panel.edges(points, faces)
         for line, name in shown:
             panel.tubes([line], name, 0.009)
-        panel.look((0.15, -1, 0.5), up=(0, 0, 1), target=(0.1, -1, 0.2), zoom=1.5)
+        panel.look((0, -0.6, 1))
         panels.append(panel)
     return panels
 
