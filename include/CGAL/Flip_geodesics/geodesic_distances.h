@@ -58,6 +58,25 @@ void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Tri
     put(coordinates, v, map.vertices[tree.triangulation().input().index(v)]);
 }
 
+namespace internal {
+
+/* Calls `write(tree)` with the tree of shortest paths from a vertex of a mesh. */
+template <class TriangleMesh, class Vertex, class NamedParameters, class Write>
+Shortest_tree_report with_shortest_tree(const TriangleMesh& mesh, Vertex source, const Window_limit& limit,
+                                        const NamedParameters& np, const Write& write)
+{
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    Geodesic_tree<Triangulation> tree(triangulation);
+    tree.grow(triangulation.index(source));
+    const Shortest_tree_report report = make_shortest(tree, limit);
+    write(tree);
+    return report;
+  });
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
@@ -81,14 +100,8 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh,
                                         VertexDistanceMap distances, const Window_limit& limit,
                                         const NamedParameters& np = parameters::default_values())
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    Geodesic_tree<Triangulation> tree(triangulation);
-    tree.grow(triangulation.index(source));
-    const Shortest_tree_report report = make_shortest(tree, limit);
-    write_distances(tree, mesh, distances);
-    return report;
-  });
+  return internal::with_shortest_tree(mesh, source, limit, np,
+                                      [&](const auto& tree) { write_distances(tree, mesh, distances); });
 }
 
 /// \ingroup PkgFlipGeodesicsTree
@@ -124,13 +137,8 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh,
                                        VertexPolarMap coordinates, const Window_limit& limit,
                                        const NamedParameters& np = parameters::default_values())
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    Geodesic_tree<Triangulation> tree(triangulation);
-    tree.grow(triangulation.index(source));
-    const Shortest_tree_report report = make_shortest(tree, limit);
+  return internal::with_shortest_tree(mesh, source, limit, np, [&](const auto& tree) {
     write_polar_coordinates(logarithmic_map(tree), tree, mesh, coordinates);
-    return report;
   });
 }
 
