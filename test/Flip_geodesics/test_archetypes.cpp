@@ -7,6 +7,7 @@
 
 #include "Curve_network_archetype.h"
 #include "Curve_setting.h"
+#include "Edge_path_graph_archetype.h"
 #include "Metric_archetype.h"
 #include "Plain_triangulation.h"
 #include "Policy_archetypes.h"
@@ -561,6 +562,7 @@ BOOST_AUTO_TEST_CASE(what_is_read_is_the_same)
     const std::string expected = reading<Model, Itself>(mesh);
     BOOST_TEST(expected.size() > 10000u);
     BOOST_TEST((reading<Archetype, Curve_network_archetype>(mesh) == expected));
+    BOOST_TEST((reading<Model, Edge_path_graph_archetype>(mesh) == expected));
   }
 }
 

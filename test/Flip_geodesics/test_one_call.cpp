@@ -7,6 +7,7 @@
 
 #include "Curve_setting.h"
 #include "Mesh_archetype.h"
+#include "Policy_archetypes.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics.h>
@@ -492,6 +493,113 @@ BOOST_AUTO_TEST_CASE(visitors_are_copied_unless_they_are_referred_to)
                                           CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_CHECK_EQUAL(visitor.flips, referred.report.flips);
   BOOST_CHECK_EQUAL(referred.report.flips, copied.report.flips);
+}
+
+// A visitor that is counted each time it is copied.
+struct Copied_visitor : FG::Default_shortening_visitor
+{
+  explicit Copied_visitor(int& copies)
+    : copies(&copies)
+  {
+  }
+  Copied_visitor(const Copied_visitor& other)
+    : FG::Default_shortening_visitor(other)
+    , copies(other.copies)
+  {
+    ++*copies;
+  }
+  Copied_visitor& operator=(const Copied_visitor&) = delete;
+
+  int* copies;
+};
+
+BOOST_AUTO_TEST_CASE(a_visitor_is_copied_once)
+{
+  const Surface mesh = torus_mesh();
+  std::vector<Point> points;
+  int copies = 0;
+  const auto np = CGAL::parameters::visitor(Copied_visitor(copies));
+  copies = 0;
+  FG::geodesic_path(mesh, Vertex(0), Vertex(150), std::back_inserter(points), np);
+  BOOST_CHECK_EQUAL(copies, 1);
+}
+
+// What has nothing but what the pages of stop predicates and visitors ask for, not even a copy, is enough.
+BOOST_AUTO_TEST_CASE(least_policies_are_enough)
+{
+  const Surface mesh = torus_mesh();
+  const Stop_predicate_archetype few(2), many(1000000);
+  const std::vector<std::vector<Vertex>> curves = {{Vertex(0), Vertex(1), Vertex(25), Vertex(49), Vertex(50)},
+                                                   {Vertex(80), Vertex(81), Vertex(105), Vertex(106), Vertex(130)}};
+  const std::vector<Face_location> stations = {
+      {Face(3), {{0.2, 0.3, 0.5}}}, {Face(200), {{0.4, 0.3, 0.3}}}, {Face(400), {{0.1, 0.1, 0.8}}}};
+  std::vector<Vertex> ring;
+  for(std::size_t i = 72; i < 96; ++i)
+    ring.emplace_back(i); // beside the shortest ring
+
+  // Calls `compute(output, stop, np)`, which shortens `runs` times, with both predicates, and compares with `expected`.
+  const auto check = [&](const auto& expected, long runs, const auto& compute) {
+    for(const Stop_predicate_archetype* stop : {&few, &many}) {
+      auto result = expected;
+      result.clear();
+      Visitor_archetype visitor;
+      const FG::Shortening_report report =
+          compute(std::back_inserter(result), *stop, CGAL::parameters::visitor(std::ref(visitor)));
+      BOOST_CHECK_GT(visitor.questions(), 0);
+      BOOST_CHECK_LE(report.flips, static_cast<std::size_t>(visitor.flips()));
+      BOOST_CHECK_EQUAL(report.is_complete(), stop == &many);
+      if(stop == &many)
+        BOOST_CHECK(result == expected);
+      else
+        BOOST_CHECK_LE(visitor.steps(), 2 * runs);
+    }
+  };
+
+  Counting_visitor counting; // so that nothing is straightened first
+  std::vector<Point> path, loop, way;
+  std::vector<std::vector<Point>> tight;
+  FG::geodesic_path(mesh, Vertex(0), Vertex(150), std::back_inserter(path),
+                    CGAL::parameters::visitor(std::ref(counting)));
+  check(path, 1, [&](auto out, const auto& stop, const auto& np) {
+    return FG::geodesic_path(mesh, Vertex(0), Vertex(150), out, stop, np).report;
+  });
+  FG::geodesic_loop(mesh, ring, std::back_inserter(loop));
+  check(loop, 1, [&](auto out, const auto& stop, const auto& np) {
+    return FG::geodesic_loop(mesh, ring, out, stop, np).report;
+  });
+  FG::straighten(mesh, curves, std::back_inserter(tight));
+  check(tight, 1,
+        [&](auto out, const auto& stop, const auto& np) { return FG::straighten(mesh, curves, out, stop, np).report; });
+  FG::geodesic_path_through(mesh, stations, std::back_inserter(way));
+  check(way, 2, [&](auto out, const auto& stop, const auto& np) {
+    return FG::geodesic_path_through(mesh, stations, out, stop, np).report;
+  });
+
+  const std::vector<std::pair<Vertex, Vertex>> pairs = {{Vertex(0), Vertex(150)}, {Vertex(7), Vertex(200)}};
+  for(const Stop_predicate_archetype* stop : {&few, &many}) {
+    std::vector<FG::Geodesic_path<Point>> paths;
+    Visitor_archetype visitor;
+    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), *stop, CGAL::parameters::visitor(std::ref(visitor)));
+    BOOST_REQUIRE_EQUAL(paths.size(), 2u);
+    BOOST_CHECK_GT(visitor.questions(), 0);
+    BOOST_CHECK_EQUAL(paths[0].points == path, stop == &many);
+    BOOST_CHECK(!paths[1].points.empty());
+  }
+
+  Visitor_archetype visitor;
+  const auto shortest = FG::shortest_path(mesh, Vertex(0), Vertex(150), CGAL::Emptyset_iterator(),
+                                          CGAL::parameters::visitor(std::ref(visitor)));
+  BOOST_CHECK(shortest.report.is_confirmed);
+  BOOST_CHECK_GT(visitor.questions(), 0);
+
+  Curve_setting setting(torus(24, 14, 2, 1));
+  setting.add_path(setting.triangulation.index(Vertex(0)), setting.triangulation.index(Vertex(150)));
+  Visitor_archetype of_network;
+  const FG::Shortening_report begun = FG::shorten(setting.network, few, of_network);
+  BOOST_CHECK(begun.curves.front().status == FG::Shortening_status::ITERATION_LIMIT);
+  BOOST_CHECK_EQUAL(of_network.steps(), 2);
+  const FG::Shortening_report finished = FG::shorten(setting.network, many, of_network);
+  BOOST_CHECK(finished.is_complete());
 }
 
 BOOST_AUTO_TEST_CASE(distances_come_in_maps_of_the_user)

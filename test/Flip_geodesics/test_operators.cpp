@@ -4,6 +4,7 @@
 // each also after random flips, which must not change what the operators mean. Without Eigen there is nothing to test.
 
 #include "Curve_network_archetype.h"
+#include "Edge_path_graph_archetype.h"
 #include "Plain_triangulation.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
@@ -240,7 +241,7 @@ namespace {
 
 // What all solvers say of a bent square with a cut of two edges from its border, but for where angles start, which is
 // the model's choice.
-template <class Archetype>
+template <class Archetype, template <class> class Window>
 std::vector<double> solutions(const Mesh& mesh)
 {
   Archetype triangulation(mesh);
@@ -252,7 +253,7 @@ std::vector<double> solutions(const Mesh& mesh)
          triangulation.is_flippable(g))
         triangulation.flip(g);
   BOOST_TEST(triangulation.log_position() >= 3u);
-  const Curve_network_archetype<FG::Edge_path_network<Archetype>> window(network);
+  const Window<FG::Edge_path_network<Archetype>> window(network);
 
   const FG::Operators<Archetype> operators(triangulation);
   const auto n = static_cast<Eigen::Index>(operators.number_of_vertices());
@@ -278,8 +279,9 @@ BOOST_AUTO_TEST_CASE(no_mesh_is_needed)
   const Mesh mesh = to_mesh<Mesh>(mapped(jittered_grid(6, 5, Diagonal_rule::RANDOM, 0.2, 2), [](const Coordinates& p) {
     return Coordinates{p[0], p[1], 0.4 * std::sin(1.3 * p[0] + p[1])};
   }));
-  const std::vector<double> expected = solutions<Triangulation>(mesh);
-  const std::vector<double> plain = solutions<Plain_triangulation<Triangulation::Traits>>(mesh);
+  const std::vector<double> expected = solutions<Triangulation, Edge_path_graph_archetype>(mesh);
+  const std::vector<double> plain =
+      solutions<Plain_triangulation<Triangulation::Traits>, Curve_network_archetype>(mesh);
   BOOST_REQUIRE_EQUAL(plain.size(), expected.size());
   for(std::size_t i = 0; i < plain.size(); ++i)
     BOOST_TEST(std::abs(plain[i] - expected[i]) < 1e-8);

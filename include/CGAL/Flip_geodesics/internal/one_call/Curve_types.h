@@ -112,8 +112,8 @@ template <class NamedParameters>
 auto make_visitor(const NamedParameters& np)
 {
   if constexpr(is_given<NamedParameters, internal_np::visitor_t>) {
-    auto visitor = parameters::get_parameter(np, internal_np::visitor);
-    return Visitor_holder<decltype(visitor)>{visitor};
+    using Visitor = std::decay_t<decltype(parameters::get_parameter(np, internal_np::visitor))>;
+    return Visitor_holder<Visitor>{parameters::get_parameter(np, internal_np::visitor)};
   } else {
     return Visitor_holder<Default_shortening_visitor>{};
   }
