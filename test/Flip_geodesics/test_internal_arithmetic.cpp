@@ -210,6 +210,7 @@ BOOST_AUTO_TEST_CASE(greatest_common_divisors_are_those_of_boost)
   }
   check(0, 0);
   check(0, 5);
+  check(0, Integer(1) << 100);
   check(Integer(1) << 200, Integer(1) << 61);
   check((Integer(1) << 124) - 1, (Integer(1) << 62) - 1);
 }
@@ -264,6 +265,10 @@ BOOST_AUTO_TEST_CASE(orientations_are_exact)
     check_orientations<2>(random, {size, 1});
     check_orientations<3>(random, {size, size, size});
     check_orientations<3>(random, {1, size, 3});
+  }
+  for(double size : {0x1p-400, 0x1p400}) { // few digits, and products beyond double
+    check_orientations<2>(random, {size, size});
+    check_orientations<3>(random, {size, size, size});
   }
   check_orientations<2>(random, {1e300, 1e-310});
   check_orientations<3>(random, {1e300, 1e-160, 1e-162}); // a product of the last two has a few digits

@@ -287,6 +287,32 @@ BOOST_AUTO_TEST_CASE(doubles_come_back_bit_by_bit_whatever_the_stream_is_set_to)
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_locale_of_the_program_has_no_influence)
+{
+  for(const Format& format : formats()) {
+    const std::string plain = format.text(sample_curves());
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new German_numbers));
+    const std::string german = format.text(sample_curves());
+    std::locale::global(before);
+    BOOST_CHECK(german == plain);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shapes_have_their_names)
+{
+  const Polyline loose = {Point(3, 3, 3)};
+  std::ostringstream obj, surface_alone;
+  FG::IO::write_OBJ(obj, sample_mesh(), sample_curves(), loose);
+  std::vector<std::string> names;
+  std::istringstream lines(obj.str());
+  for(std::string line; std::getline(lines, line);)
+    if(line.compare(0, 2, "o ") == 0)
+      names.push_back(line.substr(2));
+  BOOST_CHECK((names == std::vector<std::string>{"surface", "curve_0", "curve_2", "curve_3", "points"}));
+  FG::IO::write_VTP(surface_alone, sample_mesh());
+  BOOST_CHECK(surface_alone.str().find("<Verts>") == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(numbers_have_their_lowest_byte_first)
 {
   const Polylines curve = {{Point(1, -2, 0.5), Point(1, 0, 0)}};
@@ -417,6 +443,7 @@ BOOST_AUTO_TEST_CASE(tubes_stand_sharp_bends_and_all_sizes)
       {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(1, 1, 1), Point(0, 1, 1)},
       {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)}, // from one tangent to the normal of the last
       {Point(0, 0, 0), Point(0, 0, 1), Point(0, 0, -1), Point(0, 0, 2)},
+      {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1e-5, 0), Point(1, -1e-5, 0)}, // tangents turn back, but for a little
       {Point(0, 0, 0), Point(0, 1, 0), Point(1e-17, 0, 0)}};
   for(const Polyline& curve : curves)
     for(double scale : {1e-200, 1.0, 1e200}) {
