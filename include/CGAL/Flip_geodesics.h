@@ -26,10 +26,12 @@
 #include <CGAL/Flip_geodesics/IO/PLY.h>
 #include <CGAL/Flip_geodesics/IO/Tubes.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
+#include <CGAL/Flip_geodesics/Interpolated_distances.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
+#include <CGAL/Flip_geodesics/Located_polyline.h>
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
@@ -50,6 +52,7 @@
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/graph_traits.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
+#include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -66,6 +69,7 @@
 #include <CGAL/Flip_geodesics/straightened_path.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
+#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 #include <CGAL/Flip_geodesics/with_metric.h>
 
 #endif // CGAL_FLIP_GEODESICS_H

@@ -66,6 +66,15 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
+/// A number that says what is wanted is none that can be had: a level that is not finite, a tolerance that is not
+/// positive; or a distance field is not a number somewhere. `elements()` is the position of the level, or the face.
+class Invalid_parameter_error : public Error
+{
+public:
+  using Error::Error; ///< from a message and the elements
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
 /// A vertex index is not one of the mesh's.
 class Vertex_out_of_range_error : public Error
 {
