@@ -386,6 +386,40 @@ BOOST_AUTO_TEST_CASE(small_components_are_found)
   }
 }
 
+// What is nearer than the level by the tolerance is on the left of all curves, what is farther by it on the right: told by
+// how often they wind about a point.
+BOOST_AUTO_TEST_CASE(both_sides_are_told_apart)
+{
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(20, 20, Diagonal_rule::ALTERNATING, 0.2, 9));
+  Random_numbers random(3);
+  for(double tolerance : {0.5, 0.1}) {
+    std::vector<std::array<double, 2>> sources;
+    for(int i = 0; i < 25; ++i)
+      sources.push_back({random.uniform(3, 17), random.uniform(3, 17)});
+    const Closed_field field(mesh, from_points(sources));
+    const double level = 1.7;
+    const auto curves = checked_isolines(mesh, field, {level}, tolerance);
+    int wrong = 0, near_curves = 0;
+    for(int i = 0; i < 2000; ++i) {
+      const Coordinates p = {random.uniform(0, 20), random.uniform(0, 20), 0};
+      const double distance = field.at(p).distance;
+      double winding = 0;
+      for(const Isoline& isoline : curves)
+        for(std::size_t j = 1; j < isoline.points.size(); ++j) {
+          const Point &a = isoline.points[j - 1], &b = isoline.points[j];
+          const double ax = a.x() - p[0], ay = a.y() - p[1], bx = b.x() - p[0], by = b.y() - p[1];
+          winding += std::atan2(ax * by - ay * bx, ax * bx + ay * by) / (2 * pi);
+        }
+      const bool is_nearer = winding > 0.5;
+      BOOST_TEST((std::abs(winding) < 1e-6 || std::abs(winding - 1) < 1e-6));
+      near_curves += std::abs(distance - level) < tolerance ? 1 : 0;
+      wrong += std::abs(distance - level) > tolerance && is_nearer != (distance < level) ? 1 : 0;
+    }
+    BOOST_TEST(wrong == 0);
+    BOOST_TEST(near_curves < 1500);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(levels_at_vertices_and_along_edges)
 {
   const Mesh mesh = to_mesh<Mesh>(flat_grid(10, 10, Diagonal_rule::ALTERNATING));

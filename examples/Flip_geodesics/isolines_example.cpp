@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Curves at given distances from some vertices, and the boundaries between the regions in which each is the nearest.
+//
+//   isolines_example MESH [SOURCE]...
+//
+// Writes isolines.vtp and voronoi.vtp, with the mesh. Between vertices the distances are interpolated.
+
+#include <CGAL/Flip_geodesics/IO/VTP.h>
+#include <CGAL/Flip_geodesics/Interpolated_distances.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/isolines.h>
+#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Distance_map = Mesh::Property_map<Mesh::Vertex_index, double>;
+using Polylines = std::vector<std::vector<Point_3>>;
+
+int main(int argc, char** argv)
+try {
+  Mesh mesh;
+  if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh");
+  std::vector<std::string> sources(argv + 2, argv + argc);
+  if(sources.empty())
+    sources = {"0"};
+
+  std::vector<Distance_map> maps;
+  double largest = 0;
+  for(const std::string& source : sources) {
+    maps.push_back(mesh.add_property_map<Mesh::Vertex_index, double>("v:distance_from_" + source, 0).first);
+    FG::geodesic_distances(mesh, Mesh::Vertex_index(static_cast<Mesh::size_type>(std::stoul(source))), maps.back());
+  }
+  const FG::Interpolated_distances<Mesh, Distance_map> field(mesh, maps);
+  for(const auto f : mesh.faces())
+    if(const double distance = field(f, {1, 0, 0}).distance; distance < 1e300) // infinite on other components
+      largest = (std::max)(largest, distance);
+
+  const double tolerance = 0.002 * largest;
+  std::vector<double> levels;
+  for(int i = 1; i < 10; ++i)
+    levels.push_back(0.1 * i * largest);
+  std::vector<FG::Isoline<Mesh>> isolines;
+  FG::isolines(mesh, field, levels, std::back_inserter(isolines), tolerance);
+  std::vector<FG::Voronoi_boundary<Mesh>> boundaries;
+  FG::voronoi_boundaries(mesh, field, std::back_inserter(boundaries), tolerance);
+
+  Polylines curves, diagram;
+  for(const auto& isoline : isolines)
+    curves.push_back(isoline.points);
+  for(const auto& boundary : boundaries)
+    diagram.push_back(boundary.points);
+  FG::IO::write_VTP("isolines.vtp", mesh, curves);
+  FG::IO::write_VTP("voronoi.vtp", mesh, diagram);
+  std::cout << isolines.size() << " isolines and " << boundaries.size() << " boundaries of " << sources.size()
+            << " regions\n";
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
+}
