@@ -77,9 +77,17 @@ auto face_location(const Triangulation& triangulation, const typename Triangulat
 
 namespace internal {
 
+template <class T, class = void>
+constexpr bool is_iterator = false;
+template <class T>
+constexpr bool is_iterator<T, std::void_t<decltype(*std::declval<T&>())>> = true;
+
 /* Does `*out = T` compile? */
+template <class Output, class T, class = void>
+constexpr bool takes = false;
 template <class Output, class T>
-constexpr bool takes = std::is_assignable<decltype(*std::declval<Output&>()), T>::value;
+constexpr bool takes<Output, T, std::void_t<decltype(*std::declval<Output&>())>> =
+    std::is_assignable<decltype(*std::declval<Output&>()), T>::value;
 
 /* What the points of a curve are given as: points in space, locations in faces, or everything that is known. */
 template <class Triangulation>
@@ -139,7 +147,9 @@ struct Curve_form_of
   using Forms = Curve_forms<Triangulation>;
   using type = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
                                    typename Forms::Exact_location, typename Forms::All>::type;
-  static_assert(!std::is_void<type>::value,
+  static_assert(is_iterator<Output>,
+                "no output iterator where it belongs; the order is mesh, ends or curves, output, policy, named parameters");
+  static_assert(!is_iterator<Output> || !std::is_void<type>::value,
                 "the output takes neither the metric's points (lengths have none) nor Face_locations nor Curve_points");
 };
 

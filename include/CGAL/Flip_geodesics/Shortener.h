@@ -69,6 +69,8 @@ public:
   template <class StopPredicate = Never_stop_predicate, class Visitor = Default_shortening_visitor>
   bool run(const StopPredicate& stop = StopPredicate(), Visitor&& visitor = Visitor())
   {
+    static_assert(internal::is_visitor<Visitor, Network>,
+                  "the visitor lacks a member of FlipOutVisitor: derive it from Default_shortening_visitor");
     if(is_finished())
       return true;
     m_state.wedges.release([this](const internal::Queued_wedge& wedge) {

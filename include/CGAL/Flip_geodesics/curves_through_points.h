@@ -18,8 +18,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -256,8 +254,7 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
 }
 
 template <class TriangleMesh, class End>
-constexpr bool is_mesh_vertex =
-    std::is_convertible<End, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>::value;
+constexpr bool is_mesh_vertex = std::is_convertible<End, Mesh_vertex<TriangleMesh>>::value;
 
 } // namespace internal
 

@@ -19,8 +19,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -28,6 +26,11 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// A vertex of a mesh, `boost::graph_traits<TriangleMesh>::vertex_descriptor`.
+template <class TriangleMesh>
+using Mesh_vertex = typename internal::Vertex_of<TriangleMesh>::type;
 
 /// \ingroup PkgFlipGeodesicsFunctions
 /// What a function for one curve returns.
@@ -180,6 +183,9 @@ bool add_vertex_curve(Network& network, const std::vector<Vertex_index>& vertice
 template <class Network, class CurveRange>
 std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
 {
+  static_assert(
+      is_range_of_ranges<CurveRange>,
+      "several curves are a range of ranges of vertices; geodesic_loop() or geodesic_path_through() takes one");
   std::vector<bool> result;
   for(const auto& curve : curves) {
     std::vector<Vertex_index> vertices = mesh_indices(network.triangulation(), curve);
@@ -224,10 +230,9 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  * other than `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
  */
 template <class TriangleMesh, class OutputIterator, class StopPredicate, class NamedParameters>
-Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
-                                              typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                                              typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
+Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                              Mesh_vertex<TriangleMesh> target, OutputIterator out,
+                                              const StopPredicate& stop, const NamedParameters& np)
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
@@ -241,10 +246,9 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
 /// \ingroup PkgFlipGeodesicsFunctions
 /// The same with either a stop predicate or named parameters, or neither.
 template <class TriangleMesh, class OutputIterator, class Options = parameters::Default_named_parameters>
-Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh,
-                                              typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                                              typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                                              OutputIterator out, const Options& options = parameters::default_values())
+Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                              Mesh_vertex<TriangleMesh> target, OutputIterator out,
+                                              const Options& options = parameters::default_values())
 {
   return internal::with_options(options, [&](const auto& stop, const auto& np) {
     return Flip_geodesics::geodesic_path(mesh, source, target, out, stop, np);

@@ -5,13 +5,13 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 namespace CGAL {
@@ -32,6 +32,7 @@ template <class Triangulation, class VertexDistanceMap>
 void write_distances(const Geodesic_tree<Triangulation>& tree, const typename Triangulation::Triangle_mesh& mesh,
                      VertexDistanceMap distances)
 {
+  static_assert(internal::is_property_map<VertexDistanceMap>());
   for(const auto v : vertices(mesh))
     put(distances, v, tree.distance(tree.triangulation().input().index(v)));
 }
@@ -54,6 +55,7 @@ template <class Triangulation, class VertexPolarMap>
 void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Triangulation>& tree,
                              const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
 {
+  static_assert(internal::is_property_map<VertexPolarMap>());
   for(const auto v : vertices(mesh))
     put(coordinates, v, map.vertices[tree.triangulation().input().index(v)]);
 }
@@ -95,8 +97,7 @@ Shortest_tree_report with_shortest_tree(const TriangleMesh& mesh, Vertex source,
  * Complexity: that of `make_shortest()`.
  */
 template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh,
-                                        typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
                                         VertexDistanceMap distances, const Window_limit& limit,
                                         const NamedParameters& np = parameters::default_values())
 {
@@ -107,8 +108,7 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh,
 /// \ingroup PkgFlipGeodesicsTree
 /// The same with the default limit.
 template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh,
-                                        typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
                                         VertexDistanceMap distances,
                                         const NamedParameters& np = parameters::default_values())
 {
@@ -132,8 +132,7 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh,
  * Complexity: that of `make_shortest()`.
  */
 template <class TriangleMesh, class VertexPolarMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report polar_coordinates(const TriangleMesh& mesh,
-                                       typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
                                        VertexPolarMap coordinates, const Window_limit& limit,
                                        const NamedParameters& np = parameters::default_values())
 {
@@ -145,8 +144,7 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh,
 /// \ingroup PkgFlipGeodesicsTree
 /// The same with the default limit.
 template <class TriangleMesh, class VertexPolarMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report polar_coordinates(const TriangleMesh& mesh,
-                                       typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
                                        VertexPolarMap coordinates,
                                        const NamedParameters& np = parameters::default_values())
 {

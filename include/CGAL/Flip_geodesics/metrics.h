@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/metric/planar_sine.h>
 
@@ -64,6 +65,8 @@ inline bool is_longer_than_sum(double a, double b, double c)
 template <class TriangleMesh, class VertexPointMap>
 class Embedded_metric
 {
+  static_assert(internal::is_property_map<VertexPointMap>());
+
 public:
   using Mesh = Numbered_mesh<TriangleMesh>;                                    ///< the mesh, numbered
   using Point_3 = typename boost::property_traits<VertexPointMap>::value_type; ///< of the vertices
@@ -177,6 +180,8 @@ private:
 template <class TriangleMesh, class EdgeLengthMap>
 class Edge_length_metric
 {
+  static_assert(internal::is_property_map<EdgeLengthMap>());
+
 public:
   using Mesh = Numbered_mesh<TriangleMesh>; ///< the mesh, numbered
   using Kernel = Simple_cartesian<double>;  ///< in which finished curves are measured

@@ -142,6 +142,7 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
 template <class Network, class TriangleMesh, class EdgeIsMarkedMap>
 Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedMap is_marked)
 {
+  static_assert(internal::is_property_map<EdgeIsMarkedMap>());
   const auto& triangulation = network.triangulation();
   internal::Indexed_by<Edge_index, std::vector<char>> is_open(static_cast<std::size_t>(triangulation.number_of_edges()),
                                                               0);

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H
 #define CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H
 
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -156,6 +157,7 @@ template <class Network, class TriangleMesh, class FaceRegionMap>
 Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegionMap regions,
                             Junctions junctions = Junctions::FIXED)
 {
+  static_assert(internal::is_property_map<FaceRegionMap>());
   using Triangulation = typename Network::Triangulation;
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   if(junctions == Junctions::FIXED)
@@ -198,6 +200,7 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
 template <class Network, class TriangleMesh, class HalfedgeTextureMap>
 Index add_seams(Network& network, const TriangleMesh& mesh, HalfedgeTextureMap texture)
 {
+  static_assert(internal::is_property_map<HalfedgeTextureMap>());
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   return internal::add_edges_between_faces(network, mesh, [&](Halfedge h, Halfedge t) {
     const auto at_source = [&](Halfedge g) {

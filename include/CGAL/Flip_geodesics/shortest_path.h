@@ -240,10 +240,9 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
  * \throws as `geodesic_path()`
  */
 template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
-                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                                                   OutputIterator out, const Window_limit& limit,
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                                   Mesh_vertex<TriangleMesh> target, OutputIterator out,
+                                                   const Window_limit& limit,
                                                    const NamedParameters& np = parameters::default_values())
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
@@ -267,10 +266,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
 /// \ingroup PkgFlipGeodesicsFunctions
 /// The same with the default limit.
 template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh,
-                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
-                                                   OutputIterator out,
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                                   Mesh_vertex<TriangleMesh> target, OutputIterator out,
                                                    const NamedParameters& np = parameters::default_values())
 {
   return Flip_geodesics::shortest_path(mesh, source, target, out, Window_limit(), np);

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_WITH_METRIC_H
 #define CGAL_FLIP_GEODESICS_WITH_METRIC_H
 
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {
@@ -25,6 +27,8 @@ enum Metric_parameter { metric_parameter };
 template <class Metric>
 Named_function_parameters<Metric, internal::Metric_parameter> with_metric(const Metric& metric)
 {
+  static_assert(internal::is_metric<Metric>, "with_metric() takes a model of IntrinsicMetric: of a property map of "
+                                             "lengths, Edge_length_metric makes one");
   return Named_function_parameters<Metric, internal::Metric_parameter>(metric);
 }
 

@@ -4,14 +4,19 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <functional>
 #include <iterator>
+#include <map>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -19,14 +24,25 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 
+struct Visitor_of_flips
+{
+  template <class T>
+  void on_flip(const T&, FG::Halfedge_index)
+  {
+  }
+};
+
 void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
-         const std::vector<FG::Vertex_index>& vertices, const std::vector<FG::Halfedge_index>& halfedges)
+         const std::vector<FG::Vertex_index>& vertices, const std::vector<FG::Halfedge_index>& halfedges,
+         Mesh::Property_map<Mesh::Edge_index, double> lengths)
 {
   std::vector<Kernel::Point_3> points;
   const auto out = std::back_inserter(points);
   const FG::Iteration_stop_predicate stop(3);
   const FG::Default_shortening_visitor visitor;
   std::vector<FG::Vertex_index> wrong_points;
+  std::vector<std::vector<Kernel::Point_3>> several;
+  std::map<Mesh::Vertex_index, double> distances;
   Triangulation triangulation(mesh);
   FG::Edge_path_network<Triangulation> network(triangulation);
 
@@ -50,10 +66,27 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_loop(mesh, std::vector<CGAL::Polyhedron_3<Kernel>::Vertex_handle>(), out);
 #elif MISTAKE == 10
   FG::IO::write_VTP("mesh.vtp", of_mesh);
+#elif MISTAKE == 11
+  FG::geodesic_path(mesh, of_mesh[0], out, of_mesh[1]);
+#elif MISTAKE == 12
+  FG::geodesic_path(of_mesh[0], of_mesh[1], mesh, out);
+#elif MISTAKE == 13
+  FG::geodesic_distances(mesh, of_mesh[0], distances);
+#elif MISTAKE == 14
+  FG::geodesic_loop(mesh, of_mesh[0], out);
+#elif MISTAKE == 15
+  FG::straighten(mesh, of_mesh, std::back_inserter(several));
+#elif MISTAKE == 16
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, FG::with_metric(lengths));
+#elif MISTAKE == 17
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(Visitor_of_flips()));
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));
   FG::geodesic_loop(mesh, of_mesh, out);
+  FG::straighten(mesh, std::vector<std::vector<Mesh::Vertex_index>>(), std::back_inserter(several));
+  FG::geodesic_distances(mesh, of_mesh[0], boost::make_assoc_property_map(distances),
+                         FG::with_metric(FG::Edge_length_metric(mesh, lengths)));
   network.add_curve(halfedges, false);
   network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);
 #endif

@@ -30,16 +30,6 @@ namespace Flip_geodesics {
 namespace internal {
 
 template <class T, class = void>
-struct Has_faces : std::false_type
-{
-};
-
-template <class T>
-struct Has_faces<T, std::void_t<decltype(faces(std::declval<const T&>()))>> : std::true_type
-{
-};
-
-template <class T, class = void>
 struct Has_coordinates : std::false_type
 {
 };

@@ -16,6 +16,8 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <functional>
 #include <type_traits>
 
@@ -53,10 +55,28 @@ struct Metric_of<TriangleMesh, NamedParameters, false, false>
       Embedded_metric<TriangleMesh, typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type>;
 };
 
+struct No_graph
+{
+  struct vertex_descriptor
+  {
+  };
+};
+
+/* The vertices of what a function is given first. */
+template <class TriangleMesh>
+struct Vertex_of
+{
+  static_assert(Has_faces<TriangleMesh>::value,
+                "the first argument is no mesh; the order is mesh, ends or curves, output, policy, named parameters");
+  using Graph = std::conditional_t<Has_faces<TriangleMesh>::value, boost::graph_traits<TriangleMesh>, No_graph>;
+  using type = typename Graph::vertex_descriptor;
+};
+
 /* The types behind the named parameters. */
 template <class TriangleMesh, class NamedParameters>
 struct Curve_types
 {
+  using Vertex = typename Vertex_of<TriangleMesh>::type;
   static_assert(
       Is_named_parameters<NamedParameters>::value,
       "the last argument is no named parameters: stop predicates and limits, of functions that take them, come before");
