@@ -3,11 +3,13 @@
 #define BOOST_TEST_MODULE readers
 
 #include "fuzz/reader_targets.h"
+#include "output/json_text.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <array>
+#include <clocale>
 #include <filesystem>
 #include <limits>
 #include <set>
@@ -105,6 +107,20 @@ BOOST_AUTO_TEST_CASE(numbers_are_whole_words_in_range)
   BOOST_CHECK(parse_number<long long>("-9223372036854775808", i) == nullptr);
   for(const char* word : {"9223372036854775808", "1.0", "1e3", "", "0x1"})
     BOOST_CHECK_MESSAGE(parse_number<long long>(word, i) != nullptr, word);
+}
+
+// Also in languages with a decimal comma, where one is installed.
+BOOST_AUTO_TEST_CASE(numbers_of_json_have_a_point)
+{
+  for(const char* locale : {"C", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
+    BOOST_TEST_MESSAGE(locale << (std::setlocale(LC_NUMERIC, locale) != nullptr ? "" : " is not installed"));
+    BOOST_TEST(json_number(0.1) == "0.10000000000000001");
+    BOOST_TEST(json_number(-1.5) == "-1.5");
+    BOOST_TEST(json_number(1e300) == "1.0000000000000001e+300");
+    BOOST_TEST(json_number(5e-324) == "4.9406564584124654e-324");
+    BOOST_TEST(json_number(std::numeric_limits<double>::infinity()) == "null");
+  }
+  std::setlocale(LC_NUMERIC, "C");
 }
 
 BOOST_AUTO_TEST_CASE(lines_words_and_places)

@@ -7,10 +7,12 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <boost/endian/conversion.hpp>
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,14 +38,14 @@ inline std::string json_string(const std::string& text)
   return result + '"';
 }
 
-/// A JSON number with all digits; `null` if it is none.
+/// A JSON number with all digits, whatever the locale; `null` if it is none.
 inline std::string json_number(double x)
 {
   if(!std::isfinite(x))
     return "null";
   char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
+  constexpr int digits = std::numeric_limits<double>::max_digits10;
+  return std::string(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
 }
 
 /// Appends a number of four bytes, the lowest first.

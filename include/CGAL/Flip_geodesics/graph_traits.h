@@ -29,6 +29,9 @@
  * `halfedge_index_t`, `edge_index_t`, `face_index_t`, `edge_weight_t` (the intrinsic lengths), `vertex_point_t` if the
  * metric has points, and dynamic ones.
  *
+ * This is for the class `Intrinsic_triangulation` itself. Other models of `IntrinsicTriangulation`, and classes derived
+ * from this one, are no graphs by it: `boost::graph_traits` is specialized for the class alone.
+ *
  * All functions take constant time, with three exceptions. Where a walk leads across the border it turns about a
  * vertex, and takes time linear in its degree. `faces()` and `num_faces()` pass over all halfedges. The map of the
  * indices of faces is made when it is asked for, in linear time, and is valid until the next flip.
