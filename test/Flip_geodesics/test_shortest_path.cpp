@@ -209,6 +209,51 @@ BOOST_AUTO_TEST_CASE(no_geodesic_is_shorter_than_a_confirmed_path)
   }
 }
 
+// Whatever the mesh, no distance is less than a sweep says; on smooth ones it says nearly all of it.
+BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
+{
+  const auto check = [](const Mesh_soup& soup, double deficit) {
+    Setting setting(soup);
+    auto& triangulation = setting.triangulation;
+    FG::internal::Unfolded_faces<Setting::Triangulation> faces(triangulation);
+    FG::internal::Window_search<Setting::Triangulation> windows(triangulation, faces, 1_v);
+    windows.run(1e9);
+    Vertex_index farthest = 0_v;
+    for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices()))
+      farthest = windows.distance(v) > windows.distance(farthest) ? v : farthest;
+    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, farthest);
+    sweep.run(3 * windows.distance(farthest));
+    double sum = 0;
+    for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices())) {
+      BOOST_TEST(sweep.distance_lower_bound(v) <= windows.distance(v) * (1 + 1e-13), "vertex " << v.idx());
+      sum += v == 1_v ? 0 : 1 - sweep.distance_lower_bound(v) / windows.distance(v);
+    }
+    BOOST_TEST(sum <= deficit * triangulation.number_of_vertices());
+    return sweep.is_useful();
+  };
+  BOOST_TEST(check(flat_grid(10, 10, Diagonal_rule::RANDOM), 0.01));
+  BOOST_TEST(check(jittered_grid(12, 12, Diagonal_rule::RANDOM, 0.24, 5), 0.01));
+  BOOST_TEST(check(bumpy_sphere(12, 0.3, 1), 0.02));
+  BOOST_TEST(check(torus(26, 14, 3, 1), 0.02));
+  BOOST_TEST(check(saddle_disk(12, 8, 9), 0.02));
+  BOOST_TEST(check(grid_with_hole(12, 14, 3, 8, 4, 11), 0.02));
+  int useful = 0;
+  const std::vector<Mesh_soup> rough = {box(5, 4, 3, 1),
+                                        tetrahedron(3),
+                                        cone_disk(9, 9, 2),
+                                        needle_strip(20, 6, 1e-3),
+                                        lantern(10, 40),
+                                        genus_3_plate(2),
+                                        cylinder(24, 3, 1, 30, true),
+                                        random_convex_polyhedron(150, 7),
+                                        mapped(bumpy_sphere(7, 0.2, 2), [](const Coordinates& p) {
+                                          return Coordinates{p[0], p[1], 1e-4 * p[2]};
+                                        })};
+  for(const Mesh_soup& soup : rough)
+    useful += check(soup, 1) ? 1 : 0;
+  BOOST_TEST_MESSAGE(useful << " of " << rough.size() << " sweeps over rough meshes are of use");
+}
+
 // Given up, the search still says how much shorter a path could be.
 BOOST_AUTO_TEST_CASE(limited_effort)
 {
@@ -257,19 +302,22 @@ BOOST_AUTO_TEST_CASE(limited_distance)
   BOOST_TEST(report.vertices + 1 == reached);
 }
 
-// A degenerate face elsewhere does not stop the path, but nothing is confirmed that rays could not be followed for.
+// A degenerate face does not stop the path, but nothing is confirmed that rays could not be followed for. Where no path
+// that is short enough can pass it, it does not matter.
 BOOST_AUTO_TEST_CASE(degenerate_face_on_the_way)
 {
-  Mesh_soup soup = flat_grid(6, 6, Diagonal_rule::RISING);
-  soup.points[grid_vertex(6, 3, 5)] = soup.points[grid_vertex(6, 3, 4)];
-  soup = mapped(soup, [](const Coordinates& p) { return Coordinates{p[0], p[1], p[1] > 1.5 ? 0.5 : 0}; });
-  Setting setting(soup);
-  Setting::Search search(setting.triangulation);
-  const Vertex_index source(grid_vertex(6, 0, 0)), target(grid_vertex(6, 6, 3));
-  const auto report = FG::add_shortest_path(setting.network, search, source, target);
-  BOOST_TEST(!report.is_confirmed);
-  BOOST_TEST(report.lower_bound <= report.length);
-  BOOST_TEST(report.lower_bound > 0);
+  for(int row : {3, 5}) {
+    Mesh_soup soup = flat_grid(6, 6, Diagonal_rule::RISING);
+    soup.points[grid_vertex(6, 3, row)] = soup.points[grid_vertex(6, 3, row - 1)];
+    soup = mapped(soup, [](const Coordinates& p) { return Coordinates{p[0], p[1], p[1] > 1.5 ? 0.5 : 0}; });
+    Setting setting(soup);
+    Setting::Search search(setting.triangulation);
+    const Vertex_index source(grid_vertex(6, 0, 0)), target(grid_vertex(6, 6, 3));
+    const auto report = FG::add_shortest_path(setting.network, search, source, target);
+    BOOST_TEST(report.is_confirmed == (row == 5));
+    BOOST_TEST(report.lower_bound <= report.length);
+    BOOST_TEST(report.lower_bound > 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(one_call)
@@ -332,9 +380,9 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
 BOOST_AUTO_TEST_CASE(nothing_is_confirmed_beside_a_flat_face)
 {
   for(double height : {1e-11, 1e-3}) {
-    Setting setting(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}, {1, height, 0}},
-                              {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
-    BOOST_TEST(shortest(setting, 0_v, 2_v).is_confirmed == (height > 1e-10));
+    Setting setting(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}, {1, height, 0}, {0.9, -1, 0}},
+                              {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}}});
+    BOOST_TEST(shortest(setting, 5_v, 2_v).is_confirmed == (height > 1e-10));
   }
 }
 
@@ -346,7 +394,8 @@ BOOST_AUTO_TEST_CASE(paths_that_go_on_from_one_too_long_are_replaced_with_it)
   const auto& t = setting.triangulation;
   Tree tree(setting.triangulation);
   tree.grow(0_v);
-  FG::internal::Window_search<Setting::Triangulation> search(t, 0_v);
+  FG::internal::Unfolded_faces<Setting::Triangulation> faces(t);
+  FG::internal::Window_search<Setting::Triangulation> search(t, faces, 0_v);
   search.run(std::numeric_limits<double>::infinity());
   int followers = 0;
   for(Vertex_index v = 1_v; v.idx() < t.number_of_vertices(); ++v) {

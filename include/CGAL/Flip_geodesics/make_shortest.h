@@ -112,7 +112,8 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   Shortest_tree_report report;
   const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
-  internal::Window_search<Triangulation> search(tree.triangulation(), tree.source());
+  internal::Unfolded_faces<Triangulation> faces(tree.triangulation());
+  internal::Window_search<Triangulation> search(tree.triangulation(), faces, tree.source());
   const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
   report.windows = search.number_of_windows();
   report.is_confirmed = is_sound && report.windows <= most_windows;

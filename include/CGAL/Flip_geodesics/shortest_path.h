@@ -89,6 +89,18 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
   return !search.has_flat_face();
 }
 
+/* The same between two vertices, where a path as long as the bound is known. */
+template <class Sweep, class Search>
+bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_windows)
+{
+  try {
+    sweep.run(bound);
+  } catch(const Degenerate_face_error&) {
+    return false;
+  }
+  return run_to_the_end(search, bound * (1 - Shortest_path_report::tolerance()), most_windows);
+}
+
 /* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
 template <class Triangulation>
 std::vector<Halfedge_index> insert_path(Triangulation& triangulation, const Window_search<Triangulation>& search,
@@ -150,15 +162,17 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a shortest path between two vertices to an empty network: a shortest edge path is pulled tight, and then windows
- * of straight rays are carried over the mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one,
- * in another homotopy class, that one is inserted instead, by flipping the edges that it crosses.
+ * Adds a shortest path between two vertices to an empty network: a shortest edge path is pulled tight, a sweep from the
+ * target bounds from below what is left of a way that crosses an edge, and windows of straight rays are carried over the
+ * mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one, in another homotopy class, that one is
+ * inserted instead, by flipping the edges that it crosses.
  *
  * The search is exact up to rounding, and so is what it confirms, `Shortest_path_report::tolerance()`. It cannot
  * confirm where it meets an edge of length zero or a face whose height is 1e-10 of its base, and where it is given up.
  *
- * Complexity: that of `geodesic_path()` and \f$O(w \log w)\f$ for \f$w\f$ windows. These are few where the distance
- * in space is close to that on the surface, and \f$O(n^2)\f$ for the \f$n\f$ vertices within reach at worst.
+ * Complexity: that of `geodesic_path()`; for the sweep \f$O(n \log n)\f$ for the \f$n\f$ vertices where the distances in
+ * space from both ends add up to less than the path's length; and \f$O(w \log w)\f$ for \f$w\f$ windows. These lie in a
+ * corridor about the path, which is the narrower, the closer the bounds are, and are \f$O(n^2)\f$ at worst.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \param search an edge path search over that triangulation
@@ -183,9 +197,11 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   report.length = report.first_length = network.length(Curve_index(0));
 
   constexpr double tolerance = Shortest_path_report::tolerance();
-  internal::Window_search<Triangulation> windows(triangulation, source, target);
-  const bool is_sound = internal::run_to_the_end(windows, report.length * (1 - tolerance),
-                                                 limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
+  internal::Unfolded_faces<Triangulation> faces(triangulation);
+  internal::Cone_sweep<Triangulation> sweep(triangulation, faces, target, source);
+  internal::Window_search<Triangulation> windows(triangulation, faces, source, &sweep);
+  const bool is_sound = internal::run_between(sweep, windows, report.length,
+                                              limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
   report.windows = windows.number_of_windows();
   if(windows.distance(target) < report.length * (1 - tolerance)) {
     const Shortening_report before = report.shortening;

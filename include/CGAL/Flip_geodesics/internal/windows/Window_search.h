@@ -5,10 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
-#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
-#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
-
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
+#include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,12 +35,15 @@ namespace internal {
  *                     ./
  *                   (x, -y)
  *
- * With a target, windows are ordered by the least length that a path through them to the target can have.
+ * With a target, and a sweep from there, windows are ordered by the least length that a path through them to the target
+ * can have, and dropped where that is longer than all that is looked for.
  */
 template <class Triangulation>
 class Window_search
 {
-  using Vector = std::complex<double>;
+  using Faces = Unfolded_faces<Triangulation>;
+  using Sweep = Cone_sweep<Triangulation>;
+  using Vector = typename Faces::Vector;
 
 public:
   /* How a shortest path arrives at a vertex: straight from another, along a word. */
@@ -52,26 +53,31 @@ public:
     Crossing_word word;
   };
 
-  Window_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target = null_index)
+  /*
+   * Searches from the source to all vertices. With a sweep from a target, only paths to there that are no longer than the
+   * sweep's bound.
+   */
+  Window_search(const Triangulation& triangulation, Faces& faces, Vertex_index source, const Sweep* sweep = nullptr)
     : m_triangulation(triangulation)
+    , m_faces(faces)
     , m_source(source)
-    , m_target(target)
+    , m_sweep(sweep)
     , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
-    , m_faces(static_cast<std::size_t>(triangulation.number_of_halfedges()))
     , m_splits(static_cast<std::size_t>(triangulation.number_of_halfedges()))
   {
-    offer(source, 0, null_index, null_index);
   }
 
   /*
-   * Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`. With a target, only
-   * those that can lead to it.
+   * Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`. With a sweep, only
+   * those that can lead to its source.
    */
   void run(double bound, std::size_t most_windows = (std::numeric_limits<std::size_t>::max)())
   {
+    if(!is_reached(m_source))
+      offer(m_source, 0, null_index, null_index);
     while(!m_heap.empty() && m_windows.size() <= most_windows) {
       const Entry entry = m_heap.front();
-      if(entry.priority >= (std::min)(bound, m_target == null_index ? bound : distance(m_target)))
+      if(entry.priority >= (m_sweep == nullptr ? bound : (std::min)(bound, distance(m_sweep->source()))))
         return;
       std::pop_heap(m_heap.begin(), m_heap.end());
       m_heap.pop_back();
@@ -125,14 +131,6 @@ private:
     Index window; // through which window the path arrives, null_index if along a halfedge
     Input_halfedge_index along;
     bool is_reached;
-    char is_passable; // 0 if not known, 1 if shortest paths may pass the vertex, 2 if not
-  };
-
-  // The face on the left of a halfedge.
-  struct Face_record
-  {
-    double length;
-    double x, y; // of the apex
   };
 
   // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
@@ -165,31 +163,19 @@ private:
     }
   };
 
-  const Face_record& face(Input_halfedge_index h)
+  // The place of the corner opposite to h.
+  Vector apex(Input_halfedge_index h)
   {
-    Face_record& record = m_faces[h];
-    if(record.length == 0) {
-      const auto vectors = input_face_geometry(m_triangulation, h);
-      record = {vectors[0].x, vectors[0].x + vectors[1].x, vectors[1].y};
-      constexpr double flat = 1e-10;
-      m_has_flat_face = m_has_flat_face || !(record.y > flat * (record.length + std::abs(record.x)));
-    }
-    return record;
+    constexpr double flat = 1e-10;
+    const Vector result = m_faces.apex(h);
+    m_has_flat_face = m_has_flat_face || !(result.imag() > flat * (m_faces.side(h).length + std::abs(result.real())));
+    return result;
   }
 
   void push(double priority, double distance, Index id, bool is_vertex)
   {
     m_heap.push_back({priority, distance, id, is_vertex});
     std::push_heap(m_heap.begin(), m_heap.end());
-  }
-
-  double to_target(Vertex_index v) const
-  {
-    if(m_target == null_index)
-      return 0;
-    const auto& metric = m_triangulation.metric();
-    return metric.distance_lower_bound(metric.place(m_triangulation.input(), v),
-                                       metric.place(m_triangulation.input(), m_target));
   }
 
   // A path to v has been found.
@@ -202,23 +188,13 @@ private:
     record.window = window;
     record.along = along;
     record.is_reached = true;
-    if(v == m_source || is_passable(v))
-      push(distance + to_target(v), distance, v.idx(), true);
+    const double rest = m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v);
+    if((v == m_source || m_faces.is_passable(v)) && is_wanted(distance + rest))
+      push(distance + rest, distance, v.idx(), true);
   }
 
-  // Shortest paths bend at vertices on the border and where the angles add up to more than 2 pi, nowhere else.
-  bool is_passable(Vertex_index v)
-  {
-    char& known = m_vertices[v].is_passable;
-    if(known == 0) {
-      constexpr double tolerance = 1e-9; // towards more windows
-      const Vertex_directions<Triangulation> directions(m_triangulation, v);
-      const bool is_convex =
-          !directions.has_border() && directions.total() < boost::math::constants::two_pi<double>() - tolerance;
-      known = is_convex ? 2 : 1;
-    }
-    return known == 1;
-  }
+  // Can a path of this length be of use?
+  bool is_wanted(double length) const { return m_sweep == nullptr || length <= m_sweep->bound(); }
 
   // Opens windows on all edges opposite to v, and paths along its edges.
   void start_from(Vertex_index v)
@@ -233,9 +209,10 @@ private:
       offer(input.tail(twin_index(h)), sigma + m_triangulation.metric().length(input, h), null_index, h);
       if(!input.is_border(h)) {
         const Input_halfedge_index opposite = input.next(h), entered = twin_index(opposite);
-        const Face_record& f = face(opposite);
-        if(f.y > 0) // seen from the other side the edge is reversed
-          open({entered, null_index, v, 0, f.length, f.length - f.x, f.y, sigma});
+        const Vector place = apex(opposite);
+        const double length = m_faces.side(opposite).length;
+        if(place.imag() > 0) // seen from the other side the edge is reversed
+          open({entered, null_index, v, 0, length, length - place.real(), place.imag(), sigma});
       }
       h = input.next(twin_index(h));
     } while(h != first);
@@ -248,48 +225,43 @@ private:
     if(input.is_border(w.halfedge) || !(w.to > w.from))
       return;
     const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
-    const double length = face(w.halfedge).length;
+    const double length = m_faces.side(w.halfedge).length;
     const double to_from = w.sigma + std::hypot(w.from - w.x, w.y), to_to = w.sigma + std::hypot(w.to - w.x, w.y);
     if(distance(tail) + w.to <= to_to || distance(head) + (length - w.from) <= to_from) // all through it are shorter
       return;
     const double nearest = (std::min)((std::max)(w.x, w.from), w.to);
     const double least = w.sigma + std::hypot(nearest - w.x, w.y);
+    const double total =
+        m_sweep == nullptr ? least : m_sweep->through(w.halfedge, length, {w.x, w.y, w.sigma}, w.from, w.to);
+    if(!is_wanted(total))
+      return;
     m_windows.push_back(w);
-    push(least + to_target(w), least, static_cast<Index>(m_windows.size()) - 1, false);
-  }
-
-  // At least as far as the farther end of the edge, less its length.
-  double to_target(const Window& w) const
-  {
-    if(m_target == null_index)
-      return 0;
-    const auto& input = m_triangulation.input();
-    const double tail = to_target(input.tail(w.halfedge)), head = to_target(input.tail(twin_index(w.halfedge)));
-    const double length = m_faces[w.halfedge].length;
-    return (std::max)({0.0, tail - w.to, head - (length - w.from)});
+    push(total, least, static_cast<Index>(m_windows.size()) - 1, false);
   }
 
   void propagate(Index id)
   {
     const Window w = m_windows[id];
-    const Face_record f = face(w.halfedge);
+    const Vector apex = this->apex(w.halfedge);
+    const double length = m_faces.side(w.halfedge).length;
     const auto& input = m_triangulation.input();
     const Input_halfedge_index hn = input.next(w.halfedge), hp = input.next(hn);
-    if(!(w.y + f.y > 0))
+    if(!(w.y + apex.imag() > 0))
       return;
-    const double crossing = w.x + (f.x - w.x) * (w.y / (w.y + f.y)); // where the ray to the apex passes the edge
-    const Vector apex(f.x, f.y), tail(0, 0), head(f.length, 0);
+    // Where the ray to the apex passes the edge.
+    const double crossing = w.x + (apex.real() - w.x) * (w.y / (w.y + apex.imag()));
+    const Vector tail(0, 0), head(length, 0);
     if(crossing <= w.from)
       return enter(id, twin_index(hn), apex, head, w.from, w.to);
     if(crossing >= w.to)
       return enter(id, twin_index(hp), tail, apex, w.from, w.to);
 
-    const double through = w.sigma + std::hypot(f.x - w.x, f.y + w.y);
+    const double through = w.sigma + std::hypot(apex.real() - w.x, apex.imag() + w.y);
     offer(input.tail(hp), through, id, null_index);
     Split& split = m_splits[w.halfedge];
     const bool is_best = !split.is_set || through < split.distance;
     // Towards more windows: which of two rays along one line is on the left is a matter of rounding.
-    const double equal = 1e-9 * f.length;
+    const double equal = 1e-9 * length;
     const bool is_left_of_best = split.is_set && crossing <= split.crossing + equal;
     const bool is_right_of_best = split.is_set && crossing >= split.crossing - equal;
     if(is_best)
@@ -320,9 +292,10 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  Vertex_index m_source, m_target;
+  Faces& m_faces;
+  Vertex_index m_source;
+  const Sweep* m_sweep;
   Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
-  Indexed_by<Input_halfedge_index, Lazy_array<Face_record>> m_faces;
   Indexed_by<Input_halfedge_index, Lazy_array<Split>> m_splits;
   std::vector<Window> m_windows;
   std::vector<Entry> m_heap;

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_SWEEP_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_SWEEP_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
+#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/windows/Cone.h>
+#include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Lower bounds of the distances from a vertex, within a per cent or so, for a small part of the price of the distances.
+ *
+ * Each halfedge has one cone: no path from the source that leaves the halfedge's face through it, at whatever place, is
+ * shorter than the cone says for the place. Such cones follow from each other. A path that leaves face abc through ab
+ * has entered it through bc or ca, or comes from c; so no path is shorter than the least that the cones of those edges
+ * and the distance of c allow,
+ *
+ *               c
+ *              / .               what enters through ca comes straight from its cone's point, and lights ab from a
+ *       P     /   .     N        to where the line through c ends; what enters through bc lights the other end;
+ *            /     .             between the two, there are the paths that turn at c.
+ *           a-------b
+ *
+ * The cone of ab is fitted to these three, so that it is nowhere above them, and meets them at a and b: were it below
+ * there, cones around a vertex would push each other down for ever. So the bounds hold whatever the fit, and whatever the
+ * order in which faces are passed; good ones are cheap where faces are passed in the order of the distance. A face is
+ * passed again when a cone is not low enough any more. The waves of a fast marching method with virtual sources [NK02]
+ * are cones of this kind, fitted to be near the distance and not to be below.
+ *
+ * What is lit is enlarged a little, for rounding. A shortest path takes one step for a face at most, and by what all steps
+ * together may be wrong is taken off what is answered.
+ */
+template <class Triangulation>
+class Cone_sweep
+{
+  using Faces = Unfolded_faces<Triangulation>;
+  using Vector = typename Faces::Vector;
+
+public:
+  /* \param goal where the paths go that matter */
+  Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source, Vertex_index goal)
+    : m_triangulation(triangulation)
+    , m_faces(faces)
+    , m_source(source)
+    , m_goal_place(triangulation.metric().place(triangulation.input(), goal))
+    , m_waves(static_cast<std::size_t>(triangulation.number_of_halfedges()))
+    , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
+  {
+  }
+
+  /*
+   * Sweeps over all that paths from the source to the goal pass which are not longer than `bound`.
+   * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+   */
+  void run(double bound)
+  {
+    m_bound = bound;
+    m_error = 0x1p-46 * bound;
+    m_total_error = static_cast<double>(m_triangulation.number_of_halfedges()) * m_error;
+    reach(m_source, 0);
+    while(!m_queue.empty() && is_useful())
+      pass_first();
+  }
+
+  /* Is not all of what was found lost to errors that had to be allowed, for it to come to an end? */
+  bool is_useful() const { return m_total_error <= largest_error * m_bound; }
+
+  Vertex_index source() const { return m_source; }
+  double bound() const { return m_bound; }
+
+  /* No path from the source to v is shorter, of those that matter. */
+  double distance_lower_bound(Vertex_index v) const
+  {
+    if(!is_useful())
+      return in_space(v);
+    return m_vertices[v].is_reached ? m_vertices[v].distance - m_total_error : infinity;
+  }
+
+  /*
+   * No path is shorter that comes as a cone says over the edge of h, between two places on it, into the face on the left
+   * of h, and ends at the source.
+   */
+  double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const
+  {
+    if(is_useful())
+      return m_waves[h].is_set ? cone.least_sum(m_waves[h].cone, from, to) - m_total_error : infinity;
+    const auto& input = m_triangulation.input();
+    const double tail = cone(to) - to + in_space(input.tail(h)); // since a cone is not steeper than 1
+    const double head = cone(from) - (length - from) + in_space(input.tail(twin_index(h)));
+    return (std::max)({cone.least(from, to), tail, head});
+  }
+
+  /* What the sweep has cost: how many times a halfedge was looked at. */
+  std::size_t number_of_updates() const { return m_updates; }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double largest_error = 1e-2; // of the bound, above which other bounds are better
+  static constexpr int free_updates = 6;        // of a cone, that are exact
+
+  struct Wave
+  {
+    Cone cone;
+    std::uint64_t key; // in the queue
+    std::int32_t number_of_updates;
+    bool is_set, is_waiting;
+  };
+
+  struct Vertex_record
+  {
+    double distance, to_goal;
+    bool is_reached, is_waiting, has_bound;
+  };
+
+  // A part of an edge, and what lights it.
+  struct Part
+  {
+    Cone cone;
+    double from, to;
+  };
+
+  struct Parts
+  {
+    std::array<Part, 3> part;
+    std::size_t size = 0;
+    double apex_value = infinity; // at the corner opposite to the edge
+
+    void add(const Cone& cone, double from, double to)
+    {
+      if(from < to)
+        part[size++] = {cone, from, to};
+    }
+  };
+
+  struct Entry
+  {
+    std::uint64_t key;
+    Index id; // of a halfedge, or -1 less that of a vertex
+
+    static std::size_t is_before(const Entry& a, const Entry& b)
+    {
+      return a.key == b.key ? static_cast<std::size_t>(a.id < b.id) : static_cast<std::size_t>(a.key < b.key);
+    }
+  };
+
+  double in_space(Vertex_index v) const
+  {
+    const auto& metric = m_triangulation.metric();
+    const auto& input = m_triangulation.input();
+    return metric.distance_lower_bound(metric.place(input, v), metric.place(input, m_source));
+  }
+
+  void pass_first()
+  {
+    const Entry entry = m_queue.top();
+    m_queue.pop();
+    if(entry.id < 0)
+      leave_vertex(Vertex_index(-1 - entry.id));
+    else if(Wave& wave = m_waves[Input_halfedge_index(entry.id)]; wave.is_waiting && wave.key == entry.key) {
+      wave.is_waiting = false;
+      enter_face(twin_index(Input_halfedge_index(entry.id)));
+    }
+  }
+
+  void enter_face(Input_halfedge_index h)
+  {
+    const auto& input = m_triangulation.input();
+    if(input.is_border(h))
+      return;
+    const Input_halfedge_index hn = input.next(h);
+    update(hn);
+    update(input.next(hn));
+  }
+
+  // All edges opposite to a vertex, and the vertices beside it.
+  void leave_vertex(Vertex_index v)
+  {
+    Vertex_record& record = m_vertices[v];
+    if(!record.is_waiting)
+      return;
+    record.is_waiting = false;
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index first = input.outgoing(v);
+    if(first == null_index)
+      return;
+    const double distance = record.distance;
+    Input_halfedge_index h = first;
+    do {
+      const Input_halfedge_index t = twin_index(h);
+      const double length = m_faces.side(input.is_border(h) ? t : h).length;
+      reach(input.tail(t), distance + length);
+      if(!input.is_border(h))
+        update(input.next(h));
+      h = input.next(t);
+    } while(h != first);
+  }
+
+  double to_goal(Vertex_index v)
+  {
+    Vertex_record& record = m_vertices[v];
+    if(!record.has_bound) {
+      const auto& metric = m_triangulation.metric();
+      record.to_goal = metric.distance_lower_bound(metric.place(m_triangulation.input(), v), m_goal_place);
+      record.has_bound = true;
+    }
+    return record.to_goal;
+  }
+
+  void reach(Vertex_index v, double distance)
+  {
+    Vertex_record& record = m_vertices[v];
+    if(record.is_reached && record.distance <= distance)
+      return;
+    record.distance = distance;
+    record.is_reached = true;
+    if(distance + to_goal(v) > m_bound + m_total_error || !is_turn(v))
+      return;
+    record.is_waiting = true;
+    m_queue.push({ordered_bits((std::max)(distance, 0.0)), -1 - v.idx()});
+  }
+
+  // Do paths turn at v?
+  bool is_turn(Vertex_index v) { return v == m_source || m_faces.is_passable(v); }
+
+  // Makes the cone of a halfedge hold for what enters its face.
+  void update(Input_halfedge_index h)
+  {
+    const Parts parts = lit_parts(h);
+    Wave& wave = m_waves[h];
+    if(parts.size == 0 || (wave.is_set && is_below(wave.cone, parts, tolerance(wave))))
+      return;
+    ++m_updates;
+    ++wave.number_of_updates;
+    if(wave.number_of_updates > free_updates)
+      m_total_error += tolerance(wave);
+    const double length = m_faces.side(h).length;
+    wave.cone = fitted_cone(length, parts);
+    wave.is_set = true;
+    const Vertex_index tail = m_triangulation.input().tail(h), head = m_triangulation.input().tail(twin_index(h));
+    const double at_tail = wave.cone(0), at_head = wave.cone(length);
+    reach(tail, at_tail);
+    reach(head, at_head);
+    // A cone is not steeper than 1.
+    wave.is_waiting = (std::max)(at_head + to_goal(tail), at_tail + to_goal(head)) - length <= m_bound + m_total_error;
+    if(wave.is_waiting) {
+      wave.key = ordered_bits((std::max)(0.5 * (at_tail + at_head), 0.0));
+      m_queue.push({wave.key, h.idx()});
+    }
+  }
+
+  /*
+   * By how much a cone may be too high. Cones about a vertex with a small angle, and needles, lower each other again and
+   * again; they are allowed more each time, and so come to an end.
+   */
+  double tolerance(const Wave& wave) const
+  {
+    const int further = wave.number_of_updates - free_updates;
+    return further <= 0 ? m_error : std::ldexp(m_error, 2 * further);
+  }
+
+  bool is_below(const Cone& cone, const Parts& parts, double tolerance) const
+  {
+    for(std::size_t i = 0; i < parts.size; ++i) {
+      const Part& part = parts.part[i];
+      if(least_difference(part.cone, cone, part.from, part.to).value < -tolerance)
+        return false;
+    }
+    return true;
+  }
+
+  // In the frame of h, from 0 to its length on the x-axis with its face above.
+  Parts lit_parts(Input_halfedge_index h)
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
+    const auto side = m_faces.side(h), next = m_faces.side(hn);
+    const double previous_length = m_faces.side(hp).length;
+    const Vector apex = previous_length * Vector(side.cosine, side.sine);
+    Parts parts;
+    double left = 0, right = side.length; // up to where, and from where, the edge is lit
+    if(const Wave& wave = m_waves[twin_index(hp)]; wave.is_set) {
+      const Vector place = Vector(wave.cone.x, wave.cone.y) * Vector(side.cosine, side.sine);
+      const Cone cone = {place.real(), place.imag(), wave.cone.sigma};
+      parts.apex_value = wave.cone(previous_length);
+      left = lit_length(cone, apex, side.length);
+      parts.add(cone, 0, left);
+    }
+    if(const Wave& wave = m_waves[twin_index(hn)]; wave.is_set) { // seen in a mirror, from the head
+      const Vector place = Vector(next.length - wave.cone.x, wave.cone.y) * Vector(next.cosine, next.sine);
+      const Cone cone = {place.real(), place.imag(), wave.cone.sigma};
+      parts.apex_value = (std::min)(parts.apex_value, wave.cone(0));
+      right = side.length - lit_length(cone, next.length * Vector(next.cosine, next.sine), side.length);
+      parts.add({side.length - cone.x, cone.y, cone.sigma}, right, side.length);
+    }
+    add_apex(parts, input.tail(hp), apex, side.length, left, right);
+    for(std::size_t i = 0; i < parts.size; ++i) // what lies below the edge sends nothing up, up to rounding
+      parts.part[i].cone.y = std::abs(parts.part[i].cone.y);
+    return parts;
+  }
+
+  /*
+   * How much of an edge from 0 on is lit from a point, past an apex that is farther on: up to where the line through the
+   * apex ends, and a little more.
+   */
+  double lit_length(const Cone& cone, const Vector& apex, double length) const
+  {
+    constexpr double enlargement = 1e-6;
+    if(cone.y < -m_error)
+      return 0;
+    const double fall = cone.y - apex.imag();
+    if(!(fall > 1e8 * m_error))
+      return length;
+    const double end = apex.real() + (apex.real() - cone.x) * (apex.imag() / fall);
+    return (std::min)((std::max)(end, 0.0) + enlargement * length, length);
+  }
+
+  // The paths that turn at the apex. Where they cannot, it stands for what has not come around it yet.
+  void add_apex(Parts& parts, Vertex_index v, const Vector& apex, double length, double left, double right)
+  {
+    const Vertex_record& record = m_vertices[v];
+    const bool is_passed = record.is_reached && is_turn(v);
+    if(is_passed)
+      parts.add({apex.real(), apex.imag(), (std::min)(record.distance, parts.apex_value)}, 0, length);
+    else if(parts.apex_value < infinity)
+      parts.add({apex.real(), apex.imag(), parts.apex_value}, left, right);
+  }
+
+  // The flattest cone that has the least values at the ends, is below all parts, and whose point is no farther away than
+  // theirs.
+  Cone fitted_cone(double length, const Parts& parts) const
+  {
+    if(parts.size == 1)
+      return parts.part[0].cone;
+    double at_start = infinity, at_end = infinity, sigma = infinity, middle = infinity;
+    for(std::size_t i = 0; i < parts.size; ++i) {
+      const auto& [cone, from, to] = parts.part[i];
+      at_start = (std::min)(at_start, cone(from) + from);
+      at_end = (std::min)(at_end, cone(to) + (length - to));
+      sigma = (std::min)(sigma, cone.sigma);
+      if(from <= 0.5 * length && 0.5 * length <= to)
+        middle = (std::min)(middle, cone(0.5 * length));
+    }
+    const Cones_through_ends cones(length, at_start, at_end);
+    if(middle < infinity)
+      sigma = (std::max)(sigma, cones.sigma(0.5 * length, middle));
+    // Where it touches a part, it may be a little too high beside that place: a little more, then.
+    for(double more = 1e-3; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
+      const Cone cone = cones(sigma);
+      const double lower = sigma_below(cone, cones, parts);
+      if(!(lower > sigma))
+        return cone;
+      sigma = lower + more * (cones.largest_sigma() - lower);
+    }
+    return cones(cones.largest_sigma());
+  }
+
+  // The sigma of a cone that is not above the parts where this one is highest above them; its own, if it is nowhere.
+  double sigma_below(const Cone& cone, const Cones_through_ends& cones, const Parts& parts) const
+  {
+    double excess = m_error, sigma = cone.sigma;
+    for(std::size_t i = 0; i < parts.size; ++i) {
+      const Part& part = parts.part[i];
+      const auto least = least_difference(part.cone, cone, part.from, part.to);
+      if(-least.value > excess) {
+        excess = -least.value;
+        sigma = (std::max)(cones.sigma(least.place, part.cone(least.place)), sigma + m_error);
+      }
+    }
+    return sigma;
+  }
+
+  const Triangulation& m_triangulation;
+  Faces& m_faces;
+  Vertex_index m_source;
+  typename Triangulation::Metric::Place m_goal_place;
+  Indexed_by<Input_halfedge_index, Lazy_array<Wave>> m_waves;
+  Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
+  Heap_of_four<Entry> m_queue;
+  double m_bound = infinity, m_error = 0, m_total_error = 0;
+  std::size_t m_updates = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_SWEEP_H
