@@ -459,6 +459,28 @@ def shortest_path(tools):
     return panels
 
 
+@figure(900, 440)
+def isolines(tools):
+    """Curves at the same distances from one vertex of a scan, and the Voronoi diagram of some vertices with isolines."""
+    mesh = tools.mesh('bunny00.off')
+    points, faces = read_off(mesh)
+    graph = Graph(points, faces)
+    seeds = [(0.1, 0.05, 0.45), (-0.45, 0.2, 0.3), (0.4, 0.35, 0.2), (0.5, -0.3, 0.2), (-0.1, -0.4, 0.3),
+             (-0.15, 0.4, 0.1), (0.25, 0.05, 0.3), (-0.3, -0.1, 0.4), (0.15, -0.2, 0.4), (-0.1, 0.1, 0.3)]
+    panels = []
+    for sources in ([graph.nearest(seeds[0])], sorted({graph.nearest(seed) for seed in seeds})):
+        tools.run('isolines_example', mesh, *sources)
+        panel = Panel(size_of(points))
+        panel.surface(points, faces)
+        panel.tubes(read_vtp(tools.folder / 'isolines.vtp'), BLUE, 0.003)
+        if len(sources) > 1:
+            panel.tubes(read_vtp(tools.folder / 'voronoi.vtp'), ORANGE, 0.007)
+        panel.balls([points[source] for source in sources], RED, 0.022)
+        panel.look((0.35, 0.2, 1))
+        panels.append(panel)
+    return panels
+
+
 @figure(900, 380)
 def spline(tools):
     """A geodesic between points inside faces, and the Bezier curve and the B-spline of four such points."""

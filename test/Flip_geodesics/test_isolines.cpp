@@ -369,6 +369,27 @@ BOOST_AUTO_TEST_CASE(levels_of_several_sources_do_not_cross)
   BOOST_TEST(crossings == 0);
 }
 
+// Up and down along the sides of parts, and levels as close as roundings.
+BOOST_AUTO_TEST_CASE(levels_of_a_rough_field_do_not_cross)
+{
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(6, 6, Diagonal_rule::FALLING, 0.2, 8));
+  const Distance center = from_point(3, 3);
+  const Closed_field rough(mesh, {[&](const Coordinates& p) {
+                             return 0.5 * center(p) + 0.02 * std::sin(15 * p[0]) * std::sin(15 * p[1]) +
+                                    0.01 * std::cos(31 * p[0] + 7 * p[1]);
+                           }});
+  std::vector<double> levels = {1, std::nextafter(1, 2), std::nextafter(1, 0), 1};
+  for(int i = 0; i < 15; ++i)
+    levels.push_back(0.9 + 0.011 * i);
+  const auto curves = checked_isolines(mesh, rough, levels, 0.5);
+  BOOST_TEST(curves.size() >= levels.size());
+  int crossings = 0;
+  for(std::size_t i = 0; i < curves.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      crossings += do_cross(curves[i], curves[j]) ? 1 : 0;
+  BOOST_TEST(crossings == 0);
+}
+
 // What is deeper than the tolerance is found, wherever it is in a face: a circle in one, and what two fronts leave.
 BOOST_AUTO_TEST_CASE(small_components_are_found)
 {
@@ -530,9 +551,10 @@ BOOST_AUTO_TEST_CASE(components_without_source_and_fields_that_end)
   const Distance source = from_point(2, 2);
   const Closed_field reached(mesh, {[&](const Coordinates& p) { return p[0] > 8 ? infinity : source(p); }});
   BOOST_TEST(checked_isolines(mesh, reached, {1, 2.5, 100}, 0.05).size() == 5u);
+  BOOST_TEST(reached.calls() < 20000u); // nothing is looked for in the other one
   const Closed_field limited(mesh, {[&](const Coordinates& p) { return source(p) > 1.5 ? infinity : source(p); }});
   BOOST_TEST(checked_isolines(mesh, limited, {1, 1.4}, 0.05).size() == 2u);
-  for(const Isoline& end : isolines(mesh, limited, std::vector<double>{1.7}, 0.05)) {
+  for(const Isoline& end : isolines(mesh, limited, std::vector<double>{1.7, 100}, 0.05)) {
     BOOST_TEST(end.is_closed);
     for(const Point& p : end.points)
       BOOST_TEST(std::abs(source(coordinates(p)) - 1.5) < 0.05);
@@ -573,6 +595,7 @@ BOOST_AUTO_TEST_CASE(bisectors_in_the_plane)
     const Diagram simple = check_diagram(mesh, two, line, tolerance);
     BOOST_TEST(simple.open == 1u);
     BOOST_TEST(simple.ends == 2u);
+    BOOST_TEST(static_cast<double>(two.calls()) < 60 * (length(line[0]) + 6) / tolerance);
     const double straight = distance(line[0].points.front(), line[0].points.back());
     BOOST_TEST(std::abs(length(line[0]) - straight) < 1e-11);
 
@@ -668,6 +691,22 @@ BOOST_AUTO_TEST_CASE(ties_and_regions_inside_faces)
   const Closed_field islet(
       triangle, {[](const Coordinates& p) { return 0.2 + 0.5 * std::hypot(p[0] - 10, p[1] - 10); }, from_point(9, 9)});
   BOOST_TEST(check_diagram(triangle, islet, boundaries(triangle, islet, 0.01), 0.01).closed == 1u);
+  const Closed_field behind(triangle,
+                            {[](const Coordinates& p) { return 0.9 + 0.5 * std::hypot(p[0] - 10, p[1] - 10); },
+                             [](const Coordinates& p) { return 0.5 + std::hypot(p[0] - 9, p[1] - 9); }});
+  BOOST_TEST(check_diagram(triangle, behind, boundaries(triangle, behind, 0.01), 0.01).closed == 1u);
+
+  // A honeycomb cell that is much smaller than the distance of samples elsewhere.
+  std::vector<std::array<double, 2>> comb = {{10, 10}};
+  for(int i = 0; i < 6; ++i)
+    comb.push_back({10 + 0.04 * std::cos(i * pi / 3 + 0.2), 10 + 0.04 * std::sin(i * pi / 3 + 0.2)});
+  const Closed_field cell(triangle, from_points(comb));
+  const auto walls = boundaries(triangle, cell, 0.002);
+  BOOST_TEST(check_diagram(triangle, cell, walls, 0.002).junctions == 6u);
+  double around = 0;
+  for(const Boundary& b : walls)
+    around += b.sources[0] == 0 || b.sources[1] == 0 ? length(b) : 0;
+  BOOST_TEST(std::abs(around - 6 * 0.04 / std::sqrt(3.)) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(regions_without_source)
@@ -711,6 +750,34 @@ BOOST_AUTO_TEST_CASE(interpolated_distances)
   BOOST_TEST_REQUIRE(middle.size() == 1u);
   BOOST_TEST(std::abs(length(middle[0]) - 5) < 1e-11);
   BOOST_TEST(std::abs(middle[0].points.front().x() - 2.75) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(interpolated_infinities_and_ties)
+{
+  const Mesh mesh = to_mesh<Mesh>(single_triangle());
+  using Map = std::map<Mesh::Vertex_index, double>;
+  using Pmap = boost::const_associative_property_map<Map>;
+  const Mesh::Vertex_index a(0), b(1), c(2);
+  const Map first = {{a, 1}, {b, infinity}, {c, 3}}, second = {{a, 1}, {b, 5}, {c, 2}},
+            broken = {{a, std::numeric_limits<double>::quiet_NaN()}, {b, 5}, {c, 2}};
+  const FG::Interpolated_distances<Mesh, Pmap> field(mesh, {Pmap(first), Pmap(second)}), alone(mesh, {Pmap(first)});
+  const Mesh::Face_index f(0);
+  std::array<double, 3> at_a = {0, 0, 0}, at_b = {0, 0, 0}, between_a_and_c = {0.5, 0.5, 0.5};
+  Mesh::Halfedge_index h = mesh.halfedge(f);
+  for(int i = 0; i < 3; ++i, h = mesh.next(h)) {
+    at_a[i] = mesh.source(h) == a ? 1 : 0;
+    at_b[i] = mesh.source(h) == b ? 1 : 0;
+    between_a_and_c[i] = mesh.source(h) == b ? 0 : 0.5;
+  }
+  BOOST_TEST(field(f, at_a).distance == 1);
+  BOOST_TEST(field(f, at_a).source == 0u);
+  BOOST_TEST(field(f, at_b).distance == 5);
+  BOOST_TEST(field(f, at_b).source == 1u);
+  BOOST_TEST(field(f, between_a_and_c).distance == 1.5);
+  BOOST_TEST(alone(f, at_b).distance == infinity);
+  BOOST_TEST(alone(f, between_a_and_c).distance == 2);
+  const FG::Interpolated_distances<Mesh, Pmap> damaged(mesh, {Pmap(broken)});
+  BOOST_CHECK_THROW(isolines(mesh, damaged, std::vector<double>{1}, 0.1), FG::Invalid_parameter_error);
 }
 
 BOOST_AUTO_TEST_CASE(any_mesh_with_points_of_its_own)

@@ -47,7 +47,6 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
     }
   std::vector<double> result = levels;
   std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

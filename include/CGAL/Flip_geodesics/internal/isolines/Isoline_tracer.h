@@ -26,7 +26,7 @@ template <class Surface>
 class Isoline_tracer
 {
 public:
-  /* The levels are sorted and all different. */
+  /* The levels are sorted; of equal ones the first is to be traced. */
   Isoline_tracer(Surface& surface, const std::vector<double>& levels, double tolerance)
     : m_surface(surface)
     , m_levels(levels)
@@ -50,6 +50,7 @@ public:
   void trace(std::size_t level, const Write& write)
   {
     Crossings& crossings = m_crossings[level];
+    crossings.forget_visits(); // a level may be asked for again
     const auto is_inside = [&](const Sample& sample) { return sample.distance < m_levels[level]; };
     const auto is_end = [](const auto&) { return false; };
     for(bool is_from_border : {true, false})
@@ -84,15 +85,13 @@ private:
   // The part of the way from the lower end to the upper at which the level is reached first, where it is for a while.
   double root(Index half, bool is_rising, double level, double from, const Sample& last, const Sample& upper) const
   {
-    const double length = m_surface.length(half), bound = 2 * length;
-    if(!(length > 0))
-      return 1;
+    const double length = m_surface.length(half);
     const double precision = root_precision * (std::max)(std::abs(level), length) / length;
     // The level itself lies on the farther side, by so much that the next step finds the other side within the
     // precision. Infinity is no number to compute with.
     const double step = precision * length / 2;
     const auto excess = [&](double distance) {
-      return distance < level ? (std::max)(distance - level, -bound) : (std::min)(distance - level + step, bound);
+      return distance < level ? distance - level : (std::min)(distance - level + step, 2 * length + step);
     };
     std::uintmax_t most_steps = 200;
     const auto bracket = boost::math::tools::toms748_solve(

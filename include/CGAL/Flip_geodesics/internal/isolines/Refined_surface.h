@@ -281,7 +281,7 @@ private:
                          {{old.corners[a], m, old.corners[c]}},
                          {{first, 2 * cut, old.halves[c]}},
                          {{old.weights[a], middle, old.weights[c]}}});
-    queue.push_back(checked_index_bound(m_pieces.size()));
+    queue.push_back(number_of_pieces());
     set_piece(queue.back(), {old.face,
                              {{m, old.corners[b], old.corners[c]}},
                              {{second, old.halves[b], 2 * cut + 1}},
@@ -292,14 +292,17 @@ private:
   Index add_middle(Index half)
   {
     m_samples.push_back(sampled(half, 0.5));
-    return checked_index_bound(m_samples.size()) - 1;
+    return static_cast<Index>(m_samples.size()) - 1;
   }
 
+  // There are more halves than samples and pieces.
   Index add_side(double length)
   {
+    if(m_uses.size() + 2 > static_cast<std::size_t>((std::numeric_limits<Index>::max)()))
+      throw Invalid_parameter_error("for so small a tolerance faces have more parts than 32-bit indices can number");
     m_lengths.push_back(length);
     m_uses.resize(m_uses.size() + 2);
-    return checked_index_bound(m_uses.size()) / 2 - 1;
+    return number_of_halves() / 2 - 1;
   }
 
   double distance(Index face, const Face_weights& p, const Face_weights& q) const

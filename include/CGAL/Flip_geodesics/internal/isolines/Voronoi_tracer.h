@@ -37,7 +37,7 @@ public:
     surface.refine([&](const auto& piece) {
       const double length = surface.length(surface.longest(piece));
       if(length <= largest_side)
-        return length <= largest_junction || !are_different(corners(piece));
+        return length <= largest_junction || !is_junction(piece);
       const Field_bounds bounds(surface, piece);
       return !is_divided(piece) && (length <= largest_distance || std::isinf(bounds.least)) &&
              !(bounds.least <= 0 && 0 <= bounds.largest); // a source may be inside
@@ -82,20 +82,11 @@ private:
     return m_surface.corner(piece, 1).source != source || m_surface.corner(piece, 2).source != source;
   }
 
-  static bool are_different(const std::array<Sample, 3>& s)
+  bool is_junction(const Piece& piece) const
   {
-    return s[0].source != s[1].source && s[1].source != s[2].source && s[2].source != s[0].source;
-  }
-
-  std::array<Sample, 3> corners(const Piece& piece) const
-  {
-    std::array<Sample, 3> result;
-    for(Index i = 0; i < 3; ++i) {
-      result[i] = m_surface.corner(piece, i);
-      result[i].face = piece.face;
-      result[i].weights = piece.weights[i];
-    }
-    return result;
+    const std::size_t a = m_surface.corner(piece, 0).source, b = m_surface.corner(piece, 1).source,
+                      c = m_surface.corner(piece, 2).source;
+    return a != b && b != c && c != a;
   }
 
   void find_crossings()
@@ -157,52 +148,26 @@ private:
     return from.t == 0 ? tail : (to.t == 1 ? head : m_surface.sampled(half, to.t));
   }
 
+  Sample center(const Piece& piece) const
+  {
+    const std::array<Face_weights, 3>& w = piece.weights;
+    return m_surface.sampled(piece.face, between(between(w[0], w[1], 0.5), w[2], 1.0 / 3));
+  }
+
   void find_junctions()
   {
     for(Index p = 0; p < m_surface.number_of_pieces(); ++p)
-      if(are_different(corners(m_surface.piece(p)))) {
+      if(is_junction(m_surface.piece(p))) {
         m_junction_of_piece[p] = m_junctions.size();
-        m_junctions.push_back({p, junction(m_surface.piece(p))});
+        m_junctions.push_back({p, center(m_surface.piece(p))});
       }
-  }
-
-  /*
-   * If the sides of a triangle with three sources have no others than their ends, then among the four triangles into
-   * which it is divided there is one with all three again, by Sperner's lemma. Else the junction is beyond a side, but
-   * near.
-   */
-  Sample junction(const Piece& piece) const
-  {
-    std::array<Sample, 3> t = corners(piece);
-    double size = m_surface.length(m_surface.longest(piece));
-    const double precision = root_precision * (std::max)(size, t[0].distance);
-    for(; size > precision; size /= 2)
-      if(!descend(t))
-        break;
-    return m_surface.sampled(t[0].face, between(between(t[0].weights, t[1].weights, 0.5), t[2].weights, 1.0 / 3));
-  }
-
-  bool descend(std::array<Sample, 3>& t) const
-  {
-    std::array<Sample, 3> middle;
-    for(int i = 0; i < 3; ++i)
-      middle[i] = m_surface.sampled(t[i].face, between(t[i].weights, t[(i + 1) % 3].weights, 0.5));
-    for(const auto& part : {std::array<Sample, 3>{{t[0], middle[0], middle[2]}},
-                            {{middle[0], t[1], middle[1]}},
-                            {{middle[2], middle[1], t[2]}},
-                            middle})
-      if(are_different(part)) {
-        t = part;
-        return true;
-      }
-    return false;
   }
 
   template <class Write>
   void trace_from(Index half, std::size_t left, std::size_t right, std::size_t first_junction, const Write& write)
   {
     const auto is_inside = [&](const Sample& sample) { return sample.source == left; };
-    const auto is_end = [&](const Piece& piece) { return are_different(corners(piece)); };
+    const auto is_end = [&](const Piece& piece) { return is_junction(piece); };
     Followed_curve curve = follow(m_surface, half, m_crossings, is_inside, is_end);
     std::size_t last_junction = no_source;
     if(first_junction != no_source)

@@ -112,6 +112,12 @@ public:
                              [](const Crossing& c, Index s) { return c.side < s; });
   }
 
+  void forget_visits()
+  {
+    for(Crossing& crossing : m_crossings)
+      crossing.is_visited = false;
+  }
+
   auto begin() const { return m_crossings.begin(); }
   auto end() const { return m_crossings.end(); }
 
