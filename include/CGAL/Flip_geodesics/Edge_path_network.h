@@ -408,7 +408,7 @@ private:
     const auto [a, b] = ends(joint);
     const Segment_index inner = m_segments.neighbor(a.segment, a.halfedge, Side::RIGHT);
     if(inner != null_index)
-      return {b == Strand_end{a.halfedge, inner} ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
+      return {b.segment == inner && b.halfedge == a.halfedge ? Wedge_state::FREE : Wedge_state::BLOCKED, {}};
     Turn turn;
     Walker h = m_segments.placed(a.segment, a.halfedge);
     do {
