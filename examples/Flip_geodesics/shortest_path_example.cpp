@@ -46,8 +46,8 @@ try {
 
   auto distances = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   const FG::Shortest_tree_report report = FG::geodesic_distances(mesh, source, distances);
-  std::cout << report.longer_before << " of " << report.vertices << " paths of the tree were longer than shortest, by "
-            << 100 * report.largest_excess_before << " % at most; now " << report.longer << " are\n"
+  std::cout << "The distances of " << report.vertices << " vertices are "
+            << (report.is_confirmed ? "those of shortest paths\n" : "not confirmed\n")
             << "The distance to the target: " << distances[target] << '\n';
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {

@@ -19,6 +19,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/IO/GLB.h>

@@ -514,6 +514,19 @@ private:
     FG::write_polar_coordinates(map, tree, m_mesh, boost::make_assoc_property_map(coordinates));
     for(Surface::Vertex_index v : m_mesh.vertices())
       BOOST_TEST(distances[v] == coordinates[v].radius);
+    FG::Geodesic_distance_field<Triangulation> field(triangulation, m_mesh);
+    field.add_source(Vertex(0));
+    field.compute();
+    std::map<Surface::Vertex_index, std::size_t> sources;
+    FG::write_nearest_sources(field, triangulation, m_mesh, boost::make_assoc_property_map(sources));
+    std::map<Surface::Vertex_index, double> told;
+    FG::write_distances(field, triangulation, m_mesh, boost::make_assoc_property_map(told));
+    for(Surface::Vertex_index v : m_mesh.vertices()) {
+      BOOST_TEST(std::abs(told[v] - distances[v]) <= 1e-9 * distances[v]);
+      BOOST_TEST(sources[v] == 0u);
+    }
+    for(const FG::Surface_location& p : points(triangulation))
+      BOOST_TEST(field.surface_points(p).size() >= 2u);
   }
 
   void delaunay(Triangulation& triangulation)

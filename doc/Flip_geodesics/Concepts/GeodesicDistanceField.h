@@ -14,6 +14,7 @@
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Interpolated_distances<TriangleMesh\,VertexDistanceMap>}
+ * \cgalHasModels{CGAL::Flip_geodesics::Geodesic_distance_field<Triangulation>}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Flip_geodesics::isolines()`, `CGAL::Flip_geodesics::voronoi_boundaries()`

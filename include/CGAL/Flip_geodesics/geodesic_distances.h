@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_GEODESIC_DISTANCES_H
 #define CGAL_FLIP_GEODESICS_GEODESIC_DISTANCES_H
 
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
@@ -13,6 +14,8 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#include <limits>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -60,21 +63,74 @@ void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Tri
     put(coordinates, v, map.vertices[tree.triangulation().input().index(v)]);
 }
 
+/*!
+ * \ingroup PkgFlipGeodesicsDistances
+ *
+ * Writes the distances of a field at the vertices of a mesh into a property map; infinity where they are not known.
+ *
+ * \param field a field that has been computed
+ * \param triangulation its triangulation
+ * \param mesh its mesh
+ * \param distances a model of `WritablePropertyMap` with the mesh's vertices as keys and `double`s as values
+ *
+ * Complexity: linear in the vertices of the mesh.
+ */
+template <class Triangulation, class VertexDistanceMap>
+void write_distances(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
+                     const typename Triangulation::Triangle_mesh& mesh, VertexDistanceMap distances)
+{
+  for(const auto v : vertices(mesh))
+    put(distances, v, field.distance(triangulation.input().index(v)));
+}
+
+/// \ingroup PkgFlipGeodesicsDistances
+/// The same for the numbers of the nearest sources; 0 where none is known.
+template <class Triangulation, class VertexSourceMap>
+void write_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
+                           const typename Triangulation::Triangle_mesh& mesh, VertexSourceMap sources)
+{
+  for(const auto v : vertices(mesh))
+    put(sources, v, field.answer(triangulation.input().index(v)).source);
+}
+
 namespace internal {
 
-/* Calls `write(tree)` with the tree of shortest paths from a vertex of a mesh. */
-template <class TriangleMesh, class Vertex, class NamedParameters, class Write>
-Shortest_tree_report with_shortest_tree(const TriangleMesh& mesh, Vertex source, const Window_limit& limit,
-                                        const NamedParameters& np, const Write& write)
+/* Calls `write(tree)` with the tree of shortest paths from a vertex. */
+template <class Triangulation, class Write>
+Shortest_tree_report make_shortest_tree(Triangulation& triangulation, Vertex_index source, const Window_limit& limit,
+                                        const Write& write)
 {
-  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    Geodesic_tree<Triangulation> tree(triangulation);
-    tree.grow(triangulation.index(source));
-    const Shortest_tree_report report = make_shortest(tree, limit);
-    write(tree);
-    return report;
-  });
+  Geodesic_tree<Triangulation> tree(triangulation);
+  tree.grow(source);
+  const Shortest_tree_report report = make_shortest(tree, limit);
+  write(tree);
+  return report;
+}
+
+} // namespace internal
+
+namespace internal {
+
+/* Writes the distances of a field from one vertex. Returns false, and writes nothing, if it is given up or unsure. */
+template <class Triangulation, class VertexDistanceMap>
+bool write_field_distances(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                           Vertex_index source, VertexDistanceMap distances, const Window_limit& limit,
+                           Shortest_tree_report& report)
+{
+  Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
+  field.add_source(source);
+  Distance_field_limits limits;
+  limits.windows = limit;
+  const Distance_field_report computed = field.compute(limits);
+  if(computed.status != Distance_field_status::COMPLETE || computed.has_flat_face)
+    return false;
+  report.windows = computed.windows;
+  report.is_confirmed = true;
+  const auto n = triangulation.input().number_of_vertices();
+  for(Vertex_index v : descriptors<Vertex_index>(n))
+    report.vertices += v != source && field.distance(v) < std::numeric_limits<double>::infinity() ? 1 : 0;
+  write_distances(field, triangulation, mesh, distances);
+  return true;
 }
 
 } // namespace internal
@@ -82,8 +138,9 @@ Shortest_tree_report with_shortest_tree(const TriangleMesh& mesh, Vertex source,
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Computes the distances on the surface from one vertex to all others: a tree of geodesics is grown
- * (`Geodesic_tree::grow()`), and those that are not shortest are replaced (`make_shortest()`).
+ * Computes the distances on the surface from one vertex to all others, by a `Geodesic_distance_field`. Where that is given
+ * up, or meets a face so flat that it is unsure, a tree of geodesics is grown (`Geodesic_tree::grow()`), and those
+ * that are not shortest are replaced as far as shorter ones are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh
  * \param source a vertex of the mesh
@@ -94,15 +151,21 @@ Shortest_tree_report with_shortest_tree(const TriangleMesh& mesh, Vertex source,
  * \return how many distances are those of shortest paths, and whether that is sure
  * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
- * Complexity: that of `make_shortest()`.
+ * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
  */
 template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
 Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
                                         VertexDistanceMap distances, const Window_limit& limit,
                                         const NamedParameters& np = parameters::default_values())
 {
-  return internal::with_shortest_tree(mesh, source, limit, np,
-                                      [&](const auto& tree) { write_distances(tree, mesh, distances); });
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    Shortest_tree_report report;
+    if(internal::write_field_distances(triangulation, mesh, triangulation.index(source), distances, limit, report))
+      return report;
+    return internal::make_shortest_tree(triangulation, triangulation.index(source), limit,
+                                        [&](const auto& tree) { write_distances(tree, mesh, distances); });
+  });
 }
 
 /// \ingroup PkgFlipGeodesicsTree
@@ -136,8 +199,11 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<Tri
                                        VertexPolarMap coordinates, const Window_limit& limit,
                                        const NamedParameters& np = parameters::default_values())
 {
-  return internal::with_shortest_tree(mesh, source, limit, np, [&](const auto& tree) {
-    write_polar_coordinates(logarithmic_map(tree), tree, mesh, coordinates);
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    return internal::make_shortest_tree(triangulation, triangulation.index(source), limit, [&](const auto& tree) {
+      write_polar_coordinates(logarithmic_map(tree), tree, mesh, coordinates);
+    });
   });
 }
 

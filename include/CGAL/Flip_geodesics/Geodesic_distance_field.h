@@ -1,0 +1,473 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_GEODESIC_DISTANCE_FIELD_H
+#define CGAL_FLIP_GEODESICS_GEODESIC_DISTANCE_FIELD_H
+
+#include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/field/Field_query.h>
+#include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsDistances
+/// Where a distance field can be asked.
+enum class Distance_field_extent {
+  EVERYWHERE,   ///< at any location
+  VERTICES_ONLY ///< at vertices, in little memory: windows are given back once they have been used
+};
+
+/// \ingroup PkgFlipGeodesicsDistances
+/// Why the computation of a distance field ended.
+enum class Distance_field_status {
+  COMPLETE,            ///< all distances are known
+  RADIUS_REACHED,      ///< those up to the radius
+  TARGETS_REACHED,     ///< those of the targets
+  WINDOW_LIMIT_REACHED ///< those up to `Geodesic_distance_field::reach()`
+};
+
+/// \ingroup PkgFlipGeodesicsDistances
+/// How far a distance field is to be computed.
+struct Distance_field_limits
+{
+  double radius = std::numeric_limits<double>::infinity(); ///< greater distances are not asked for
+  std::vector<Surface_location> targets; ///< if there are any, no distances but theirs, and smaller ones, are asked for
+  Window_limit windows;                  ///< beyond it the computation is given up
+};
+
+/// \ingroup PkgFlipGeodesicsDistances
+/// What became of the computation of a distance field.
+struct Distance_field_report
+{
+  Distance_field_status status = Distance_field_status::COMPLETE; ///< why it ended
+  std::size_t windows = 0;                                        ///< how many were made in all
+  /// Was there a face whose height is at most 1e-10 of its base? Then rays can have been lost in it, and distances may
+  /// be too long.
+  bool has_flat_face = false;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsDistances
+ *
+ * The distances on a surface from sources, exact up to rounding: windows of straight rays are carried from face to face,
+ * and each edge keeps the lower envelope of those that reach it [MMP87]. Sources are vertices, points anywhere and
+ * curves, each with an offset, a distance that its paths have run before. Once it is computed, it is asked for the
+ * distance at any location, the shortest path from there, the nearest source and the gradient.
+ *
+ * \code
+ * Geodesic_distance_field<Triangulation> field(triangulation, mesh);
+ * field.add_source(triangulation.index(v));
+ * field.compute();
+ * const double distance = field.distance(location);
+ * \endcode
+ *
+ * Distances are those of the input, whatever has been flipped or inserted. `const` members can be called by several
+ * threads at once.
+ *
+ * \cgalModels{GeodesicDistanceField}
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
+ */
+template <class Triangulation>
+class Geodesic_distance_field
+{
+  using Propagation = internal::Window_propagation<Triangulation>;
+  using Query = internal::Field_query<Triangulation>;
+
+public:
+  using Triangle_mesh = typename Triangulation::Triangle_mesh;                          ///< the mesh
+  using face_descriptor = typename boost::graph_traits<Triangle_mesh>::face_descriptor; ///< of the mesh
+
+  /// What is known of a place.
+  struct Answer
+  {
+    double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source, with its offset
+    std::size_t source = 0; ///< which one that is, in the order of adding; 0 if the distance is infinite
+  };
+
+  /// \param triangulation of the mesh; both must outlive the field
+  /// \param mesh the mesh
+  /// \param extent where the field is to be asked
+  Geodesic_distance_field(const Triangulation& triangulation, const Triangle_mesh& mesh,
+                          Distance_field_extent extent = Distance_field_extent::EVERYWHERE)
+    : m_triangulation(triangulation)
+    , m_mesh(mesh)
+    , m_extent(extent)
+    , m_propagation(triangulation, extent == Distance_field_extent::EVERYWHERE)
+  {
+  }
+
+  /*!
+   * Adds a vertex of the mesh as a source; returns its number. Constant time.
+   *
+   * \param v a vertex of the input
+   * \param offset is added to all distances from this source
+   * \pre nothing has been computed
+   * \throws Vertex_out_of_range_error
+   * \throws Invalid_coordinate_error if the offset is negative or not finite
+   */
+  std::size_t add_source(Vertex_index v, double offset = 0)
+  {
+    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
+    check_addition(offset);
+    m_propagation.add_vertex(v, offset, m_number_of_sources);
+    return m_number_of_sources++;
+  }
+
+  /*!
+   * Adds a point of the surface as a source; returns its number. Constant time, unless it is a vertex.
+   *
+   * \pre nothing has been computed
+   * \throws Invalid_location_error
+   * \throws Invalid_coordinate_error if the offset is negative or not finite
+   * \throws Degenerate_face_error, Invalid_mesh_error for the face of the point
+   */
+  std::size_t add_source(const Surface_location& location, double offset = 0)
+  {
+    const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
+    check_addition(offset);
+    add_point(at, offset);
+    return m_number_of_sources++;
+  }
+
+  /*!
+   * Adds a curve as a source; returns its number. It runs straight from each of its locations to the next, so that a
+   * curve of edges is given by its vertices; one location is a point.
+   *
+   * \param locations a range of `Surface_location`s, of which two in a row lie in one face or on its border
+   * \param offset is added to all distances from this source
+   * \pre nothing has been computed
+   * \throws Invalid_curve_error if there is no location, or no face has two in a row
+   * \throws as for points
+   *
+   * Complexity: linear in the number of locations and the degrees of vertices among them.
+   */
+  template <class LocationRange>
+  std::size_t add_curve(const LocationRange& locations, double offset = 0)
+  {
+    std::vector<Surface_location> at;
+    for(const Surface_location& location : locations)
+      at.push_back(internal::canonical_location(m_triangulation.input(), location));
+    if(at.empty())
+      throw Invalid_curve_error("a curve that is to be a source has no points");
+    std::vector<Input_halfedge_index> faces;
+    for(std::size_t i = 0; i + 1 < at.size(); ++i) {
+      faces.push_back(internal::common_face(m_triangulation.input(), at[i], at[i + 1]));
+      if(faces.back() == null_index)
+        throw Invalid_curve_error("no face has the points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                                      " of a curve that is to be a source",
+                                  {i, i + 1});
+    }
+    check_addition(offset);
+    for(std::size_t i = 0; i < at.size(); ++i) {
+      add_point(at[i], offset);
+      if(i > 0)
+        add_segment(faces[i - 1], at[i - 1], at[i], offset);
+    }
+    return m_number_of_sources++;
+  }
+
+  /// Adds a curve of a network over the triangulation as a source; returns its number. \pre, \throws as for a range of
+  /// locations; Invalid_curve_error also for a curve that has contracted
+  template <class Network>
+  std::size_t add_curve(const Network& network, Curve_index curve, double offset = 0)
+  {
+    std::vector<Surface_location> locations;
+    for(const Surface_point& p : Curve_extractor<Network>(network).surface_points(curve))
+      locations.push_back(internal::surface_location(m_triangulation, p));
+    return add_curve(locations, offset);
+  }
+
+  /// How many sources have been added.
+  std::size_t number_of_sources() const { return m_number_of_sources; }
+
+  /*!
+   * Computes the field as far as the limits ask for. It can be called again, with other limits, to go on.
+   *
+   * Complexity: \f$O(w \log n)\f$ for \f$w\f$ windows on \f$n\f$ faces, of which there are about 10 to 25 per face on
+   * smooth meshes, and \f$O(n^2)\f$ at worst.
+   *
+   * \throws Invalid_coordinate_error, Degenerate_face_error, Invalid_mesh_error for faces within reach
+   * \throws Invalid_location_error if a target is none
+   * \pre `EVERYWHERE` if there are targets inside faces or on edges
+   */
+  Distance_field_report compute(const Distance_field_limits& limits = Distance_field_limits())
+  {
+    for(const Surface_location& target : limits.targets)
+      internal::check_location(m_triangulation.input(), target);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const std::size_t between_looks = 200 * limits.targets.size();
+    index_parts();
+    const std::size_t most = limits.windows(static_cast<std::size_t>(m_triangulation.input().number_of_vertices()));
+    Distance_field_report report;
+    for(;;) {
+      const double wanted = (std::min)(limits.radius, farthest(limits.targets));
+      const double bound = wanted < infinity ? std::nextafter(wanted, infinity) : infinity;
+      const std::size_t next_look = m_propagation.number_of_windows() + between_looks;
+      m_propagation.run(bound, limits.targets.empty() ? most : (std::min)(most, next_look));
+      m_reach = m_propagation.reach();
+      if(m_reach == infinity || m_reach >= bound || m_propagation.number_of_windows() > most) {
+        report.status = status_at(limits, bound);
+        break;
+      }
+    }
+    report.windows = m_propagation.number_of_windows();
+    report.has_flat_face = m_propagation.has_flat_face();
+    return report;
+  }
+
+  /// All distances up to this are known; others are given as infinite.
+  double reach() const { return m_reach; }
+
+  /// The distance of a vertex of the input. Constant time. \throws Vertex_out_of_range_error
+  double distance(Vertex_index v) const { return answer(v).distance; }
+
+  /// The distance of a location. See `answer()`.
+  double distance(const Surface_location& location) const { return answer(location).distance; }
+
+  /// The distance of a vertex and the nearest source. Constant time. \throws Vertex_out_of_range_error
+  Answer answer(Vertex_index v) const
+  {
+    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
+    const double distance = m_propagation.distance(v);
+    return is_known(distance) ? Answer{distance, m_propagation.vertex(v).source} : Answer();
+  }
+
+  /*!
+   * The distance of a location and the nearest source. Linear in the windows on the sides of its face.
+   *
+   * \throws Invalid_location_error
+   * \pre `EVERYWHERE`, or the location is a vertex
+   */
+  Answer answer(const Surface_location& location) const
+  {
+    const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
+    if(kind(at) == Location_kind::VERTEX)
+      return answer(m_triangulation.input().tail(at.halfedge));
+    const auto arrival = query()(at.halfedge, weights(at));
+    return is_known(arrival.distance) ? Answer{arrival.distance, query().source(arrival)} : Answer();
+  }
+
+  /// The same for barycentric weights in a face of the mesh, which belong to the source, the target and the third
+  /// vertex of `halfedge(face, mesh)`; their sum counts as one.
+  Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
+  {
+    return answer({m_triangulation.input().index(internal::graph_halfedge(face, m_mesh)), weights});
+  }
+
+  /*!
+   * The `Surface_point`s of a shortest path from a location to its nearest source, both ends included; none if the
+   * distance is infinite. Linear in the edges that it crosses, and the windows on the sides of the face.
+   *
+   * \throws Invalid_location_error
+   * \pre `EVERYWHERE`, or the location is a vertex
+   */
+  std::vector<Surface_point> surface_points(const Surface_location& location) const
+  {
+    const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
+    std::vector<Surface_point> result;
+    if(!is_known(distance(at)))
+      return result;
+    const Vertex_index v = m_triangulation.input().tail(at.halfedge);
+    result.push_back(surface_point(m_triangulation, at));
+    if(kind(at) != Location_kind::VERTEX)
+      query().path(query()(at.halfedge, weights(at)), at.halfedge, weights(at), std::back_inserter(result));
+    else if(m_propagation.vertex(v).is_source)
+      result.push_back(result.front());
+    else
+      query().path(v, std::back_inserter(result));
+    return result;
+  }
+
+  /*!
+   * Writes a shortest path from a location to its nearest source: points in space, `Face_location`s or `Curve_point`s,
+   * as `geodesic_path()` does.
+   *
+   * \return the end of the output
+   * \throws, \pre as for `surface_points()`
+   */
+  template <class OutputIterator>
+  OutputIterator path(const Surface_location& location, OutputIterator out) const
+  {
+    using Form = internal::Curve_form<Triangulation, OutputIterator>;
+    const internal::Form_converter<Triangulation, Form> convert(m_triangulation, m_mesh);
+    std::vector<Form> points;
+    for(const Surface_point& p : surface_points(location))
+      points.push_back(convert(p));
+    if constexpr(std::is_same<Form, typename internal::Curve_forms<Triangulation>::All>::value &&
+                 internal::Has_points<typename Triangulation::Metric>::value)
+      for(std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t from = i + 1 < points.size() ? i : i - 1;
+        internal::set_tangent(points[i], points[from].point, points[from + 1].point);
+      }
+    return std::move(points.begin(), points.end(), out);
+  }
+
+  /*!
+   * The gradient of the distance at a location, a unit vector in the face of `location.halfedge`, in the frame in which
+   * that halfedge runs along the x-axis and the face lies above; away from the source. Zero at a source, where the
+   * distance is infinite, and at vertices. Where several shortest paths end, it is that of one of them.
+   *
+   * Complexity: as `answer()`.
+   * \throws Invalid_location_error
+   * \pre `EVERYWHERE`, and `location.halfedge` is not on the border
+   */
+  std::array<double, 2> gradient(const Surface_location& location) const
+  {
+    internal::check_location(m_triangulation.input(), location);
+    CGAL_precondition(!m_triangulation.input().is_border(location.halfedge));
+    const auto arrival = query()(location.halfedge, weights(location));
+    if(kind(location) == Location_kind::VERTEX || !is_known(arrival.distance))
+      return {{0, 0}};
+    const std::complex<double> result = query().direction(arrival, location.halfedge, weights(location));
+    return {{result.real(), result.imag()}};
+  }
+
+  /// The same as a vector in space, of the kernel of the mesh's points. Only with a metric that has points.
+  auto gradient_in_space(const Surface_location& location) const
+  {
+    using Vector_3 = typename Triangulation::Metric::Kernel::Vector_3;
+    const std::array<double, 2> g = gradient(location);
+    const internal::Face_side f = m_propagation.sides().copy(location.halfedge);
+    const double to_third = f.y > 0 ? g[1] / f.y : 0, to_head = (g[0] - to_third * f.x) / f.length;
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index hn = input.next(location.halfedge);
+    const auto corner = [&](Input_halfedge_index h) {
+      return m_triangulation.metric().point(input, input.uncontracted_tail(h));
+    };
+    const auto p = corner(location.halfedge), q = corner(hn), r = corner(input.next(hn));
+    const Vector_3 result = (q - p) * to_head + (r - p) * to_third;
+    return result;
+  }
+
+private:
+  void check_addition(double offset) const
+  {
+    CGAL_precondition_msg(m_reach == 0, "sources are added before anything is computed");
+    if(std::isfinite(offset) && offset >= 0)
+      return;
+    std::ostringstream number;
+    number << offset;
+    throw Invalid_coordinate_error("the offset of a source is " + number.str() + ", not a number of at least 0");
+  }
+
+  void add_point(const Surface_location& at, double offset)
+  {
+    const auto& input = m_triangulation.input();
+    if(kind(at) == Location_kind::VERTEX)
+      return m_propagation.add_vertex(input.tail(at.halfedge), offset, m_number_of_sources);
+    for(Input_halfedge_index face : internal::faces_of_location(input, at)) {
+      const internal::Face_weights w = weights_in(face, at);
+      m_propagation.add_part({face, {{w, w}}, offset, m_number_of_sources});
+    }
+  }
+
+  void add_segment(Input_halfedge_index face, const Surface_location& p, const Surface_location& q, double offset)
+  {
+    const internal::Face_weights first = weights_in(face, p), last = weights_in(face, q);
+    if(first != last)
+      m_propagation.add_part({face, {{first, last}}, offset, m_number_of_sources});
+  }
+
+  static internal::Face_weights weights(const Surface_location& location)
+  {
+    internal::Face_weights result = location.weights;
+    const double largest = (std::max)({result[0], result[1], result[2]});
+    const double sum = result[0] / largest + result[1] / largest + result[2] / largest;
+    for(double& weight : result)
+      weight = weight / largest / sum;
+    return result;
+  }
+
+  // The weights of a location in a face that has it, from halfedge `face` on.
+  internal::Face_weights weights_in(Input_halfedge_index face, Surface_location at) const
+  {
+    const auto& input = m_triangulation.input();
+    const auto is_side = [&](Input_halfedge_index h) {
+      return h == face || input.next(h) == face || input.next(face) == h;
+    };
+    if(kind(at) == Location_kind::VERTEX)
+      for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
+        at.halfedge = input.tail(h) == input.tail(at.halfedge) ? h : at.halfedge;
+    else if(!is_side(at.halfedge)) // on the edge, from the other side
+      at = {internal::twin_index(at.halfedge), {{at.weights[1], at.weights[0], 0}}};
+    return query().turned(weights(at), at.halfedge, face);
+  }
+
+  void index_parts()
+  {
+    const auto& input = m_triangulation.input();
+    m_parts_by_face.clear();
+    for(std::size_t i = 0; i < m_propagation.parts().size(); ++i) {
+      const Input_halfedge_index h = m_propagation.parts()[i].halfedge, hn = input.next(h);
+      m_parts_by_face.emplace_back((std::min)({h, hn, input.next(hn)}),
+                                   input.number_of_vertices() + static_cast<Index>(i));
+    }
+    std::sort(m_parts_by_face.begin(), m_parts_by_face.end());
+  }
+
+  // The distance of the farthest target, as far as it is known; infinite if there are none.
+  double farthest(const std::vector<Surface_location>& targets) const
+  {
+    double result = targets.empty() ? std::numeric_limits<double>::infinity() : 0;
+    for(const Surface_location& target : targets) {
+      const Surface_location at = internal::canonical_location(m_triangulation.input(), target);
+      const bool is_vertex = kind(at) == Location_kind::VERTEX;
+      CGAL_precondition(is_vertex || m_extent == Distance_field_extent::EVERYWHERE);
+      result = (std::max)(result, is_vertex ? m_propagation.distance(m_triangulation.input().tail(at.halfedge))
+                                            : query()(at.halfedge, weights(at)).distance);
+    }
+    return result;
+  }
+
+  Distance_field_status status_at(const Distance_field_limits& limits, double bound) const
+  {
+    if(m_reach == std::numeric_limits<double>::infinity())
+      return Distance_field_status::COMPLETE;
+    if(m_reach < bound)
+      return Distance_field_status::WINDOW_LIMIT_REACHED;
+    return bound > limits.radius ? Distance_field_status::RADIUS_REACHED : Distance_field_status::TARGETS_REACHED;
+  }
+
+  bool is_known(double distance) const { return distance <= m_reach && std::isfinite(distance); }
+
+  Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
+
+  const Triangulation& m_triangulation;
+  const Triangle_mesh& m_mesh;
+  Distance_field_extent m_extent;
+  Propagation m_propagation;
+  std::vector<std::pair<Input_halfedge_index, Index>> m_parts_by_face;
+  std::size_t m_number_of_sources = 0;
+  double m_reach = 0;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_GEODESIC_DISTANCE_FIELD_H

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_EDGE_WINDOWS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_EDGE_WINDOWS_H
+
+#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/field/Window.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * For each edge the windows on it that have the shortest ways known to its points, from both sides, ordered by where they
+ * begin: the lower envelope of their distances [MMP87]. A shortest path through a point enters one face only, so that
+ * windows of both sides compete.
+ *
+ * Where two are equally near up to rounding, both are kept: the rays of one may lead to where the other's do not. Only
+ * if their rays are the same, the one that has more of them does.
+ *
+ * The windows of an edge lie in a block of memory, of a power of two of them, and blocks that are given back are used
+ * again.
+ */
+class Edge_windows
+{
+public:
+  explicit Edge_windows(std::size_t number_of_edges)
+    : m_lists(number_of_edges)
+  {
+  }
+
+  /* How many windows have been put on edges in all; and how many there is room for. */
+  std::size_t number_made() const { return m_made; }
+  std::size_t capacity() const { return m_pool.size(); }
+
+  /* Those of an edge, along it. */
+  CGAL::Iterator_range<Window*> on_edge(Index edge)
+  {
+    Window* const first = m_pool.data() + list(edge).first;
+    return CGAL::make_range(first, first + list(edge).size);
+  }
+  CGAL::Iterator_range<const Window*> on_edge(Index edge) const
+  {
+    const List& l = m_lists[static_cast<std::size_t>(edge)];
+    const Window* const first = m_pool.data() + l.first;
+    return CGAL::make_range(first, first + l.size);
+  }
+
+  /* Takes the windows of an edge away. */
+  void clear(Index edge)
+  {
+    give_back(list(edge));
+    list(edge) = List();
+  }
+
+  /* Puts a window on an edge, as far as it is not longer than others there. Returns whether that is anywhere. */
+  bool insert(Index edge, const Window& w)
+  {
+    const auto old = on_edge(edge);
+    const auto is_apart = [&](const Window& v) { return v.to <= w.from || v.from >= w.to; };
+    const Window *first = old.begin(), *last = old.end();
+    while(first != last && is_apart(*first))
+      ++first;
+    while(last != first && is_apart(last[-1]))
+      --last;
+    m_result.clear();
+    m_lost.clear();
+    for(const Window* v = first; v != last; ++v)
+      if(is_apart(*v))
+        m_result.push_back(*v);
+      else
+        compete(*v, w);
+    if(!put(w))
+      return false;
+    replace(list(edge), static_cast<std::uint32_t>(first - old.begin()), static_cast<std::uint32_t>(last - first));
+    return true;
+  }
+
+private:
+  // Ways that differ by less count as equal, as a part of their length.
+  static constexpr double tie = 2e-14;
+  // Rays whose cosines with the edge differ by less count as the same.
+  static constexpr double parallel = 1e-11;
+
+  struct Interval
+  {
+    double from, to;
+  };
+
+  struct List
+  {
+    std::uint32_t first, size;
+    std::uint32_t block; // the logarithm of the room, and 1; 0 if there is none
+  };
+
+  List& list(Index edge) { return m_lists[static_cast<std::size_t>(edge)]; }
+
+  // Takes off an old window and a new one what the other is nearer to.
+  void compete(const Window& old, const Window& w)
+  {
+    const double l = (std::max)(w.from, old.from), r = (std::min)(w.to, old.to);
+    const double at_l = w.distance(l), at_r = w.distance(r), equal = tie * (std::max)(at_l, at_r);
+    const double dl = at_l - old.distance(l), dr = at_r - old.distance(r);
+    m_old_lost.clear();
+    // The difference is monotone but where a ray of both crosses the edge.
+    const double gl = turn(w, old, l), gr = turn(w, old, r);
+    const double b = l + (r - l) * (gl / (gl - gr));
+    if((gl < 0) != (gr < 0) && b > l && b < r) {
+      const double d = w.distance(b) - old.distance(b);
+      settle(old, w, {l, b}, dl, d, equal);
+      settle(old, w, {b, r}, d, dr, equal);
+    } else {
+      settle(old, w, {l, r}, dl, dr, equal);
+    }
+    keep(old);
+  }
+
+  // The same where the difference is monotone, by how much the new window is longer at both ends.
+  void settle(const Window& old, const Window& w, const Interval& at, double dl, double dr, double equal)
+  {
+    if((std::max)(dl, dr) <= equal && (std::min)(dl, dr) >= -equal) {
+      if(std::abs(w.slope(at.from) - old.slope(at.from)) + std::abs(w.slope(at.to) - old.slope(at.to)) < parallel)
+        (w.to - w.from > old.to - old.from ? m_old_lost : m_lost).push_back(at);
+      return;
+    }
+    if((std::min)(dl, dr) > equal)
+      return m_lost.push_back(at);
+    if((std::max)(dl, dr) < -equal)
+      return m_old_lost.push_back(at);
+    const bool is_crossed = std::abs(dl) > equal && std::abs(dr) > equal;
+    const double difference = is_crossed ? 0 : ((std::max)(dl, dr) > equal ? equal : -equal);
+    const double b = crossing(w, old, at, dl < dr, difference, equal);
+    const double margin = is_crossed ? 2 * equal / std::abs(w.slope(b) - old.slope(b)) : 0;
+    const Interval left = {at.from, b - margin}, right = {b + margin, at.to};
+    if(left.from < left.to && std::abs(dl) > equal)
+      (dl > 0 ? m_lost : m_old_lost).push_back(left);
+    if(right.from < right.to && std::abs(dr) > equal)
+      (dr > 0 ? m_lost : m_old_lost).push_back(right);
+  }
+
+  // Zero where the rays of both are parallel.
+  static double turn(const Window& v, const Window& w, double b)
+  {
+    return (b * v.weight() - v.x) * w.y - (b * w.weight() - w.x) * v.y;
+  }
+
+  // Where the new window is longer by `difference`, which is between those at the ends, within half of `equal`.
+  static double crossing(const Window& w, const Window& old, Interval at, bool is_rising, double difference,
+                         double equal)
+  {
+    const double accuracy = equal / 2;
+    double b = (at.from + at.to) / 2;
+    while(b > at.from && b < at.to) {
+      const double d = w.distance(b) - old.distance(b) - difference;
+      if(std::abs(d) <= accuracy)
+        break;
+      ((d < 0) == is_rising ? at.from : at.to) = b;
+      b -= d / (w.slope(b) - old.slope(b));
+      if(!(b > at.from && b < at.to))
+        b = (at.from + at.to) / 2;
+    }
+    return b;
+  }
+
+  // Calls `function(from, to)` for the parts of a window that are not lost.
+  template <class Function>
+  static void for_each_part(const Window& w, std::vector<Interval>& lost, const Function& function)
+  {
+    std::sort(lost.begin(), lost.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    double from = w.from;
+    for(const Interval& gap : lost) {
+      if(from < gap.from)
+        function(from, gap.from);
+      from = (std::max)(from, gap.to);
+    }
+    if(from < w.to)
+      function(from, w.to);
+  }
+
+  // Appends what is left of an old window to the result.
+  void keep(const Window& old)
+  {
+    for_each_part(old, m_old_lost, [&](double from, double to) {
+      m_result.push_back(old);
+      m_result.back().from = from;
+      m_result.back().to = to;
+    });
+  }
+
+  // Puts what is left of the new one in its places there; false if there is nothing.
+  bool put(const Window& w)
+  {
+    const std::size_t made = m_made;
+    for_each_part(w, m_lost, [&](double from, double to) {
+      Window part = w;
+      part.from = from;
+      part.to = to;
+      const auto at = std::upper_bound(m_result.begin(), m_result.end(), from,
+                                       [](double b, const Window& v) { return b < v.from; });
+      m_result.insert(at, part);
+      ++m_made;
+    });
+    return m_made != made;
+  }
+
+  // Replaces some windows of a list by those of the result.
+  void replace(List& l, std::uint32_t first, std::uint32_t number)
+  {
+    const std::uint32_t added = static_cast<std::uint32_t>(m_result.size()), rest = l.size - first - number;
+    const std::uint32_t size = first + added + rest;
+    if(l.block == 0 || size > room(l.block)) {
+      List larger = take(size);
+      std::copy_n(m_pool.begin() + l.first, first, m_pool.begin() + larger.first);
+      std::copy_n(m_pool.begin() + l.first + first + number, rest, m_pool.begin() + larger.first + first + added);
+      give_back(l);
+      l = larger;
+    } else if(added != number) {
+      const auto from = m_pool.begin() + l.first + first + number, to = m_pool.begin() + l.first + first + added;
+      if(added < number)
+        std::copy(from, from + rest, to);
+      else
+        std::copy_backward(from, from + rest, to + rest);
+    }
+    std::copy(m_result.begin(), m_result.end(), m_pool.begin() + l.first + first);
+    l.size = size;
+  }
+
+  static constexpr std::uint32_t room(std::uint32_t block) { return 1u << (block - 1); }
+
+  List take(std::uint32_t size)
+  {
+    std::uint32_t block = 3;
+    while(room(block) < size)
+      ++block;
+    List result = {0, size, block};
+    std::vector<std::uint32_t>& unused = m_unused[block];
+    if(unused.empty()) {
+      result.first = static_cast<std::uint32_t>(m_pool.size());
+      m_pool.resize(m_pool.size() + room(block));
+    } else {
+      result.first = unused.back();
+      unused.pop_back();
+    }
+    return result;
+  }
+
+  void give_back(const List& l)
+  {
+    if(l.block != 0)
+      m_unused[l.block].push_back(l.first);
+  }
+
+  Lazy_array<List> m_lists;
+  std::vector<Window> m_pool;
+  std::array<std::vector<std::uint32_t>, 32> m_unused; // blocks, by the logarithm of their room
+  std::size_t m_made = 0;
+  // Of the insertion that is going on:
+  std::vector<Window> m_result;
+  std::vector<Interval> m_lost, m_old_lost; // parts of the new window, and of an old one
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FIELD_EDGE_WINDOWS_H

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_FIELD_QUERY_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_FIELD_QUERY_H
+
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * What the windows kept by a propagation say of points anywhere: a shortest path to a point of a face comes from a
+ * corner, from a part of a source in the face, or through a window on one of its sides.
+ */
+template <class Triangulation>
+class Field_query
+{
+  using Vector = std::complex<double>;
+  using Propagation = Window_propagation<Triangulation>;
+
+public:
+  /* The end of a shortest path in a face. */
+  struct Arrival
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    Index root = null_index;                   // as in windows
+    Input_halfedge_index through = null_index; // the side by which it enters the face; null if it comes from the root
+    double crossing = 0;                       // where, from the tail of that
+    Window window;                             // in the frame of that
+  };
+
+  /* \param parts_by_face the numbers of the parts of sources, ordered by the smallest halfedges of their faces */
+  Field_query(const Triangulation& triangulation, const Propagation& propagation,
+              const std::vector<std::pair<Input_halfedge_index, Index>>& parts_by_face)
+    : m_triangulation(triangulation)
+    , m_propagation(propagation)
+    , m_parts_by_face(parts_by_face)
+  {
+  }
+
+  /* \pre h is not on the border; the weights sum to one */
+  Arrival operator()(Input_halfedge_index h, Face_weights weights) const
+  {
+    Arrival best;
+    come_from_parts(h, weights, best);
+    for(int i = 0; i < 3; ++i) {
+      const Face_side f = m_propagation.sides().copy(h);
+      come_from_corner(f, weights, best);
+      come_through(h, f, weights, best);
+      h = f.next;
+      weights = rotated(weights);
+    }
+    return best;
+  }
+
+  std::size_t source(const Arrival& a) const
+  {
+    return is_part(a.root) ? part(a.root).source : m_propagation.vertex(Vertex_index(a.root)).source;
+  }
+
+  /* The point of the same face from which the path comes straight: where it enters, or the source; as weights from h. */
+  Face_weights from(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
+  {
+    if(a.through != null_index) {
+      const double t = a.crossing / m_propagation.sides().copy(a.through).length;
+      return turned({{1 - t, t, 0}}, a.through, h);
+    }
+    if(is_part(a.root)) {
+      const Source_part& p = part(a.root);
+      const double t = p.nearest(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
+      return turned(p.at(t), p.halfedge, h);
+    }
+    Face_weights result = {{1, 0, 0}};
+    while(m_triangulation.input().tail(h).idx() != a.root) {
+      h = m_triangulation.input().next(h);
+      result = {{result[2], result[0], result[1]}};
+    }
+    return result;
+  }
+
+  /* The direction away from the source, in the frame of h; zero at the source. */
+  Vector direction(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
+  {
+    const Face_side f = m_propagation.sides().copy(h);
+    const Vector line = position(f, weights) - position(f, from(a, h, weights));
+    if(a.through == null_index || std::abs(line) > near_edge * f.length)
+      return std::abs(line) > 0 ? line / std::abs(line) : Vector(0);
+    // On the edge through which the path comes: the direction of the ray, turned into the frame of h.
+    const Window& w = a.window;
+    const Vector ray = w.is_far ? Vector(-w.x, w.y) : Vector(a.crossing - w.x, w.y);
+    const Face_weights tail = turned({{1, 0, 0}}, a.through, h), head = turned({{0, 1, 0}}, a.through, h);
+    const Vector axis = position(f, head) - position(f, tail);
+    return ray / std::abs(ray) * (axis / std::abs(axis));
+  }
+
+  /* Writes the points of the path to a vertex that is no source after that vertex, backward up to the source. */
+  template <class OutputIterator>
+  OutputIterator path(Vertex_index v, OutputIterator out) const
+  {
+    const Arrival a = arrival(v);
+    return path(a, last_face(v, a), {{1, 0, 0}}, out);
+  }
+
+  /* The same for a point of a face. */
+  template <class OutputIterator>
+  OutputIterator path(Arrival a, Input_halfedge_index h, Face_weights weights, OutputIterator out) const
+  {
+    for(;;) {
+      if(a.through != null_index)
+        std::tie(h, weights) = follow(a, out);
+      if(is_part(a.root)) {
+        const Arrival at_end = {0, a.root, null_index, 0, Window()};
+        const Face_weights end = from(at_end, h, weights);
+        *out++ = surface_point_in_face(h, end);
+        return out;
+      }
+      const Vertex_index v(a.root);
+      *out++ = surface_point_at_vertex(m_triangulation, v);
+      if(m_propagation.vertex(v).is_source)
+        return out;
+      a = arrival(v);
+      h = last_face(v, a);
+      weights = {{1, 0, 0}};
+    }
+  }
+
+  /* The weights of a point of a face, told from another of its halfedges. */
+  Face_weights turned(Face_weights weights, Input_halfedge_index from, Input_halfedge_index to) const
+  {
+    for(; from != to; from = m_triangulation.input().next(from))
+      weights = rotated(weights);
+    return weights;
+  }
+
+private:
+  static constexpr double near_edge = 1e-6; // points as close to the edge are told from by the ray
+
+  bool is_part(Index root) const { return root >= m_triangulation.input().number_of_vertices(); }
+  const Source_part& part(Index root) const
+  {
+    return m_propagation.parts()[static_cast<std::size_t>(root - m_triangulation.input().number_of_vertices())];
+  }
+
+  Input_halfedge_index face_of(Input_halfedge_index h) const
+  {
+    const auto& input = m_triangulation.input();
+    return (std::min)({h, input.next(h), input.next(input.next(h))});
+  }
+
+  void come_from_parts(Input_halfedge_index h, const Face_weights& weights, Arrival& best) const
+  {
+    const Input_halfedge_index face = face_of(h);
+    const auto before = [](const auto& entry, Input_halfedge_index f) { return entry.first < f; };
+    auto i = std::lower_bound(m_parts_by_face.begin(), m_parts_by_face.end(), face, before);
+    for(; i != m_parts_by_face.end() && i->first == face; ++i) {
+      const Source_part& p = part(i->second);
+      const double d = p.distance(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
+      if(d < best.distance)
+        best = {d, i->second, null_index, 0, Window()};
+    }
+  }
+
+  void come_from_corner(const Face_side& f, const Face_weights& weights, Arrival& best) const
+  {
+    const double d = m_propagation.distance(f.tail) + std::abs(position(f, weights));
+    if(d < best.distance)
+      best = {d, f.tail.idx(), null_index, 0, Window()};
+  }
+
+  void come_through(Input_halfedge_index h, const Face_side& f, const Face_weights& weights, Arrival& best) const
+  {
+    const Vector p = position(f, weights);
+    for(Window w : m_propagation.windows().on_edge(h.idx() / 2)) {
+      if((w.side == 0) != is_first_side(h))
+        continue;
+      if(!is_first_side(h))
+        w.mirror(f.length);
+      const double crossing = w.crossing(p.real(), p.imag());
+      const double b = (std::min)((std::max)(crossing, w.from), w.to);
+      const double d = b == crossing ? w.distance(p.real(), p.imag()) : w.distance(b) + std::abs(p - b);
+      if(d < best.distance)
+        best = {d, w.root, h, b, w};
+    }
+  }
+
+  Surface_point surface_point_in_face(Input_halfedge_index h, Face_weights weights) const
+  {
+    for(double& weight : weights)
+      weight = weight < 1e-15 ? 0 : weight;
+    return surface_point(m_triangulation, Surface_location{h, weights});
+  }
+
+  // How the shortest path arrives at a vertex; `through` is null if along an edge.
+  Arrival arrival(Vertex_index v) const
+  {
+    const auto& record = m_propagation.vertex(v);
+    Arrival result = {record.distance, record.root, record.through, 0, record.window};
+    if(record.through != null_index) {
+      const Face_side f = m_propagation.sides().copy(record.through);
+      result.crossing = (std::min)((std::max)(record.window.crossing(f.x, f.y), 0.0), f.length);
+    }
+    return result;
+  }
+
+  // The halfedge that starts at a vertex in the last face of the path to it, if that crosses no edge; else any.
+  Input_halfedge_index last_face(Vertex_index v, const Arrival& a) const
+  {
+    const auto& input = m_triangulation.input();
+    if(!is_part(a.root) || a.through != null_index)
+      return input.outgoing(v);
+    Input_halfedge_index h = part(a.root).halfedge;
+    while(input.tail(h) != v)
+      h = input.next(h);
+    return h;
+  }
+
+  // Goes back along the ray of a window, and writes where it crosses edges. Returns the face that has the root, and the
+  // last crossing there.
+  template <class OutputIterator>
+  std::pair<Input_halfedge_index, Face_weights> follow(const Arrival& a, OutputIterator& out) const
+  {
+    Input_halfedge_index h = a.through;
+    double b = a.crossing;
+    Vector source(a.window.x, -a.window.y); // in the frame of h, or where it lies at infinity
+    for(Index crossed = 0;; ++crossed) {
+      const Face_side f = m_propagation.sides().copy(twin_index(h));
+      *out++ = surface_point_on_edge(m_triangulation, h, b / f.length);
+      h = twin_index(h); // from here on, in the frame of the face that the path comes from
+      b = f.length - b;
+      const double weight = a.window.weight();
+      source = Vector(weight * f.length - source.real(), -source.imag());
+      if(has_root(h, a.root) || crossed > m_triangulation.input().number_of_halfedges()) // each edge once at most
+        return {h, {{1 - b / f.length, b / f.length, 0}}};
+      const Vector ray = source - weight * b, apex = Vector(f.x, f.y) - b;
+      const Face_side fn = m_propagation.sides().copy(f.next);
+      const bool is_left = (std::conj(apex) * ray).imag() > 0;
+      const Input_halfedge_index hp = fn.next;
+      if(is_left) {
+        const Vector axis(f.cosine, f.sine);
+        const double length = input_length(hp), t = b * ray.imag() / (f.cosine * ray.imag() - f.sine * ray.real());
+        source = Vector(weight * length, 0) - source * std::conj(axis);
+        b = length - clamped(t, length);
+        h = hp;
+      } else {
+        const Vector mirrored(weight * f.length - source.real(), source.imag()), axis(fn.cosine, fn.sine);
+        const double rest = f.length - b;
+        const double t = rest * ray.imag() / (fn.cosine * ray.imag() + fn.sine * ray.real());
+        source = std::conj(mirrored * std::conj(axis));
+        b = clamped(t, fn.length);
+        h = f.next;
+      }
+    }
+  }
+
+  static double clamped(double t, double length) { return t > 0 ? (std::min)(t, length) : 0; }
+  double input_length(Input_halfedge_index h) const { return m_propagation.sides().copy(h).length; }
+
+  bool has_root(Input_halfedge_index h, Index root) const
+  {
+    if(is_part(root))
+      return face_of(h) == face_of(part(root).halfedge);
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index hn = input.next(h);
+    return input.tail(h).idx() == root || input.tail(hn).idx() == root || input.tail(input.next(hn)).idx() == root;
+  }
+
+  const Triangulation& m_triangulation;
+  const Propagation& m_propagation;
+  const std::vector<std::pair<Input_halfedge_index, Index>>& m_parts_by_face;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FIELD_FIELD_QUERY_H

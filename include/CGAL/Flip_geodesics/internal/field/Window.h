@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * A part of an edge, and rays that cross it, in a frame whose x-axis is the edge: those from the point (x, -y), or those
+ * parallel to (-x, y), if they come from a segment. So a source is (x : -y : 1) or (x : -y : 0) in homogeneous
+ * coordinates, and most formulas are the same for both.
+ *
+ *          from    to
+ *     0 -----======----- length
+ *             .  .
+ *              . .
+ *               ..
+ *             (x, -y)
+ */
+struct Window
+{
+  double from, to, x, y;
+  double sigma;      // how long the paths were before the source; if rays are parallel, up to the origin
+  Index root;        // the vertex that is the source; or, from their number on, a part of a source in a face
+  std::uint8_t side; // which halfedge of the edge has the face that is entered
+  bool is_far;       // are the rays parallel?
+  bool is_waiting;   // is it still to be carried over the face that it enters?
+
+  double weight() const { return is_far ? 0 : 1; }
+
+  /* The length of the path to a point above the edge, or on it. */
+  double distance(double b, double height = 0) const
+  {
+    if(is_far)
+      return sigma - x * b + y * height;
+    const double dx = b - x, dy = height + y;
+    return sigma + std::sqrt(dx * dx + dy * dy);
+  }
+
+  /* The least distance of all its points. */
+  double least_distance() const
+  {
+    return is_far ? (std::min)(distance(from), distance(to)) : distance((std::min)((std::max)(x, from), to));
+  }
+
+  /* How fast the distance grows along the edge. */
+  double slope(double b) const
+  {
+    if(is_far)
+      return -x;
+    const double dx = b - x;
+    return dx / std::sqrt(dx * dx + y * y);
+  }
+
+  /* Where the ray to a point above the edge crosses the edge. */
+  double crossing(double b, double height) const { return (x * height + b * y) / (y + weight() * height); }
+
+  /* Goes over to the frame of the opposite direction. */
+  void mirror(double length)
+  {
+    const double end = length - from;
+    from = length - to;
+    to = end;
+    if(is_far)
+      sigma -= x * length;
+    x = weight() * length - x;
+  }
+};
+
+static_assert(sizeof(Window) == 48, "a window takes more memory than it should");
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_H

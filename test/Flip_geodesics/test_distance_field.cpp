@@ -1,0 +1,512 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE distance_field
+
+#include "Curve_setting.h"
+#include "descriptors.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using FG::Vertex_index;
+using FG::internal::descriptors;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Setting = Curve_setting;
+using Triangulation = Setting::Triangulation;
+using Mesh = Triangulation::Triangle_mesh;
+using Field = FG::Geodesic_distance_field<Triangulation>;
+using Location = FG::Surface_location;
+using Point = Triangulation::Metric::Point_3;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Asked_surface
+{
+  explicit Asked_surface(const Mesh_soup& soup)
+    : mesh(to_mesh<Mesh>(soup))
+    , triangulation(mesh)
+  {
+  }
+
+  Point at(const Location& p) const { return point_in_space(triangulation, surface_point(triangulation, p)); }
+
+  // A location in a random face; on an edge or at a vertex each fourth time.
+  Location random_location(std::mt19937& random) const
+  {
+    Location result;
+    do
+      result.halfedge = FG::Input_halfedge_index(
+          static_cast<FG::Index>(random() % static_cast<unsigned>(triangulation.number_of_halfedges())));
+    while(triangulation.input().is_border(result.halfedge));
+    for(double& weight : result.weights)
+      weight = 1e-3 + static_cast<double>(random() % 1000);
+    const unsigned kind = random() % 8;
+    result.weights[2] = kind < 2 ? 0 : result.weights[2];
+    result.weights[1] = kind < 1 ? 0 : result.weights[1];
+    return result;
+  }
+
+  Location vertex(int v) const { return {triangulation.input().outgoing(Vertex_index(v)), {{1, 0, 0}}}; }
+
+  Mesh mesh;
+  Triangulation triangulation;
+};
+
+double distance_in_space(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+void check_close(double a, double b, double scale, const std::string& what)
+{
+  BOOST_TEST(std::abs(a - b) <= 1e-9 * scale, what << ": " << a << " and " << b);
+}
+
+// The path has the length of the distance, and ends at a source.
+void check_path(const Asked_surface& s, const Field& field, const Location& from, double scale)
+{
+  std::vector<Point> points;
+  field.path(from, std::back_inserter(points));
+  BOOST_REQUIRE(points.size() >= 2u);
+  double length = 0;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    length += distance_in_space(points[i - 1], points[i]);
+  check_close(length, field.distance(from), scale, "length of a path");
+  check_close(distance_in_space(points.front(), s.at(from)), 0, scale, "start of a path");
+}
+
+// The distance grows along the gradient at the rate of one.
+void check_gradient(const Asked_surface& s, const Field& field, const Location& at)
+{
+  if(kind(at) != FG::Location_kind::FACE)
+    return;
+  const auto g = field.gradient_in_space(at);
+  BOOST_TEST(std::abs(g.squared_length() - 1) < 1e-6);
+  const auto plane = field.gradient(at);
+  BOOST_TEST(std::abs(std::hypot(plane[0], plane[1]) - 1) < 1e-9);
+  // In the face the function is 1-Lipschitz and bends away from the gradient at one point only; so compare in pieces.
+  constexpr double h = 1e-5;
+  const auto& input = s.triangulation.input();
+  const auto hn = input.next(at.halfedge);
+  const auto corner = [&](auto e) { return s.triangulation.metric().point(input, input.tail(e)); };
+  const double sum = at.weights[0] + at.weights[1] + at.weights[2];
+  const Point p = corner(at.halfedge);
+  for(int i : {1, 2}) {
+    Location moved = at;
+    for(double& weight : moved.weights)
+      weight /= sum;
+    if(moved.weights[0] < 2 * h)
+      return;
+    moved.weights[i] += h;
+    moved.weights[0] -= h;
+    const auto along = (corner(i == 1 ? hn : input.next(hn)) - p) * h;
+    const double grown = field.distance(moved) - field.distance(at), told = g * along;
+    BOOST_TEST(grown <= told + 1e-3 * std::sqrt(along.squared_length())); // concave where paths meet, else equal
+  }
+}
+
+std::vector<std::pair<std::string, Mesh_soup>> meshes()
+{
+  return {{"bumpy sphere", bumpy_sphere(8, 0.3, 1)},
+          {"torus", torus(20, 12, 2, 1)},
+          {"jittered grid", jittered_grid(12, 12, Diagonal_rule::RANDOM, 0.2, 3)},
+          {"grid with a hole", grid_with_hole(9, 9, 3, 6, 2, 5)},
+          {"plate of genus 3", genus_3_plate(2)},
+          {"cube", cube(4)},
+          {"needles", needle_strip(6, 6, 50)},
+          {"saddle", saddle_disk(6, 4, 3 * pi)},
+          {"lantern", lantern(8, 8)},
+          {"flat grid", flat_grid(14, 14, Diagonal_rule::RANDOM)},
+          {"convex polyhedron", random_convex_polyhedron(60, 5)}};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(distances_of_vertices_are_those_of_the_window_search)
+{
+  for(const auto& [name, soup] : meshes()) {
+    const Asked_surface s(soup);
+    for(int v : {0, s.triangulation.number_of_vertices() / 2}) {
+      FG::internal::Unfolded_faces<Triangulation> faces(s.triangulation);
+      FG::internal::Window_search<Triangulation> search(s.triangulation, faces, Vertex_index(v));
+      search.run(infinity);
+      for(const auto extent : {FG::Distance_field_extent::EVERYWHERE, FG::Distance_field_extent::VERTICES_ONLY}) {
+        Field field(s.triangulation, s.mesh, extent);
+        BOOST_TEST(field.add_source(Vertex_index(v)) == 0u);
+        const auto report = field.compute();
+        BOOST_TEST((report.status == FG::Distance_field_status::COMPLETE));
+        BOOST_TEST(!report.has_flat_face);
+        BOOST_TEST(report.windows <= search.number_of_windows() + 100);
+        for(Vertex_index w : descriptors<Vertex_index>(s.triangulation.number_of_vertices()))
+          BOOST_TEST(std::abs(field.distance(w) - search.distance(w)) <= 1e-11 * search.distance(w), name << w);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_paths_and_gradients_anywhere_agree_with_cgal)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Exact_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  using Method = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Exact_mesh>>;
+  std::mt19937 random(7);
+  for(const auto& [name, soup] : meshes()) {
+    if(name == "flat grid") // there it is CGAL's that are too long
+      continue;
+    const Asked_surface s(soup);
+    const Exact_mesh mesh = to_mesh<Exact_mesh>(soup);
+    Method method(mesh);
+    Field field(s.triangulation, s.mesh);
+    const auto face_location = [&](const Location& p) {
+      return FG::face_location(s.triangulation, s.mesh, surface_point(s.triangulation, p));
+    };
+    for(int i = 0; i < 3; ++i) {
+      Location source = s.random_location(random);
+      while(kind(source) != FG::Location_kind::FACE) // CGAL's are wrong for sources at vertices told by a face
+        source = s.random_location(random);
+      const auto [face, weights] = face_location(source);
+      method.add_source_point(face, {{weights[0], weights[1], weights[2]}});
+      field.add_source(source);
+    }
+    field.compute();
+    int too_long = 0;
+    for(int i = 0; i < 1000; ++i) {
+      const Location at = s.random_location(random);
+      const auto [face, weights] = face_location(at);
+      const double expected =
+          method.shortest_distance_to_source_points(face, {{weights[0], weights[1], weights[2]}}).first;
+      const auto answer = field.answer(at);
+      BOOST_TEST(answer.distance <= expected + 1e-9 * (1 + expected), name);
+      if(answer.distance < expected - 1e-9 * (1 + expected)) { // where faces lie in one plane, CGAL's can be too long
+        check_path(s, field, at, 1 + expected);
+        ++too_long;
+      }
+      const auto in_face = field(face, weights);
+      check_close(answer.distance, in_face.distance, 1 + expected, name);
+      if(i % 10 == 0)
+        check_path(s, field, at, 1 + expected);
+      if(i % 10 == 0 && answer.distance > 1e-2)
+        check_gradient(s, field, at);
+    }
+    BOOST_TEST(too_long <= (name == "saddle" ? 30 : 0), name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_in_the_plane)
+{
+  std::mt19937 random(3);
+  const Asked_surface s(flat_grid(14, 14, Diagonal_rule::RANDOM));
+  for(int round = 0; round < 5; ++round) {
+    Field field(s.triangulation, s.mesh);
+    std::vector<Point> sources;
+    std::vector<double> offsets;
+    for(int i = 0; i < 4; ++i) {
+      const Location source = s.random_location(random);
+      sources.push_back(s.at(source));
+      offsets.push_back(0.5 * i);
+      field.add_source(source, offsets.back());
+    }
+    field.compute();
+    for(int i = 0; i < 300; ++i) {
+      const Location at = s.random_location(random);
+      double nearest = infinity;
+      for(std::size_t k = 0; k < sources.size(); ++k)
+        nearest = (std::min)(nearest, offsets[k] + distance_in_space(s.at(at), sources[k]));
+      const auto answer = field.answer(at);
+      check_close(answer.distance, nearest, 1 + nearest, "plane");
+      check_close(offsets[answer.source] + distance_in_space(s.at(at), sources[answer.source]), nearest, 1 + nearest,
+                  "nearest source");
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sources_with_offsets_give_the_least_of_single_ones)
+{
+  std::mt19937 random(5);
+  const Asked_surface s(bumpy_sphere(6, 0.3, 4));
+  Field all(s.triangulation, s.mesh);
+  std::vector<Field> single;
+  for(int i = 0; i < 5; ++i) {
+    const Location source = s.random_location(random);
+    all.add_source(source, 0.1 * i);
+    single.emplace_back(s.triangulation, s.mesh);
+    single.back().add_source(source, 0.1 * i);
+    single.back().compute();
+  }
+  all.compute();
+  for(int i = 0; i < 500; ++i) {
+    const Location at = s.random_location(random);
+    double least = infinity;
+    for(const Field& field : single)
+      least = (std::min)(least, field.distance(at));
+    const auto answer = all.answer(at);
+    check_close(answer.distance, least, 1, "several sources");
+    check_close(single[answer.source].distance(at), least, 1, "nearest source");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sources_on_edges_and_vertices_are_limits_of_those_in_faces)
+{
+  std::mt19937 random(13);
+  const Asked_surface s(bumpy_sphere(6, 0.3, 8));
+  for(int round = 0; round < 20; ++round) {
+    Location source = s.random_location(random), near = source;
+    source.weights[2] = 0;
+    source.weights[1] = round % 2 == 0 ? 0 : source.weights[1];
+    for(std::size_t i = 0; i < 3; ++i)
+      near.weights[i] = source.weights[i] == 0 ? 1e-9 * source.weights[0] : source.weights[i];
+    Field at_source(s.triangulation, s.mesh), beside(s.triangulation, s.mesh);
+    at_source.add_source(source);
+    at_source.compute();
+    beside.add_source(near);
+    beside.compute();
+    for(int i = 0; i < 200; ++i) {
+      const Location at = s.random_location(random);
+      BOOST_TEST(std::abs(at_source.distance(at) - beside.distance(at)) < 1e-8);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_from_curves)
+{
+  std::mt19937 random(11);
+  for(const Mesh_soup& soup : {flat_grid(10, 10, Diagonal_rule::RANDOM), bumpy_sphere(6, 0.3, 2), cube(3)}) {
+    const Asked_surface s(soup);
+    // A polyline through the middles of faces and edges, one along edges, and a segment inside a face.
+    const auto& input = s.triangulation.input();
+    FG::Input_halfedge_index h = input.outgoing(Vertex_index(s.triangulation.number_of_vertices() / 2));
+    std::vector<Location> across, along;
+    for(int i = 0; i < 6 && !input.is_border(h); ++i) {
+      across.push_back({h, {{1, 1, 1.5}}});
+      h = input.next(h);
+      across.push_back({h, {{1, 2, 0}}});
+      h = FG::internal::twin_index(h);
+    }
+    if(input.is_border(h))
+      across.pop_back();
+    h = input.outgoing(0_v);
+    along.push_back(s.vertex(0));
+    for(int i = 0; i < 3; ++i) {
+      along.push_back({h, {{0, 1, 0}}});
+      h = input.next(h);
+    }
+    for(const std::vector<Location>& curve : {across, along}) {
+      Field field(s.triangulation, s.mesh), dense(s.triangulation, s.mesh);
+      field.add_curve(curve, 0.25);
+      constexpr int steps = 200;
+      std::vector<Point> points;
+      for(const Location& p : curve)
+        points.push_back(s.at(p));
+      field.compute();
+      // Points close to one another on the curve.
+      double spacing = 0;
+      for(std::size_t i = 0; i + 1 < curve.size(); ++i) {
+        const auto f = FG::internal::common_face(input, FG::internal::canonical_location(input, curve[i]),
+                                                 FG::internal::canonical_location(input, curve[i + 1]));
+        const auto corner = [&](auto e) { return s.triangulation.metric().point(input, input.tail(e)); };
+        const Point a = corner(f), b = corner(input.next(f)), c = corner(input.next(input.next(f)));
+        const double area = std::sqrt(CGAL::cross_product(b - a, c - a).squared_length());
+        for(int k = 0; k <= steps; ++k) {
+          const Point p = points[i] + (points[i + 1] - points[i]) * (static_cast<double>(k) / steps);
+          const auto part = [&](const Point& u, const Point& v) {
+            const double w = std::sqrt(CGAL::cross_product(u - p, v - p).squared_length()) / area;
+            return w < 1e-9 ? 0 : w;
+          };
+          dense.add_source(Location{f, {{part(b, c), part(c, a), part(a, b)}}}, 0.25);
+        }
+        spacing = (std::max)(spacing, distance_in_space(points[i], points[i + 1]) / steps);
+      }
+      dense.compute();
+      for(int i = 0; i < 300; ++i) {
+        const Location at = s.random_location(random);
+        const double d = field.distance(at), expected = dense.distance(at);
+        BOOST_TEST(d <= expected + 1e-9);
+        BOOST_TEST(d >= expected - spacing / 2 - 1e-9);
+        // Off the curve the nearest of the dense points is farther by a second order term.
+        if(d > 0.25 + 20 * spacing)
+          BOOST_TEST(d >= expected - spacing * spacing / (d - 0.25) - 1e-9);
+        if(i % 5 == 0) {
+          std::vector<Point> path;
+          field.path(at, std::back_inserter(path));
+          double length = 0;
+          for(std::size_t k = 1; k < path.size(); ++k)
+            length += distance_in_space(path[k - 1], path[k]);
+          check_close(length + 0.25, d, 1 + d, "path to a curve");
+          BOOST_TEST(field.distance(at) >= 0.25);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_from_a_line_in_the_plane_are_exact)
+{
+  // A row of edges across a flat strip, and a geodesic of a network.
+  Setting setting(flat_grid(8, 8, Diagonal_rule::RANDOM));
+  const auto& mesh = setting.mesh;
+  setting.network.add_curve(
+      FG::halfedges_through(setting.triangulation, std::vector<Vertex_index>{36_v, 37_v, 38_v}, false), false);
+  Field field(setting.triangulation, mesh);
+  field.add_curve(setting.network, FG::Curve_index(0));
+  field.compute();
+  const auto& input = setting.triangulation.input();
+  const auto at = [&](Vertex_index v) { return setting.triangulation.metric().point(input, v); };
+  const Point p = at(36_v), q = at(38_v);
+  for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
+    check_close(field.distance(v),
+                std::sqrt(CGAL::squared_distance(at(v), CGAL::Segment_3<CGAL::Simple_cartesian<double>>(p, q))), 1,
+                "segment");
+  setting.network.clear();
+}
+
+BOOST_AUTO_TEST_CASE(limits_of_a_field)
+{
+  std::mt19937 random(2);
+  const Asked_surface s(bumpy_sphere(12, 0.2, 9));
+  Field whole(s.triangulation, s.mesh);
+  whole.add_source(5_v);
+  const auto all = whole.compute();
+  Field field(s.triangulation, s.mesh);
+  field.add_source(5_v);
+  FG::Distance_field_limits limits;
+  limits.radius = 0.7;
+  const auto near = field.compute(limits);
+  BOOST_TEST((near.status == FG::Distance_field_status::RADIUS_REACHED));
+  BOOST_TEST(near.windows < all.windows / 2);
+  for(int i = 0; i < 500; ++i) {
+    const Location at = s.random_location(random);
+    if(whole.distance(at) <= limits.radius)
+      BOOST_TEST(std::abs(whole.distance(at) - field.distance(at)) < 1e-12);
+    else
+      BOOST_TEST(field.distance(at) >= whole.distance(at) - 1e-12);
+  }
+  limits.radius = infinity;
+  limits.targets = {s.vertex(0), {s.triangulation.input().outgoing(20_v), {{1, 2, 3}}}};
+  const auto targets = field.compute(limits);
+  BOOST_TEST((targets.status == FG::Distance_field_status::TARGETS_REACHED));
+  for(const Location& target : limits.targets)
+    BOOST_TEST(std::abs(whole.distance(target) - field.distance(target)) < 1e-12);
+  limits.targets.clear();
+  limits.windows = FG::Window_limit(10);
+  Field small(s.triangulation, s.mesh);
+  small.add_source(5_v);
+  BOOST_TEST((small.compute(limits).status == FG::Distance_field_status::WINDOW_LIMIT_REACHED));
+  limits.windows = FG::Window_limit();
+  BOOST_TEST((small.compute(limits).status == FG::Distance_field_status::COMPLETE));
+  for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices())) {
+    BOOST_TEST(small.distance(v) == whole.distance(v));
+    BOOST_TEST((field.distance(v) == infinity || std::abs(field.distance(v) - whole.distance(v)) < 1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sources_at_special_places)
+{
+  // An end in the face of a source; the source itself; a vertex given as a location; a source on the border.
+  const Asked_surface s(flat_grid(4, 4, Diagonal_rule::RANDOM));
+  const auto& input = s.triangulation.input();
+  FG::Input_halfedge_index border(0);
+  while(!input.is_border(border))
+    ++border;
+  const FG::Input_halfedge_index inside = FG::internal::twin_index(border);
+  for(const Location& source : {Location{inside, {{1, 1, 1}}}, Location{inside, {{1, 2, 0}}},
+                                Location{border, {{1, 1, 0}}}, Location{inside, {{0, 0, 1}}}, s.vertex(0)})
+  {
+    Field field(s.triangulation, s.mesh);
+    field.add_source(source);
+    field.compute();
+    BOOST_TEST(field.distance(source) < 1e-15);
+    for(const Location& at : {Location{inside, {{1, 5, 3}}}, Location{inside, {{3, 1, 0}}},
+                              Location{border, {{1, 7, 0}}}, Location{inside, {{0, 1, 0}}}, s.vertex(7)})
+    {
+      check_close(field.distance(at), distance_in_space(s.at(at), s.at(source)), 1, "in one face");
+      check_path(s, field, at, 1);
+    }
+    check_path(s, field, source, 1);
+    // The same vertex in every way that it can be told.
+    for(FG::Index i = 0; i < input.number_of_halfedges(); ++i)
+      if(const FG::Input_halfedge_index h(i); input.tail(h) == 7_v)
+        BOOST_TEST(field.distance(Location{h, {{1, 0, 0}}}) == field.distance(7_v));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_reached_is_infinite)
+{
+  Mesh_soup soup = with_isolated_vertices(cube(2), 0, 1);
+  const int n = static_cast<int>(soup.points.size());
+  const Mesh_soup far = tetrahedron();
+  for(const auto& p : far.points)
+    soup.points.push_back({p[0] + 10, p[1], p[2]});
+  for(const auto& t : far.triangles)
+    soup.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  const Asked_surface s(soup);
+  Field field(s.triangulation, s.mesh);
+  field.add_source(0_v);
+  BOOST_TEST((field.compute().status == FG::Distance_field_status::COMPLETE));
+  BOOST_TEST(field.distance(Vertex_index(n)) == infinity);
+  BOOST_TEST(field.distance(Vertex_index(n - 1)) == infinity);
+  BOOST_TEST(field.surface_points(s.vertex(n)).empty());
+  const Location in_face{s.triangulation.input().outgoing(Vertex_index(n)), {{1, 1, 1}}};
+  BOOST_TEST(field.distance(in_face) == infinity);
+  BOOST_TEST(field.gradient(in_face)[0] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
+{
+  const Asked_surface s(cube(2));
+  Field field(s.triangulation, s.mesh);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto h = s.triangulation.input().outgoing(0_v);
+  BOOST_CHECK_THROW(field.add_source(Vertex_index(1000)), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(field.add_source(FG::null_index), FG::Vertex_out_of_range_error);
+  BOOST_CHECK_THROW(field.add_source(Location{h, {{1, -1, 0}}}), FG::Invalid_location_error);
+  BOOST_CHECK_THROW(field.add_source(Location{h, {{nan, 0, 0}}}), FG::Invalid_location_error);
+  for(double offset : {nan, infinity, -1.0})
+    BOOST_CHECK_THROW(field.add_source(0_v, offset), FG::Invalid_coordinate_error);
+  BOOST_CHECK_THROW(field.add_curve(std::vector<Location>()), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(field.add_curve(std::vector<Location>{s.vertex(0), s.vertex(25)}), FG::Invalid_curve_error);
+  BOOST_TEST(field.number_of_sources() == 0u);
+  // Repeated points, and a curve of one.
+  field.add_curve(std::vector<Location>{s.vertex(0), s.vertex(0)});
+  field.add_curve(std::vector<Location>{Location{h, {{1, 1, 1}}}, Location{h, {{1, 1, 1}}}});
+  field.compute();
+  BOOST_TEST(field.distance(0_v) == 0);
+  BOOST_TEST(field.answer(Location{h, {{1, 1, 1}}}).source == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(fields_in_property_maps)
+{
+  Asked_surface s(torus(16, 10, 2, 1));
+  Field field(s.triangulation, s.mesh);
+  field.add_source(3_v);
+  field.add_source(80_v, 0.5);
+  field.compute();
+  auto distances = s.mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", -1).first;
+  auto sources = s.mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:source", 7).first;
+  write_distances(field, s.triangulation, s.mesh, distances);
+  write_nearest_sources(field, s.triangulation, s.mesh, sources);
+  for(const auto v : s.mesh.vertices()) {
+    BOOST_TEST(distances[v] == field.distance(s.triangulation.index(v)));
+    BOOST_TEST(sources[v] < 2u);
+  }
+  BOOST_TEST(sources[Mesh::Vertex_index(80)] == 1u);
+}
