@@ -4,11 +4,11 @@
 //
 //   isolines_example MESH [SOURCE]...
 //
-// Writes isolines.vtp and voronoi.vtp, with the mesh. Between vertices the distances are interpolated.
+// Writes isolines.vtp and voronoi.vtp, with the mesh.
 
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
-#include <CGAL/Flip_geodesics/Interpolated_distances.h>
-#include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 
@@ -30,7 +30,7 @@ namespace FG = CGAL::Flip_geodesics;
 
 using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
-using Distance_map = Mesh::Property_map<Mesh::Vertex_index, double>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Polylines = std::vector<std::vector<Point_3>>;
 
 int main(int argc, char** argv)
@@ -38,19 +38,17 @@ try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
-  std::vector<std::string> sources(argv + 2, argv + argc);
-  if(sources.empty())
-    sources = {"0"};
 
-  std::vector<Distance_map> maps;
+  const Triangulation triangulation(mesh);
+  FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
+  for(int i = 2; i < argc; ++i)
+    field.add_source(FG::Vertex_index(std::stoi(argv[i])));
+  if(argc < 3)
+    field.add_source(FG::Vertex_index(0));
+  field.compute();
   double largest = 0;
-  for(const std::string& source : sources) {
-    maps.push_back(mesh.add_property_map<Mesh::Vertex_index, double>("v:distance_from_" + source, 0).first);
-    FG::geodesic_distances(mesh, Mesh::Vertex_index(static_cast<Mesh::size_type>(std::stoul(source))), maps.back());
-  }
-  const FG::Interpolated_distances<Mesh, Distance_map> field(mesh, maps);
-  for(const auto f : mesh.faces())
-    if(const double distance = field(f, {1, 0, 0}).distance; distance < 1e300) // infinite on other components
+  for(const auto v : mesh.vertices())
+    if(const double distance = field.distance(triangulation.index(v)); distance < 1e300) // else on other components
       largest = (std::max)(largest, distance);
 
   const double tolerance = 0.002 * largest;
@@ -69,8 +67,8 @@ try {
     diagram.push_back(boundary.points);
   FG::IO::write_VTP("isolines.vtp", mesh, curves);
   FG::IO::write_VTP("voronoi.vtp", mesh, diagram);
-  std::cout << isolines.size() << " isolines and " << boundaries.size() << " boundaries of " << sources.size()
-            << " regions\n";
+  std::cout << isolines.size() << " isolines and " << boundaries.size() << " boundaries of "
+            << field.number_of_sources() << " regions\n";
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';
