@@ -13,6 +13,7 @@
 #include "printable.h"
 #include "program_options.h"
 #include "run/curve_engine.h"
+#include "run/field_curves.h"
 #include "run/machine_memory.h"
 #include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
 #include "run/progress.h"
@@ -72,9 +73,19 @@ void add_options(CLI::App& app, Options& options)
   app.add_flag("--free-junctions", options.has_free_junctions,
                "Where boundaries meet they need not stay: each region of --segmentation has its own closed curves");
   app.add_flag("--seams", options.has_seams, "The network of the texture seams of an OBJ file");
-  app.add_option("--source", options.source,
-                 "The tree of geodesics from this vertex to all others; a curve per edge of the tree");
+  app.add_option("--source", options.sources,
+                 "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines "
+                 "or --voronoi: vertices `v,v,...`, and no tree")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_flag("--shortest", options.is_shortest, "With --source: replace paths that are not globally shortest");
+  app.add_option("--isolines", options.isolines,
+                 "With --source: the curves at these distances `d,d,...` from the nearest")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_flag("--voronoi", options.has_voronoi, "With --source: the curves on which the nearest of them changes");
+  app.add_option("--tolerance", options.tolerance,
+                 "How far --isolines and --voronoi may lie from the true curves; not given, a thousandth of the size");
   app.add_option("--kernel", options.kernel, "Arithmetic: double, or certified, which decides and proves exactly")
       ->capture_default_str();
   app.add_option("--mollify", options.mollify,
@@ -162,21 +173,36 @@ void check_mesh_results(const Mesh_result_options& options, const std::string& r
                       ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
 }
 
+void check_field_options(const Options& options)
+{
+  if(options.tolerance && !options.is_field_wanted())
+    throw Bad_input("--tolerance belongs to --isolines and --voronoi; give one of them");
+  if(options.tolerance && !(*options.tolerance > 0))
+    throw Bad_input("--tolerance must be greater than 0");
+  if(!options.is_field_wanted() && options.sources.size() > 1)
+    throw Bad_input("--source takes one vertex for a tree; several go with --isolines and --voronoi");
+  if(options.is_field_wanted() && (options.is_shortest || !options.results.map.empty() || options.mollify ||
+                                   options.kernel == "certified" || options.meshes.is_any_wanted()))
+    throw Bad_input("--isolines and --voronoi are no curves of a triangulation: --shortest, --map, --mollify, --kernel "
+                    "certified, --delaunay, --refine, --subdivision, --insert and --cut do not go with them");
+}
+
 void check_options(const Options& options)
 {
   const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
                    (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
                    (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
-                   (options.has_seams ? 1 : 0) + (options.source ? 1 : 0) + (options.points.empty() ? 0 : 1) +
+                   (options.has_seams ? 1 : 0) + (options.sources.empty() ? 0 : 1) + (options.points.empty() ? 0 : 1) +
                    (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1);
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --draw, --segmentation, --seams, --source");
   if(!options.is_repaired && !options.results.repaired.empty())
     throw Bad_input("--repaired belongs to --repair; give both");
-  if(!options.source && (options.is_shortest || !options.results.map.empty()))
-    throw Bad_input("--shortest and --map belong to --source; give a source");
-  if(options.source && options.stop_length)
+  if(options.sources.empty() && (options.is_shortest || !options.results.map.empty() || options.is_field_wanted()))
+    throw Bad_input("--shortest, --map, --isolines and --voronoi belong to --source; give a source");
+  check_field_options(options);
+  if(!options.sources.empty() && options.stop_length)
     throw Bad_input("--stop-length is of no use with --source; leave one of them out");
   if(options.is_snapped && options.draw.empty())
     throw Bad_input("--snap belongs to --draw; give polylines");
@@ -276,6 +302,24 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   return outputs->has_failed() ? incomplete : success;
 }
 
+int run_field(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+{
+  Field_request request = {{}, options.isolines, options.has_voronoi, options.tolerance.value_or(0)};
+  for(long long source : options.sources)
+    request.sources.push_back(input.vertex(source, "--source"));
+  const std::unique_ptr<Outputs> outputs = make_outputs(options);
+  if(!options.is_quiet)
+    for(const std::string& remark : input.remarks())
+      std::cerr << "flip_geodesics: " << remark << '\n';
+  const std::vector<Curve_result> results = field_curves(input, request, progress);
+  progress.enter("writing");
+  outputs->write(results, std::nullopt);
+  outputs->close(input);
+  if(!options.is_quiet)
+    outputs->print_summary(std::cout << title);
+  return outputs->has_failed() ? incomplete : success;
+}
+
 int run(const Options& options)
 {
   check_options(options);
@@ -291,7 +335,8 @@ int run(const Options& options)
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";
-  return run(options, input, metric, title.str(), progress);
+  return options.is_field_wanted() ? run_field(options, input, title.str(), progress)
+                                   : run(options, input, metric, title.str(), progress);
 }
 
 // What is left of standard output goes out.

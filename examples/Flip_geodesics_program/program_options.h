@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 // What the command line says.
 namespace program {
@@ -37,7 +38,10 @@ struct Options
   bool is_snapped = false;
   std::optional<int> rounds;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
-  std::optional<long long> source;
+  std::vector<long long> sources;
+  std::vector<double> isolines;
+  bool has_voronoi = false;
+  std::optional<double> tolerance;
   std::optional<long long> random;
   long long seed = 1;
   std::string kernel = "double", search = "lookback";
@@ -47,6 +51,9 @@ struct Options
   Result_names results;
   Mesh_result_options meshes;
   bool is_replacing_input = false, is_quiet = false;
+
+  /// Are curves wanted that follow from distances, and no tree?
+  bool is_field_wanted() const { return !isolines.empty() || has_voronoi; }
 };
 
 } // namespace program

@@ -39,7 +39,7 @@ def read_polylines(path):
     curves = {}
     for line in path.read_text().splitlines():
         words = line.split()
-        curves.setdefault(int(words[0]), []).append(tuple(map(float, words[4:7])))
+        curves.setdefault(int(words[0]), []).append(tuple(map(float, words[-3:])))
     return curves
 
 

@@ -27,8 +27,8 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
     return {read_segmentation(mesh, read_text(options.segmentation), options.has_free_junctions)};
   if(options.has_seams)
     return {read_seams(mesh, read_text(options.mesh))};
-  if(options.source)
-    return {tree_request(mesh, *options.source)};
+  if(!options.sources.empty())
+    return {tree_request(mesh, options.sources.front())};
   const std::vector<Curve_request> curves =
       options.random
           ? random_pairs(mesh, static_cast<std::size_t>(*options.random), static_cast<std::uint64_t>(options.seed))

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "run/field_curves.h"
+
+#include "bad_input.h"
+
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/isolines.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
+#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+namespace program {
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Polyline = FG::Located_polyline<Mesh>;
+
+double default_tolerance(const Mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for(const auto v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  return 0.001 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, const Polyline& polyline,
+                          const std::string& name, const std::string& status)
+{
+  Curve_result result;
+  result.name = name;
+  result.status = status;
+  result.is_closed = polyline.is_closed;
+  result.initial_segments = polyline.points.size() - 1;
+  result.length = 0;
+  for(std::size_t i = 0; i < polyline.points.size(); ++i) {
+    const FG::Surface_point at =
+        FG::surface_point(triangulation, FG::surface_location(triangulation, mesh, polyline.locations[i]));
+    result.points.push_back({at, polyline.points[i], at.is_inside_face()});
+    if(i > 0)
+      result.length += std::sqrt(CGAL::squared_distance(polyline.points[i - 1], polyline.points[i]));
+  }
+  result.initial_length = result.length;
+  return result;
+}
+
+} // namespace
+
+std::vector<Curve_result> field_curves(const Mesh& mesh, const Field_request& request, Progress& progress)
+{
+  const Triangulation triangulation(mesh);
+  FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
+  for(Vertex_index source : request.sources)
+    field.add_source(source);
+  progress.enter("computing distances");
+  field.compute();
+
+  std::vector<Curve_result> results;
+  const double tolerance = request.tolerance > 0 ? request.tolerance : default_tolerance(mesh);
+  progress.enter("following isolines");
+  const auto add_isoline = [&](const FG::Isoline<Mesh>& isoline) {
+    std::ostringstream name;
+    name << "at distance " << isoline.level;
+    results.push_back(curve_result(triangulation, mesh, isoline, name.str(), "ISOLINE"));
+  };
+  FG::isolines(mesh, field, request.levels, boost::make_function_output_iterator(add_isoline), tolerance);
+
+  progress.enter("following boundaries");
+  const auto add_boundary = [&](const FG::Voronoi_boundary<Mesh>& boundary) {
+    const auto vertex = [&](int side) { return std::to_string(request.sources[boundary.sources[side]].idx()); };
+    results.push_back(
+        curve_result(triangulation, mesh, boundary, "between vertices " + vertex(0) + " and " + vertex(1), "BOUNDARY"));
+  };
+  if(request.is_diagram)
+    FG::voronoi_boundaries(mesh, field, boost::make_function_output_iterator(add_boundary), tolerance);
+  return results;
+}
+
+} // namespace program
