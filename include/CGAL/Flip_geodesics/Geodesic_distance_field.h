@@ -309,7 +309,8 @@ public:
    * as `geodesic_path()` does.
    *
    * \return the end of the output
-   * \throws, \pre as for `surface_points()`
+   * \throws as for `surface_points()`
+   * \pre as for `surface_points()`
    */
   template <class OutputIterator>
   OutputIterator path(const Surface_location& location, OutputIterator out) const

@@ -28,18 +28,18 @@ namespace internal {
 /* The source of what no source reaches. */
 inline constexpr std::size_t no_source = (std::numeric_limits<std::size_t>::max)();
 
-using Face_weights = std::array<double, 3>; // of the source, the target and the third vertex of the face's halfedge
+using Weights_in_face = std::array<double, 3>; // of the source, the target and the third vertex of the face's halfedge
 
 /* A place in a face, and what a distance field says there. */
 struct Sample
 {
   Index face; // counted as in `faces(mesh)`
-  Face_weights weights;
+  Weights_in_face weights;
   double distance;
   std::size_t source;
 };
 
-inline Face_weights between(const Face_weights& a, const Face_weights& b, double t)
+inline Weights_in_face between(const Weights_in_face& a, const Weights_in_face& b, double t)
 {
   return {{(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]}};
 }
@@ -58,7 +58,7 @@ class Refined_surface
 {
 public:
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  using Location = std::pair<Face, Face_weights>;
+  using Location = std::pair<Face, Weights_in_face>;
   using Place = std::array<double, 3>;
 
   struct Piece
@@ -66,7 +66,7 @@ public:
     Index face;
     std::array<Index, 3> corners; // samples
     std::array<Index, 3> halves;
-    std::array<Face_weights, 3> weights; // of the corners, in `face`
+    std::array<Weights_in_face, 3> weights; // of the corners, in `face`
   };
 
   /* Where a half is: the side of a piece. */
@@ -131,7 +131,7 @@ public:
   }
 
   /* Asks the field at a place; samples that are kept are asked for once. */
-  Sample sampled(Index face, const Face_weights& weights) const
+  Sample sampled(Index face, const Weights_in_face& weights) const
   {
     Sample result = {face, weights, 0, no_source};
     ask_field(result);
@@ -151,7 +151,7 @@ public:
   Place place(const Sample& sample) const
   {
     const std::array<Place, 3>& p = m_faces[sample.face].corners;
-    const Face_weights& w = sample.weights;
+    const Weights_in_face& w = sample.weights;
     Place result;
     for(std::size_t i = 0; i < 3; ++i)
       result[i] = w[0] * p[0][i] + w[1] * p[1][i] + w[2] * p[2][i];
@@ -275,7 +275,7 @@ private:
       return;
     const Piece old = m_pieces[at.piece];
     const Index a = at.side, b = (a + 1) % 3, c = (a + 2) % 3;
-    const Face_weights middle = between(old.weights[a], old.weights[b], 0.5);
+    const Weights_in_face middle = between(old.weights[a], old.weights[b], 0.5);
     const Index cut = add_side(distance(old.face, middle, old.weights[c]));
     set_piece(at.piece, {old.face,
                          {{old.corners[a], m, old.corners[c]}},
@@ -305,7 +305,7 @@ private:
     return number_of_halves() / 2 - 1;
   }
 
-  double distance(Index face, const Face_weights& p, const Face_weights& q) const
+  double distance(Index face, const Weights_in_face& p, const Weights_in_face& q) const
   {
     const std::array<Place, 3>& f = m_faces[face].corners;
     const Place u = difference(f[1], f[0]), v = difference(f[2], f[0]);

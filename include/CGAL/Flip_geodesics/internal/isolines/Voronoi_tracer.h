@@ -150,7 +150,7 @@ private:
 
   Sample center(const Piece& piece) const
   {
-    const std::array<Face_weights, 3>& w = piece.weights;
+    const std::array<Weights_in_face, 3>& w = piece.weights;
     return m_surface.sampled(piece.face, between(between(w[0], w[1], 0.5), w[2], 1.0 / 3));
   }
 
