@@ -379,6 +379,28 @@ BOOST_AUTO_TEST_CASE(distances_from_a_line_in_the_plane_are_exact)
   setting.network.clear();
 }
 
+BOOST_AUTO_TEST_CASE(paths_that_pass_vertices_are_not_lost)
+{
+  // All places are those of a lattice, so that rays pass vertices exactly, or within rounding.
+  for(const Mesh_soup& soup :
+      {genus_3_plate(2), box(4, 3, 2, 2), grid_with_hole(9, 9, 3, 6, 2, 5), cylinder(12, 6, 1, 2)})
+  {
+    const Asked_surface s(soup);
+    const FG::Index n = s.triangulation.number_of_halfedges();
+    for(FG::Index source : {0, n / 3, n / 2}) {
+      FG::Input_halfedge_index h(source);
+      h = s.triangulation.input().is_border(h) ? FG::internal::twin_index(h) : h;
+      Field field(s.triangulation, s.mesh);
+      field.add_source(Location{h, {{1, 1, 0}}});
+      field.compute();
+      for(FG::Index i = 0; i < n; ++i)
+        if(const FG::Input_halfedge_index to(i); !s.triangulation.input().is_border(to))
+          for(const auto& weights : {std::array<double, 3>{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, 1}})
+            check_path(s, field, Location{to, weights}, 1);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(limits_of_a_field)
 {
   std::mt19937 random(2);

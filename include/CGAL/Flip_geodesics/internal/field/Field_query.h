@@ -12,7 +12,6 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,19 +50,7 @@ public:
   }
 
   /* \pre h is not on the border; the weights sum to one */
-  Arrival operator()(Input_halfedge_index h, Face_weights weights) const
-  {
-    Arrival best;
-    come_from_parts(h, weights, best);
-    for(int i = 0; i < 3; ++i) {
-      const Face_side f = m_propagation.sides().copy(h);
-      come_from_corner(f, weights, best);
-      come_through(h, f, weights, best);
-      h = f.next;
-      weights = rotated(weights);
-    }
-    return best;
-  }
+  Arrival operator()(Input_halfedge_index h, const Face_weights& weights) const { return arrival(h, weights, false); }
 
   std::size_t source(const Arrival& a) const
   {
@@ -113,27 +100,35 @@ public:
     return path(a, last_face(v, a), {{1, 0, 0}}, out);
   }
 
-  /* The same for a point of a face. */
+  /*
+   * The same for a point of a face. Where the path crosses an edge, it is asked anew how it comes there; so it is not
+   * lost where it passes a vertex within rounding. It has at most one point per edge and vertex.
+   */
   template <class OutputIterator>
   OutputIterator path(Arrival a, Input_halfedge_index h, Face_weights weights, OutputIterator out) const
   {
-    for(;;) {
-      if(a.through != null_index)
-        std::tie(h, weights) = follow(a, out);
-      if(is_part(a.root)) {
-        const Arrival at_end = {0, a.root, null_index, 0, Window()};
-        const Face_weights end = from(at_end, h, weights);
-        *out++ = surface_point_in_face(h, end);
-        return out;
+    const Index most = m_triangulation.input().number_of_halfedges() + m_triangulation.input().number_of_vertices();
+    for(Index i = 0; i < most && a.root != null_index; ++i) {
+      if(a.through != null_index) {
+        const double t = a.crossing / m_propagation.sides().copy(a.through).length;
+        *out++ = surface_point_on_edge(m_triangulation, a.through, t);
+        h = twin_index(a.through);
+        weights = {{t, 1 - t, 0}};
+        a = arrival(h, weights, true);
+      } else if(is_part(a.root)) {
+        *out++ = surface_point_in_face(h, from(a, h, weights));
+        break;
+      } else {
+        const Vertex_index v(a.root);
+        *out++ = surface_point_at_vertex(m_triangulation, v);
+        if(m_propagation.vertex(v).is_source)
+          break;
+        a = arrival(v);
+        h = last_face(v, a);
+        weights = {{1, 0, 0}};
       }
-      const Vertex_index v(a.root);
-      *out++ = surface_point_at_vertex(m_triangulation, v);
-      if(m_propagation.vertex(v).is_source)
-        return out;
-      a = arrival(v);
-      h = last_face(v, a);
-      weights = {{1, 0, 0}};
     }
+    return out;
   }
 
   /* The weights of a point of a face, told from another of its halfedges. */
@@ -202,6 +197,24 @@ private:
     return surface_point(m_triangulation, Surface_location{h, weights});
   }
 
+  // How the shortest path arrives at a point. One on side h may come from beyond; else, and then corners on the way are
+  // preferred.
+  Arrival arrival(Input_halfedge_index h, Face_weights weights, bool is_from_behind) const
+  {
+    constexpr double tie = 1e-13;
+    Arrival best, corner;
+    come_from_parts(h, weights, best);
+    for(int i = 0; i < 3; ++i) {
+      const Face_side f = m_propagation.sides().copy(h);
+      come_from_corner(f, weights, corner);
+      if(i > 0 || !is_from_behind)
+        come_through(h, f, weights, best);
+      h = f.next;
+      weights = rotated(weights);
+    }
+    return corner.distance <= best.distance * (is_from_behind ? 1 + tie : 1) ? corner : best;
+  }
+
   // How the shortest path arrives at a vertex; `through` is null if along an edge.
   Arrival arrival(Vertex_index v) const
   {
@@ -224,56 +237,6 @@ private:
     while(input.tail(h) != v)
       h = input.next(h);
     return h;
-  }
-
-  // Goes back along the ray of a window, and writes where it crosses edges. Returns the face that has the root, and the
-  // last crossing there.
-  template <class OutputIterator>
-  std::pair<Input_halfedge_index, Face_weights> follow(const Arrival& a, OutputIterator& out) const
-  {
-    Input_halfedge_index h = a.through;
-    double b = a.crossing;
-    Vector source(a.window.x, -a.window.y); // in the frame of h, or where it lies at infinity
-    for(Index crossed = 0;; ++crossed) {
-      const Face_side f = m_propagation.sides().copy(twin_index(h));
-      *out++ = surface_point_on_edge(m_triangulation, h, b / f.length);
-      h = twin_index(h); // from here on, in the frame of the face that the path comes from
-      b = f.length - b;
-      const double weight = a.window.weight();
-      source = Vector(weight * f.length - source.real(), -source.imag());
-      if(has_root(h, a.root) || crossed > m_triangulation.input().number_of_halfedges()) // each edge once at most
-        return {h, {{1 - b / f.length, b / f.length, 0}}};
-      const Vector ray = source - weight * b, apex = Vector(f.x, f.y) - b;
-      const Face_side fn = m_propagation.sides().copy(f.next);
-      const bool is_left = (std::conj(apex) * ray).imag() > 0;
-      const Input_halfedge_index hp = fn.next;
-      if(is_left) {
-        const Vector axis(f.cosine, f.sine);
-        const double length = input_length(hp), t = b * ray.imag() / (f.cosine * ray.imag() - f.sine * ray.real());
-        source = Vector(weight * length, 0) - source * std::conj(axis);
-        b = length - clamped(t, length);
-        h = hp;
-      } else {
-        const Vector mirrored(weight * f.length - source.real(), source.imag()), axis(fn.cosine, fn.sine);
-        const double rest = f.length - b;
-        const double t = rest * ray.imag() / (fn.cosine * ray.imag() + fn.sine * ray.real());
-        source = std::conj(mirrored * std::conj(axis));
-        b = clamped(t, fn.length);
-        h = f.next;
-      }
-    }
-  }
-
-  static double clamped(double t, double length) { return t > 0 ? (std::min)(t, length) : 0; }
-  double input_length(Input_halfedge_index h) const { return m_propagation.sides().copy(h).length; }
-
-  bool has_root(Input_halfedge_index h, Index root) const
-  {
-    if(is_part(root))
-      return face_of(h) == face_of(part(root).halfedge);
-    const auto& input = m_triangulation.input();
-    const Input_halfedge_index hn = input.next(h);
-    return input.tail(h).idx() == root || input.tail(hn).idx() == root || input.tail(input.next(hn)).idx() == root;
   }
 
   const Triangulation& m_triangulation;
