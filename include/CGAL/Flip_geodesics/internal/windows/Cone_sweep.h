@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -56,7 +57,6 @@ public:
     , m_faces(faces)
     , m_source(source)
     , m_goal_place(triangulation.metric().place(triangulation.input(), goal))
-    , m_waves(static_cast<std::size_t>(triangulation.number_of_halfedges()))
     , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
   {
   }
@@ -70,7 +70,7 @@ public:
     m_bound = bound;
     m_error = 0x1p-46 * bound;
     m_total_error = static_cast<double>(m_triangulation.number_of_halfedges()) * m_error;
-    reach(m_source, 0);
+    reach(m_source, 0, 0);
     while(!m_queue.empty() && is_useful())
       pass_first();
   }
@@ -95,8 +95,10 @@ public:
    */
   double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const
   {
-    if(is_useful())
-      return m_waves[h].is_set ? cone.least_sum(m_waves[h].cone, from, to) - m_total_error : infinity;
+    if(is_useful()) {
+      const Wave* wave = known_wave(m_faces.known_number(h));
+      return wave == nullptr ? infinity : cone.least_sum(wave->cone, from, to) - m_total_error;
+    }
     const auto& input = m_triangulation.input();
     const double tail = cone(to) - to + in_space(input.tail(h)); // since a cone is not steeper than 1
     const double head = cone(from) - (length - from) + in_space(input.tail(twin_index(h)));
@@ -114,9 +116,10 @@ private:
   struct Wave
   {
     Cone cone;
-    std::uint64_t key; // in the queue
-    std::int32_t number_of_updates;
-    bool is_set, is_waiting;
+    std::uint64_t key = 0;           // in the queue
+    double apex_distance = infinity; // of the corner opposite to the side, when it was last looked at
+    std::int32_t number_of_updates = 0;
+    bool is_set = false, is_waiting = false;
   };
 
   struct Vertex_record
@@ -148,7 +151,7 @@ private:
   struct Entry
   {
     std::uint64_t key;
-    Index id; // of a halfedge, or -1 less that of a vertex
+    Index id; // of a side, or -1 less that of a vertex
 
     static std::size_t is_before(const Entry& a, const Entry& b)
     {
@@ -169,20 +172,19 @@ private:
     m_queue.pop();
     if(entry.id < 0)
       leave_vertex(Vertex_index(-1 - entry.id));
-    else if(Wave& wave = m_waves[Input_halfedge_index(entry.id)]; wave.is_waiting && wave.key == entry.key) {
+    else if(Wave& wave = m_waves[static_cast<std::size_t>(entry.id)]; wave.is_waiting && wave.key == entry.key) {
       wave.is_waiting = false;
-      enter_face(twin_index(Input_halfedge_index(entry.id)));
+      enter_face(twin_index(m_faces[entry.id].halfedge));
     }
   }
 
   void enter_face(Input_halfedge_index h)
   {
-    const auto& input = m_triangulation.input();
-    if(input.is_border(h))
+    if(m_triangulation.input().is_border(h))
       return;
-    const Input_halfedge_index hn = input.next(h);
-    update(hn);
-    update(input.next(hn));
+    const Index side = m_faces.number(h);
+    update(Faces::next(side));
+    update(Faces::previous(side));
   }
 
   // All edges opposite to a vertex, and the vertices beside it.
@@ -200,10 +202,11 @@ private:
     Input_halfedge_index h = first;
     do {
       const Input_halfedge_index t = twin_index(h);
-      const double length = m_faces.side(input.is_border(h) ? t : h).length;
-      reach(input.tail(t), distance + length);
-      if(!input.is_border(h))
-        update(input.next(h));
+      const bool is_border = input.is_border(h);
+      const Index side = m_faces.number(is_border ? t : h);
+      reach(input.tail(t), distance + m_faces[side].length, m_faces[side].length);
+      if(!is_border && !has_noticed(Faces::next(side), distance))
+        update(Faces::next(side));
       h = input.next(t);
     } while(h != first);
   }
@@ -219,7 +222,8 @@ private:
     return record.to_goal;
   }
 
-  void reach(Vertex_index v, double distance)
+  // A path to v. It is left a little later, once it has been passed: then there is less that is done twice.
+  void reach(Vertex_index v, double distance, double delay)
   {
     Vertex_record& record = m_vertices[v];
     if(record.is_reached && record.distance <= distance)
@@ -229,35 +233,52 @@ private:
     if(distance + to_goal(v) > m_bound + m_total_error || !is_turn(v))
       return;
     record.is_waiting = true;
-    m_queue.push({ordered_bits((std::max)(distance, 0.0)), -1 - v.idx()});
+    m_queue.push({ordered_bits((std::max)(distance + delay, 0.0)), -1 - v.idx()});
   }
 
   // Do paths turn at v?
   bool is_turn(Vertex_index v) { return v == m_source || m_faces.is_passable(v); }
 
-  // Makes the cone of a halfedge hold for what enters its face.
-  void update(Input_halfedge_index h)
+  // The wave of a side, if there is one.
+  const Wave* known_wave(Index side) const
   {
-    const Parts parts = lit_parts(h);
-    Wave& wave = m_waves[h];
+    const auto i = static_cast<std::size_t>(side);
+    return side < 0 || i >= m_waves.size() || !m_waves[i].is_set ? nullptr : &m_waves[i];
+  }
+
+  // Does the cone of a side take the distance of the corner opposite to it into account?
+  bool has_noticed(Index side, double distance) const
+  {
+    const Wave* wave = known_wave(side);
+    return wave != nullptr && wave->apex_distance <= distance;
+  }
+
+  // Makes the cone of a side hold for what enters its face.
+  void update(Index side)
+  {
+    const Parts parts = lit_parts(side);
+    if(m_waves.size() < m_faces.size())
+      m_waves.resize(m_faces.size());
+    Wave& wave = m_waves[static_cast<std::size_t>(side)];
+    wave.apex_distance = parts.apex_value;
     if(parts.size == 0 || (wave.is_set && is_below(wave.cone, parts, tolerance(wave))))
       return;
     ++m_updates;
     ++wave.number_of_updates;
     if(wave.number_of_updates > free_updates)
       m_total_error += tolerance(wave);
-    const double length = m_faces.side(h).length;
+    const double length = m_faces[side].length;
     wave.cone = fitted_cone(length, parts);
     wave.is_set = true;
-    const Vertex_index tail = m_triangulation.input().tail(h), head = m_triangulation.input().tail(twin_index(h));
+    const Vertex_index tail = m_faces[side].tail, head = m_faces[Faces::next(side)].tail;
     const double at_tail = wave.cone(0), at_head = wave.cone(length);
-    reach(tail, at_tail);
-    reach(head, at_head);
+    reach(tail, at_tail, length);
+    reach(head, at_head, length);
     // A cone is not steeper than 1.
     wave.is_waiting = (std::max)(at_head + to_goal(tail), at_tail + to_goal(head)) - length <= m_bound + m_total_error;
     if(wave.is_waiting) {
       wave.key = ordered_bits((std::max)(0.5 * (at_tail + at_head), 0.0));
-      m_queue.push({wave.key, h.idx()});
+      m_queue.push({wave.key, side});
     }
   }
 
@@ -281,32 +302,32 @@ private:
     return true;
   }
 
-  // In the frame of h, from 0 to its length on the x-axis with its face above.
-  Parts lit_parts(Input_halfedge_index h)
+  // In the frame of a side, from 0 to its length on the x-axis with its face above.
+  Parts lit_parts(Index number)
   {
-    const auto& input = m_triangulation.input();
-    const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
-    const auto side = m_faces.side(h), next = m_faces.side(hn);
-    const double previous_length = m_faces.side(hp).length;
-    const Vector apex = previous_length * Vector(side.cosine, side.sine);
+    const Index next_number = Faces::next(number), previous_number = Faces::previous(number);
+    const auto &side = m_faces[number], &next = m_faces[next_number], &previous = m_faces[previous_number];
+    const Vertex_index opposite = previous.tail;
+    const Vector apex = previous.length * Vector(side.cosine, side.sine);
+    const double length = side.length;
     Parts parts;
-    double left = 0, right = side.length; // up to where, and from where, the edge is lit
-    if(const Wave& wave = m_waves[twin_index(hp)]; wave.is_set) {
-      const Vector place = Vector(wave.cone.x, wave.cone.y) * Vector(side.cosine, side.sine);
-      const Cone cone = {place.real(), place.imag(), wave.cone.sigma};
-      parts.apex_value = wave.cone(previous_length);
-      left = lit_length(cone, apex, side.length);
+    double left = 0, right = length; // up to where, and from where, the edge is lit
+    if(const Wave* wave = known_wave(m_faces.known_twin(previous_number))) {
+      const Vector place = Vector(wave->cone.x, wave->cone.y) * Vector(side.cosine, side.sine);
+      const Cone cone = {place.real(), place.imag(), wave->cone.sigma};
+      parts.apex_value = wave->cone(previous.length);
+      left = lit_length(cone, apex, length);
       parts.add(cone, 0, left);
     }
-    if(const Wave& wave = m_waves[twin_index(hn)]; wave.is_set) { // seen in a mirror, from the head
-      const Vector place = Vector(next.length - wave.cone.x, wave.cone.y) * Vector(next.cosine, next.sine);
-      const Cone cone = {place.real(), place.imag(), wave.cone.sigma};
-      parts.apex_value = (std::min)(parts.apex_value, wave.cone(0));
-      right = side.length - lit_length(cone, next.length * Vector(next.cosine, next.sine), side.length);
-      parts.add({side.length - cone.x, cone.y, cone.sigma}, right, side.length);
+    if(const Wave* wave = known_wave(m_faces.known_twin(next_number))) { // seen in a mirror, from the head
+      const Vector place = Vector(next.length - wave->cone.x, wave->cone.y) * Vector(next.cosine, next.sine);
+      const Cone cone = {place.real(), place.imag(), wave->cone.sigma};
+      parts.apex_value = (std::min)(parts.apex_value, wave->cone(0));
+      right = length - lit_length(cone, next.length * Vector(next.cosine, next.sine), length);
+      parts.add({length - cone.x, cone.y, cone.sigma}, right, length);
     }
-    add_apex(parts, input.tail(hp), apex, side.length, left, right);
-    for(std::size_t i = 0; i < parts.size; ++i) // what lies below the edge sends nothing up, up to rounding
+    add_apex(parts, opposite, apex, length, left, right); // may lay out faces
+    for(std::size_t i = 0; i < parts.size; ++i)           // what lies below the edge sends nothing up, up to rounding
       parts.part[i].cone.y = std::abs(parts.part[i].cone.y);
     return parts;
   }
@@ -332,9 +353,10 @@ private:
   {
     const Vertex_record& record = m_vertices[v];
     const bool is_passed = record.is_reached && is_turn(v);
-    if(is_passed)
-      parts.add({apex.real(), apex.imag(), (std::min)(record.distance, parts.apex_value)}, 0, length);
-    else if(parts.apex_value < infinity)
+    if(is_passed) {
+      parts.apex_value = (std::min)(record.distance, parts.apex_value);
+      parts.add({apex.real(), apex.imag(), parts.apex_value}, 0, length);
+    } else if(parts.apex_value < infinity)
       parts.add({apex.real(), apex.imag(), parts.apex_value}, left, right);
   }
 
@@ -386,7 +408,7 @@ private:
   Faces& m_faces;
   Vertex_index m_source;
   typename Triangulation::Metric::Place m_goal_place;
-  Indexed_by<Input_halfedge_index, Lazy_array<Wave>> m_waves;
+  std::vector<Wave> m_waves; // of sides, that is, of halfedges that have been laid out
   Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
   Heap_of_four<Entry> m_queue;
   double m_bound = infinity, m_error = 0, m_total_error = 0;

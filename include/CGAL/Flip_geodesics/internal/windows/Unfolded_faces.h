@@ -7,11 +7,10 @@
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -20,6 +19,10 @@ namespace internal {
 /*
  * The shapes of the input faces, for rays that are unfolded from face to face, and the vertices that shortest paths may
  * pass; each is computed when it is first asked for.
+ *
+ * A search passes a small part of a mesh, whose halfedges may be numbered in any order. So the sides of the faces that it
+ * passes are numbered anew, three by three, in the order in which they are laid out; what a search keeps for a halfedge,
+ * it keeps under this number, and finds it near to what it needs with it.
  *
  * Lengths and directions of sides are given, and no coordinates of corners: differences of coordinates would lose the
  * direction of a side that is short beside the others.
@@ -34,28 +37,42 @@ public:
   struct Side
   {
     double length, cosine, sine;
+    Input_halfedge_index halfedge;
+    Vertex_index tail;
   };
 
   explicit Unfolded_faces(const Triangulation& triangulation)
     : m_triangulation(triangulation)
-    , m_sides(static_cast<std::size_t>(triangulation.number_of_halfedges()))
-    , m_is_passable(static_cast<std::size_t>(triangulation.number_of_vertices()))
+    , m_number(static_cast<std::size_t>(triangulation.number_of_halfedges()))
+    , m_passing(static_cast<std::size_t>(triangulation.number_of_vertices()))
   {
   }
 
-  /* \pre h is not on the border \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error */
-  const Side& side(Input_halfedge_index h)
+  /* The number of h as a side. \pre h is not on the border
+   * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error */
+  Index number(Input_halfedge_index h)
   {
-    if(m_sides[h].length == 0)
+    if(m_number[h] == 0)
       lay_out(h);
-    return m_sides[h];
+    return m_number[h] - 1;
   }
 
-  /* The corner opposite to h, where h runs from 0 to its length on the real axis. */
-  Vector apex(Input_halfedge_index h)
+  /* The same where the face has been laid out, otherwise -1; also for the other halfedge of the edge. */
+  Index known_number(Input_halfedge_index h) const { return m_number[h] - 1; }
+  Index known_twin(Index side) const { return known_number(twin_index((*this)[side].halfedge)); }
+
+  const Side& operator[](Index side) const { return m_sides[static_cast<std::size_t>(side)]; }
+  static Index next(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Index previous(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
+  /* One more than the largest number. */
+  std::size_t size() const { return m_sides.size(); }
+
+  /* The corner opposite to a side that runs from 0 to its length on the real axis. */
+  Vector apex(Index side) const
   {
-    const Side& s = side(h);
-    return side(previous(h)).length * Vector(s.cosine, s.sine);
+    const Side& s = (*this)[side];
+    return (*this)[previous(side)].length * Vector(s.cosine, s.sine);
   }
 
   /*
@@ -64,19 +81,13 @@ public:
    */
   bool is_passable(Vertex_index v)
   {
-    char& known = m_is_passable[v];
+    char& known = m_passing[v];
     if(known == 0)
       known = is_convex(v) ? 2 : 1;
     return known == 1;
   }
 
 private:
-  Input_halfedge_index previous(Input_halfedge_index h) const
-  {
-    const auto& input = m_triangulation.input();
-    return input.next(input.next(h));
-  }
-
   void lay_out(Input_halfedge_index h)
   {
     const auto& input = m_triangulation.input();
@@ -84,32 +95,44 @@ private:
     const auto vectors = input_face_geometry(m_triangulation, h);
     const Vector a(vectors[0].x, vectors[0].y), b(vectors[1].x, vectors[1].y), c(vectors[2].x, vectors[2].y);
     const double la = a.real(), lb = std::sqrt(std::norm(b)), lc = std::sqrt(std::norm(c));
-    m_sides[h] = {la, -c.real() / lc, b.imag() / lc};
-    m_sides[hn] = {lb, -b.real() / lb, b.imag() / lb};
+    add({la, -c.real() / lc, b.imag() / lc, h, input.tail(h)});
+    add({lb, -b.real() / lb, b.imag() / lb, hn, input.tail(hn)});
     // The sine of a small angle would not survive a product of the vectors.
-    m_sides[hp] = {lc, -(b.real() * c.real() + b.imag() * c.imag()) / (lb * lc), la * b.imag() / (lb * lc)};
+    const double product = b.real() * c.real() + b.imag() * c.imag();
+    add({lc, -product / (lb * lc), la * b.imag() / (lb * lc), hp, input.tail(hp)});
   }
 
+  void add(const Side& side)
+  {
+    m_sides.push_back(side);
+    m_number[side.halfedge] = static_cast<Index>(m_sides.size());
+  }
+
+  // Turns by the angles, and counts the half turns.
   bool is_convex(Vertex_index v)
   {
     constexpr double tolerance = 1e-9; // towards vertices that are passed
     const auto& input = m_triangulation.input();
     const Input_halfedge_index first = input.outgoing(v);
-    double total = 0;
+    Vector direction(1, 0);
+    int half_turns = 0;
     Input_halfedge_index h = first;
     do {
       if(input.is_border(h))
         return false;
-      const Side& s = side(h);
-      total += std::atan2(s.sine, s.cosine);
-      h = twin_index(previous(h));
+      const Index s = number(h);
+      const bool was_left = direction.imag() >= 0;
+      direction *= Vector((*this)[s].cosine, (*this)[s].sine);
+      half_turns += was_left == (direction.imag() >= 0) ? 0 : 1;
+      h = twin_index((*this)[previous(s)].halfedge);
     } while(h != first);
-    return total < boost::math::constants::two_pi<double>() - tolerance;
+    return half_turns == 0 || (half_turns == 1 && !(direction.real() > 0 && direction.imag() > -tolerance));
   }
 
   const Triangulation& m_triangulation;
-  Indexed_by<Input_halfedge_index, Lazy_array<Side>> m_sides;
-  Indexed_by<Vertex_index, Lazy_array<char>> m_is_passable;
+  Indexed_by<Input_halfedge_index, Lazy_array<Index>> m_number; // and 1, of the sides that are laid out
+  std::vector<Side> m_sides;
+  Indexed_by<Vertex_index, Lazy_array<char>> m_passing; // 0 if not known, 1 if passable, 2 if not
 };
 
 } // namespace internal

@@ -63,7 +63,6 @@ public:
     , m_source(source)
     , m_sweep(sweep)
     , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
-    , m_splits(static_cast<std::size_t>(triangulation.number_of_halfedges()))
   {
   }
 
@@ -136,8 +135,8 @@ private:
   // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
   struct Split
   {
-    double distance, crossing;
-    bool is_set;
+    double distance = 0, crossing = 0;
+    bool is_set = false;
   };
 
   struct Window
@@ -146,6 +145,15 @@ private:
     Index parent; // the window before, null_index if there is none
     Vertex_index root;
     double from, to, x, y, sigma;
+  };
+
+  // The other edges of a face, seen from the one that is the x-axis.
+  struct Edge
+  {
+    Input_halfedge_index halfedge; // that has the next face on its left
+    double length;
+    Vector axis;             // its direction
+    double base, base_place; // where it meets the x-axis, there, and on itself
   };
 
   struct Entry
@@ -163,12 +171,12 @@ private:
     }
   };
 
-  // The place of the corner opposite to h.
-  Vector apex(Input_halfedge_index h)
+  // The place of the corner opposite to a side.
+  Vector apex(Index side)
   {
     constexpr double flat = 1e-10;
-    const Vector result = m_faces.apex(h);
-    m_has_flat_face = m_has_flat_face || !(result.imag() > flat * (m_faces.side(h).length + std::abs(result.real())));
+    const Vector result = m_faces.apex(side);
+    m_has_flat_face = m_has_flat_face || !(result.imag() > flat * (m_faces[side].length + std::abs(result.real())));
     return result;
   }
 
@@ -208,29 +216,29 @@ private:
     do {
       offer(input.tail(twin_index(h)), sigma + m_triangulation.metric().length(input, h), null_index, h);
       if(!input.is_border(h)) {
-        const Input_halfedge_index opposite = input.next(h), entered = twin_index(opposite);
+        const Index opposite = Faces::next(m_faces.number(h));
         const Vector place = apex(opposite);
-        const double length = m_faces.side(opposite).length;
+        const auto& [length, cosine, sine, halfedge, tail] = m_faces[opposite];
+        static_cast<void>(cosine), static_cast<void>(sine);
         if(place.imag() > 0) // seen from the other side the edge is reversed
-          open({entered, null_index, v, 0, length, length - place.real(), place.imag(), sigma});
+          open({twin_index(halfedge), null_index, v, 0, length, length - place.real(), place.imag(), sigma}, length);
       }
       h = input.next(twin_index(h));
     } while(h != first);
   }
 
-  // Keeps a window if it can be of use.
-  void open(const Window& w)
+  // Keeps a window on an edge of some length if it can be of use.
+  void open(const Window& w, double length)
   {
     const auto& input = m_triangulation.input();
     if(input.is_border(w.halfedge) || !(w.to > w.from))
       return;
     const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
-    const double length = m_faces.side(w.halfedge).length;
-    const double to_from = w.sigma + std::hypot(w.from - w.x, w.y), to_to = w.sigma + std::hypot(w.to - w.x, w.y);
+    const double to_from = w.sigma + norm(w.from - w.x, w.y), to_to = w.sigma + norm(w.to - w.x, w.y);
     if(distance(tail) + w.to <= to_to || distance(head) + (length - w.from) <= to_from) // all through it are shorter
       return;
     const double nearest = (std::min)((std::max)(w.x, w.from), w.to);
-    const double least = w.sigma + std::hypot(nearest - w.x, w.y);
+    const double least = w.sigma + norm(nearest - w.x, w.y);
     const double total =
         m_sweep == nullptr ? least : m_sweep->through(w.halfedge, length, {w.x, w.y, w.sigma}, w.from, w.to);
     if(!is_wanted(total))
@@ -242,61 +250,66 @@ private:
   void propagate(Index id)
   {
     const Window w = m_windows[id];
-    const Vector apex = this->apex(w.halfedge);
-    const double length = m_faces.side(w.halfedge).length;
-    const auto& input = m_triangulation.input();
-    const Input_halfedge_index hn = input.next(w.halfedge), hp = input.next(hn);
+    const Index side = m_faces.number(w.halfedge);
+    const Vector apex = this->apex(side);
+    const auto base = m_faces[side], next = m_faces[Faces::next(side)], previous = m_faces[Faces::previous(side)];
+    const Edge left = {twin_index(previous.halfedge), previous.length, {base.cosine, base.sine}, 0, 0};
+    const Edge right = {twin_index(next.halfedge), next.length, {next.cosine, -next.sine}, base.length, next.length};
     if(!(w.y + apex.imag() > 0))
       return;
     // Where the ray to the apex passes the edge.
     const double crossing = w.x + (apex.real() - w.x) * (w.y / (w.y + apex.imag()));
-    const Vector tail(0, 0), head(length, 0);
     if(crossing <= w.from)
-      return enter(id, twin_index(hn), apex, head, w.from, w.to);
+      return enter(id, right, w.from, w.to);
     if(crossing >= w.to)
-      return enter(id, twin_index(hp), tail, apex, w.from, w.to);
+      return enter(id, left, w.from, w.to);
 
-    const double through = w.sigma + std::hypot(apex.real() - w.x, apex.imag() + w.y);
-    offer(input.tail(hp), through, id, null_index);
-    Split& split = m_splits[w.halfedge];
+    const double through = w.sigma + norm(apex.real() - w.x, apex.imag() + w.y);
+    offer(previous.tail, through, id, null_index);
+    if(m_splits.size() < m_faces.size())
+      m_splits.resize(m_faces.size());
+    Split& split = m_splits[static_cast<std::size_t>(side)];
     const bool is_best = !split.is_set || through < split.distance;
     // Towards more windows: which of two rays along one line is on the left is a matter of rounding.
-    const double equal = 1e-9 * length;
+    const double equal = 1e-9 * base.length;
     const bool is_left_of_best = split.is_set && crossing <= split.crossing + equal;
     const bool is_right_of_best = split.is_set && crossing >= split.crossing - equal;
     if(is_best)
       split = {through, crossing, true};
     // One that is not the best at the apex is of no use beyond the best one's ray.
     if(is_best || is_left_of_best)
-      enter(id, twin_index(hp), tail, apex, w.from, crossing);
+      enter(id, left, w.from, crossing);
     if(is_best || is_right_of_best)
-      enter(id, twin_index(hn), apex, head, crossing, w.to);
+      enter(id, right, crossing, w.to);
   }
 
-  // Carries the rays of a window between two of its points on to the edge of h, which runs from p to q.
-  void enter(Index id, Input_halfedge_index h, const Vector& p, const Vector& q, double from, double to)
+  // Carries the rays of a window between two of its points on to another edge of the face that they enter.
+  void enter(Index id, const Edge& edge, double from, double to)
   {
     const Window& w = m_windows[id];
-    const Vector start(w.x, -w.y), axis = (q - p) / std::abs(q - p);
-    const double length = std::abs(q - p);
-    const Vector seen = (start - p) * std::conj(axis);
+    const auto in_frame = [&](double x, double y) {
+      return Vector(x - edge.base, y) * std::conj(edge.axis) + edge.base_place;
+    };
+    const Vector seen = in_frame(w.x, -w.y);
     if(!(seen.imag() < 0))
       return;
     const auto hit = [&](double b) {
-      const Vector point = (Vector(b, 0) - p) * std::conj(axis);
+      const Vector point = in_frame(b, 0);
       const double fall = point.imag() - seen.imag();
       const double x = fall > 0 ? seen.real() - seen.imag() * ((point.real() - seen.real()) / fall) : 0;
-      return (std::min)((std::max)(x, 0.0), length);
+      return (std::min)((std::max)(x, 0.0), edge.length);
     };
-    open({h, id, w.root, hit(from), hit(to), seen.real(), -seen.imag(), w.sigma});
+    open({edge.halfedge, id, w.root, hit(from), hit(to), seen.real(), -seen.imag(), w.sigma}, edge.length);
   }
+
+  static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
 
   const Triangulation& m_triangulation;
   Faces& m_faces;
   Vertex_index m_source;
   const Sweep* m_sweep;
   Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
-  Indexed_by<Input_halfedge_index, Lazy_array<Split>> m_splits;
+  std::vector<Split> m_splits; // of sides
   std::vector<Window> m_windows;
   std::vector<Entry> m_heap;
   bool m_has_flat_face = false;
