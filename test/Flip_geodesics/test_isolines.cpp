@@ -556,12 +556,12 @@ BOOST_AUTO_TEST_CASE(components_without_source_and_fields_that_end)
   const Closed_field limited(mesh, {[&](const Coordinates& p) { return source(p) > 1.5 ? infinity : source(p); }});
   BOOST_TEST(checked_isolines(mesh, limited, {1, 1.4}, 0.05).size() == 2u);
   for(double beyond : {1.7, 100.}) {
-    const auto ends = isolines(mesh, limited, std::vector<double>{beyond}, 0.05);
+    const auto ends = isolines(mesh, limited, std::vector<double>{beyond}, 0.01);
     BOOST_TEST(ends.size() == 1u);
     for(const Isoline& end : ends) {
       BOOST_TEST(end.is_closed);
       for(std::size_t i = 1; i < end.points.size(); ++i)
-        BOOST_TEST(std::abs(source(coordinates(CGAL::midpoint(end.points[i - 1], end.points[i]))) - 1.5) < 0.05);
+        BOOST_TEST(std::abs(source(coordinates(CGAL::midpoint(end.points[i - 1], end.points[i]))) - 1.5) < 0.01);
     }
   }
 }
