@@ -113,8 +113,9 @@ private:
     m_old_lost.clear();
     // The difference is monotone but where a ray of both crosses the edge.
     const double gl = turn(w, old, l), gr = turn(w, old, r);
-    const double b = l + (r - l) * (gl / (gl - gr));
-    if((gl < 0) != (gr < 0) && b > l && b < r) {
+    const bool is_turning = (gl < 0) != (gr < 0);
+    const double b = is_turning ? l + (r - l) * (gl / (gl - gr)) : l;
+    if(b > l && b < r) {
       const double d = w.distance(b) - old.distance(b);
       settle(old, w, {l, b}, dl, d, equal);
       settle(old, w, {b, r}, d, dr, equal);
@@ -159,13 +160,13 @@ private:
   {
     const double accuracy = equal / 2;
     double b = (at.from + at.to) / 2;
-    while(b > at.from && b < at.to) {
+    for(int i = 0; b > at.from && b < at.to; ++i) {
       const double d = w.distance(b) - old.distance(b) - difference;
       if(std::abs(d) <= accuracy)
         break;
       ((d < 0) == is_rising ? at.from : at.to) = b;
       b -= d / (w.slope(b) - old.slope(b));
-      if(!(b > at.from && b < at.to))
+      if(!(b > at.from && b < at.to) || i % 8 == 7) // the interval has to shrink
         b = (at.from + at.to) / 2;
     }
     return b;
@@ -175,7 +176,8 @@ private:
   template <class Function>
   static void for_each_part(const Window& w, std::vector<Interval>& lost, const Function& function)
   {
-    std::sort(lost.begin(), lost.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    if(lost.size() > 1)
+      std::sort(lost.begin(), lost.end(), [](const Interval& a, const Interval& b) { return a.from < b.from; });
     double from = w.from;
     for(const Interval& gap : lost) {
       if(from < gap.from)
