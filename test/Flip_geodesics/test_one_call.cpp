@@ -629,6 +629,30 @@ BOOST_AUTO_TEST_CASE(distances_come_in_maps_of_the_user)
     }
 }
 
+BOOST_AUTO_TEST_CASE(distances_from_several_vertices_are_the_least)
+{
+  Surface mesh = bumpy_sphere_mesh();
+  const std::vector<Vertex> sources = {Vertex(0), Vertex(9), Vertex(25), Vertex(9)};
+  auto all = mesh.add_property_map<Vertex, double>("v:all", -1).first;
+  const auto report = FG::geodesic_distances(mesh, sources, all);
+  BOOST_CHECK(report.is_confirmed);
+  BOOST_CHECK_EQUAL(report.vertices, mesh.number_of_vertices() - 3);
+  std::vector<double> least(mesh.number_of_vertices(), std::numeric_limits<double>::infinity());
+  for(Vertex source : sources) {
+    auto one = mesh.add_property_map<Vertex, double>("v:one", -1).first;
+    FG::geodesic_distances(mesh, source, one);
+    for(Vertex v : mesh.vertices())
+      least[v] = (std::min)(least[v], one[v]);
+  }
+  for(Vertex v : mesh.vertices())
+    BOOST_CHECK_SMALL(all[v] - least[v], 1e-12);
+  BOOST_CHECK(!FG::geodesic_distances(mesh, sources, all, FG::Window_limit(1)).is_confirmed);
+  FG::geodesic_distances(mesh, std::vector<Vertex>(), all);
+  BOOST_CHECK_EQUAL(all[Vertex(0)], std::numeric_limits<double>::infinity());
+  BOOST_CHECK_THROW(FG::geodesic_distances(mesh, {Vertex(0), Surface::null_vertex()}, all),
+                    FG::Vertex_out_of_range_error);
+}
+
 BOOST_AUTO_TEST_CASE(distances_on_another_mesh_type_are_the_same)
 {
   using Polyhedron = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>, CGAL::Polyhedron_items_with_id_3>;

@@ -16,6 +16,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -107,30 +108,28 @@ Shortest_tree_report make_shortest_tree(Triangulation& triangulation, Vertex_ind
   return report;
 }
 
-} // namespace internal
-
-namespace internal {
-
-/* Writes the distances of a field from one vertex. Returns false, and writes nothing, if it is given up or unsure. */
+/* Writes the distances of a field from vertices, and says what is known of them. */
 template <class Triangulation, class VertexDistanceMap>
-bool write_field_distances(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
-                           Vertex_index source, VertexDistanceMap distances, const Window_limit& limit,
-                           Shortest_tree_report& report)
+Shortest_tree_report write_field_distances(const Triangulation& triangulation,
+                                           const typename Triangulation::Triangle_mesh& mesh,
+                                           const std::vector<Vertex_index>& sources, VertexDistanceMap distances,
+                                           const Window_limit& limit)
 {
   Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
-  field.add_source(source);
+  for(Vertex_index source : sources)
+    field.add_source(source);
   Distance_field_limits limits;
   limits.windows = limit;
   const Distance_field_report computed = field.compute(limits);
-  if(computed.status != Distance_field_status::COMPLETE || computed.has_flat_face)
-    return false;
+  Shortest_tree_report report;
   report.windows = computed.windows;
-  report.is_confirmed = true;
-  const auto n = triangulation.input().number_of_vertices();
-  for(Vertex_index v : descriptors<Vertex_index>(n))
-    report.vertices += v != source && field.distance(v) < std::numeric_limits<double>::infinity() ? 1 : 0;
+  report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face;
+  for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) { // but sources
+    const double distance = field.distance(v);
+    report.vertices += distance > 0 && distance < std::numeric_limits<double>::infinity() ? 1 : 0;
+  }
   write_distances(field, triangulation, mesh, distances);
-  return true;
+  return report;
 }
 
 } // namespace internal
@@ -160,8 +159,9 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, Mesh_vertex<Tr
 {
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    Shortest_tree_report report;
-    if(internal::write_field_distances(triangulation, mesh, triangulation.index(source), distances, limit, report))
+    const std::vector<Vertex_index> sources = {triangulation.index(source)};
+    const Shortest_tree_report report = internal::write_field_distances(triangulation, mesh, sources, distances, limit);
+    if(report.is_confirmed)
       return report;
     return internal::make_shortest_tree(triangulation, triangulation.index(source), limit,
                                         [&](const auto& tree) { write_distances(tree, mesh, distances); });
@@ -176,6 +176,45 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, Mesh_vertex<Tr
                                         const NamedParameters& np = parameters::default_values())
 {
   return Flip_geodesics::geodesic_distances(mesh, source, distances, Window_limit(), np);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsDistances
+ *
+ * Computes the distances on the surface of all vertices from the nearest of several, by a `Geodesic_distance_field`.
+ *
+ * \param mesh a triangle mesh
+ * \param sources vertices of the mesh; if there are none, all distances are infinite
+ * \param distances as for one source; receives infinity also for distances that are not known when the search is given up
+ * \param limit beyond it the search is given up
+ * \param np as for one source
+ * \return how many distances of vertices that are no sources are known, and whether it is sure that all are
+ * \throws as for one source
+ *
+ * Complexity: that of `Geodesic_distance_field::compute()`.
+ */
+template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
+Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const std::vector<Mesh_vertex<TriangleMesh>>& sources,
+                                        VertexDistanceMap distances, const Window_limit& limit,
+                                        const NamedParameters& np = parameters::default_values())
+{
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    std::vector<Vertex_index> indices;
+    for(const auto& source : sources)
+      indices.push_back(triangulation.index(source));
+    return internal::write_field_distances(triangulation, mesh, indices, distances, limit);
+  });
+}
+
+/// \ingroup PkgFlipGeodesicsDistances
+/// The same with the default limit.
+template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
+Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const std::vector<Mesh_vertex<TriangleMesh>>& sources,
+                                        VertexDistanceMap distances,
+                                        const NamedParameters& np = parameters::default_values())
+{
+  return Flip_geodesics::geodesic_distances(mesh, sources, distances, Window_limit(), np);
 }
 
 /*!
