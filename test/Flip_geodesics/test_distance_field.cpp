@@ -507,6 +507,11 @@ BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
   BOOST_CHECK_THROW(field.add_curve(std::vector<Location>()), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(field.add_curve(std::vector<Location>{s.vertex(0), s.vertex(25)}), FG::Invalid_curve_error);
   BOOST_TEST(field.number_of_sources() == 0u);
+  Field at_vertices(s.triangulation, s.mesh, FG::Distance_field_extent::VERTICES_ONLY);
+  at_vertices.add_source(0_v);
+  at_vertices.compute();
+  BOOST_TEST(at_vertices.distance(s.vertex(0)) == 0);
+  BOOST_CHECK_THROW(at_vertices.distance(Location{h, {{1, 1, 1}}}), CGAL::Precondition_exception);
   // Repeated points, and a curve of one.
   field.add_curve(std::vector<Location>{s.vertex(0), s.vertex(0)});
   field.add_curve(std::vector<Location>{Location{h, {{1, 1, 1}}}, Location{h, {{1, 1, 1}}}});

@@ -269,7 +269,7 @@ public:
     const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
     if(kind(at) == Location_kind::VERTEX)
       return answer(m_triangulation.input().tail(at.halfedge));
-    const auto arrival = query()(at.halfedge, weights(at));
+    const auto arrival = arrival_at(at);
     return is_known(arrival.distance) ? Answer{arrival.distance, query().source(arrival)} : Answer();
   }
 
@@ -296,7 +296,7 @@ public:
     const Vertex_index v = m_triangulation.input().tail(at.halfedge);
     result.push_back(surface_point(m_triangulation, at));
     if(kind(at) != Location_kind::VERTEX)
-      query().path(query()(at.halfedge, weights(at)), at.halfedge, weights(at), std::back_inserter(result));
+      query().path(arrival_at(at), at.halfedge, weights(at), std::back_inserter(result));
     else if(m_propagation.vertex(v).is_source)
       result.push_back(result.front());
     else
@@ -342,7 +342,7 @@ public:
   {
     internal::check_location(m_triangulation.input(), location);
     CGAL_precondition(!m_triangulation.input().is_border(location.halfedge));
-    const auto arrival = query()(location.halfedge, weights(location));
+    const auto arrival = arrival_at(location);
     if(kind(location) == Location_kind::VERTEX || !is_known(arrival.distance))
       return {{0, 0}};
     const std::complex<double> result = query().direction(arrival, location.halfedge, weights(location));
@@ -439,9 +439,8 @@ private:
     for(const Surface_location& target : targets) {
       const Surface_location at = internal::canonical_location(m_triangulation.input(), target);
       const bool is_vertex = kind(at) == Location_kind::VERTEX;
-      CGAL_precondition(is_vertex || m_extent == Distance_field_extent::EVERYWHERE);
       result = (std::max)(result, is_vertex ? m_propagation.distance(m_triangulation.input().tail(at.halfedge))
-                                            : query()(at.halfedge, weights(at)).distance);
+                                            : arrival_at(at).distance);
     }
     return result;
   }
@@ -456,6 +455,13 @@ private:
   }
 
   bool is_known(double distance) const { return distance <= m_reach && std::isfinite(distance); }
+
+  typename Query::Arrival arrival_at(const Surface_location& at) const
+  {
+    CGAL_precondition_msg(m_extent == Distance_field_extent::EVERYWHERE,
+                          "a field of vertices only is asked for another place");
+    return query()(at.halfedge, weights(at));
+  }
 
   Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
 
