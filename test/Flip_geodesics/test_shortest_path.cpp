@@ -254,6 +254,45 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
   BOOST_TEST_MESSAGE(useful << " of " << rough.size() << " sweeps over rough meshes are of use");
 }
 
+// A search that a sweep narrows finds what one finds that goes everywhere: on rough meshes, where fronts meet on long
+// edges, and lines pass vertices closely.
+BOOST_AUTO_TEST_CASE(a_corridor_loses_no_path)
+{
+  const auto shaken = [](const Mesh_soup& soup, double by, unsigned seed) {
+    Random_numbers random(seed);
+    return mapped(soup, [&](const Coordinates& p) {
+      return Coordinates{p[0] + random.uniform(-by, by), p[1] + random.uniform(-by, by),
+                         p[2] + random.uniform(-by, by)};
+    });
+  };
+  for(const Mesh_soup& soup :
+      {grid(14, 14, Diagonal_rule::RANDOM, [](int i, int j) { return ((i * 7 + j * 13) % 5) * 0.9; }),
+       shaken(genus_3_plate(2), 0.3, 4), random_convex_polyhedron(150, 7), shaken(torus(26, 14, 3, 1), 0.25, 2),
+       mapped(bumpy_sphere(8, 0.3, 1), [](const Coordinates&p) {
+         return Coordinates{p[0], 0.2 * p[1], p[2]};
+       })})
+  {
+    Setting setting(soup);
+    const int n = setting.triangulation.number_of_vertices();
+    Random_numbers random(11);
+    for(int i = 0; i < 6; ++i) {
+      const Vertex_index source(random.below(n));
+      FG::internal::Unfolded_faces<Setting::Triangulation> faces(setting.triangulation);
+      FG::internal::Window_search<Setting::Triangulation> windows(setting.triangulation, faces, source);
+      windows.run(1e9);
+      for(int j = 0; j < 20; ++j) {
+        const Vertex_index target(random.below(n));
+        if(target == source)
+          continue;
+        const auto report = shortest(setting, source, target);
+        BOOST_TEST(report.is_confirmed);
+        BOOST_TEST(std::abs(report.length - windows.distance(target)) <= 1e-10 * report.length,
+                   source.idx() << " to " << target.idx());
+      }
+    }
+  }
+}
+
 // Given up, the search still says how much shorter a path could be.
 BOOST_AUTO_TEST_CASE(limited_effort)
 {

@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
-#include <CGAL/Flip_geodesics/internal/windows/Cone.h>
+#include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
 #include <algorithm>
@@ -24,22 +24,26 @@ namespace internal {
 /*
  * Lower bounds of the distances from a vertex, within a per cent or so, for a small part of the price of the distances.
  *
- * Each halfedge has one cone: no path from the source that leaves the halfedge's face through it, at whatever place, is
- * shorter than the cone says for the place. Such cones follow from each other. A path that leaves face abc through ab
- * has entered it through bc or ca, or comes from c; so no path is shorter than the least that the cones of those edges
- * and the distance of c allow,
+ * Each halfedge has a cone, or two beside each other. No path from the source that leaves the halfedge's face through it,
+ * at whatever place, is shorter than the least of three: what the cone says for the place, and the distances of the two
+ * ends with the way from there along the edge. Such cones follow from each other. A path that leaves face abc through ab has entered it
+ * through bc or ca, or comes from c; so no path is shorter than the least that the cones of those edges and the distance
+ * of c allow,
  *
  *               c
  *              / .               what enters through ca comes straight from its cone's point, and lights ab from a
  *       P     /   .     N        to where the line through c ends; what enters through bc lights the other end;
- *            /     .             between the two, there are the paths that turn at c.
+ *            /     .             the paths by way of c, and those along ab, are longer than that, or else they count
  *           a-------b
  *
- * The cone of ab is fitted to these three, so that it is nowhere above them, and meets them at a and b: were it below
- * there, cones around a vertex would push each other down for ever. So the bounds hold whatever the fit, and whatever the
- * order in which faces are passed; good ones are cheap where faces are passed in the order of the distance. A face is
- * passed again when a cone is not low enough any more. The waves of a fast marching method with virtual sources [NK02]
- * are cones of this kind, fitted to be near the distance and not to be below.
+ * The cone of ab is fitted to these, so that it is nowhere above them, and meets them at a and b: were it below there,
+ * cones around a vertex would push each other down for ever. Where two fronts meet on an edge, it has two. So the bounds
+ * hold whatever the fit, and whatever the order in which faces are passed; good ones are cheap where faces are passed in
+ * the order of the distance. A face is passed again when a cone is not low enough any more. The waves of a fast marching
+ * method with virtual sources [NK02] are cones of this kind, fitted to be near the distance and not to be below.
+ *
+ * That the paths by way of all corners count, also of those at which no shortest path turns, makes the bounds a matter of
+ * the triangle inequality alone: a fitted cone's point may be where it sends its rays past the edge that they should hit.
  *
  * What is lit is enlarged a little, for rounding. A shortest path takes one step for a face at most, and by what all steps
  * together may be wrong is taken off what is answered.
@@ -95,13 +99,16 @@ public:
    */
   double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const
   {
+    const Vertex_index a = m_triangulation.input().tail(h), b = m_triangulation.input().tail(twin_index(h));
     if(is_useful()) {
       const Wave* wave = known_wave(m_faces.known_number(h));
-      return wave == nullptr ? infinity : cone.least_sum(wave->cone, from, to) - m_total_error;
+      const double across = wave == nullptr ? infinity : wave->cones.least_sum(cone, from, to) - m_total_error;
+      const double along =
+          (std::min)(cone(from) + from + distance_lower_bound(a), cone(to) + (length - to) + distance_lower_bound(b));
+      return (std::min)(across, along);
     }
-    const auto& input = m_triangulation.input();
-    const double tail = cone(to) - to + in_space(input.tail(h)); // since a cone is not steeper than 1
-    const double head = cone(from) - (length - from) + in_space(input.tail(twin_index(h)));
+    const double tail = cone(to) - to + in_space(a); // since a cone is not steeper than 1
+    const double head = cone(from) - (length - from) + in_space(b);
     return (std::max)({cone.least(from, to), tail, head});
   }
 
@@ -115,7 +122,7 @@ private:
 
   struct Wave
   {
-    Cone cone;
+    Edge_cones cones;
     std::uint64_t key = 0;           // in the queue
     double apex_distance = infinity; // of the corner opposite to the side, when it was last looked at
     std::int32_t number_of_updates = 0;
@@ -126,26 +133,6 @@ private:
   {
     double distance, to_goal;
     bool is_reached, is_waiting, has_bound;
-  };
-
-  // A part of an edge, and what lights it.
-  struct Part
-  {
-    Cone cone;
-    double from, to;
-  };
-
-  struct Parts
-  {
-    std::array<Part, 3> part;
-    std::size_t size = 0;
-    double apex_value = infinity; // at the corner opposite to the edge
-
-    void add(const Cone& cone, double from, double to)
-    {
-      if(from < to)
-        part[size++] = {cone, from, to};
-    }
   };
 
   struct Entry
@@ -230,14 +217,11 @@ private:
       return;
     record.distance = distance;
     record.is_reached = true;
-    if(distance + to_goal(v) > m_bound + m_total_error || !is_turn(v))
+    if(distance + to_goal(v) > m_bound + m_total_error)
       return;
     record.is_waiting = true;
     m_queue.push({ordered_bits((std::max)(distance + delay, 0.0)), -1 - v.idx()});
   }
-
-  // Do paths turn at v?
-  bool is_turn(Vertex_index v) { return v == m_source || m_faces.is_passable(v); }
 
   // The wave of a side, if there is one.
   const Wave* known_wave(Index side) const
@@ -256,22 +240,22 @@ private:
   // Makes the cone of a side hold for what enters its face.
   void update(Index side)
   {
-    const Parts parts = lit_parts(side);
+    const Lit_parts parts = lit_parts(side);
     if(m_waves.size() < m_faces.size())
       m_waves.resize(m_faces.size());
     Wave& wave = m_waves[static_cast<std::size_t>(side)];
     wave.apex_distance = parts.apex_value;
-    if(parts.size == 0 || (wave.is_set && is_below(wave.cone, parts, tolerance(wave))))
+    const double length = m_faces[side].length;
+    if(parts.size == 0 || (wave.is_set && wave.cones.are_below(parts, length, tolerance(wave))))
       return;
     ++m_updates;
     ++wave.number_of_updates;
     if(wave.number_of_updates > free_updates)
       m_total_error += tolerance(wave);
-    const double length = m_faces[side].length;
-    wave.cone = fitted_cone(length, parts);
+    wave.cones = fitted_cones(parts, length, m_error);
     wave.is_set = true;
     const Vertex_index tail = m_faces[side].tail, head = m_faces[Faces::next(side)].tail;
-    const double at_tail = wave.cone(0), at_head = wave.cone(length);
+    const double at_tail = wave.cones.first(0), at_head = wave.cones.last(length)(length);
     reach(tail, at_tail, length);
     reach(head, at_head, length);
     // A cone is not steeper than 1.
@@ -292,44 +276,58 @@ private:
     return further <= 0 ? m_error : std::ldexp(m_error, 2 * further);
   }
 
-  bool is_below(const Cone& cone, const Parts& parts, double tolerance) const
-  {
-    for(std::size_t i = 0; i < parts.size; ++i) {
-      const Part& part = parts.part[i];
-      if(least_difference(part.cone, cone, part.from, part.to).value < -tolerance)
-        return false;
-    }
-    return true;
-  }
-
   // In the frame of a side, from 0 to its length on the x-axis with its face above.
-  Parts lit_parts(Index number)
+  Lit_parts lit_parts(Index number)
   {
     const Index next_number = Faces::next(number), previous_number = Faces::previous(number);
     const auto &side = m_faces[number], &next = m_faces[next_number], &previous = m_faces[previous_number];
     const Vertex_index opposite = previous.tail;
     const Vector apex = previous.length * Vector(side.cosine, side.sine);
     const double length = side.length;
-    Parts parts;
-    double left = 0, right = length; // up to where, and from where, the edge is lit
+    Lit_parts parts;
     if(const Wave* wave = known_wave(m_faces.known_twin(previous_number))) {
-      const Vector place = Vector(wave->cone.x, wave->cone.y) * Vector(side.cosine, side.sine);
-      const Cone cone = {place.real(), place.imag(), wave->cone.sigma};
-      parts.apex_value = wave->cone(previous.length);
-      left = lit_length(cone, apex, length);
-      parts.add(cone, 0, left);
+      parts.apex_value = wave->cones.last(previous.length)(previous.length);
+      light(parts, wave->cones, previous.length, Vector(side.cosine, side.sine), length, false);
     }
     if(const Wave* wave = known_wave(m_faces.known_twin(next_number))) { // seen in a mirror, from the head
-      const Vector place = Vector(next.length - wave->cone.x, wave->cone.y) * Vector(next.cosine, next.sine);
-      const Cone cone = {place.real(), place.imag(), wave->cone.sigma};
-      parts.apex_value = (std::min)(parts.apex_value, wave->cone(0));
-      right = length - lit_length(cone, next.length * Vector(next.cosine, next.sine), length);
-      parts.add({length - cone.x, cone.y, cone.sigma}, right, length);
+      parts.apex_value = (std::min)(parts.apex_value, wave->cones.first(0));
+      light(parts, wave->cones.mirrored(next.length), next.length, Vector(next.cosine, next.sine), length, true);
     }
-    add_apex(parts, opposite, apex, length, left, right); // may lay out faces
-    for(std::size_t i = 0; i < parts.size; ++i)           // what lies below the edge sends nothing up, up to rounding
+    add_apex(parts, opposite, apex, length);
+    for(std::size_t i = 0; i < parts.size; ++i) // what lies below the edge sends nothing up, up to rounding
       parts.part[i].cone.y = std::abs(parts.part[i].cone.y);
     return parts;
+  }
+
+  // Adds what comes in through the side that leaves 0 in a direction.
+  void light(Lit_parts& parts, const Edge_cones& cones, double side_length, const Vector& direction, double length,
+             bool is_mirrored) const
+  {
+    const int number = cones.split < side_length ? 2 : 1;
+    double end = 0;
+    for(int i = 0; i < number; ++i) {
+      const Cone cone = seen_from((i == 0 ? cones.first : cones.second), direction);
+      const bool is_first = i + 1 < number;
+      // No gap is left between what two cones light, nor where the second one lights nothing.
+      const bool is_alone = is_first && seen_from(cones.second, direction).y < -m_error && cone.y >= -m_error;
+      const double lit = lit_length(cone, (is_first ? cones.split : side_length) * direction, length);
+      const double to = is_alone ? length : lit;
+      const double from =
+          i == 0 ? 0 : (std::min)(lit_length(cone, cones.split * direction, length) - 1e-5 * length, end);
+      const Cone turned = is_mirrored ? Cone{length - cone.x, cone.y, cone.sigma} : cone;
+      if(is_mirrored)
+        parts.add(turned, length - to, length - (std::max)(from, 0.0));
+      else
+        parts.add(turned, (std::max)(from, 0.0), to);
+      end = (std::max)(end, to);
+    }
+  }
+
+  // A cone over the side that leaves 0 in a direction, in the frame of the edge.
+  static Cone seen_from(const Cone& cone, const Vector& direction)
+  {
+    const Vector place = Vector(cone.x, cone.y) * direction;
+    return {place.real(), place.imag(), cone.sigma};
   }
 
   /*
@@ -338,70 +336,24 @@ private:
    */
   double lit_length(const Cone& cone, const Vector& apex, double length) const
   {
-    constexpr double enlargement = 1e-6;
     if(cone.y < -m_error)
       return 0;
     const double fall = cone.y - apex.imag();
-    if(!(fall > 1e8 * m_error))
+    if(!(fall > 8 * m_error))
       return length;
     const double end = apex.real() + (apex.real() - cone.x) * (apex.imag() / fall);
+    const double enlargement = 1e-6 + 8 * m_error / fall; // of the edge
     return (std::min)((std::max)(end, 0.0) + enlargement * length, length);
   }
 
-  // The paths that turn at the apex. Where they cannot, it stands for what has not come around it yet.
-  void add_apex(Parts& parts, Vertex_index v, const Vector& apex, double length, double left, double right)
+  // The paths by way of the apex.
+  void add_apex(Lit_parts& parts, Vertex_index v, const Vector& apex, double length) const
   {
     const Vertex_record& record = m_vertices[v];
-    const bool is_passed = record.is_reached && is_turn(v);
-    if(is_passed) {
-      parts.apex_value = (std::min)(record.distance, parts.apex_value);
+    if(record.is_reached)
+      parts.apex_value = (std::min)(parts.apex_value, record.distance);
+    if(parts.apex_value < infinity)
       parts.add({apex.real(), apex.imag(), parts.apex_value}, 0, length);
-    } else if(parts.apex_value < infinity)
-      parts.add({apex.real(), apex.imag(), parts.apex_value}, left, right);
-  }
-
-  // The flattest cone that has the least values at the ends, is below all parts, and whose point is no farther away than
-  // theirs.
-  Cone fitted_cone(double length, const Parts& parts) const
-  {
-    if(parts.size == 1)
-      return parts.part[0].cone;
-    double at_start = infinity, at_end = infinity, sigma = infinity, middle = infinity;
-    for(std::size_t i = 0; i < parts.size; ++i) {
-      const auto& [cone, from, to] = parts.part[i];
-      at_start = (std::min)(at_start, cone(from) + from);
-      at_end = (std::min)(at_end, cone(to) + (length - to));
-      sigma = (std::min)(sigma, cone.sigma);
-      if(from <= 0.5 * length && 0.5 * length <= to)
-        middle = (std::min)(middle, cone(0.5 * length));
-    }
-    const Cones_through_ends cones(length, at_start, at_end);
-    if(middle < infinity)
-      sigma = (std::max)(sigma, cones.sigma(0.5 * length, middle));
-    // Where it touches a part, it may be a little too high beside that place: a little more, then.
-    for(double more = 1e-3; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
-      const Cone cone = cones(sigma);
-      const double lower = sigma_below(cone, cones, parts);
-      if(!(lower > sigma))
-        return cone;
-      sigma = lower + more * (cones.largest_sigma() - lower);
-    }
-    return cones(cones.largest_sigma());
-  }
-
-  // The sigma of a cone that is not above the parts where this one is highest above them; its own, if it is nowhere.
-  double sigma_below(const Cone& cone, const Cones_through_ends& cones, const Parts& parts) const
-  {
-    double excess = m_error, sigma = cone.sigma;
-    for(std::size_t i = 0; i < parts.size; ++i) {
-      const Part& part = parts.part[i];
-      const auto least = least_difference(part.cone, cone, part.from, part.to);
-      if(-least.value > excess) {
-        excess = -least.value;
-        sigma = (std::max)(cones.sigma(least.place, part.cone(least.place)), sigma + m_error);
-      }
-    }
-    return sigma;
   }
 
   const Triangulation& m_triangulation;
