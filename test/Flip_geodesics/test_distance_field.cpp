@@ -511,7 +511,7 @@ BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
   at_vertices.add_source(0_v);
   at_vertices.compute();
   BOOST_TEST(at_vertices.distance(s.vertex(0)) == 0);
-  BOOST_CHECK_THROW(at_vertices.distance(Location{h, {{1, 1, 1}}}), CGAL::Precondition_exception);
+  BOOST_CHECK_THROW(at_vertices.distance(Location{h, {{1, 1, 1}}}), FG::Invalid_parameter_error);
   // Repeated points, and a curve of one.
   field.add_curve(std::vector<Location>{s.vertex(0), s.vertex(0)});
   field.add_curve(std::vector<Location>{Location{h, {{1, 1, 1}}}, Location{h, {{1, 1, 1}}}});

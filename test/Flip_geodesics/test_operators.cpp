@@ -266,7 +266,8 @@ std::vector<double> solutions(const Mesh& mesh)
   const FG::Conformal_flattening<Archetype> flattening(window);
   for(FG::Halfedge_index g : FG::internal::descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges())) {
     result.push_back(std::cos(4 * (field.angle(triangulation.tail(g)) - field.tangent_spaces().angle(g))));
-    result.push_back(flattening.log_scale(flattening.copy_at(g)));
+    if(!triangulation.is_border(g))
+      result.push_back(flattening.log_scale(flattening.copy_at(g)));
   }
   return result;
 }

@@ -226,13 +226,13 @@ BOOST_AUTO_TEST_CASE(bounds_that_make_no_sense_are_refused)
 {
   Curve_setting s(single_triangle());
   FG::Refinement_options options;
-  for(double angle : {-1.0, 30.5, 90.0}) {
+  for(double angle : {-1.0, 30.5, 90.0, std::numeric_limits<double>::quiet_NaN()}) {
     options.smallest_angle = angle;
-    BOOST_CHECK_THROW(FG::refine(s.triangulation, options), CGAL::Precondition_exception);
+    BOOST_CHECK_THROW(FG::refine(s.triangulation, options), FG::Invalid_parameter_error);
   }
   options.smallest_angle = 20;
   options.longest_edge = 0;
-  BOOST_CHECK_THROW(FG::refine(s.triangulation, options), CGAL::Precondition_exception);
+  BOOST_CHECK_THROW(FG::refine(s.triangulation, options), FG::Invalid_parameter_error);
 }
 
 // Faces with a sharp corner that is wide enough count as all others.

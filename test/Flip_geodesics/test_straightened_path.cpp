@@ -305,6 +305,7 @@ BOOST_AUTO_TEST_CASE(a_leg_along_an_edge_that_another_leg_crosses)
   BOOST_TEST(outcome.first_flips > 0u); // which were taken back
 }
 
+#ifndef CGAL_NO_PRECONDITIONS
 BOOST_AUTO_TEST_CASE(a_path_is_straightened_on_the_input_alone)
 {
   Curve_setting setting(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 1));
@@ -318,6 +319,7 @@ BOOST_AUTO_TEST_CASE(a_path_is_straightened_on_the_input_alone)
   setting.network.add_curve(path, false);
   BOOST_CHECK_THROW(FG::add_straightened_path(setting.network, path), CGAL::Precondition_exception);
 }
+#endif
 
 BOOST_AUTO_TEST_CASE(beside_a_face_without_area_the_path_itself_is_added)
 {

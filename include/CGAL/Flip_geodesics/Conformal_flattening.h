@@ -76,7 +76,12 @@ public:
   /// The vertex of the triangulation that a vertex of the cut surface is a copy of.
   Vertex_index vertex(Index copy) const { return m_surface.vertices()[copy]; }
   /// The copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
-  Index copy_at(Halfedge_index h) const { return m_surface.copy_at(h); }
+  /// \pre `h` is not on the border
+  Index copy_at(Halfedge_index h) const
+  {
+    CGAL_precondition_msg(!m_triangulation->is_border(h), "on the left of a border halfedge there is no face");
+    return m_surface.copy_at(h);
+  }
   /// The position of a copy in the plane.
   const Point& point(Index copy) const { return m_points[copy]; }
   /// The logarithm \f$u\f$ of a copy's scale factor.

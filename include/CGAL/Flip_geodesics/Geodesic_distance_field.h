@@ -262,7 +262,7 @@ public:
    * The distance of a location and the nearest source. Linear in the windows on the sides of its face.
    *
    * \throws Invalid_location_error
-   * \pre `EVERYWHERE`, or the location is a vertex
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY`, and the location is none
    */
   Answer answer(const Surface_location& location) const
   {
@@ -285,7 +285,7 @@ public:
    * distance is infinite. Linear in the edges that it crosses, and the windows on the sides of the face.
    *
    * \throws Invalid_location_error
-   * \pre `EVERYWHERE`, or the location is a vertex
+   * \throws Invalid_parameter_error if the field is `VERTICES_ONLY`, and the location is none
    */
   std::vector<Surface_point> surface_points(const Surface_location& location) const
   {
@@ -458,8 +458,8 @@ private:
 
   typename Query::Arrival arrival_at(const Surface_location& at) const
   {
-    CGAL_precondition_msg(m_extent == Distance_field_extent::EVERYWHERE,
-                          "a field of vertices only is asked for another place");
+    if(m_extent != Distance_field_extent::EVERYWHERE)
+      throw Invalid_parameter_error("a field of vertices only is asked for another place");
     return query()(at.halfedge, weights(at));
   }
 

@@ -67,7 +67,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// A number that says what is wanted is none that can be had: a level that is not finite, a tolerance that is not
-/// positive; or a distance field is not a number somewhere. `elements()` is the position of the level, or the face.
+/// positive, bounds of a refinement that none can reach. Or a distance field is not a number somewhere, or keeps nothing
+/// of the place that it is asked for. `elements()` is the position of the level, or the face, if there is one.
 class Invalid_parameter_error : public Error
 {
 public:

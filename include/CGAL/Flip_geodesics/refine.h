@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -106,13 +107,23 @@ Refinement_status refinement_status(End end, std::size_t missed)
   return end == End::LIMIT ? Refinement_status::VERTEX_LIMIT : Refinement_status::BOUNDS_NOT_REACHABLE;
 }
 
+/* Beyond these bounds a refinement goes on to its limit, whatever the mesh. \throws Invalid_parameter_error */
+inline void check(const Refinement_options& options)
+{
+  if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
+    throw Invalid_parameter_error("the smallest angle of a refinement is to be " +
+                                  std::to_string(options.smallest_angle) + " degrees, which is not between 0 and 30");
+  if(!(options.longest_edge > 0))
+    throw Invalid_parameter_error("the longest edge of a refinement is to be " + std::to_string(options.longest_edge) +
+                                  " long, which is not positive");
+}
+
 template <class Triangulation, class Splitter, class Visitor>
 Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const Refinement_options& options,
                          Visitor& visitor)
 {
   constexpr double degree = boost::math::constants::degree<double>();
-  CGAL_precondition_msg(options.smallest_angle >= 0 && options.smallest_angle <= 30, "no more than 30 degrees");
-  CGAL_precondition_msg(options.longest_edge > 0, "edges have a length");
+  check(options);
   const double angle = options.smallest_angle * degree;
   Refinement_report report;
   const Delaunay_report flipped =
@@ -158,7 +169,7 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  *        each bad face, `on_flip()` called after each flip and `on_insertion()` after each vertex. Ended by it, or by
  *        an exception that it throws, the triangulation and its curves are valid, and the curves as long as before
  * \return what was reached, measured on the result
- * \throws what is thrown when faces are first touched
+ * \throws Invalid_parameter_error for bounds that make no sense; what is thrown when faces are first touched
  *
  * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
  * faces that are refined: how many points an input face has got does not slow further ones down.
