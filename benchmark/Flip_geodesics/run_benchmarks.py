@@ -16,6 +16,7 @@ detours.csv     the same from starts that are far from the geodesic             
 kernels.csv     single operations, plain and certified                          kernels
 exact.csv       continuous Dijkstra and the heat method                         compare_distance_methods
 fields.csv      exact distances of all vertices                                 compare_distance_fields
+pairs.csv       shortest paths between random vertices                          shortest_pairs
 machine.txt     processor, compiler, load at the start
 """
 
@@ -125,6 +126,7 @@ def main():
         table("exact.csv", "compare_distance_methods", 3 if arguments.all else 2, "torus:4000", "torus:16000",
               *real[2:3], *(real[:1] if arguments.all else []))
         table("fields.csv", "compare_distance_fields", 3, int(arguments.all), "torus:16000", *real)
+        table("pairs.csv", "shortest_pairs", 100 if arguments.all else 20, "torus:16000", *real)
         if (arguments.programs / "kernels").exists():
             table("kernels.csv", "kernels", "--benchmark_format=csv", "--benchmark_repetitions=5",
                   "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.2")
