@@ -362,7 +362,9 @@ std::size_t number_of_searches(const Curve_setting& s)
 BOOST_AUTO_TEST_CASE(insertions_in_a_row_take_linear_work)
 {
   std::vector<std::size_t> steps, flips;
-  for(const std::size_t limit : {1000u / stride, 2000u / stride, 4000u / stride}) {
+  for(const std::size_t limit : {1000u, 2000u, 4000u}) {
+    if(stride > 1 && limit > 2000)
+      continue;
     Curve_setting s(cone_disk(20, 3, 1e-4));
     FG::Refinement_options options;
     options.maximum_insertions = limit;
