@@ -478,6 +478,40 @@ BOOST_AUTO_TEST_CASE(paths_that_go_on_from_one_too_long_are_replaced_with_it)
   BOOST_TEST(followers > 0);
 }
 
+// A distance field says of each shortest path how it arrives, as the search does that keeps all windows: from which
+// vertex, how far that is, and at which angle.
+BOOST_AUTO_TEST_CASE(a_field_and_a_search_say_the_same_of_last_legs)
+{
+  using Triangulation = Setting::Triangulation;
+  int straight = 0, along = 0;
+  for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), saddle_disk(12, 5, 9), grid_with_hole(9, 9, 3, 6, 3, 6)}) {
+    Setting setting(soup);
+    const Triangulation& t = setting.triangulation;
+    FG::internal::Unfolded_faces<Triangulation> faces(t);
+    FG::internal::Window_search<Triangulation> search(t, faces, 17_v);
+    search.run(std::numeric_limits<double>::infinity());
+    FG::internal::Window_propagation<Triangulation> field(t, false);
+    field.add_vertex(17_v, 0, 0);
+    field.run(std::numeric_limits<double>::infinity(), 1000000);
+    for(Vertex_index v : descriptors<Vertex_index>(t.number_of_vertices())) {
+      if(v == 17_v)
+        continue;
+      const FG::internal::Last_leg leg = FG::internal::last_leg(t, field, v), other = last_leg(t, search, v);
+      BOOST_TEST(std::abs(field.distance(leg.from) + leg.length - field.distance(v)) <= tolerance * leg.length);
+      if(leg.from != other.from || search.leg(v).word.crossed.empty() != (leg.angle == 0))
+        continue; // two paths of one length
+      const FG::internal::Vertex_directions<Triangulation> directions(t, v);
+      const double difference = directions.of_input(leg.halfedge) + leg.angle - directions.of_input(other.halfedge);
+      const double turn = std::remainder(difference - other.angle, directions.total());
+      BOOST_TEST(std::abs(turn) <= 1e-9, "vertex " << v.idx());
+      BOOST_TEST(std::abs(leg.length - other.length) <= tolerance * leg.length);
+      ++(leg.angle == 0 ? along : straight);
+    }
+  }
+  BOOST_TEST(straight > 200);
+  BOOST_TEST(along > 20);
+}
+
 // A path as short as the bound says, up to rounding.
 BOOST_AUTO_TEST_CASE(a_gap_is_not_negative)
 {

@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
-#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/assertions.h>
@@ -49,7 +49,7 @@ bool count_longer(const Tree& tree, const Search& search, double tolerance, std:
   count = 0;
   excess = 0;
   bool is_consistent = true;
-  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().number_of_vertices())) {
+  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices())) {
     if(!search.is_reached(v) || search.distance(v) > tree.max_distance() || v == tree.source())
       continue;
     const double ratio = tree.distance(v) / search.distance(v) - 1;
@@ -83,13 +83,13 @@ double longest_wanted(const Tree& tree)
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
- * Finds the paths of a tree that are not globally shortest, and replaces them. The shortest paths are searched on the
- * input as by `add_shortest_path()`, exact up to rounding; then the longer paths are taken out of the tree, and
+ * Finds the paths of a tree that are not globally shortest, and replaces them. The distances on the input are computed
+ * as by `Geodesic_distance_field`, exact up to rounding; then the longer paths are taken out of the tree, and
  * shortest ones inserted by flips, the nearest first. They do not cross what is there, since shortest paths from one
  * vertex never cross. Vertices within the tree's limit that it did not find are added.
  *
- * Complexity: that of the search, \f$O(w \log w)\f$ for \f$w\f$ windows, mostly more than it took to grow the tree;
- * and for each path that is replaced the degree of its end and the edges that its last leg crosses.
+ * Complexity: that of `Geodesic_distance_field::compute()`, and for each path that is replaced the degree of its end and
+ * the edges that its last leg crosses.
  *
  * \param tree a tree that has been grown to its end
  * \param limit beyond it the search is given up, and the tree stays as it is
@@ -112,12 +112,13 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   Shortest_tree_report report;
   const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
-  internal::Unfolded_faces<Triangulation> faces(tree.triangulation());
-  internal::Window_search<Triangulation> search(tree.triangulation(), faces, tree.source());
+  using Search = internal::Window_propagation<Triangulation>;
+  Search search(tree.triangulation(), false);
+  search.add_vertex(tree.source(), 0, 0);
   const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
   report.windows = search.number_of_windows();
   report.is_confirmed = is_sound && report.windows <= most_windows;
-  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().number_of_vertices()))
+  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices()))
     report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
 
   const bool is_consistent =
@@ -127,7 +128,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
   report.largest_excess = report.largest_excess_before;
   if(report.windows > most_windows)
     return report;
-  internal::Shortest_tree_repair<Tree> repair(tree, search, tolerance);
+  internal::Shortest_tree_repair<Tree, Search> repair(tree, search, tolerance);
   const std::vector<Vertex_index> longer = repair.longer();
   if(!longer.empty())
     report.status = repair.run(longer);

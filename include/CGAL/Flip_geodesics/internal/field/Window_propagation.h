@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/field/Edge_windows.h>
 #include <CGAL/Flip_geodesics/internal/field/Face_sides.h>
 #include <CGAL/Flip_geodesics/internal/field/Source_part.h>
+#include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -119,6 +120,18 @@ public:
   bool is_reached(Vertex_index v) const { return m_vertices[v].is_reached; }
   double distance(Vertex_index v) const { return is_reached(v) ? m_vertices[v].distance : infinity; }
   const Vertex_record& vertex(Vertex_index v) const { return m_vertices[v]; }
+  /* \pre it comes from a vertex, and is none that was made a source */
+  Last_leg last_leg(Vertex_index v) const
+  {
+    double angle = 0;
+    const Input_halfedge_index h = first_halfedge(v, angle);
+    const Vertex_record& record = m_vertices[v];
+    const Vertex_index from(record.root);
+    if(record.along != null_index)
+      return {from, h, 0, m_triangulation.metric().length(m_triangulation.input(), record.along)};
+    const Face_side& f = m_sides.known(record.through);
+    return {from, h, -angle, std::hypot(f.x - record.window.x, f.y + record.window.y)};
+  }
   const std::vector<Source_part>& parts() const { return m_parts; }
   const Face_sides<Triangulation>& sides() const { return m_sides; }
   const Edge_windows& windows() const { return m_windows; }
@@ -212,14 +225,14 @@ private:
   }
 
   // A halfedge that starts at v, and its angle counterclockwise from where the path to v comes.
-  Input_halfedge_index first_halfedge(Vertex_index v, double& angle)
+  Input_halfedge_index first_halfedge(Vertex_index v, double& angle) const
   {
     const Vertex_record& record = m_vertices[v];
     if(record.along != null_index)
       return twin_index(record.along);
     if(record.through == null_index)
       return m_triangulation.input().outgoing(v);
-    const Face_side& f = m_sides(record.through);
+    const Face_side& f = m_sides.known(record.through);
     const Window& w = record.window;
     const Vector apex(f.x, f.y), back = Vector(w.x, -w.y) - w.weight() * apex;
     angle = -std::arg(back * std::conj(-apex));

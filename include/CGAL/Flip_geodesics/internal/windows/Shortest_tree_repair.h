@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 
 #include <algorithm>
@@ -33,13 +34,14 @@ namespace internal {
  * Paths in the tree that are shortest up to rounding only can cross such a leg; they are taken off as well then, each
  * once. A leg that crosses one face several times, as on rough terrain, cannot be inserted by these flips: such legs
  * come last, after the edges beside the tree are flipped to Delaunay.
+ *
+ * The search knows of the vertices of the input how far they are, and their last legs.
  */
-template <class Tree>
+template <class Tree, class Search = Window_search<typename Tree::Triangulation>>
 class Shortest_tree_repair
 {
   using Triangulation = typename Tree::Triangulation;
   using Grafts = typename Tree::Grafts;
-  using Search = Window_search<Triangulation>;
   using Vector = std::complex<double>;
 
 public:
@@ -112,7 +114,7 @@ private:
   std::vector<Vertex_index> vertices_by_distance() const
   {
     std::vector<Vertex_index> order;
-    for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.number_of_vertices()))
+    for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.input().number_of_vertices()))
       if(m_search.distance(v) <= m_tree.max_distance() && m_search.is_reached(v))
         order.push_back(v);
     std::sort(order.begin(), order.end(), [this](Vertex_index v, Vertex_index w) {
@@ -165,8 +167,7 @@ private:
   // Returns false, and leaves v without a path, if something is in the way, which only rounding can put there.
   bool insert_last_leg(Grafts& grafts, Vertex_index v)
   {
-    const auto leg = m_search.leg(v);
-    std::vector<Halfedge_index> chain = traced(v, leg.from, Strip<Triangulation>(m_triangulation, leg.word.reversed()));
+    std::vector<Halfedge_index> chain = traced(v, last_leg(m_triangulation, m_search, v));
     if(chain.empty())
       return false;
     m_flips += straighten_on_the_right(m_triangulation, chain);
@@ -195,15 +196,15 @@ private:
   }
 
   /*
-   * Follows the straight line of a strip from v through the triangulation as it is now, up to the first vertex on it.
+   * Follows the last leg from v back through the triangulation as it is now, up to the first vertex on it.
    * Returns halfedges from v to there along the left side of the faces passed; none if the line gets lost, or meets an
    * edge of the tree, whose farther end is noted.
    */
-  std::vector<Halfedge_index> traced(Vertex_index v, Vertex_index end, const Strip<Triangulation>& strip)
+  std::vector<Halfedge_index> traced(Vertex_index v, const Last_leg& leg)
   {
     constexpr double straight = 1e-9; // in radians
     const Vertex_directions<Triangulation> directions(m_triangulation, v);
-    const double direction = directions(strip), length = strip.length();
+    const double direction = directions.of_input(leg.halfedge) + leg.angle, length = leg.length;
     double offset = 0;
     const Halfedge_index spoke = last_spoke_before(directions, v, direction, offset);
     if(spoke == null_index)
@@ -225,7 +226,7 @@ private:
       face = face_along(entered, gate);
       const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
       const Vertex_index w = m_triangulation.tail(m_triangulation.previous(entered));
-      const bool is_end = w == end && std::abs(apex - length) <= straight * length;
+      const bool is_end = w == leg.from && std::abs(apex - length) <= straight * length;
       if(is_end || is_passed(apex, length))
         return left_side_of_strip(m_triangulation, crossed);
       const bool is_leaving_right = apex.imag() > 0;
