@@ -88,6 +88,7 @@ void check_path(const Asked_surface& s, const Field& field, const Location& from
   std::vector<Point> points;
   field.path(from, std::back_inserter(points));
   BOOST_REQUIRE(points.size() >= 2u);
+  BOOST_TEST(points.size() <= 2 + s.mesh.number_of_edges() + s.mesh.number_of_vertices());
   double length = 0;
   for(std::size_t i = 1; i < points.size(); ++i)
     length += distance_in_space(points[i - 1], points[i]);
@@ -240,6 +241,28 @@ BOOST_AUTO_TEST_CASE(distances_in_the_plane)
   }
 }
 
+// Almost as near to all places as the first source lets it be, the second one is the nearest in a narrow region only: on
+// edges across it, in the middle.
+BOOST_AUTO_TEST_CASE(narrow_regions_in_the_plane)
+{
+  std::mt19937 random(17);
+  const Asked_surface s(flat_grid(5, 5, Diagonal_rule::RANDOM));
+  for(int round = 0; round < 60; ++round) {
+    const Location first = s.random_location(random), second = s.random_location(random);
+    const Point p = s.at(first), q = s.at(second);
+    const double offset = (round % 2 == 0 ? 0.97 : 0.995) * distance_in_space(p, q);
+    Field field(s.triangulation, s.mesh);
+    field.add_source(round % 3 == 0 ? second : first, round % 3 == 0 ? offset : 0);
+    field.add_source(round % 3 == 0 ? first : second, round % 3 == 0 ? 0 : offset);
+    field.compute();
+    for(int i = 0; i < 300; ++i) {
+      const Location at = s.random_location(random);
+      const double nearest = (std::min)(distance_in_space(s.at(at), p), offset + distance_in_space(s.at(at), q));
+      check_close(field.distance(at), nearest, 1, "narrow region");
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(sources_with_offsets_give_the_least_of_single_ones)
 {
   std::mt19937 random(5);
@@ -379,6 +402,149 @@ BOOST_AUTO_TEST_CASE(distances_from_a_line_in_the_plane_are_exact)
   setting.network.clear();
 }
 
+// Parallel to its sides, so that the rays of some run along others; from a corner; on a side. With a point whose region
+// is narrow.
+BOOST_AUTO_TEST_CASE(distances_from_segments_in_faces_are_exact)
+{
+  using Weights = std::array<double, 3>;
+  const std::vector<std::pair<Weights, Weights>> segments = {
+      {Weights{2, 1, 1}, Weights{1, 2, 1}}, {Weights{6, 1, 1}, Weights{1, 1, 6}}, {Weights{1, 1, 2}, Weights{1, 2, 1}},
+      {Weights{3, 1, 0}, Weights{1, 2, 0}}, {Weights{0, 1, 0}, Weights{1, 0, 1}}, {Weights{5, 3, 2}, Weights{1, 3, 7}},
+      {Weights{1, 3, 0}, Weights{0, 3, 1}}};
+  std::mt19937 random(23);
+  const Asked_surface s(flat_grid(4, 4, Diagonal_rule::RANDOM));
+  for(const auto& [first, last] : segments)
+    for(FG::Index i = 0; i < s.triangulation.number_of_halfedges(); i += 5) {
+      const FG::Input_halfedge_index h(i);
+      if(s.triangulation.input().is_border(h))
+        continue;
+      const std::vector<Location> curve = {{h, first}, {h, last}};
+      const CGAL::Segment_3<CGAL::Simple_cartesian<double>> segment(s.at(curve[0]), s.at(curve[1]));
+      const Location point = s.random_location(random);
+      const double offset = 0.98 * std::sqrt(CGAL::squared_distance(s.at(point), segment));
+      Field field(s.triangulation, s.mesh), both(s.triangulation, s.mesh);
+      field.add_curve(curve);
+      field.compute();
+      both.add_source(point, offset);
+      both.add_curve(curve);
+      both.compute();
+      for(int k = 0; k < 60; ++k) {
+        const Location at = s.random_location(random);
+        const double expected = std::sqrt(CGAL::squared_distance(s.at(at), segment));
+        check_close(field.distance(at), expected, 1, "segment");
+        check_close(both.distance(at), (std::min)(expected, offset + distance_in_space(s.at(at), s.at(point))), 1,
+                    "segment and point");
+      }
+    }
+}
+
+// Away from the source also on edges, and beside them, whichever side the place is told from.
+BOOST_AUTO_TEST_CASE(gradients_in_the_plane)
+{
+  std::mt19937 random(29);
+  const Asked_surface s(flat_grid(5, 5, Diagonal_rule::RANDOM));
+  const auto& input = s.triangulation.input();
+  const auto turned = [](const std::array<double, 3>& w) { return std::array<double, 3>{w[1], w[2], w[0]}; };
+  const auto check = [&](const Field& field, const Location& at, const Point& nearest) {
+    const auto g = field.gradient_in_space(at), away = s.at(at) - nearest;
+    if(away.squared_length() > 1e-4)
+      BOOST_TEST(std::sqrt((g - away / std::sqrt(away.squared_length())).squared_length()) < 1e-5);
+  };
+  for(int round = 0; round < 20; ++round) {
+    const Location source = s.random_location(random);
+    Field field(s.triangulation, s.mesh), line(s.triangulation, s.mesh);
+    field.add_source(source);
+    field.compute();
+    const Location end{source.halfedge, {{1, 2, 3}}};
+    const CGAL::Segment_3<CGAL::Simple_cartesian<double>> segment(s.at(source), s.at(end));
+    line.add_curve(std::vector<Location>{source, end});
+    line.compute();
+    for(int i = 0; i < 100; ++i) {
+      Location at = s.random_location(random);
+      at.weights[2] = i % 3 == 0 ? 0 : (i % 3 == 1 ? 1e-9 : at.weights[2]);
+      at.weights[1] += 1; // no vertex
+      if(input.is_border(FG::internal::twin_index(at.halfedge)) && i % 3 < 2)
+        continue;
+      check(field, at, s.at(source));
+      const auto direction = segment.to_vector();
+      const double t = (s.at(at) - segment.source()) * direction / direction.squared_length();
+      if(std::abs(t) > 1e-2 && std::abs(t - 1) > 1e-2)
+        check(line, at, segment.source() + direction * (std::min)((std::max)(t, 0.0), 1.0));
+    }
+    // At sources, also as a point of one, and at vertices there is none.
+    const Location corner{source.halfedge, {{0, 1, 0}}};
+    for(const Location& at : {source, Location{input.next(source.halfedge), turned(source.weights)}, corner}) {
+      BOOST_TEST(field.gradient(at)[0] == 0);
+      BOOST_TEST(field.gradient(at)[1] == 0);
+    }
+    const double sum = source.weights[0] + source.weights[1] + source.weights[2];
+    for(const double part : {0.0, 0.3, 0.5, 0.77, 1.0}) {
+      Location at = end;
+      for(std::size_t k = 0; k < 3; ++k)
+        at.weights[k] = part * at.weights[k] / 6 + (1 - part) * source.weights[k] / sum;
+      BOOST_TEST(line.gradient(at)[0] == 0);
+      BOOST_TEST(line.gradient(at)[1] == 0);
+    }
+  }
+}
+
+// The direction of each point on the way is that in which the path goes on, as for all curves.
+BOOST_AUTO_TEST_CASE(paths_as_curve_points)
+{
+  const Asked_surface s(bumpy_sphere(6, 0.3, 4));
+  Field field(s.triangulation, s.mesh);
+  field.add_source(3_v);
+  field.compute();
+  for(int v : {3, 50, 100}) {
+    std::vector<FG::Curve_point<Mesh, Point>> points;
+    field.path(s.vertex(v), std::back_inserter(points));
+    BOOST_REQUIRE(points.size() >= 2u);
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t from = i + 1 < points.size() ? i : i - 1;
+      const auto step = points[from + 1].point - points[from].point;
+      const double length = std::sqrt(step.squared_length());
+      BOOST_TEST(std::sqrt((points[i].tangent * length - step).squared_length()) <= 1e-12);
+    }
+  }
+}
+
+// Few windows are made that are not kept, and those of an edge hardly overlap; a field of vertices only gives them back.
+BOOST_AUTO_TEST_CASE(windows_are_few)
+{
+  using Propagation = FG::internal::Window_propagation<Triangulation>;
+  for(const Mesh_soup& soup : {bumpy_sphere(12, 0.3, 1), jittered_grid(24, 24, Diagonal_rule::RANDOM, 0.2, 3),
+                               torus(26, 14, 2, 1), flat_grid(14, 14, Diagonal_rule::RANDOM), genus_3_plate(2),
+                               mapped(bumpy_sphere(8, 0.4, 3), [](const Coordinates& p) {
+                                 return Coordinates{p[0], p[1], 0.2 * p[2]};
+                               })})
+  {
+    const Asked_surface s(soup);
+    const auto& input = s.triangulation.input();
+    Propagation whole(s.triangulation, true), passing(s.triangulation, false);
+    for(Propagation* propagation : {&whole, &passing}) {
+      propagation->add_vertex(5_v, 0, 0);
+      propagation->run(infinity, std::numeric_limits<std::size_t>::max());
+      BOOST_TEST(propagation->reach() == infinity);
+    }
+    std::size_t kept = 0, left = 0;
+    double covered = 0, length = 0;
+    for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e) {
+      kept += whole.windows().on_edge(e).size();
+      left += passing.windows().on_edge(e).size();
+      const auto h = FG::Input_halfedge_index(2 * e);
+      length += whole.sides().copy(input.is_border(h) ? FG::internal::twin_index(h) : h).length;
+      for(const FG::internal::Window& w : whole.windows().on_edge(e))
+        covered += w.to - w.from;
+    }
+    BOOST_TEST(whole.number_of_windows() <= 1.2 * kept);
+    BOOST_TEST(whole.windows().capacity() <= 2.5 * kept);
+    BOOST_TEST(covered <= 1.001 * length);
+    BOOST_TEST(passing.number_of_windows() <= 1.01 * whole.number_of_windows());
+    BOOST_TEST(passing.windows().capacity() <= 0.5 * whole.windows().capacity());
+    BOOST_TEST(left <= 0.02 * kept);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(paths_that_pass_vertices_are_not_lost)
 {
   // All places are those of a lattice, so that rays pass vertices exactly, or within rounding.
@@ -417,17 +583,28 @@ BOOST_AUTO_TEST_CASE(limits_of_a_field)
   BOOST_TEST(near.windows < all.windows / 2);
   for(int i = 0; i < 500; ++i) {
     const Location at = s.random_location(random);
-    if(whole.distance(at) <= limits.radius)
+    if(whole.distance(at) <= field.reach())
       BOOST_TEST(std::abs(whole.distance(at) - field.distance(at)) < 1e-12);
     else
-      BOOST_TEST(field.distance(at) >= whole.distance(at) - 1e-12);
+      BOOST_TEST(field.distance(at) == infinity);
   }
+  BOOST_TEST(field.reach() >= limits.radius);
+  const Location in_face{s.triangulation.input().outgoing(20_v), {{1, 2, 3}}};
+  for(const double radius : {10.0, infinity})
+    for(const bool is_vertex_last : {false, true}) {
+      Field some(s.triangulation, s.mesh);
+      some.add_source(5_v);
+      limits.radius = radius;
+      limits.targets = {s.vertex(0), in_face};
+      if(is_vertex_last)
+        std::swap(limits.targets[0], limits.targets[1]);
+      const auto targets = some.compute(limits);
+      BOOST_TEST((targets.status == FG::Distance_field_status::TARGETS_REACHED));
+      for(const Location& target : limits.targets)
+        BOOST_TEST(std::abs(whole.distance(target) - some.distance(target)) < 1e-12);
+    }
   limits.radius = infinity;
-  limits.targets = {s.vertex(0), {s.triangulation.input().outgoing(20_v), {{1, 2, 3}}}};
-  const auto targets = field.compute(limits);
-  BOOST_TEST((targets.status == FG::Distance_field_status::TARGETS_REACHED));
-  for(const Location& target : limits.targets)
-    BOOST_TEST(std::abs(whole.distance(target) - field.distance(target)) < 1e-12);
+  field.compute(limits);
   limits.targets.clear();
   limits.windows = FG::Window_limit(10);
   Field small(s.triangulation, s.mesh);
@@ -438,6 +615,46 @@ BOOST_AUTO_TEST_CASE(limits_of_a_field)
   for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices())) {
     BOOST_TEST(small.distance(v) == whole.distance(v));
     BOOST_TEST((field.distance(v) == infinity || std::abs(field.distance(v) - whole.distance(v)) < 1e-12));
+  }
+}
+
+// Each distance up to the reach is known, wherever the front stands.
+BOOST_AUTO_TEST_CASE(growing_radii)
+{
+  std::mt19937 random(31);
+  for(const Mesh_soup& soup : {bumpy_sphere(6, 0.4, 9), flat_grid(8, 8, Diagonal_rule::RANDOM), cube(3)}) {
+    const Asked_surface s(soup);
+    const Location source = s.random_location(random), other = s.random_location(random);
+    const std::vector<Location> curve = {{source.halfedge, {{5, 1, 1}}}, {source.halfedge, {{1, 2, 4}}}};
+    Field whole(s.triangulation, s.mesh), field(s.triangulation, s.mesh);
+    double largest = 0;
+    for(Field* f : {&whole, &field}) {
+      f->add_curve(curve, 0.1);
+      f->add_source(other, 0.2);
+    }
+    whole.compute();
+    for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices()))
+      largest = (std::max)(largest, whole.distance(v));
+    for(int i = 1; i < 40; ++i) {
+      FG::Distance_field_limits limits;
+      limits.radius = largest * i / 40;
+      field.compute(limits);
+      for(int k = 0; k < 200; ++k)
+        if(const Location at = s.random_location(random); whole.distance(at) <= field.reach())
+          BOOST_TEST(std::abs(whole.distance(at) - field.distance(at)) < 1e-12);
+    }
+  }
+}
+
+// Rays can be lost in a face that is almost a line.
+BOOST_AUTO_TEST_CASE(flat_faces_are_told)
+{
+  for(double height : {1e-11, 1e-3}) {
+    const Asked_surface s(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}, {1, height, 0}, {0.9, -1, 0}},
+                                    {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}}});
+    Field field(s.triangulation, s.mesh);
+    field.add_source(5_v);
+    BOOST_TEST(field.compute().has_flat_face == (height < 1e-10));
   }
 }
 
@@ -484,6 +701,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_reached_is_infinite)
   Field field(s.triangulation, s.mesh);
   field.add_source(0_v);
   BOOST_TEST((field.compute().status == FG::Distance_field_status::COMPLETE));
+  Field from_nowhere(s.triangulation, s.mesh);
+  from_nowhere.add_source(Vertex_index(n - 1), 0.5);
+  BOOST_TEST((from_nowhere.compute().status == FG::Distance_field_status::COMPLETE));
+  BOOST_TEST(from_nowhere.distance(Vertex_index(n - 1)) == 0.5);
+  BOOST_TEST(from_nowhere.distance(0_v) == infinity);
   BOOST_TEST(field.distance(Vertex_index(n)) == infinity);
   BOOST_TEST(field.distance(Vertex_index(n - 1)) == infinity);
   BOOST_TEST(field.surface_points(s.vertex(n)).empty());
@@ -512,6 +734,13 @@ BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
   at_vertices.compute();
   BOOST_TEST(at_vertices.distance(s.vertex(0)) == 0);
   BOOST_CHECK_THROW(at_vertices.distance(Location{h, {{1, 1, 1}}}), FG::Invalid_parameter_error);
+  // A vertex twice: the smaller offset counts.
+  Field twice(s.triangulation, s.mesh);
+  for(double offset : {0.75, 0.25, 0.5})
+    twice.add_source(0_v, offset);
+  twice.compute();
+  BOOST_TEST(twice.distance(0_v) == 0.25);
+  BOOST_TEST(twice.answer(0_v).source == 1u);
   // Repeated points, and a curve of one.
   field.add_curve(std::vector<Location>{s.vertex(0), s.vertex(0)});
   field.add_curve(std::vector<Location>{Location{h, {{1, 1, 1}}}, Location{h, {{1, 1, 1}}}});

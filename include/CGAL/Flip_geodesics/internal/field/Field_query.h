@@ -83,7 +83,7 @@ public:
     const Face_side f = m_propagation.sides().copy(h);
     const Vector line = position(f, weights) - position(f, from(a, h, weights));
     if(a.through == null_index || std::abs(line) > near_edge * f.length)
-      return std::abs(line) > 0 ? line / std::abs(line) : Vector(0);
+      return std::abs(line) > rounding * (f.length + std::abs(f.x) + f.y) ? line / std::abs(line) : Vector(0);
     // On the edge through which the path comes: the direction of the ray, turned into the frame of h.
     const Window& w = a.window;
     const Vector ray = w.is_far ? Vector(-w.x, w.y) : Vector(a.crossing - w.x, w.y);
@@ -141,6 +141,7 @@ public:
 
 private:
   static constexpr double near_edge = 1e-6; // points as close to the edge are told from by the ray
+  static constexpr double rounding = 1e-15; // of places, as a part of the face
 
   bool is_part(Index root) const { return root >= m_triangulation.input().number_of_vertices(); }
   const Source_part& part(Index root) const
