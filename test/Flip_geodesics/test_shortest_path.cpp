@@ -8,6 +8,7 @@
 #include "generated_meshes.h"
 #include "random_curves.h"
 
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -253,6 +254,53 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
   for(const Mesh_soup& soup : rough)
     useful += check(soup, 1) ? 1 : 0;
   BOOST_TEST_MESSAGE(useful << " of " << rough.size() << " sweeps over rough meshes are of use");
+}
+
+// What a sweep says of paths over a part of an edge, to a point beyond it, against the distances of places there.
+BOOST_AUTO_TEST_CASE(sweeps_bound_paths_over_edges)
+{
+  for(const Mesh_soup& soup :
+      {jittered_grid(10, 10, Diagonal_rule::RANDOM, 0.24, 5), shaken(torus(20, 60, 3, 1), 0.09, 2),
+       shaken(torus(26, 14, 3, 1), 0.25, 2), shaken(genus_3_plate(2), 0.3, 4), random_convex_polyhedron(150, 7),
+       needle_strip(8, 6, 1e-2), saddle_disk(12, 8, 9), mapped(bumpy_sphere(8, 0.3, 1), [](const Coordinates& p) {
+         return Coordinates{p[0], 0.1 * p[1], p[2]};
+       })})
+  {
+    Setting setting(soup);
+    const auto& triangulation = setting.triangulation;
+    FG::Geodesic_distance_field<Setting::Triangulation> field(triangulation, setting.mesh);
+    field.add_source(1_v);
+    field.compute();
+    Vertex_index farthest = 0_v;
+    for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices()))
+      farthest = field.distance(v) > field.distance(farthest) ? v : farthest;
+    FG::internal::Unfolded_faces<Setting::Triangulation> faces(triangulation);
+    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, farthest);
+    sweep.run(3 * field.distance(farthest));
+    if(!sweep.is_useful())
+      continue;
+    Random_numbers random(3);
+    std::size_t from_the_left = 0;
+    for(FG::Input_halfedge_index h(0); h.idx() < triangulation.input().number_of_halfedges(); ++h) {
+      if(triangulation.input().is_border(h))
+        continue;
+      const double length = faces[faces.number(h)].length;
+      for(int i = 0; i < 4; ++i) {
+        const FG::internal::Cone cone = {random.uniform(-length, 2 * length), random.uniform(0, length), 0};
+        const double from = random.uniform(0, 0.9 * length), to = random.uniform(from, length);
+        const double bound = sweep.through(h, length, cone, from, to);
+        for(int k = 1; k < 10; ++k) {
+          const double place = from + (to - from) * k / 10, t = place / length;
+          const FG::Surface_location at = {h, {{1 - t, t, 0}}};
+          if(field.gradient(at)[1] > 0) // the shortest path comes from the other face
+            continue;
+          BOOST_TEST(bound <= (cone(place) + field.distance(at)) * (1 + 1e-13), h.idx() << " at " << t);
+          ++from_the_left;
+        }
+      }
+    }
+    BOOST_TEST(from_the_left > 0u);
+  }
 }
 
 namespace {
