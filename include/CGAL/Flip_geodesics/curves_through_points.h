@@ -253,9 +253,6 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
   });
 }
 
-template <class TriangleMesh, class End>
-constexpr bool is_mesh_vertex = std::is_convertible<End, Mesh_vertex<TriangleMesh>>::value;
-
 } // namespace internal
 
 /*!
@@ -340,20 +337,22 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * \param mesh a triangle mesh
  * \param control_points a range of locations as for `geodesic_path_through()`, at least two, no two in a row in one
  *        place
- * \param kind which spline
+ * \param kind which spline, a `Spline_kind`
  * \param out receives the points of the curve, as `geodesic_path()` writes them
- * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, and `number_of_iterations`, the
- *        number of times that the pieces are halved, from 0 to 30, 5 by default
+ * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, as for `geodesic_path()`; and
+ *        `number_of_iterations`, the number of times that the pieces are halved, a whole number from 0 to 30, 5 by default
  * \return the end of the output, and the report, which has one curve
  * \throws Invalid_curve_error if there are fewer than two points, or another number of iterations
  * \throws Invalid_location_error, and as `Free_geodesic_spline`
  */
-template <class TriangleMesh, class LocationRange, class OutputIterator,
+template <class TriangleMesh, class LocationRange, class Kind, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
 Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const LocationRange& control_points,
-                                                Spline_kind kind, OutputIterator out,
+                                                Kind kind, OutputIterator out,
                                                 const NamedParameters& np = parameters::default_values())
 {
+  static_assert(std::is_same<Kind, Spline_kind>::value,
+                "no Spline_kind where it belongs; the order is mesh, control points, kind, output, named parameters");
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   const auto rounds = parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 5);

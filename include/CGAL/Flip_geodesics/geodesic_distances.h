@@ -16,6 +16,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -108,6 +109,25 @@ Shortest_tree_report make_shortest_tree(Triangulation& triangulation, Vertex_ind
   return report;
 }
 
+/* The indices of what distances are measured from: a vertex of the mesh, or several. */
+template <class Triangulation, class Sources>
+std::vector<Vertex_index> source_indices(const Triangulation& triangulation, const Sources& sources)
+{
+  using Vertex = typename Triangulation::Mesh_vertex;
+  constexpr bool is_one = std::is_convertible<Sources, Vertex>::value;
+  static_assert(is_one || is_range_of<Sources, Vertex>,
+                "no vertex of the mesh where it belongs, nor a range of such; the order is mesh, source, property map");
+  std::vector<Vertex_index> result;
+  if constexpr(is_one) {
+    const Vertex v = sources;
+    result.push_back(triangulation.index(v));
+  } else {
+    for(const Vertex v : sources)
+      result.push_back(triangulation.index(v));
+  }
+  return result;
+}
+
 /* Writes the distances of a field from vertices, and says what is known of them. */
 template <class Triangulation, class VertexDistanceMap>
 Shortest_tree_report write_field_distances(const Triangulation& triangulation,
@@ -135,86 +155,54 @@ Shortest_tree_report write_field_distances(const Triangulation& triangulation,
 } // namespace internal
 
 /*!
- * \ingroup PkgFlipGeodesicsTree
+ * \ingroup PkgFlipGeodesicsDistances
  *
- * Computes the distances on the surface from one vertex to all others, by a `Geodesic_distance_field`. Where that is given
- * up, or meets a face so flat that it is unsure, a tree of geodesics is grown (`Geodesic_tree::grow()`), and those
- * that are not shortest are replaced as far as shorter ones are found (`make_shortest()`).
+ * Computes the distances on the surface of all vertices from one, or from the nearest of several, by a
+ * `Geodesic_distance_field`. For one source, where that is given up, or meets a face so flat that it is unsure, a tree
+ * of geodesics is grown (`Geodesic_tree::grow()`), and those that are not shortest are replaced as far as shorter ones
+ * are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh
- * \param source a vertex of the mesh
+ * \param sources a vertex of the mesh, or a range of such; if there are none, all distances are infinite
  * \param distances a model of `WritablePropertyMap` with the mesh's vertices as keys and `double`s as values; receives
- *        infinity for vertices of other components
- * \param limit beyond it the search is given up, and the distances are those of the geodesics of the tree
- * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`
- * \return how many distances are those of shortest paths, and whether that is sure
+ *        infinity for vertices of components without a source. If the search is given up, the distances from one source
+ *        are those of the geodesics of the tree; from several, they are infinite where they are not known
+ * \param limit a `Window_limit`, beyond which the search is given up
+ * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, as for `geodesic_path()`
+ * \return how many distances of vertices that are no sources are those of shortest paths, and whether it is sure that
+ *         all are
  * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
  */
-template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                        VertexDistanceMap distances, const Window_limit& limit,
-                                        const NamedParameters& np = parameters::default_values())
+template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
+          class Limit, class NamedParameters>
+Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
+                                        const Limit& limit, const NamedParameters& np)
 {
+  static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    const std::vector<Vertex_index> sources = {triangulation.index(source)};
-    const Shortest_tree_report report = internal::write_field_distances(triangulation, mesh, sources, distances, limit);
-    if(report.is_confirmed)
-      return report;
-    return internal::make_shortest_tree(triangulation, triangulation.index(source), limit,
-                                        [&](const auto& tree) { write_distances(tree, mesh, distances); });
-  });
-}
-
-/// \ingroup PkgFlipGeodesicsTree
-/// The same with the default limit.
-template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                        VertexDistanceMap distances,
-                                        const NamedParameters& np = parameters::default_values())
-{
-  return Flip_geodesics::geodesic_distances(mesh, source, distances, Window_limit(), np);
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsDistances
- *
- * Computes the distances on the surface of all vertices from the nearest of several, by a `Geodesic_distance_field`.
- *
- * \param mesh a triangle mesh
- * \param sources vertices of the mesh; if there are none, all distances are infinite
- * \param distances as for one source; receives infinity also for distances that are not known when the search is given up
- * \param limit beyond it the search is given up
- * \param np as for one source
- * \return how many distances of vertices that are no sources are known, and whether it is sure that all are
- * \throws as for one source
- *
- * Complexity: that of `Geodesic_distance_field::compute()`.
- */
-template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const std::vector<Mesh_vertex<TriangleMesh>>& sources,
-                                        VertexDistanceMap distances, const Window_limit& limit,
-                                        const NamedParameters& np = parameters::default_values())
-{
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    std::vector<Vertex_index> indices;
-    for(const auto& source : sources)
-      indices.push_back(triangulation.index(source));
-    return internal::write_field_distances(triangulation, mesh, indices, distances, limit);
+    const std::vector<Vertex_index> indices = internal::source_indices(triangulation, sources);
+    const Shortest_tree_report report = internal::write_field_distances(triangulation, mesh, indices, distances, limit);
+    if constexpr(internal::is_mesh_vertex<TriangleMesh, Sources>)
+      if(!report.is_confirmed)
+        return internal::make_shortest_tree(triangulation, indices.front(), limit,
+                                            [&](const auto& tree) { write_distances(tree, mesh, distances); });
+    return report;
   });
 }
 
 /// \ingroup PkgFlipGeodesicsDistances
-/// The same with the default limit.
-template <class TriangleMesh, class VertexDistanceMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const std::vector<Mesh_vertex<TriangleMesh>>& sources,
-                                        VertexDistanceMap distances,
-                                        const NamedParameters& np = parameters::default_values())
+/// The same with either a limit or named parameters, or neither.
+template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
+          class Options = parameters::Default_named_parameters>
+Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
+                                        const Options& options = parameters::default_values())
 {
-  return Flip_geodesics::geodesic_distances(mesh, sources, distances, Window_limit(), np);
+  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
+    return Flip_geodesics::geodesic_distances(mesh, sources, distances, limit, np);
+  });
 }
 
 /*!
@@ -233,27 +221,31 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const std::vec
  *
  * Complexity: that of `make_shortest()`.
  */
-template <class TriangleMesh, class VertexPolarMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                       VertexPolarMap coordinates, const Window_limit& limit,
-                                       const NamedParameters& np = parameters::default_values())
+template <class TriangleMesh, class Source, class VertexPolarMap, class Limit, class NamedParameters>
+Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
+                                       const Limit& limit, const NamedParameters& np)
 {
+  static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
+                "no vertex of the mesh where it belongs; the order is mesh, source, property map");
+  static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    return internal::make_shortest_tree(triangulation, triangulation.index(source), limit, [&](const auto& tree) {
+    const Mesh_vertex<TriangleMesh> from = source;
+    return internal::make_shortest_tree(triangulation, triangulation.index(from), limit, [&](const auto& tree) {
       write_polar_coordinates(logarithmic_map(tree), tree, mesh, coordinates);
     });
   });
 }
 
 /// \ingroup PkgFlipGeodesicsTree
-/// The same with the default limit.
-template <class TriangleMesh, class VertexPolarMap, class NamedParameters = parameters::Default_named_parameters>
-Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                       VertexPolarMap coordinates,
-                                       const NamedParameters& np = parameters::default_values())
+/// The same with either a limit or named parameters, or neither.
+template <class TriangleMesh, class Source, class VertexPolarMap, class Options = parameters::Default_named_parameters>
+Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
+                                       const Options& options = parameters::default_values())
 {
-  return Flip_geodesics::polar_coordinates(mesh, source, coordinates, Window_limit(), np);
+  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
+    return Flip_geodesics::polar_coordinates(mesh, source, coordinates, limit, np);
+  });
 }
 
 } // namespace Flip_geodesics

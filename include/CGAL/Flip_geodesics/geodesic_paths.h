@@ -179,7 +179,7 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
                 "Parallel_tag asks for threads, but the program is not linked to TBB");
   using Tag = Sequential_tag;
 #endif
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Vertex = typename Vertex_of<TriangleMesh>::type;
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   using Form = Curve_form<typename Types::Triangulation, OutputIterator, Geodesic_path>;
   using Workspace = Path_workspace<Form, TriangleMesh, NamedParameters, StopPredicate>;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Located_polyline.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/isolines/Isoline_tracer.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -75,8 +76,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \param levels a range of numbers; for one that is not larger than the least distance there are no isolines
  * \param out receives an `Isoline<TriangleMesh, Point>` for each component, `Point` being the points' type; in the
  *        order of the levels
- * \param tolerance a distance on the surface
- * \param np named parameters: `vertex_point_map`
+ * \param tolerance a distance on the surface, a number
+ * \param np named parameters: `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
+ *        points as values; by default the mesh's own points, `get(CGAL::vertex_point, mesh)`
  * \return the end of the output
  * \throws Invalid_parameter_error if a level is not finite, the tolerance is not a positive number, or the field is
  *         not a number somewhere
@@ -86,11 +88,13 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * Complexity: the field is asked once per vertex, and about twenty times for each piece of isoline as long as the
  * tolerance. A mesh other than a `Surface_mesh` is numbered, in \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class Field, class LevelRange, class OutputIterator,
+template <class TriangleMesh, class Field, class LevelRange, class OutputIterator, class Tolerance,
           class NamedParameters = parameters::Default_named_parameters>
 OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const LevelRange& levels, OutputIterator out,
-                        double tolerance, const NamedParameters& np = parameters::default_values())
+                        const Tolerance& tolerance, const NamedParameters& np = parameters::default_values())
 {
+  static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
+  static_assert(internal::is_range_of<LevelRange, double>, "the levels are no range of numbers");
   const std::vector<double> wanted(std::begin(levels), std::end(levels));
   const std::vector<double> sorted = internal::sorted_levels(wanted);
   internal::check_tolerance(tolerance);

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -76,6 +77,19 @@ private:
 };
 
 namespace internal {
+
+template <class T>
+constexpr bool is_limit = std::is_same<T, Window_limit>::value;
+
+/* Calls `function(limit, np)` with what a caller has given last: named parameters, or a limit alone. */
+template <class Options, class Function>
+auto with_limit(const Options& options, const Function& function)
+{
+  if constexpr(is_limit<Options>)
+    return function(options, parameters::default_values());
+  else
+    return function(Window_limit(), options);
+}
 
 /* Searches; false if there may be shorter paths than it found, on account of degenerate faces. */
 template <class Search>
@@ -250,22 +264,24 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
  * \param out receives the points of the path, as `geodesic_path()` writes them
- * \param limit beyond it the search is given up, and the rest of the gap reported
+ * \param limit a `Window_limit`; beyond it the search is given up, and the rest of the gap reported
  * \param np the named parameters of `geodesic_path()`
  * \return the end of the output, and the report
  * \throws as `geodesic_path()`
  */
-template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                                   Mesh_vertex<TriangleMesh> target, OutputIterator out,
-                                                   const Window_limit& limit,
-                                                   const NamedParameters& np = parameters::default_values())
+template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Source& source, const Target& target,
+                                                   OutputIterator out, const Limit& limit, const NamedParameters& np)
 {
+  static_assert(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>,
+                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
+  static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
   using Result = Shortest_path_result<OutputIterator>;
   return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
-    const Vertex_index s = triangulation.index(source), t = triangulation.index(target);
+    const Mesh_vertex<TriangleMesh> from = source, to = target;
+    const Vertex_index s = triangulation.index(from), t = triangulation.index(to);
     if(triangulation.input().is_contracted() && s == t) {
       const auto point = internal::path_in_one_place<Form>(triangulation, mesh, s, out);
       return Result{point.out, internal::report_of_no_length(point.report)};
@@ -280,13 +296,16 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, Mes
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// The same with the default limit.
-template <class TriangleMesh, class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                                   Mesh_vertex<TriangleMesh> target, OutputIterator out,
-                                                   const NamedParameters& np = parameters::default_values())
+/// The same with either a limit or named parameters, or neither.
+template <class TriangleMesh, class Source, class Target, class OutputIterator,
+          class Options = parameters::Default_named_parameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Source& source, const Target& target,
+                                                   OutputIterator out,
+                                                   const Options& options = parameters::default_values())
 {
-  return Flip_geodesics::shortest_path(mesh, source, target, out, Window_limit(), np);
+  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
+    return Flip_geodesics::shortest_path(mesh, source, target, out, limit, np);
+  });
 }
 
 } // namespace Flip_geodesics

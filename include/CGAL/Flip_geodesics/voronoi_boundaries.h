@@ -58,8 +58,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`
  * \param out receives a `Voronoi_boundary<TriangleMesh, Point>` for each, `Point` being the points' type
- * \param tolerance a distance on the surface
- * \param np named parameters: `vertex_point_map`
+ * \param tolerance a distance on the surface, a number
+ * \param np named parameters: `vertex_point_map`, as for `isolines()`
  * \return the end of the output
  * \throws Invalid_parameter_error if the tolerance is not a positive number, or the field is not a number somewhere
  * \throws Invalid_mesh_error if a face is no triangle
@@ -68,11 +68,12 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * Complexity: the field is asked about fifty times for each piece of boundary as long as the tolerance, and a few times
  * for each piece of a curve as long as the size; and once per vertex.
  */
-template <class TriangleMesh, class Field, class OutputIterator,
+template <class TriangleMesh, class Field, class OutputIterator, class Tolerance,
           class NamedParameters = parameters::Default_named_parameters>
-OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, OutputIterator out, double tolerance,
-                                  const NamedParameters& np = parameters::default_values())
+OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, OutputIterator out,
+                                  const Tolerance& tolerance, const NamedParameters& np = parameters::default_values())
 {
+  static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
   internal::check_tolerance(tolerance);
   auto surface = internal::make_refined_surface(mesh, field, np);
   internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);

@@ -7,6 +7,8 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/isolines.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -45,6 +47,9 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   std::map<Mesh::Vertex_index, double> distances;
   Triangulation triangulation(mesh);
   FG::Edge_path_network<Triangulation> network(triangulation);
+  const FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
+  const std::vector<double> levels = {1, 2};
+  std::vector<FG::Isoline<Mesh>> isolines;
 
 #if MISTAKE == 1
   FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);
@@ -80,6 +85,18 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, FG::with_metric(lengths));
 #elif MISTAKE == 17
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(Visitor_of_flips()));
+#elif MISTAKE == 18
+  FG::shortest_path(mesh, of_mesh[0], out, of_mesh[1]);
+#elif MISTAKE == 19
+  FG::geodesic_distances(mesh, boost::make_assoc_property_map(distances), of_mesh[0]);
+#elif MISTAKE == 20
+  FG::geodesic_spline(mesh, of_mesh, out, FG::Spline_kind::BEZIER);
+#elif MISTAKE == 21
+  FG::isolines(mesh, field, levels, 0.1, std::back_inserter(isolines));
+#elif MISTAKE == 22
+  FG::isolines(field, mesh, levels, std::back_inserter(isolines), 0.1);
+#elif MISTAKE == 23
+  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), FG::Window_limit(1));
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));
@@ -87,6 +104,9 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::straighten(mesh, std::vector<std::vector<Mesh::Vertex_index>>(), std::back_inserter(several));
   FG::geodesic_distances(mesh, of_mesh[0], boost::make_assoc_property_map(distances),
                          FG::with_metric(FG::Edge_length_metric(mesh, lengths)));
+  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, FG::Window_limit(1), CGAL::parameters::default_values());
+  FG::geodesic_spline(mesh, of_mesh, FG::Spline_kind::BEZIER, out);
+  FG::isolines(mesh, field, levels, std::back_inserter(isolines), 0.1);
   network.add_curve(halfedges, false);
   network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);
 #endif

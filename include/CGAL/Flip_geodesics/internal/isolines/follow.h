@@ -4,10 +4,13 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_ISOLINES_FOLLOW_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/isolines/Refined_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +18,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,6 +32,27 @@ inline constexpr double side_by_tolerance = 1.5;
 
 /* Where roots on sides are good enough, by the size of the numbers that are compared. */
 inline constexpr double root_precision = 1e-13;
+
+/* Can a field be asked about places in the faces of a mesh? Of what is no mesh nothing is said. */
+template <class Field, class TriangleMesh, bool IS_MESH = Has_faces<TriangleMesh>::value>
+constexpr bool is_distance_field = true;
+template <class Field, class TriangleMesh>
+constexpr bool is_distance_field<Field, TriangleMesh, true> =
+    std::is_invocable<const Field&, typename boost::graph_traits<TriangleMesh>::face_descriptor,
+                      const Weights_in_face&>::value;
+
+/* Ends the compilation if a mesh, a field and a tolerance are given in another order. */
+template <class TriangleMesh, class Field, class Tolerance>
+constexpr bool are_in_order()
+{
+  static_assert(Has_faces<TriangleMesh>::value,
+                "the first argument is no mesh; the order is mesh, field, levels if any, output, tolerance");
+  static_assert(is_distance_field<Field, TriangleMesh>,
+                "the second argument is no model of GeodesicDistanceField for the mesh");
+  static_assert(std::is_convertible<Tolerance, double>::value,
+                "no tolerance where it belongs; the order is mesh, field, levels if any, output, tolerance");
+  return true;
+}
 
 inline void check_tolerance(double tolerance)
 {

@@ -72,6 +72,9 @@ struct Vertex_of
   using type = typename Graph::vertex_descriptor;
 };
 
+template <class TriangleMesh, class T>
+constexpr bool is_mesh_vertex = std::is_convertible<T, typename Vertex_of<TriangleMesh>::type>::value;
+
 /* The types behind the named parameters. */
 template <class TriangleMesh, class NamedParameters>
 struct Curve_types
