@@ -114,9 +114,12 @@ public:
 
   /// @}
   /// \name Carrying Data
-  /// Values need sums and products with `double`. Maps are property maps, `in` readable and `out` writable.
-  /// Keys are `Vertex_index` for intrinsic vertices, and `Halfedge_index` for intrinsic faces, the smallest of a face.
-  /// Linear time, with a logarithm where values are averaged.
+  /// The maps `in` are models of `ReadablePropertyMap`, the maps `out` of `WritablePropertyMap`; there are no defaults.
+  /// The keys of `VertexMap` and `FaceMap` are vertices and faces of the mesh, of type `vertex_descriptor` and
+  /// `face_descriptor`. Those of `InputMap` are vertices or faces of the input mesh. Those of `IntrinsicMap` are
+  /// `Vertex_index` for vertices, and `Halfedge_index` for faces, the smallest of a face. Values of `out` are made of
+  /// those of `in`; where they are interpolated or averaged, these need sums and products with `double`. Linear time,
+  /// with a logarithm where values are averaged.
   /// @{
 
   /// Vertex values of the input, keys of type `vertex_descriptor` of the input mesh, interpolated linearly in its faces.

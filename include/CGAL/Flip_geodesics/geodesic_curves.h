@@ -219,9 +219,11 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  *        crossed halfedges and the tangents, or `Curve_place`s without points
  * \param stop a model of `FlipOutStopPredicate`, which ends the process early; the report tells. With one, or with a
  *        visitor, the edge path itself is pulled tight, so that they see every step
- * \param np named parameters: `vertex_point_map`; or `with_metric()`, for another metric than that of the points;
- *        `geom_traits`, a model of `IntrinsicTriangulationTraits`; `visitor`, a model of `FlipOutVisitor`, which is
- *        copied unless it is given by `std::ref()`
+ * \param np named parameters: `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
+ *        points as values, by default `get(CGAL::vertex_point, mesh)`; or `with_metric()`, a model of `IntrinsicMetric`,
+ *        by default that of the points; `geom_traits`, a model of `IntrinsicTriangulationTraits`, by default
+ *        `Intrinsic_triangulation_traits` of the points' kernel; `visitor`, a model of `FlipOutVisitor`, which is copied
+ *        unless it is given by `std::ref()`, by default none
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_curve_error if `source == target`,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error

@@ -239,7 +239,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * \param points the points
  * \param polygons the corners of each polygon
  * \param mesh the mesh that is made. An isolated vertex of a point that is not finite gets the place of another.
- * \param np named parameters: `vertex_point_map`
+ * \param np named parameters: `vertex_point_map` of the mesh, a model of `WritablePropertyMap` with its vertices as keys
+ *        and points as values; by default `get(CGAL::vertex_point, mesh)`
  * \pre `mesh` is empty
  * \return what was done, and which elements come from which
  * \throws Invalid_mesh_error if there are no polygons, or no triangle is left of them, with the reason; `mesh` is then

@@ -214,9 +214,11 @@ namespace IO {
  *        - a range of polylines, which are ranges of points. Curves are counted from 0 over all ranges in the call;
  *          those without points are left out, but counted. A curve of one point is written as a point;
  *        - `Tubes`, if curves are to be tubes;
- *        - and at the end, named parameters: `vertex_point_map` of the mesh, which then needs no vertex point property;
- *          `use_binary_mode`, whether numbers are written as bytes, the lowest first, or as text (default: true); and
- *          `stream_precision`, the number of digits in text (default: 17, with which a `double` is read back as it was)
+ *        - and at the end, named parameters: `vertex_point_map` of the mesh, a model of `ReadablePropertyMap` with its
+ *          vertices as keys and points as values (default: the mesh's vertex point property, which it need not have if
+ *          a map is given); `use_binary_mode`, a `bool`, whether numbers are written as bytes, the lowest first, or as
+ *          text (default: true); and `stream_precision`, the number of digits in text (default: 17, with which a
+ *          `double` is read back as it was)
  *
  * \throws File_write_error if there is nothing to write, or if the stream has failed or fails; its state says so, too
  * \throws Invalid_coordinate_error if a coordinate is no finite number; `elements()` is the vertex or the point, and
