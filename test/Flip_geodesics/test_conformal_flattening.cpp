@@ -21,6 +21,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #endif
@@ -42,6 +43,11 @@ using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Flattening = FG::Conformal_flattening<Triangulation>;
 
+// A copy of a vertex is neither a vertex nor a number.
+template <class Element>
+constexpr bool has_point = std::is_invocable_v<decltype(&Flattening::point), const Flattening&, Element>;
+static_assert(has_point<FG::Vertex_copy_index> && !has_point<FG::Vertex_index> && !has_point<int>);
+
 double flat_length(const Flattening& flattening, const Triangulation& triangulation, FG::Halfedge_index h)
 {
   const auto& p = flattening.point(flattening.copy_at(h));
@@ -57,7 +63,7 @@ double largest_length_error(const Flattening& flattening, const Triangulation& t
   std::vector<FG::Intrinsic_face> faces;
   FG::intrinsic_faces(triangulation, std::back_inserter(faces));
   for(const FG::Intrinsic_face& face : faces) {
-    FG::Index copies[3];
+    FG::Vertex_copy_index copies[3];
     for(int i = 0; i < 3; ++i)
       copies[i] = flattening.copy_at(face.halfedges[i]);
     for(int i = 0; i < 3; ++i) {
@@ -76,7 +82,7 @@ double largest_scale(const Flattening& flattening)
 {
   double result = 0;
   for(FG::Index copy = 0; copy < flattening.number_of_copies(); ++copy)
-    result = std::max(result, std::abs(flattening.log_scale(copy)));
+    result = std::max(result, std::abs(flattening.log_scale(FG::Vertex_copy_index(copy))));
   return result;
 }
 

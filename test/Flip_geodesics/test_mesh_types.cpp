@@ -206,6 +206,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_same_source_does_the_rest, Type, Mesh_types)
   auto& triangulation = curves.triangulation();
   using Triangulation = std::decay_t<decltype(triangulation)>;
   using Network = FG::Edge_path_network<Triangulation>;
+  for(const auto h : halfedges(curves.mesh())) {
+    const auto& input = triangulation.input();
+    BOOST_TEST(input.twin(input.index(h)) == input.index(opposite(h, curves.mesh())));
+  }
   FG::Geodesic_tree<Triangulation> tree(triangulation);
   FG::Geodesic_tree<std::decay_t<decltype(expected.triangulation())>> expected_tree(expected.triangulation());
   tree.grow(0_v);

@@ -285,7 +285,7 @@ private:
     });
     call("Conformal_flattening", [](Setting& s) {
       FG::flip_to_delaunay(s.triangulation);
-      return FG::Conformal_flattening<Triangulation>(s.network).log_scale(0);
+      return FG::Conformal_flattening<Triangulation>(s.network).log_scale(FG::Vertex_copy_index(0));
     });
 #endif
   }

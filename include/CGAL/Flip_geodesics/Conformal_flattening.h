@@ -74,18 +74,18 @@ public:
   /// The number of vertices of the cut surface; one of the triangulation has several where the cut passes.
   Index number_of_copies() const { return m_surface.number_of_copies(); }
   /// The vertex of the triangulation that a vertex of the cut surface is a copy of.
-  Vertex_index vertex(Index copy) const { return m_surface.vertices()[copy]; }
+  Vertex_index vertex(Vertex_copy_index copy) const { return m_surface.vertex(copy); }
   /// The copy to which the corner at the tail of halfedge `h` belongs, in the face on the left of `h`.
   /// \pre `h` is not on the border
-  Index copy_at(Halfedge_index h) const
+  Vertex_copy_index copy_at(Halfedge_index h) const
   {
     CGAL_precondition_msg(!m_triangulation->is_border(h), "on the left of a border halfedge there is no face");
     return m_surface.copy_at(h);
   }
   /// The position of a copy in the plane.
-  const Point& point(Index copy) const { return m_points[copy]; }
+  const Point& point(Vertex_copy_index copy) const { return m_points[copy]; }
   /// The logarithm \f$u\f$ of a copy's scale factor.
-  double log_scale(Index copy) const { return m_log_scales[copy]; }
+  double log_scale(Vertex_copy_index copy) const { return m_log_scales[copy]; }
 
   /*!
    * Carries the flattening to a common subdivision, linearly within the intrinsic faces: texture coordinates of a mesh
@@ -115,6 +115,7 @@ public:
 
 private:
   using Vector = Eigen::VectorXd;
+  using Values = internal::Indexed_by<Vertex_copy_index, std::vector<double>>;
   using Matrix = Eigen::SparseMatrix<double>;
 
   static std::vector<Intrinsic_face> all_faces(const Triangulation& triangulation)
@@ -175,14 +176,17 @@ private:
   void number_free_copies()
   {
     m_free.assign(m_log_scales.size(), null_index);
-    for(Index copy = 0; copy < number_of_copies(); ++copy)
+    for(Vertex_copy_index copy : internal::descriptors<Vertex_copy_index>(number_of_copies()))
       if(!m_surface.is_on_border(copy))
         m_free[copy] = m_number_of_free++;
   }
 
-  Index copy(const Intrinsic_face& face, int corner) const { return m_surface.copy_at(face.halfedges[corner]); }
+  Vertex_copy_index copy(const Intrinsic_face& face, int corner) const
+  {
+    return m_surface.copy_at(face.halfedges[corner]);
+  }
 
-  internal::Plane_triangle scaled(const Intrinsic_face& face, const std::vector<double>& u) const
+  internal::Plane_triangle scaled(const Intrinsic_face& face, const Values& u) const
   {
     std::array<double, 3> lengths;
     // A common factor does not change angles, and keeps large scales from overflowing.
@@ -193,7 +197,7 @@ private:
   }
 
   // 2 pi less the angles about each free copy: the gradient of the convex function.
-  Vector defects(const std::vector<double>& u) const
+  Vector defects(const Values& u) const
   {
     Vector result = Vector::Constant(m_number_of_free, boost::math::constants::two_pi<double>());
     for(const Intrinsic_face& face : m_faces) {
@@ -205,7 +209,7 @@ private:
     return result;
   }
 
-  Matrix hessian(const std::vector<double>& u) const
+  Matrix hessian(const Values& u) const
   {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(12 * m_faces.size());
@@ -269,8 +273,8 @@ private:
     if(!(slope < 0))
       return false;
     for(double t = 1; t > 1e-10; t /= 2) {
-      std::vector<double> u = m_log_scales;
-      for(std::size_t copy = 0; copy < u.size(); ++copy)
+      Values u = m_log_scales;
+      for(Vertex_copy_index copy : internal::descriptors<Vertex_copy_index>(number_of_copies()))
         if(m_free[copy] != null_index)
           u[copy] += t * step[m_free[copy]];
       Vector next = defects(u);
@@ -290,11 +294,11 @@ private:
   {
     constexpr double pi = boost::math::constants::pi<double>();
     m_points.assign(m_log_scales.size(), {0, 0});
-    std::vector<char> is_placed(m_log_scales.size(), 0);
+    internal::Indexed_by<Vertex_copy_index, std::vector<char>> is_placed(m_log_scales.size(), 0);
     std::vector<double> direction(m_faces.size(), 0); // of side 0
     double error = 0;
     const auto put = [&](std::size_t f, int corner, const Point& p) {
-      const Index c = copy(m_faces[f], corner);
+      const Vertex_copy_index c = copy(m_faces[f], corner);
       if(is_placed[c] == 0)
         m_points[c] = p;
       else
@@ -375,9 +379,9 @@ private:
   const Triangulation* m_triangulation;
   std::vector<Intrinsic_face> m_faces;
   internal::Cut_surface<Triangulation> m_surface;
-  std::vector<double> m_log_scales; // by copy
-  std::vector<Index> m_free;        // by copy: its number among those that are not on the border
-  std::vector<Point> m_points;
+  Values m_log_scales;
+  internal::Indexed_by<Vertex_copy_index, std::vector<Index>> m_free; // the number among those not on the border
+  internal::Indexed_by<Vertex_copy_index, std::vector<Point>> m_points;
   Index m_number_of_free = 0;
   double m_angle_error = 0, m_layout_error = 0;
   int m_iterations = 0;

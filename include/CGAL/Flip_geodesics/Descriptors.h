@@ -130,6 +130,11 @@ struct Curve_element
   static constexpr const char* letter = "c";
 };
 
+struct Vertex_copy_element
+{
+  static constexpr const char* letter = "copy ";
+};
+
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsRef
@@ -150,6 +155,9 @@ using Segment_index = Descriptor<internal::Segment_element>;
 /// \ingroup PkgFlipGeodesicsRef
 /// A curve of a network.
 using Curve_index = Descriptor<internal::Curve_element>;
+/// \ingroup PkgFlipGeodesicsRef
+/// A vertex of a surface that is cut open: one of the copies of a vertex of a triangulation.
+using Vertex_copy_index = Descriptor<internal::Vertex_copy_element>;
 
 /// \ingroup PkgFlipGeodesicsRef
 /// An edge of a triangulation. It knows from which halfedge it was made, and is the same edge whichever it was: so

@@ -22,6 +22,7 @@ namespace Flip_geodesics {
  * | `Index number_of_vertices()`, `Index number_of_halfedges()` | |
  * | `Vertex_index index(v)`, `Input_halfedge_index index(h)` | of a descriptor; `null_index` if it is none of the mesh's |
  * | `vertex(Vertex_index v)`, `halfedge(Input_halfedge_index h)` | the mesh's own descriptors |
+ * | `Input_halfedge_index twin(h)` | the other side of the edge; static |
  * | `Input_halfedge_index next(h)`, `previous(h)` | around the face, or the border |
  * | `Vertex_index tail(h)` | the vertex at which `h` starts |
  * | `bool is_border(h)` | has `h` no face on its left? |

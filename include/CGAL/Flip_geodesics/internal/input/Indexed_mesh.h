@@ -78,6 +78,9 @@ public:
   /* Were edges of length zero contracted? */
   bool is_contracted() const { return m_origin != nullptr; }
 
+  /* The other side of the edge. */
+  static Input_halfedge_index twin(Input_halfedge_index h) { return twin_index(h); }
+
   /* Do sheets of the surface that met in a point have different vertices? */
   bool has_split_point() const { return is_contracted() && m_origin->contraction.has_split_point; }
 

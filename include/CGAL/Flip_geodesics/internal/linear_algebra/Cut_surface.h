@@ -36,9 +36,9 @@ public:
 
   Index number_of_copies() const { return static_cast<Index>(m_vertices.size()); }
   /* The copy to which the corner at the tail of h belongs, in the face on the left of h. */
-  Index copy_at(Halfedge_index h) const { return m_copy_at[h]; }
-  const std::vector<Vertex_index>& vertices() const { return m_vertices; }
-  bool is_on_border(Index copy) const { return m_is_on_border[copy] != 0; }
+  Vertex_copy_index copy_at(Halfedge_index h) const { return m_copy_at[h]; }
+  Vertex_index vertex(Vertex_copy_index copy) const { return m_vertices[copy]; }
+  bool is_on_border(Vertex_copy_index copy) const { return m_is_on_border[copy] != 0; }
   /* Of the cut surface; a disk, and of connected surfaces only a disk, has 1. */
   std::ptrdiff_t euler_characteristic() const { return m_euler_characteristic; }
 
@@ -56,7 +56,7 @@ private:
       first = h;
       is_closed = first == start;
     }
-    const Index copy = number_of_copies();
+    const Vertex_copy_index copy(number_of_copies());
     m_vertices.push_back(triangulation.tail(start));
     m_is_on_border.push_back(is_closed ? 0 : 1);
     Halfedge_index h = first;
@@ -79,9 +79,9 @@ private:
         static_cast<std::ptrdiff_t>(m_vertices.size()) - edges + static_cast<std::ptrdiff_t>(faces.size());
   }
 
-  Indexed_by<Halfedge_index, std::vector<Index>> m_copy_at;
-  std::vector<Vertex_index> m_vertices;
-  std::vector<char> m_is_on_border;
+  Indexed_by<Halfedge_index, std::vector<Vertex_copy_index>> m_copy_at;
+  Indexed_by<Vertex_copy_index, std::vector<Vertex_index>> m_vertices;
+  Indexed_by<Vertex_copy_index, std::vector<char>> m_is_on_border;
   std::ptrdiff_t m_euler_characteristic = 0;
 };
 
