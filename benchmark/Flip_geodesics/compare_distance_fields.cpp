@@ -42,14 +42,6 @@ using Field = FG::Geodesic_distance_field<Triangulation>;
 using Search = FG::internal::Window_search<Triangulation>;
 using Shortest_path = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 
-template <class Function>
-double seconds(const Function& function)
-{
-  const double start = processor_seconds();
-  function();
-  return processor_seconds() - start;
-}
-
 double seconds_of_question(const Field& field, const Mesh& mesh)
 {
   double sum = 0;

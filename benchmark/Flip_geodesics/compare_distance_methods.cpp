@@ -39,14 +39,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Shortest_path = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
 
-template <class Function>
-double seconds(const Function& function)
-{
-  const double start = processor_seconds();
-  function();
-  return processor_seconds() - start;
-}
-
 // The distance from one vertex to another, with the times to set the method up and to ask it.
 struct Measurement
 {

@@ -61,14 +61,6 @@ polyline_checker::Mesh checker_mesh(const Mesh& mesh)
   return polyline_checker::Mesh(std::move(points), faces);
 }
 
-template <class Function>
-double seconds(const Function& function)
-{
-  const double start = processor_seconds();
-  function();
-  return processor_seconds() - start;
-}
-
 double median(std::array<double, 3> times)
 {
   std::sort(times.begin(), times.end());

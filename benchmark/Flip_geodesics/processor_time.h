@@ -14,4 +14,13 @@ inline double processor_seconds()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// How long a call takes.
+template <class Function>
+double seconds(const Function& function)
+{
+  const double start = processor_seconds();
+  function();
+  return processor_seconds() - start;
+}
+
 #endif // FLIP_GEODESICS_BENCHMARK_PROCESSOR_TIME_H

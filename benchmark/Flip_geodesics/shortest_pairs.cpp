@@ -32,14 +32,6 @@ using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Search = FG::Shortest_edge_path<Triangulation>;
 
-template <class Function>
-double seconds(const Function& function)
-{
-  const double start = processor_seconds();
-  function();
-  return processor_seconds() - start;
-}
-
 double quantile(std::vector<double> values, double part)
 {
   std::sort(values.begin(), values.end());
