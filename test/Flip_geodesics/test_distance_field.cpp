@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE distance_field
 
 #include "Curve_setting.h"
+#include "closed_forms.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 
@@ -259,6 +260,98 @@ BOOST_AUTO_TEST_CASE(narrow_regions_in_the_plane)
       const Location at = s.random_location(random);
       const double nearest = (std::min)(distance_in_space(s.at(at), p), offset + distance_in_space(s.at(at), q));
       check_close(field.distance(at), nearest, 1, "narrow region");
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_on_boxes)
+{
+  std::mt19937 random(19);
+  for(const auto& [a, b, c] : {Coordinates{4, 4, 4}, {1, 2, 5}}) {
+    const Asked_surface s(box(a, b, c, 4));
+    const auto place = [&](const Location& at) {
+      const Point p = s.at(at);
+      return Coordinates{p.x(), p.y(), p.z()};
+    };
+    for(int round = 0; round < 6; ++round) {
+      const Location source = round == 0 ? s.vertex(0) : s.random_location(random);
+      Field field(s.triangulation, s.mesh);
+      field.add_source(source);
+      field.compute();
+      for(int i = 0; i < 100; ++i) {
+        const Location at = s.random_location(random);
+        const double expected = box_distance(a, b, c, place(source), place(at));
+        BOOST_TEST(std::abs(field.distance(at) - expected) <= 1e-12 * (a + b + c));
+        check_path(s, field, at, 1);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(distances_on_a_cylinder)
+{
+  std::mt19937 random(23);
+  constexpr int n = 11, m = 5;
+  constexpr double radius = 1, height = 3;
+  const Asked_surface s(cylinder(n, m, radius, height));
+  const double side = polygon_side(n, radius);
+  // Where it is when the side is rolled out, up to turns.
+  const auto rolled_out = [&](const Location& at) {
+    const auto& input = s.triangulation.input();
+    std::array<double, 3> along;
+    std::array<FG::Input_halfedge_index, 3> h = {at.halfedge, input.next(at.halfedge), {}};
+    h[2] = input.next(h[1]);
+    for(std::size_t i = 0; i < 3; ++i)
+      along[i] = input.tail(h[i]).idx() % n;
+    const bool is_at_seam = std::count(along.begin(), along.end(), n - 1.0) > 0;
+    double x = 0, sum = 0;
+    for(std::size_t i = 0; i < 3; ++i) {
+      x += at.weights[i] * (is_at_seam && along[i] == 0 ? n : along[i]);
+      sum += at.weights[i];
+    }
+    return std::array<double, 2>{side * x / sum, s.at(at).z()};
+  };
+  for(int round = 0; round < 10; ++round) {
+    const Location source = s.random_location(random);
+    const auto p = rolled_out(source);
+    Field field(s.triangulation, s.mesh);
+    field.add_source(source);
+    field.compute();
+    for(int i = 0; i < 200; ++i) {
+      const Location at = s.random_location(random);
+      const auto q = rolled_out(at);
+      double expected = infinity;
+      for(int turns : {-1, 0, 1})
+        expected = (std::min)(expected, std::hypot(q[0] - p[0] + turns * n * side, q[1] - p[1]));
+      BOOST_TEST(std::abs(field.distance(at) - expected) <= 1e-12);
+      check_path(s, field, at, 1);
+    }
+    if(kind(source) == FG::Location_kind::VERTEX) {
+      const Vertex_index u = s.triangulation.input().tail(source.halfedge);
+      for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices()))
+        BOOST_TEST(std::abs(field.distance(v) - cylinder_distance(n, m, radius, height, u.idx(), v.idx())) <= 1e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(windows_of_an_edge_are_ordered)
+{
+  // Where there are many ties, some of which are broken later.
+  for(const Mesh_soup& soup : {cube(4), cube(8), cylinder(12, 6, 1, 2), saddle_disk(6, 4, 3 * pi)}) {
+    const Asked_surface s(soup);
+    std::mt19937 random(1);
+    for(int round = 0; round < 20; ++round) {
+      FG::internal::Window_propagation<Triangulation> propagation(s.triangulation, true);
+      for(std::size_t i = 0; i < 3; ++i) {
+        const FG::Index v = static_cast<FG::Index>(random() % 1000) % s.triangulation.number_of_vertices();
+        propagation.add_vertex(Vertex_index(v), 0.25 * static_cast<double>(i), i);
+      }
+      propagation.run(infinity, 1000000);
+      for(FG::Index e = 0; e < s.triangulation.number_of_halfedges() / 2; ++e) {
+        const auto windows = propagation.windows().on_edge(e);
+        BOOST_TEST(std::is_sorted(windows.begin(), windows.end(),
+                                  [](const auto& v, const auto& w) { return v.from < w.from; }));
+      }
     }
   }
 }

@@ -25,7 +25,8 @@ namespace internal {
  * windows of both sides compete.
  *
  * Where two are equally near up to rounding, both are kept: the rays of one may lead to where the other's do not. Only
- * if their rays are the same, the one that has more of them does.
+ * if their rays are the same, the one that has more of them does. So windows may overlap, and what is taken off one can
+ * put it behind another.
  *
  * The windows of an edge lie in a block of memory, of a power of two of them, and blocks that are given back are used
  * again.
@@ -68,15 +69,15 @@ public:
     const auto old = on_edge(edge);
     const auto is_apart = [&](const Window& v) { return v.to <= w.from || v.from >= w.to; };
     const Window *first = old.begin(), *last = old.end();
-    while(first != last && is_apart(*first))
+    while(first != last && first->to <= w.from)
       ++first;
-    while(last != first && is_apart(last[-1]))
+    while(last != first && last[-1].from >= w.to)
       --last;
     m_result.clear();
     m_lost.clear();
     for(const Window* v = first; v != last; ++v)
       if(is_apart(*v))
-        m_result.push_back(*v);
+        add_part(*v, v->from, v->to);
       else
         compete(*v, w);
     if(!put(w))
@@ -188,27 +189,29 @@ private:
       function(from, w.to);
   }
 
-  // Appends what is left of an old window to the result.
-  void keep(const Window& old)
+  // Puts a part of a window in its place in the result, behind those that begin where it does.
+  void add_part(const Window& w, double from, double to)
   {
-    for_each_part(old, m_old_lost, [&](double from, double to) {
-      m_result.push_back(old);
-      m_result.back().from = from;
-      m_result.back().to = to;
-    });
+    auto at = m_result.end();
+    while(at != m_result.begin() && from < at[-1].from)
+      --at;
+    at = m_result.insert(at, w);
+    at->from = from;
+    at->to = to;
   }
 
-  // Puts what is left of the new one in its places there; false if there is nothing.
+  // Puts what is left of an old window there.
+  void keep(const Window& old)
+  {
+    for_each_part(old, m_old_lost, [&](double from, double to) { add_part(old, from, to); });
+  }
+
+  // Puts what is left of the new one there; false if there is nothing.
   bool put(const Window& w)
   {
     const std::size_t made = m_made;
     for_each_part(w, m_lost, [&](double from, double to) {
-      Window part = w;
-      part.from = from;
-      part.to = to;
-      const auto at = std::upper_bound(m_result.begin(), m_result.end(), from,
-                                       [](double b, const Window& v) { return b < v.from; });
-      m_result.insert(at, part);
+      add_part(w, from, to);
       ++m_made;
     });
     return m_made != made;
