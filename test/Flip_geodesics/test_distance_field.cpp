@@ -867,9 +867,23 @@ BOOST_AUTO_TEST_CASE(wrong_sources_are_refused)
   BOOST_CHECK_THROW(field.add_source(Location{h, {{nan, 0, 0}}}), FG::Invalid_location_error);
   for(double offset : {nan, infinity, -1.0})
     BOOST_CHECK_THROW(field.add_source(0_v, offset), FG::Invalid_coordinate_error);
+  for(double offset : {1e11, 1e300}) { // beside them the mesh is lost in roundings, and all ways are equally long
+    BOOST_CHECK_THROW(field.add_source(0_v, offset), FG::Invalid_coordinate_error);
+    BOOST_CHECK_THROW(field.add_source(Location{h, {{1, 1, 1}}}, offset), FG::Invalid_coordinate_error);
+    BOOST_CHECK_THROW(field.add_curve(std::vector<Location>{s.vertex(0)}, offset), FG::Invalid_coordinate_error);
+  }
   BOOST_CHECK_THROW(field.add_curve(std::vector<Location>()), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(field.add_curve(std::vector<Location>{s.vertex(0), s.vertex(25)}), FG::Invalid_curve_error);
   BOOST_TEST(field.number_of_sources() == 0u);
+  Field late(s.triangulation, s.mesh);
+  late.add_source(0_v, 1e9);
+  for(double radius : {nan, -1.0, -infinity}) {
+    FG::Distance_field_limits limits;
+    limits.radius = radius;
+    BOOST_CHECK_THROW(late.compute(limits), FG::Invalid_parameter_error);
+  }
+  BOOST_TEST(late.compute().windows < 1000u);
+  BOOST_TEST(std::abs(late.distance(s.vertex(7)) - 1e9) < 10);
   Field at_vertices(s.triangulation, s.mesh, FG::Distance_field_extent::VERTICES_ONLY);
   at_vertices.add_source(0_v);
   at_vertices.compute();

@@ -129,12 +129,14 @@ public:
    * \param offset is added to all distances from this source
    * \pre nothing has been computed
    * \throws Vertex_out_of_range_error
-   * \throws Invalid_coordinate_error if the offset is negative or not finite
+   * \throws Invalid_coordinate_error if the offset is negative, not finite, or more than 1e10 times as long as the sides
+   *         of a face of the vertex: then roundings of the distances hide the mesh
+   * \throws Degenerate_face_error, Invalid_mesh_error for that face, if there is an offset
    */
   std::size_t add_source(Vertex_index v, double offset = 0)
   {
     internal::check_vertex(v, m_triangulation.input().number_of_vertices());
-    check_addition(offset);
+    check_addition(offset, m_triangulation.input().outgoing(v));
     m_propagation.add_vertex(v, offset, m_number_of_sources);
     return m_number_of_sources++;
   }
@@ -144,13 +146,13 @@ public:
    *
    * \pre nothing has been computed
    * \throws Invalid_location_error
-   * \throws Invalid_coordinate_error if the offset is negative or not finite
+   * \throws Invalid_coordinate_error for the offset, as for vertices
    * \throws Degenerate_face_error, Invalid_mesh_error for the face of the point
    */
   std::size_t add_source(const Surface_location& location, double offset = 0)
   {
     const Surface_location at = internal::canonical_location(m_triangulation.input(), location);
-    check_addition(offset);
+    check_addition(offset, at.halfedge);
     add_point(at, offset);
     return m_number_of_sources++;
   }
@@ -183,7 +185,7 @@ public:
                                       " of a curve that is to be a source",
                                   {i, i + 1});
     }
-    check_addition(offset);
+    check_addition(offset, at.front().halfedge);
     for(std::size_t i = 0; i < at.size(); ++i) {
       add_point(at[i], offset);
       if(i > 0)
@@ -214,10 +216,16 @@ public:
    *
    * \throws Invalid_coordinate_error, Degenerate_face_error, Invalid_mesh_error for faces within reach
    * \throws Invalid_location_error if a target is none
+   * \throws Invalid_parameter_error if the radius is negative or not a number
    * \pre `EVERYWHERE` if there are targets inside faces or on edges
    */
   Distance_field_report compute(const Distance_field_limits& limits = Distance_field_limits())
   {
+    if(!(limits.radius >= 0)) {
+      std::ostringstream number;
+      number << limits.radius;
+      throw Invalid_parameter_error("the radius of a field is " + number.str() + ", not a number of at least 0");
+    }
     for(const Surface_location& target : limits.targets)
       internal::check_location(m_triangulation.input(), target);
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -367,14 +375,22 @@ public:
   }
 
 private:
-  void check_addition(double offset) const
+  // Refuses an offset for a source in the face of a halfedge; null if it has none.
+  void check_addition(double offset, Input_halfedge_index h) const
   {
     CGAL_precondition_msg(m_reach == 0, "sources are added before anything is computed");
-    if(std::isfinite(offset) && offset >= 0)
-      return;
     std::ostringstream number;
     number << offset;
-    throw Invalid_coordinate_error("the offset of a source is " + number.str() + ", not a number of at least 0");
+    if(!(std::isfinite(offset) && offset >= 0))
+      throw Invalid_coordinate_error("the offset of a source is " + number.str() + ", not a number of at least 0");
+    if(offset == 0 || h == null_index)
+      return;
+    constexpr double most_sides = 1e10;
+    const bool is_border = m_triangulation.input().is_border(h);
+    const internal::Face_side side = m_propagation.sides().copy(is_border ? internal::twin_index(h) : h);
+    if(offset > most_sides * (side.length + std::abs(side.x) + side.y))
+      throw Invalid_coordinate_error("the offset of a source is " + number.str() +
+                                     ", so much longer than the sides of its face that roundings hide them");
   }
 
   void add_point(const Surface_location& at, double offset)
