@@ -243,11 +243,14 @@ BOOST_AUTO_TEST_CASE(distances_in_the_plane)
 }
 
 // Almost as near to all places as the first source lets it be, the second one is the nearest in a narrow region only: on
-// edges across it, in the middle.
+// edges across it, in the middle. The same beside a row of edges, whose rays are parallel.
 BOOST_AUTO_TEST_CASE(narrow_regions_in_the_plane)
 {
   std::mt19937 random(17);
   const Asked_surface s(flat_grid(5, 5, Diagonal_rule::RANDOM));
+  std::vector<Location> row;
+  for(int i = 0; i <= 5; ++i)
+    row.push_back(s.vertex(grid_vertex(5, i, 2)));
   for(int round = 0; round < 60; ++round) {
     const Location first = s.random_location(random), second = s.random_location(random);
     const Point p = s.at(first), q = s.at(second);
@@ -260,6 +263,16 @@ BOOST_AUTO_TEST_CASE(narrow_regions_in_the_plane)
       const Location at = s.random_location(random);
       const double nearest = (std::min)(distance_in_space(s.at(at), p), offset + distance_in_space(s.at(at), q));
       check_close(field.distance(at), nearest, 1, "narrow region");
+    }
+    const double beside = (round % 2 == 0 ? 0.97 : 0.8) * std::abs(q.y() - 2);
+    Field from_row(s.triangulation, s.mesh);
+    from_row.add_curve(row);
+    from_row.add_source(second, beside);
+    from_row.compute();
+    for(int i = 0; i < 300; ++i) {
+      const Location at = s.random_location(random);
+      const double nearest = (std::min)(std::abs(s.at(at).y() - 2), beside + distance_in_space(s.at(at), q));
+      check_close(from_row.distance(at), nearest, 1, "narrow region beside a row");
     }
   }
 }
@@ -826,6 +839,29 @@ BOOST_AUTO_TEST_CASE(sources_at_special_places)
     for(FG::Index i = 0; i < input.number_of_halfedges(); ++i)
       if(const FG::Input_halfedge_index h(i); input.tail(h) == 7_v)
         BOOST_TEST(field.distance(Location{h, {{1, 0, 0}}}) == field.distance(7_v));
+  }
+}
+
+// Two fans that share a vertex only: beyond the border all directions are open.
+BOOST_AUTO_TEST_CASE(paths_pass_a_vertex_of_two_fans)
+{
+  const Asked_surface s(Mesh_soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {-2, -1, 0}},
+                                  {{0, 1, 2}, {0, 3, 4}, {0, 4, 5}, {4, 3, 6}}});
+  for(int source : {1, 2, 3, 4, 5, 6}) {
+    Field field(s.triangulation, s.mesh);
+    field.add_source(Vertex_index(source));
+    field.compute();
+    const Point p = s.at(s.vertex(source));
+    for(FG::Index i = 0; i < s.triangulation.number_of_halfedges(); ++i) {
+      const Location at{FG::Input_halfedge_index(i), {{1, 2, 4}}};
+      if(s.triangulation.input().is_border(at.halfedge))
+        continue;
+      const Point q = s.at(at), o(0, 0, 0);
+      const bool is_same_fan = (source <= 2) == (q.y() > 0);
+      check_close(field.distance(at),
+                  is_same_fan ? distance_in_space(p, q) : distance_in_space(p, o) + distance_in_space(o, q), 1,
+                  "two fans");
+    }
   }
 }
 
