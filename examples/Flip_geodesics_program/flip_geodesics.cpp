@@ -85,7 +85,8 @@ void add_options(CLI::App& app, Options& options)
       ->allow_extra_args(false);
   app.add_flag("--voronoi", options.has_voronoi, "With --source: the curves on which the nearest of them changes");
   app.add_option("--tolerance", options.tolerance,
-                 "How far --isolines and --voronoi may lie from the true curves; not given, a thousandth of the size");
+                 "How far --isolines and --voronoi may lie from the true curves; not given, a thousandth of the "
+                 "size, and no less than a millionth");
   app.add_option("--kernel", options.kernel, "Arithmetic: double, or certified, which decides and proves exactly")
       ->capture_default_str();
   app.add_option("--mollify", options.mollify,
@@ -194,13 +195,13 @@ void check_options(const Options& options)
                    (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
                    (options.has_seams ? 1 : 0) + (options.sources.empty() ? 0 : 1) + (options.points.empty() ? 0 : 1) +
                    (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1);
+  if(options.sources.empty() && (options.is_shortest || !options.results.map.empty() || options.is_field_wanted()))
+    throw Bad_input("--shortest, --map, --isolines and --voronoi belong to --source; give a source");
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --draw, --segmentation, --seams, --source");
   if(!options.is_repaired && !options.results.repaired.empty())
     throw Bad_input("--repaired belongs to --repair; give both");
-  if(options.sources.empty() && (options.is_shortest || !options.results.map.empty() || options.is_field_wanted()))
-    throw Bad_input("--shortest, --map, --isolines and --voronoi belong to --source; give a source");
   check_field_options(options);
   if(!options.sources.empty() && options.stop_length)
     throw Bad_input("--stop-length is of no use with --source; leave one of them out");

@@ -183,11 +183,13 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(far_isoline 0 "0 curves" torus.off --source 0 --isolines 99)
   flip_geodesics_add_program_test(isoline_no_number 2 "level 1 is nan" torus.off --source 0 --isolines 1,nan --mesh
                                   no_isolines.vtp)
-  flip_geodesics_add_program_test(isolines_of_nothing 2 "--source" torus.off --isolines 1)
+  flip_geodesics_add_program_test(isolines_of_nothing 2 "belong to --source" torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest" torus.off --source 0 --isolines 1 --shortest)
   flip_geodesics_add_program_test(tree_of_two 2 "--source takes one vertex" torus.off --source 0,1)
   flip_geodesics_add_program_test(bad_tolerance 2 "--tolerance" torus.off --source 0 --voronoi --tolerance 0)
+  flip_geodesics_add_program_test(tolerance_too_small 2 "--tolerance 1e-300 is less than a millionth" torus.off --source
+                                  0 --voronoi --tolerance 1e-300)
   flip_geodesics_add_program_test(tolerance_of_nothing 2 "--tolerance" torus.off --source 0 --tolerance 0.1)
   flip_geodesics_add_program_test(map_without_source 2 "--source" torus.off --from 0 --to 1 --map map.csv)
   flip_geodesics_add_program_test(refine 0 "smallest angle 2[5-9].* 0 missed" torus.off --from 0 --to 150 --delaunay --refine

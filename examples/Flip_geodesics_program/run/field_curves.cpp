@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 namespace program {
@@ -27,12 +28,21 @@ namespace FG = CGAL::Flip_geodesics;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Polyline = FG::Located_polyline<Mesh>;
 
-double default_tolerance(const Mesh& mesh)
+// What is wanted, or else a thousandth of the diagonal of the mesh's box. One of less than a millionth would take more
+// time and memory than anyone has.
+double usable_tolerance(const Mesh& mesh, double wanted)
 {
   CGAL::Bbox_3 box;
   for(const auto v : mesh.vertices())
     box += mesh.point(v).bbox();
-  return 0.001 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  if(wanted > 0 && wanted < 1e-6 * diagonal) {
+    std::ostringstream message;
+    message << "--tolerance " << wanted << " is less than a millionth of the size of the mesh; give at least "
+            << 1e-6 * diagonal;
+    throw Bad_input(message.str());
+  }
+  return wanted > 0 ? wanted : 0.001 * diagonal;
 }
 
 Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, const Polyline& polyline,
@@ -59,15 +69,16 @@ Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, 
 
 std::vector<Curve_result> field_curves(const Mesh& mesh, const Field_request& request, Progress& progress)
 {
+  const double tolerance = usable_tolerance(mesh, request.tolerance);
   const Triangulation triangulation(mesh);
   FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
   for(Vertex_index source : request.sources)
     field.add_source(source);
   progress.enter("computing distances");
-  field.compute();
+  if(field.compute().status != FG::Distance_field_status::COMPLETE)
+    throw std::runtime_error("--source: the distances of so large a mesh were given up");
 
   std::vector<Curve_result> results;
-  const double tolerance = request.tolerance > 0 ? request.tolerance : default_tolerance(mesh);
   progress.enter("following isolines");
   const auto add_isoline = [&](const FG::Isoline<Mesh>& isoline) {
     std::ostringstream name;

@@ -58,7 +58,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A coordinate or an edge length is NaN or infinite, or so large or small that its square is not a normal number.
+/// A coordinate or an edge length is NaN or infinite, or so large or small that it cannot be computed with: lengths must
+/// lie between 1e-70 and 1e70. Or the offset of a source is negative, not finite, or far too large for the mesh.
 class Invalid_coordinate_error : public Error
 {
 public:
@@ -67,8 +68,9 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// A number that says what is wanted is none that can be had: a level that is not finite, a tolerance that is not
-/// positive, bounds of a refinement that none can reach. Or a distance field is not a number somewhere, or keeps nothing
-/// of the place that it is asked for. `elements()` is the position of the level, or the face, if there is one.
+/// positive or lost in roundings, a radius that is negative, bounds of a refinement that none can reach. Or a distance
+/// field is not a number somewhere, or keeps nothing of the place that it is asked for. `elements()` is the position of
+/// the level, or the face, if there is one.
 class Invalid_parameter_error : public Error
 {
 public:

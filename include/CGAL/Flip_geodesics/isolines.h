@@ -80,8 +80,8 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \param np named parameters: `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
  *        points as values; by default the mesh's own points, `get(CGAL::vertex_point, mesh)`
  * \return the end of the output
- * \throws Invalid_parameter_error if a level is not finite, the tolerance is not a positive number, or the field is
- *         not a number somewhere
+ * \throws Invalid_parameter_error if a level is not finite, the tolerance is not a positive number or less than 1e-14 of
+ *         a side of a face, or the field is not a number somewhere
  * \throws Invalid_mesh_error if a face is no triangle
  * \throws Invalid_coordinate_error if a coordinate is no finite number
  *
@@ -100,7 +100,7 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
   internal::check_tolerance(tolerance);
   if(wanted.empty())
     return out;
-  auto surface = internal::make_refined_surface(mesh, field, np);
+  auto surface = internal::make_refined_surface(mesh, field, np, tolerance);
   internal::Isoline_tracer<decltype(surface)> tracer(surface, sorted, tolerance);
   for(double level : wanted) {
     const auto at = std::lower_bound(sorted.begin(), sorted.end(), level) - sorted.begin();

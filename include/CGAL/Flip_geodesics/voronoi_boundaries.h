@@ -61,7 +61,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \param tolerance a distance on the surface, a number
  * \param np named parameters: `vertex_point_map`, as for `isolines()`
  * \return the end of the output
- * \throws Invalid_parameter_error if the tolerance is not a positive number, or the field is not a number somewhere
+ * \throws Invalid_parameter_error if the tolerance is not a positive number or less than 1e-14 of a side of a face, or
+ *         the field is not a number somewhere
  * \throws Invalid_mesh_error if a face is no triangle
  * \throws Invalid_coordinate_error if a coordinate is no finite number
  *
@@ -75,7 +76,7 @@ OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, 
 {
   static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
   internal::check_tolerance(tolerance);
-  auto surface = internal::make_refined_surface(mesh, field, np);
+  auto surface = internal::make_refined_surface(mesh, field, np, tolerance);
   internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);
   tracer.trace([&](const internal::Followed_curve& curve, const std::array<std::size_t, 2>& sources,
                    const std::array<std::size_t, 2>& junctions) {

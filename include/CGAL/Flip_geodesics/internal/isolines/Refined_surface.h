@@ -13,6 +13,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -97,6 +98,7 @@ public:
   const Use& use(Index half) const { return m_uses[half]; }
   bool is_border(Index half) const { return m_uses[half].piece == null_index; }
   double length(Index half) const { return m_lengths[half / 2]; }
+  double longest_side() const { return m_lengths.empty() ? 0 : *std::max_element(m_lengths.begin(), m_lengths.end()); }
   static Index twin(Index half) { return half ^ 1; }
 
   /* The half of a side, not on the border, that tells what lies on it. */

@@ -60,7 +60,7 @@ inline void check_tolerance(double tolerance)
     return;
   std::ostringstream number;
   number << tolerance;
-  throw Invalid_parameter_error("the tolerance is " + number.str() + ", which is not a positive number");
+  throw Invalid_parameter_error("the tolerance is " + number.str() + ", which is not a positive finite number");
 }
 
 /* The points that are given, or else the mesh's own. */
@@ -79,11 +79,20 @@ using Point_map = decltype(point_map(std::declval<const TriangleMesh&>(), std::d
 template <class TriangleMesh, class NamedParameters>
 using Point_of = typename boost::property_traits<Point_map<TriangleMesh, NamedParameters>>::value_type;
 
+/* Throws Invalid_parameter_error where a tolerance is lost in the roundings of weights. */
 template <class TriangleMesh, class NamedParameters, class Field>
-auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const NamedParameters& np)
+auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const NamedParameters& np, double tolerance)
 {
-  return Refined_surface<TriangleMesh, Point_map<TriangleMesh, NamedParameters>, Field>(mesh, point_map(mesh, np),
-                                                                                        field);
+  using Surface = Refined_surface<TriangleMesh, Point_map<TriangleMesh, NamedParameters>, Field>;
+  Surface surface(mesh, point_map(mesh, np), field);
+  constexpr double finest = 1e-14;
+  if(tolerance < finest * surface.longest_side()) {
+    std::ostringstream message;
+    message << "the tolerance is " << tolerance << ", too small for a mesh with a side of length "
+            << surface.longest_side() << ": roundings hide it";
+    throw Invalid_parameter_error(message.str());
+  }
+  return surface;
 }
 
 /* Bounds of the field over all of a piece, by its values at the corners. They hold for all corners as well, also where
