@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -278,6 +279,52 @@ BOOST_AUTO_TEST_CASE(curved_meshes)
         BOOST_TEST(setting.tree.is_reached(v));
     }
   }
+}
+
+// Edges of a tree are measured from each vertex all at once: as by their words, one after the other.
+BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
+{
+  using Triangulation = Double_tree_setting::Triangulation;
+  int found = 0, along = 0, all = 0, vertices = 0;
+  for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), genus_3_plate(2), saddle_disk(12, 5, 9),
+                               cone_disk(10, 6, 4.5), grid_with_hole(9, 9, 3, 6, 3, 6), random_convex_polyhedron(60, 2),
+                               mapped(bumpy_sphere(7, 0.3, 3), [](const Coordinates& p) {
+                                 return Coordinates{p[0], p[1], 0.01 * p[2]};
+                               })})
+  {
+    Double_tree_setting setting(soup);
+    const Triangulation& t = setting.triangulation;
+    setting.tree.grow(17_v);
+    FG::internal::Tree_straightness<Double_tree_setting::Tree> straightness(setting.tree);
+    std::vector<std::pair<Vertex_index, FG::internal::Leg_arrival>> open = {{17_v, {}}};
+    while(!open.empty()) {
+      const auto [u, arrival] = open.back();
+      open.pop_back();
+      const FG::internal::Vertex_directions<Triangulation> directions(t, u);
+      const std::vector<FG::internal::Fan_leg> legs =
+          straightness.legs(FG::internal::spokes(t, u), directions, arrival);
+      for(const FG::internal::Fan_leg& leg : legs) {
+        BOOST_TEST(leg.head == t.head(leg.halfedge));
+        open.emplace_back(leg.head, leg.arrival);
+        ++all;
+        if(!leg.is_found)
+          continue;
+        const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(leg.halfedge));
+        BOOST_TEST(strip.bend() == 0);
+        const double direction = directions.of_input(leg.reference) + leg.angle;
+        BOOST_TEST(is_same_angle(direction, directions(strip), directions.total()));
+        const FG::internal::Vertex_directions<Triangulation> at_head(t, leg.head);
+        const double back = at_head.of_input(leg.arrival.reference) + leg.arrival.angle;
+        BOOST_TEST(is_same_angle(back, at_head(t.twin(leg.halfedge)), at_head.total()));
+        BOOST_TEST(leg.arrival.is_along == (t.crossings(t.edge(leg.halfedge)) < 0));
+        ++(leg.arrival.is_along ? along : found);
+      }
+    }
+    vertices += t.number_of_vertices() - 1;
+    BOOST_TEST(all == vertices);
+  }
+  BOOST_TEST(along > 100);
+  BOOST_TEST(found + along > 0.98 * all);
 }
 
 // Decided exactly, ties and all.

@@ -150,7 +150,7 @@ public:
       const Triangulation& t = m_tree.triangulation();
       CGAL_precondition(t.head(h) == v && !m_tree.is_reached(v) && m_tree.is_reached(t.tail(h)));
       m_tree.m_labels.settle(v, m_tree.distance(t.tail(h)) + t.length(h), h);
-      m_tree.m_settled.push_back(v);
+      ++m_tree.m_accepted;
     }
 
   private:
@@ -204,8 +204,7 @@ private:
     m_source = source;
     m_max_distance = max_distance;
     m_report = Geodesic_tree_report();
-    m_idle = m_lengthened = 0;
-    m_settled.clear();
+    m_accepted = m_idle = m_lengthened = 0;
     m_labels.offer(source, 0, null_index);
   }
 
@@ -236,7 +235,7 @@ private:
     if(m_labels.distance(v) > m_max_distance)
       return;
     m_labels.settle(v);
-    m_settled.push_back(v);
+    ++m_accepted;
     for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
       relax(spoke);
   }
@@ -250,7 +249,7 @@ private:
   bool has_patience()
   {
     constexpr std::size_t few = 10000, rounds = 16;
-    if((std::max)(m_idle, m_lengthened) < few + rounds * m_settled.size())
+    if((std::max)(m_idle, m_lengthened) < few + rounds * m_accepted)
       return true;
     if(!Triangulation::Traits::Has_drift::value) // otherwise, what is accepted is measured
       m_report.status = Shortening_status::PRECISION_LIMIT;
@@ -399,7 +398,7 @@ private:
     internal::Tree_straightness<Geodesic_tree> straightness(*this);
     for(int round = 0;; ++round) {
       std::vector<Vertex_index> bent;
-      m_report.smallest_angle = straightness(settled_vertices(), std::back_inserter(bent));
+      m_report.smallest_angle = straightness(std::back_inserter(bent));
       if(bent.empty() || m_report.status != Shortening_status::LOCALLY_SHORTEST)
         return;
       bool has_refreshed = false;
@@ -422,24 +421,13 @@ private:
     return true;
   }
 
-  // Those accepted now, without those opened again, each once.
-  const std::vector<Vertex_index>& settled_vertices()
-  {
-    std::sort(m_settled.begin(), m_settled.end());
-    m_settled.erase(std::unique(m_settled.begin(), m_settled.end()), m_settled.end());
-    m_settled.erase(
-        std::remove_if(m_settled.begin(), m_settled.end(), [this](Vertex_index v) { return !is_reached(v); }),
-        m_settled.end());
-    return m_settled;
-  }
-
   static constexpr double straight = 2;     // above all keys
   static constexpr double rounding = 1e-12; // relative, of lengths and their sums
 
   Triangulation* m_triangulation;
   internal::Tree_labels m_labels;
-  std::vector<Vertex_index> m_settled;
   Vertex_index m_source = null_index;
+  std::size_t m_accepted = 0;   // vertices, each time that they were
   std::size_t m_idle = 0;       // wedges flipped out since the last flip
   std::size_t m_lengthened = 0; // wedges flipped out for arcs that are no shorter
   double m_max_distance = std::numeric_limits<double>::infinity();

@@ -3,12 +3,18 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TREE_TREE_STRAIGHTNESS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_TREE_STRAIGHTNESS_H
 
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/tree/Leg_fan.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -20,47 +26,71 @@ namespace internal {
 
 /*
  * Measures the paths of a geodesic tree afresh from the input, as `Straightness_meter` measures the curves of a
- * network.
+ * network: the edges that go on from each vertex all at once (`Leg_fan`), and those that are not found so by their words.
  */
 template <class Tree>
 class Tree_straightness
 {
   using Triangulation = typename Tree::Triangulation;
+  using Directions = Vertex_directions<Triangulation>;
 
 public:
   explicit Tree_straightness(const Tree& tree)
     : m_tree(tree)
     , m_triangulation(tree.triangulation())
+    , m_fan(tree.triangulation())
   {
   }
 
-  /* The smallest angle where paths to the given vertices leave their parents; writes the vertices whose are bent. */
+  /* The smallest angle where paths leave their parents; writes the vertices whose are bent, by parent and index. */
   template <class OutputIterator>
-  double operator()(const std::vector<Vertex_index>& vertices, OutputIterator bent) const
+  double operator()(OutputIterator bent)
   {
-    std::vector<std::pair<Vertex_index, Vertex_index>> edges; // parent and child
-    for(Vertex_index v : vertices)
-      if(m_tree.incoming(v) != null_index)
-        edges.emplace_back(m_triangulation.tail(m_tree.incoming(v)), v);
-    std::sort(edges.begin(), edges.end());
-
     double smallest = std::numeric_limits<double>::infinity();
-    for(std::size_t i = 0; i < edges.size();) {
-      const Vertex_index u = edges[i].first;
-      const Vertex_directions<Triangulation> directions(m_triangulation, u);
-      const Halfedge_index before = m_tree.incoming(u);
-      const double back = before == null_index ? 0 : directions(Triangulation::twin(before));
-      for(; i < edges.size() && edges[i].first == u; ++i) {
-        const Halfedge_index h = m_tree.incoming(edges[i].second);
-        const Strip<Triangulation> strip(m_triangulation, m_triangulation.crossing_word(h));
-        const double angle = before == null_index ? std::numeric_limits<double>::infinity()
-                                                  : directions.smaller_wedge(back, directions(strip));
-        smallest = (std::min)(smallest, angle);
-        if(angle < Straightness::straight_angle() || strip.bend() > Straightness::tolerance())
-          *bent++ = edges[i].second;
-      }
+    m_bent.clear();
+    m_open = {{m_tree.source(), {}}};
+    while(!m_open.empty()) {
+      const auto [u, arrival] = m_open.back();
+      m_open.pop_back();
+      smallest = (std::min)(smallest, measure(u, arrival));
     }
+    std::sort(m_bent.begin(), m_bent.end());
+    for(const auto& [parent, child] : m_bent)
+      *bent++ = child;
     return smallest;
+  }
+
+  /*
+   * The edges with which paths go on from a vertex, measured as far as that is done all at once.
+   *
+   * \param around the halfedges that start there, clockwise, from the border if there is one
+   * \param arrival how the path comes there, if that is known
+   */
+  const std::vector<Fan_leg>& legs(const std::vector<Halfedge_index>& around, const Directions& directions,
+                                   const Leg_arrival& arrival)
+  {
+    m_legs.clear();
+    const bool has_inserted_vertices =
+        m_triangulation.number_of_vertices() != m_triangulation.input().number_of_vertices();
+    std::size_t first = 0;
+    Leg_arrival place = has_inserted_vertices ? Leg_arrival() : known_place(around, directions, arrival, first);
+    for(std::size_t i = 0; i < around.size(); ++i) {
+      const Halfedge_index h = around[(first + i) % around.size()];
+      if(i > 0)
+        turn_clockwise(h, place);
+      if(is_leg(h))
+        add_leg(h, place);
+    }
+    for(auto leg = m_legs.begin(); leg != m_legs.end();) {
+      const auto is_elsewhere = [leg](const Fan_leg& other) {
+        return other.reference != leg->reference || other.is_found;
+      };
+      const auto end = std::find_if(leg + 1, m_legs.end(), is_elsewhere);
+      if(leg->reference != null_index && !leg->is_found)
+        m_fan(&*leg, &*leg + (end - leg));
+      leg = end;
+    }
+    return m_legs;
   }
 
   /* Lays the faces afresh in the bent wedge before v; false if flips were wrong already. */
@@ -78,6 +108,117 @@ public:
   }
 
 private:
+  struct Open_vertex
+  {
+    Vertex_index vertex;
+    Leg_arrival arrival; // of the path there
+  };
+
+  // The smallest angle where paths go on from u; opens the vertices that they lead to.
+  double measure(Vertex_index u, const Leg_arrival& arrival)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const std::vector<Halfedge_index> around = spokes(m_triangulation, u);
+    if(std::none_of(around.begin(), around.end(), [this](Halfedge_index h) { return is_leg(h); }))
+      return infinity;
+    const Directions directions(m_triangulation, u);
+    legs(around, directions, arrival);
+    const Halfedge_index before = m_tree.incoming(u);
+    const bool is_arrival_known = before != null_index && arrival.reference != null_index;
+    const double back = is_arrival_known       ? directions.of_input(arrival.reference) + arrival.angle
+                        : before != null_index ? directions(Triangulation::twin(before))
+                                               : 0;
+    double smallest = infinity;
+    for(Fan_leg& leg : m_legs) {
+      const double bend = leg.is_found ? 0 : measure_by_word(leg, directions);
+      const double direction = leg.reference == null_index ? leg.angle : directions.of_input(leg.reference) + leg.angle;
+      const double angle = before == null_index ? infinity : directions.smaller_wedge(back, direction);
+      smallest = (std::min)(smallest, angle);
+      if(angle < Straightness::straight_angle() || bend > Straightness::tolerance())
+        m_bent.emplace_back(u, leg.head);
+      m_open.push_back({leg.head, leg.arrival});
+    }
+    return smallest;
+  }
+
+  bool is_leg(Halfedge_index h) const { return m_tree.incoming(m_triangulation.head(h)) == h; }
+
+  // Where one of the spokes of a vertex lies in the input, and which one that is.
+  Leg_arrival known_place(const std::vector<Halfedge_index>& around, const Directions& directions,
+                          const Leg_arrival& arrival, std::size_t& number) const
+  {
+    const auto is_of_input = [this](Halfedge_index h) { return m_triangulation.version(Triangulation::edge(h)) == 0; };
+    const Halfedge_index before = m_tree.incoming(m_triangulation.tail(around.front()));
+    const bool is_anchored = before != null_index && arrival.reference != null_index && !directions.has_border();
+    const auto known = is_anchored ? std::find(around.begin(), around.end(), Triangulation::twin(before))
+                                   : std::find_if(around.begin(), around.end(), is_of_input);
+    number = known == around.end() ? 0 : static_cast<std::size_t>(known - around.begin());
+    if(is_anchored)
+      return arrival;
+    if(known != around.end())
+      return {as_input(*known), 0, true};
+    const Crossing_word word = m_triangulation.crossing_word(around.front());
+    const Strip<Triangulation> strip(m_triangulation, word);
+    return {strip.reference(), angle_from_reference(strip.end()), word.along != null_index};
+  }
+
+  // From the place of the spoke before to that of h, over the input edges that start in between.
+  void turn_clockwise(Halfedge_index h, Leg_arrival& place) const
+  {
+    const auto crossings = [this](Halfedge_index g) { return m_triangulation.crossings(Triangulation::edge(g)); };
+    const Halfedge_index opposite = m_triangulation.next(h), before = m_triangulation.next(opposite);
+    const Index between = Triangle_crossings(crossings(opposite), crossings(before), crossings(h)).emanating[0];
+    for(Index i = place.is_along ? 0 : 1; i <= between && place.reference != null_index; ++i)
+      pass_input_edge(place);
+    place.angle -= corner(m_triangulation.length(h), m_triangulation.length(opposite), m_triangulation.length(before));
+    place.is_along = crossings(h) < 0;
+    place.angle = place.is_along ? 0 : place.angle;
+  }
+
+  void pass_input_edge(Leg_arrival& place) const
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index t = twin_index(place.reference);
+    place.reference = input.is_border(t) ? Input_halfedge_index(null_index) : input.next(t);
+    if(place.reference != null_index)
+      place.angle += input_corner(m_triangulation, input.next(input.next(place.reference)));
+  }
+
+  // The angle of a face between its first edge and its last one, from their lengths.
+  static double corner(double first, double opposite, double last)
+  {
+    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+    const auto face = Double_traits().construct_face_from_lengths_object()(first, opposite, last);
+    return std::atan2(-face[2].y, -face[2].x);
+  }
+
+  void add_leg(Halfedge_index h, const Leg_arrival& place)
+  {
+    const Index crossings = m_triangulation.crossings(Triangulation::edge(h));
+    const Vertex_index head = m_triangulation.head(h);
+    Fan_leg leg = {h, head, crossings, m_triangulation.length(h), place.reference, place.angle, Leg_arrival(), false};
+    if(place.is_along && place.reference != null_index &&
+       m_triangulation.input().tail(twin_index(place.reference)) == head) {
+      leg.arrival = {twin_index(place.reference), 0, true};
+      leg.is_found = true;
+    } else if(place.is_along) {
+      leg.reference = null_index;
+    }
+    m_legs.push_back(leg);
+  }
+
+  // Of a leg that is not found; returns by how much it is bent.
+  double measure_by_word(Fan_leg& leg, const Directions& directions) const
+  {
+    const Crossing_word word = m_triangulation.crossing_word(leg.halfedge);
+    const Strip<Triangulation> strip(m_triangulation, word);
+    leg.reference = null_index;
+    leg.angle = directions(strip);
+    if(strip.arrival_reference() != null_index)
+      leg.arrival = {strip.arrival_reference(), angle_from_reference(strip.arrival()), word.along != null_index};
+    return strip.bend();
+  }
+
   // Clockwise from a to c.
   bool refresh_wedge(Halfedge_index a, Halfedge_index c)
   {
@@ -93,6 +234,10 @@ private:
 
   const Tree& m_tree;
   Triangulation& m_triangulation;
+  Leg_fan<Triangulation> m_fan;
+  std::vector<Fan_leg> m_legs;
+  std::vector<Open_vertex> m_open;
+  std::vector<std::pair<Vertex_index, Vertex_index>> m_bent; // and their parents
 };
 
 } // namespace internal

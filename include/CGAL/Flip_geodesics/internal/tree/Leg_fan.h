@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
+
+#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* In which direction an edge comes to its head: backward, counterclockwise from an input halfedge that starts there. */
+struct Leg_arrival
+{
+  Input_halfedge_index reference = null_index;
+  double angle = 0;
+  bool is_along = false; // the reference itself
+};
+
+/* An edge of the triangulation that starts at some vertex, and what is known of it. */
+struct Fan_leg
+{
+  Halfedge_index halfedge;
+  Vertex_index head;
+  Index crossings;                // of input edges
+  double length;                  // as the triangulation has it
+  Input_halfedge_index reference; // the input halfedge clockwise of it, or along which it lies
+  double angle;                   // from there: as the triangulation has it, and measured once it is found
+  Leg_arrival arrival;
+  bool is_found;
+};
+
+/*
+ * Measures edges that start at one vertex from the input, all at once: the faces that they cross are laid out from the
+ * vertex on, and what edges have in common is laid out once. Their words are not needed.
+ *
+ *                      apex
+ *                     /    .            the edges that pass a gate are parted by the corner
+ *           left ----/------- right     beyond it: those on its left, the one that ends there,
+ *               .   . .    .            and those on its right
+ *                 .  .  .
+ *                   . .
+ *                    u
+ *
+ * An edge is looked for in the direction that the triangulation's lengths say. It is found if after its number of
+ * crossings it comes upon its head, as far away as it is long, passes no vertex closely, and the straight line there
+ * crosses all of the same edges. Otherwise nothing is said.
+ */
+template <class Triangulation>
+class Leg_fan
+{
+  using Vector = std::complex<double>;
+
+public:
+  explicit Leg_fan(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  /* \pre the legs have one reference, along which none of them lies; ordered clockwise */
+  void operator()(Fan_leg* first, Fan_leg* last)
+  {
+    m_directions.clear();
+    for(Fan_leg* leg = first; leg != last; ++leg)
+      m_directions.push_back(std::polar(1.0, leg->angle));
+    m_legs = first;
+    const Input_halfedge_index h = first->reference;
+    const auto face = input_face_geometry(m_triangulation, h);
+    const Vector right(face[0].x, 0), gate(face[1].x, face[1].y), left = -Vector(face[2].x, face[2].y);
+    push({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
+    while(!m_gates.empty()) {
+      const Gate here = m_gates.back();
+      m_gates.pop_back();
+      if(!m_triangulation.input().is_border(twin_index(here.crossed)))
+        cross(here);
+    }
+  }
+
+private:
+  // An input edge that legs cross, with the face to be entered behind it.
+  struct Gate
+  {
+    Input_halfedge_index crossed;
+    Vector right, left, across; // its ends, and the way from left to right
+    Vector rightmost, leftmost; // between them straight lines pass all gates up to here
+    std::size_t first, last;    // the legs
+    Index crossings;            // so many, with this one
+  };
+
+  static constexpr double near = 1e-8;        // in radians; the triangulation's angles have drifted by less
+  static constexpr double near_length = 1e-9; // the same of lengths, relative
+
+  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
+
+  static Vector product(const Vector& u, const Vector& v)
+  {
+    return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
+  }
+
+  // If one of its legs crosses so many edges.
+  void push(const Gate& gate)
+  {
+    for(std::size_t i = gate.first; i < gate.last; ++i)
+      if(m_legs[i].crossings >= gate.crossings)
+        return m_gates.push_back(gate);
+  }
+
+  void cross(const Gate& here)
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index entered = twin_index(here.crossed), to_apex = input.next(entered);
+    const auto vectors = input_face_geometry(m_triangulation, entered);
+    // Products of ratios of the face, as in `Strip`.
+    const Vector turn = here.across / vectors[0].x;
+    const Vector from_right = product(turn, {vectors[1].x, vectors[1].y});
+    const Vector to_left = product(turn, {vectors[2].x, vectors[2].y});
+    const bool is_near_right = std::norm(from_right) < std::norm(to_left);
+    const Vector apex = is_near_right ? here.right + from_right : here.left - to_left;
+    const double margin = near * std::sqrt(std::norm(apex));
+    std::size_t i = here.first;
+    while(i < here.last && cross(apex, m_directions[i]) > margin)
+      ++i;
+    std::size_t j = i;
+    for(; j < here.last && cross(apex, m_directions[j]) >= -margin; ++j)
+      end(m_legs[j], here, apex, input.next(to_apex), to_left);
+    const bool is_right_of_apex = cross(here.rightmost, apex) > 0, is_left_of_apex = cross(apex, here.leftmost) > 0;
+    if(i > here.first)
+      push({input.next(to_apex), apex, here.left, -to_left, is_right_of_apex ? apex : here.rightmost, here.leftmost,
+            here.first, i, here.crossings + 1});
+    if(j < here.last)
+      push({to_apex, here.right, apex, -from_right, here.rightmost, is_left_of_apex ? apex : here.leftmost, j,
+            here.last, here.crossings + 1});
+  }
+
+  // A leg comes near to the corner opposite to a gate, from which `h` leads to the left.
+  void end(Fan_leg& leg, const Gate& gate, const Vector& apex, Input_halfedge_index h, const Vector& along_h) const
+  {
+    const bool is_straight = cross(gate.rightmost, apex) > 0 && cross(apex, gate.leftmost) > 0;
+    leg.is_found = is_straight && leg.crossings == gate.crossings && leg.head == m_triangulation.input().tail(h) &&
+                   std::abs(std::sqrt(std::norm(apex)) - leg.length) <= near_length * leg.length;
+    if(!leg.is_found)
+      return;
+    leg.angle = angle_from_reference(apex);
+    leg.arrival = {h, angle_from_reference(product(-apex, std::conj(along_h))), false};
+  }
+
+  const Triangulation& m_triangulation;
+  Fan_leg* m_legs = nullptr;
+  std::vector<Vector> m_directions; // of the legs
+  std::vector<Gate> m_gates;        // still to be crossed
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
