@@ -67,6 +67,7 @@ public:
     bool operator==(const Walker& other) const { return m_halfedge == other.m_halfedge; }
     bool operator!=(const Walker& other) const { return m_halfedge != other.m_halfedge; }
 
+    Vertex_index tail() const { return m_triangulation->tail(m_halfedge); }
     Walker twin() const { return at(Plain_triangulation::twin(m_halfedge)); }
     Walker previous() const { return at(m_triangulation->previous(m_halfedge)); }
     Walker clockwise() const { return at(m_triangulation->clockwise(m_halfedge)); }

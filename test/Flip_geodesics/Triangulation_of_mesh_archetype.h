@@ -48,6 +48,7 @@ public:
     bool operator==(const Walker& other) const { return m_walker == other.m_walker; }
     bool operator!=(const Walker& other) const { return m_walker != other.m_walker; }
 
+    Vertex_index tail() const { return m_walker.tail(); }
     Walker twin() const { return Walker(m_walker.twin()); }
     Walker previous() const { return Walker(m_walker.previous()); }
     Walker clockwise() const { return Walker(m_walker.clockwise()); }

@@ -158,6 +158,8 @@ public:
   /// Does it stand nowhere, since the border intervened?
   bool is_none() const;
 
+  /// The vertex at which the halfedge starts.
+  Vertex_index tail() const;
   /// At the other side of the edge.
   IntrinsicTriangulationWalker twin() const;
   /// At the previous halfedge of the face. \pre there is one

@@ -198,6 +198,8 @@ public:
   }
 
 private:
+  using Walker = typename Triangulation::Walker;
+
   void start(Vertex_index source, double max_distance)
   {
     m_labels.start(static_cast<std::size_t>(m_triangulation->number_of_vertices())); // some may have been inserted
@@ -228,7 +230,8 @@ private:
     const Halfedge_index h = m_labels.incoming(v);
     if(h != null_index && m_triangulation->tail(h) != m_source) {
       const Halfedge_index back = Triangulation::twin(m_labels.incoming(m_triangulation->tail(h)));
-      const double left = key(back, h), right = key(h, back);
+      const Walker from = m_triangulation->walker(back), to = m_triangulation->walker(h);
+      const double left = key(from, to), right = key(to, from);
       if((left < straight || right < straight) && has_patience())
         return left <= right ? flip_out(v, back, h, visitor) : flip_out(v, h, back, visitor);
     }
@@ -236,7 +239,8 @@ private:
       return;
     m_labels.settle(v);
     ++m_accepted;
-    for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
+    internal::collect_spokes(*m_triangulation, v, m_spokes);
+    for(const Walker& spoke : m_spokes)
       relax(spoke);
   }
 
@@ -257,16 +261,16 @@ private:
   }
 
   // The key of the angle clockwise from a to c, if it is below pi and holds no edge of the tree.
-  double key(Halfedge_index a, Halfedge_index c) const
+  double key(const Walker& a, const Walker& c) const
   {
     typename Triangulation::Turn turn;
-    for(Halfedge_index h = a;;) {
-      h = m_triangulation->extend_turn_clockwise(turn, h);
-      if(h == null_index || m_triangulation->is_straight(turn, a, h))
+    for(Walker h = a;;) {
+      h = h.extend_turn_clockwise(turn);
+      if(h.is_none() || m_triangulation->is_straight(turn, a.index(), h.index()))
         return straight;
       if(h == c)
         return m_triangulation->traits().turn_key_object()(turn);
-      if(incoming(m_triangulation->head(h)) == h) // only where rounding hides that the path to there is bent
+      if(incoming(h.twin().tail()) == h.index()) // only where rounding hides that the path to there is bent
         return straight;
     }
   }
@@ -296,8 +300,9 @@ private:
     adopt_orphans(Triangulation::edge(m_labels.incoming(v)));
     prefer_arc(v, old_distance);
     for(Halfedge_index h : m_flipped) {
-      relax(h);
-      relax(Triangulation::twin(h));
+      const Walker flipped = m_triangulation->walker(h);
+      relax(flipped);
+      relax(flipped.twin());
     }
   }
 
@@ -319,19 +324,21 @@ private:
   {
     for(Vertex_index v : m_orphans)
       m_labels.forget(v);
-    for(Vertex_index v : m_orphans)
-      for(Halfedge_index spoke : internal::spokes(*m_triangulation, v))
-        if(Triangulation::edge(spoke) != edge)
-          relax(Triangulation::twin(spoke));
+    for(Vertex_index v : m_orphans) {
+      internal::collect_spokes(*m_triangulation, v, m_spokes);
+      for(const Walker& spoke : m_spokes)
+        if(Triangulation::edge(spoke.index()) != edge)
+          relax(spoke.twin());
+    }
   }
 
   // Looks at the way along h from a vertex that is accepted.
-  void relax(Halfedge_index h)
+  void relax(const Walker& h)
   {
-    const Vertex_index u = m_triangulation->tail(h), v = m_triangulation->head(h);
+    const Vertex_index u = h.tail(), v = h.twin().tail();
     if(!is_reached(u) || u == v || v == m_source)
       return;
-    const double distance = m_labels.distance(u) + m_triangulation->length(h);
+    const double distance = m_labels.distance(u) + h.length();
     if(is_reached(v)) {
       if(distance >= m_labels.distance(v) * (1 - rounding))
         return;
@@ -340,7 +347,7 @@ private:
         return;
     }
     if(m_labels.is_unknown(v) || distance < m_labels.distance(v))
-      m_labels.offer(v, distance, h);
+      m_labels.offer(v, distance, h.index());
   }
 
   // Grows paths to what was taken off and not hung up again.
@@ -352,7 +359,7 @@ private:
         relax_forward(Triangulation::twin(spoke));
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(
             m_triangulation->number_of_halfedges())) // new edges can be shorter ways to other vertices
-      relax(h);
+      relax(m_triangulation->walker(h));
     run(visitor);
     if constexpr(Triangulation::Traits::Has_drift::value)
       measure(visitor);
@@ -384,7 +391,7 @@ private:
   {
     const Vertex_index v = m_triangulation->head(h);
     if(!is_reached(v))
-      relax(h);
+      relax(m_triangulation->walker(h));
   }
 
   /*
@@ -434,6 +441,7 @@ private:
   Geodesic_tree_report m_report;
   std::vector<Halfedge_index> m_arc, m_flipped;
   std::vector<Vertex_index> m_orphans;
+  std::vector<Walker> m_spokes;
 };
 
 } // namespace Flip_geodesics

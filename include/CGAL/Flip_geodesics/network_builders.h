@@ -11,8 +11,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -20,25 +22,39 @@ namespace Flip_geodesics {
 
 namespace internal {
 
+/* Replaces what a range holds by the halfedges that start at v, clockwise, from the border if there is one; as walkers
+ * or by their indices. */
+template <class Triangulation, class Spoke>
+void collect_spokes(const Triangulation& triangulation, Vertex_index v, std::vector<Spoke>& result)
+{
+  const auto add = [&result](const typename Triangulation::Walker& h) {
+    if constexpr(std::is_same<Spoke, Halfedge_index>::value)
+      result.push_back(h.index());
+    else
+      result.push_back(h);
+  };
+  result.clear();
+  const Halfedge_index start = triangulation.outgoing(v);
+  if(start == null_index)
+    return;
+  const auto first = triangulation.walker(start);
+  auto h = first;
+  do {
+    add(h);
+    h = h.counterclockwise();
+  } while(!h.is_none() && h != first);
+  std::reverse(h.is_none() ? result.begin() : result.begin() + 1, result.end());
+  if(h.is_none())
+    for(h = first.clockwise(); !h.is_none(); h = h.clockwise())
+      add(h);
+}
+
 /* The halfedges that start at v, clockwise, from the border if there is one. */
 template <class Triangulation>
 std::vector<Halfedge_index> spokes(const Triangulation& triangulation, Vertex_index v)
 {
   std::vector<Halfedge_index> result;
-  const Halfedge_index start = triangulation.outgoing(v);
-  if(start == null_index)
-    return result;
-  Halfedge_index first = start;
-  for(Halfedge_index h = triangulation.counterclockwise(start); h != null_index && h != start;
-      h = triangulation.counterclockwise(h))
-    first = h;
-  if(triangulation.counterclockwise(first) == start)
-    first = start;
-  Halfedge_index h = first;
-  do {
-    result.push_back(h);
-    h = triangulation.clockwise(h);
-  } while(h != null_index && h != first);
+  collect_spokes(triangulation, v, result);
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -31,6 +32,14 @@ public:
   {
     CGAL_precondition(priority >= 0);
     m_heap.push({ordered_bits(priority), vertex});
+  }
+
+  /* The priority of the first vertex. \pre not empty */
+  double priority()
+  {
+    double result;
+    std::memcpy(&result, &m_heap.top().key, sizeof result);
+    return result;
   }
 
   /* Removes the first vertex. */

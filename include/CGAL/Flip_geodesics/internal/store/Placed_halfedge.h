@@ -46,6 +46,7 @@ public:
   bool operator!=(const Placed_halfedge& other) const { return m_slot != other.m_slot; }
 
   bool is_border() const { return store().known(m_slot).is_border(); }
+  Vertex_index tail() const { return store().known(m_slot).tail; }
   Placed_halfedge twin() const { return at(twin_slot(m_slot)); }
   Placed_halfedge next() const { return at(store().known(m_slot).next()); }
   Placed_halfedge previous() const { return next().next(); }

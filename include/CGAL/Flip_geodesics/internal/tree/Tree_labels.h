@@ -5,13 +5,12 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -40,7 +39,7 @@ public:
       m_epoch = 0;
     }
     m_epoch += 4;
-    m_heap.clear();
+    m_queue.clear();
   }
 
   bool is_unknown(Vertex_index v) const { return state(v) == UNKNOWN; }
@@ -55,8 +54,7 @@ public:
   void offer(Vertex_index v, double distance, Halfedge_index h)
   {
     m_labels[v] = {distance, h, m_epoch + OFFERED};
-    m_heap.push_back({distance, v});
-    std::push_heap(m_heap.begin(), m_heap.end());
+    m_queue.push(distance, v);
   }
 
   /* Accepts the way that is offered. */
@@ -71,16 +69,15 @@ public:
 
   void forget(Vertex_index v) { m_labels[v].stamp = m_epoch; }
 
-  bool has_offers() const { return !m_heap.empty(); }
+  bool has_offers() const { return !m_queue.empty(); }
 
   /* Takes the shortest way out of the queue, of equal ones that to the smallest vertex; `null_index` if it is not
    * offered any more. \pre `has_offers()` */
   Vertex_index pop()
   {
-    std::pop_heap(m_heap.begin(), m_heap.end());
-    const Entry entry = m_heap.back();
-    m_heap.pop_back();
-    return is_offered(entry.vertex) && distance(entry.vertex) == entry.distance ? entry.vertex : null_index;
+    const double offered = m_queue.priority();
+    const Vertex_index v = m_queue.pop();
+    return is_offered(v) && distance(v) == offered ? v : null_index;
   }
 
 private:
@@ -93,18 +90,6 @@ private:
     Index stamp; // the epoch, a multiple of 4, plus the state
   };
 
-  struct Entry
-  {
-    double distance;
-    Vertex_index vertex;
-
-    // std heaps hand out the largest.
-    bool operator<(const Entry& other) const
-    {
-      return distance != other.distance ? distance > other.distance : vertex > other.vertex;
-    }
-  };
-
   using Labels = Indexed_by<Vertex_index, Lazy_array<Label>>;
 
   Index state(Vertex_index v) const
@@ -114,7 +99,7 @@ private:
   }
 
   Labels m_labels;
-  std::vector<Entry> m_heap;
+  Vertex_queue m_queue;
   Index m_epoch = 0;
 };
 
