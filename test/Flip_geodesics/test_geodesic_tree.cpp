@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
     const Triangulation& t = setting.triangulation;
     setting.tree.grow(17_v);
     FG::internal::Tree_straightness<Double_tree_setting::Tree> straightness(setting.tree);
-    std::vector<std::pair<Vertex_index, FG::internal::Leg_arrival>> open = {{17_v, {}}};
+    std::vector<std::pair<Vertex_index, FG::internal::Spoke_place>> open = {{17_v, {}}};
     while(!open.empty()) {
       const auto [u, arrival] = open.back();
       open.pop_back();

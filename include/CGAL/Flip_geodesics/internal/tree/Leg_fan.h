@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +17,6 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* In which direction an edge comes to its head: backward, counterclockwise from an input halfedge that starts there. */
-struct Leg_arrival
-{
-  Input_halfedge_index reference = null_index;
-  double angle = 0;
-  bool is_along = false; // the reference itself
-};
-
 /* An edge of the triangulation that starts at some vertex, and what is known of it. */
 struct Fan_leg
 {
@@ -33,7 +26,7 @@ struct Fan_leg
   double length;                  // as the triangulation has it
   Input_halfedge_index reference; // the input halfedge clockwise of it, or along which it lies
   double angle;                   // from there: as the triangulation has it, and measured once it is found
-  Leg_arrival arrival;
+  Spoke_place arrival;            // of the path at its head, backward
   bool is_found;
 };
 

@@ -3,18 +3,16 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TREE_TREE_STRAIGHTNESS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_TREE_STRAIGHTNESS_H
 
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/tree/Leg_fan.h>
+#include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -38,6 +36,7 @@ public:
   explicit Tree_straightness(const Tree& tree)
     : m_tree(tree)
     , m_triangulation(tree.triangulation())
+    , m_places(tree.triangulation())
     , m_fan(tree.triangulation())
   {
   }
@@ -67,17 +66,17 @@ public:
    * \param arrival how the path comes there, if that is known
    */
   const std::vector<Fan_leg>& legs(const std::vector<Halfedge_index>& around, const Directions& directions,
-                                   const Leg_arrival& arrival)
+                                   const Spoke_place& arrival)
   {
     m_legs.clear();
     const bool has_inserted_vertices =
         m_triangulation.number_of_vertices() != m_triangulation.input().number_of_vertices();
     std::size_t first = 0;
-    Leg_arrival place = has_inserted_vertices ? Leg_arrival() : known_place(around, directions, arrival, first);
+    Spoke_place place = has_inserted_vertices ? Spoke_place() : known_place(around, directions, arrival, first);
     for(std::size_t i = 0; i < around.size(); ++i) {
       const Halfedge_index h = around[(first + i) % around.size()];
       if(i > 0)
-        turn_clockwise(h, place);
+        m_places.turn_clockwise(h, place);
       if(is_leg(h))
         add_leg(h, place);
     }
@@ -111,11 +110,11 @@ private:
   struct Open_vertex
   {
     Vertex_index vertex;
-    Leg_arrival arrival; // of the path there
+    Spoke_place arrival; // of the path there
   };
 
   // The smallest angle where paths go on from u; opens the vertices that they lead to.
-  double measure(Vertex_index u, const Leg_arrival& arrival)
+  double measure(Vertex_index u, const Spoke_place& arrival)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const std::vector<Halfedge_index> around = spokes(m_triangulation, u);
@@ -144,59 +143,23 @@ private:
   bool is_leg(Halfedge_index h) const { return m_tree.incoming(m_triangulation.head(h)) == h; }
 
   // Where one of the spokes of a vertex lies in the input, and which one that is.
-  Leg_arrival known_place(const std::vector<Halfedge_index>& around, const Directions& directions,
-                          const Leg_arrival& arrival, std::size_t& number) const
+  Spoke_place known_place(const std::vector<Halfedge_index>& around, const Directions& directions,
+                          const Spoke_place& arrival, std::size_t& number) const
   {
-    const auto is_of_input = [this](Halfedge_index h) { return m_triangulation.version(Triangulation::edge(h)) == 0; };
     const Halfedge_index before = m_tree.incoming(m_triangulation.tail(around.front()));
     const bool is_anchored = before != null_index && arrival.reference != null_index && !directions.has_border();
-    const auto known = is_anchored ? std::find(around.begin(), around.end(), Triangulation::twin(before))
-                                   : std::find_if(around.begin(), around.end(), is_of_input);
-    number = known == around.end() ? 0 : static_cast<std::size_t>(known - around.begin());
-    if(is_anchored)
-      return arrival;
-    if(known != around.end())
-      return {as_input(*known), 0, true};
-    const Crossing_word word = m_triangulation.crossing_word(around.front());
-    const Strip<Triangulation> strip(m_triangulation, word);
-    return {strip.reference(), angle_from_reference(strip.end()), word.along != null_index};
+    if(!is_anchored)
+      return m_places.known_place(around, number);
+    const auto back = std::find(around.begin(), around.end(), Triangulation::twin(before));
+    number = static_cast<std::size_t>(back - around.begin());
+    return arrival;
   }
 
-  // From the place of the spoke before to that of h, over the input edges that start in between.
-  void turn_clockwise(Halfedge_index h, Leg_arrival& place) const
-  {
-    const auto crossings = [this](Halfedge_index g) { return m_triangulation.crossings(Triangulation::edge(g)); };
-    const Halfedge_index opposite = m_triangulation.next(h), before = m_triangulation.next(opposite);
-    const Index between = Triangle_crossings(crossings(opposite), crossings(before), crossings(h)).emanating[0];
-    for(Index i = place.is_along ? 0 : 1; i <= between && place.reference != null_index; ++i)
-      pass_input_edge(place);
-    place.angle -= corner(m_triangulation.length(h), m_triangulation.length(opposite), m_triangulation.length(before));
-    place.is_along = crossings(h) < 0;
-    place.angle = place.is_along ? 0 : place.angle;
-  }
-
-  void pass_input_edge(Leg_arrival& place) const
-  {
-    const auto& input = m_triangulation.input();
-    const Input_halfedge_index t = twin_index(place.reference);
-    place.reference = input.is_border(t) ? Input_halfedge_index(null_index) : input.next(t);
-    if(place.reference != null_index)
-      place.angle += input_corner(m_triangulation, input.next(input.next(place.reference)));
-  }
-
-  // The angle of a face between its first edge and its last one, from their lengths.
-  static double corner(double first, double opposite, double last)
-  {
-    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
-    const auto face = Double_traits().construct_face_from_lengths_object()(first, opposite, last);
-    return std::atan2(-face[2].y, -face[2].x);
-  }
-
-  void add_leg(Halfedge_index h, const Leg_arrival& place)
+  void add_leg(Halfedge_index h, const Spoke_place& place)
   {
     const Index crossings = m_triangulation.crossings(Triangulation::edge(h));
     const Vertex_index head = m_triangulation.head(h);
-    Fan_leg leg = {h, head, crossings, m_triangulation.length(h), place.reference, place.angle, Leg_arrival(), false};
+    Fan_leg leg = {h, head, crossings, m_triangulation.length(h), place.reference, place.angle, Spoke_place(), false};
     if(place.is_along && place.reference != null_index &&
        m_triangulation.input().tail(twin_index(place.reference)) == head) {
       leg.arrival = {twin_index(place.reference), 0, true};
@@ -234,6 +197,7 @@ private:
 
   const Tree& m_tree;
   Triangulation& m_triangulation;
+  Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
   std::vector<Fan_leg> m_legs;
   std::vector<Open_vertex> m_open;

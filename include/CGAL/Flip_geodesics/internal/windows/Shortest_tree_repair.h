@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
 #include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 
@@ -254,24 +255,61 @@ private:
            m_tree.incoming(m_triangulation.tail(h)) == Triangulation::twin(h);
   }
 
-  // The spoke of v that a direction is at, or follows counterclockwise; and by which angle.
+  /*
+   * The spoke of v that a direction is at, or follows counterclockwise; and by which angle. Which one it is, the
+   * triangulation's lengths tell nearly always, and the input decides.
+   */
   Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, Vertex_index v, double direction,
                                    double& offset) const
   {
-    constexpr double rounding = 1e-9;
-    Halfedge_index best = null_index;
-    for(Halfedge_index h : spokes(m_triangulation, v)) {
-      double angle = direction - directions(h);
-      if(angle < -rounding)
-        angle += directions.has_border() ? infinity : directions.total();
-      if(!directions.has_border() && angle > directions.total() - rounding)
-        angle -= directions.total();
-      if(best == null_index || angle < offset) {
-        best = h;
+    constexpr double rounding = 1e-9, drift = 1e-6;
+    const std::vector<Halfedge_index> around = spokes(m_triangulation, v);
+    const std::vector<double> angles = estimated_directions(around, directions);
+    std::size_t best = around.size();
+    for(std::size_t i = 0; i < around.size(); ++i) {
+      const double angle = behind(angles[i], direction, directions, drift);
+      if(best == around.size() || angle < offset) {
+        best = i;
         offset = angle;
       }
     }
-    return offset < infinity ? best : null_index;
+    for(int tries = 0; best < around.size() && tries < 2; ++tries) {
+      offset = behind(directions(around[best]), direction, directions, drift);
+      if(offset >= -rounding)
+        return offset < infinity ? around[best] : null_index;
+      best = best + 1 == around.size() && !directions.has_border() ? 0 : best + 1; // clockwise
+    }
+    return null_index;
+  }
+
+  // By which angle one direction follows another counterclockwise; a little before it, the angle is negative.
+  static double behind(double first, double second, const Vertex_directions<Triangulation>& directions, double little)
+  {
+    const double angle = second - first;
+    if(directions.has_border())
+      return angle < -little ? infinity : angle;
+    const double turned = angle < -little ? angle + directions.total() : angle;
+    return turned > directions.total() - little ? turned - directions.total() : turned;
+  }
+
+  // The directions of the spokes of a vertex: of one measured, of the others as the triangulation has the angles between.
+  std::vector<double> estimated_directions(const std::vector<Halfedge_index>& around,
+                                           const Vertex_directions<Triangulation>& directions) const
+  {
+    std::vector<double> result(around.size());
+    std::size_t first = 0;
+    const Spoke_places<Triangulation> places(m_triangulation);
+    const bool has_inserted_vertices =
+        m_triangulation.number_of_vertices() != m_triangulation.input().number_of_vertices();
+    Spoke_place place = has_inserted_vertices || around.empty() ? Spoke_place() : places.known_place(around, first);
+    for(std::size_t i = 0; i < around.size(); ++i) {
+      const std::size_t k = (first + i) % around.size();
+      if(i > 0)
+        places.turn_clockwise(around[k], place);
+      result[k] =
+          place.reference == null_index ? directions(around[k]) : directions.of_input(place.reference) + place.angle;
+    }
+    return result;
   }
 
   // The vectors of h, next(h), previous(h) in the triangulation, turned so that h lies along the given vector.
