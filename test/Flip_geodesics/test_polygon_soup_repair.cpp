@@ -176,6 +176,16 @@ struct Repaired
         std::count_if(vertices.begin(), vertices.end(), [this](Mesh::Vertex_index v) { return !mesh.is_isolated(v); }));
   }
 
+  // As far as it is seen from above; from below it counts as negative.
+  double area_from_above() const
+  {
+    double sum = 0;
+    const Soup soup = to_soup(mesh);
+    for(const Polygon& t : soup.polygons)
+      sum += CGAL::cross_product(soup.points[t[1]] - soup.points[t[0]], soup.points[t[2]] - soup.points[t[0]]).z() / 2;
+    return sum;
+  }
+
   double area() const
   {
     double sum = 0;
@@ -256,6 +266,9 @@ BOOST_AUTO_TEST_CASE(polygons_are_triangulated)
     check_repairs(repaired.report, {{Repair::POLYGONS_TRIANGULATED, 1}});
     BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 5u);
     BOOST_CHECK_CLOSE(repaired.area(), 3, 1e-12);
+    BOOST_CHECK_CLOSE(repaired.area_from_above(), -3, 1e-12);
+    std::reverse(soup.polygons[0].begin(), soup.polygons[0].end());
+    BOOST_CHECK_CLOSE(repair(soup).area_from_above(), 3, 1e-12);
   }
   // A quadrilateral with a corner on a straight side has one diagonal only.
   for(int k = 0; k < 4; ++k) {
@@ -292,6 +305,21 @@ BOOST_AUTO_TEST_CASE(polygons_are_cleaned)
   BOOST_CHECK(repaired.report.vertices_of_point(8).empty());
   BOOST_CHECK(repaired.report.vertices_of_point(5) == repaired.report.vertices_of_point(1));
   BOOST_CHECK(repaired.report.faces_of_polygon(1).empty());
+
+  // The first corner again at the end, which closes what is closed.
+  const Soup closed = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 0, 0}}};
+  check_repairs(repair(closed).report, {{Repair::CORNERS_REPEATED, 2}, {Repair::POLYGONS_TRIANGULATED, 1}});
+
+  // Whichever coordinate is no number.
+  for(const double x : {nan, std::numeric_limits<double>::infinity()})
+    for(const Point_3& bad : {Point_3(x, 1, 1), Point_3(1, x, 1), Point_3(1, 1, x)}) {
+      Soup with_bad = closed;
+      with_bad.points.push_back(bad);
+      with_bad.polygons = {{0, 1, 2}, {0, 2, 4}};
+      const Repair_report report = repair(with_bad).report;
+      BOOST_CHECK_EQUAL(report.number_of(Repair::POINTS_NOT_FINITE), 1u);
+      BOOST_CHECK_EQUAL(report.number_of(Repair::POLYGONS_WITHOUT_POINTS), 1u);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(duplicates_are_dropped)
@@ -388,7 +416,50 @@ BOOST_AUTO_TEST_CASE(collinear_triangles_are_flipped_away)
     BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 4u);
     BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), soup.polygons.size());
     BOOST_CHECK_CLOSE(repaired.area(), 2.5 * (n + 1), 1e-12);
+    // What has no area becomes a part of the triangle beyond.
+    BOOST_CHECK_EQUAL(repaired.report.faces_of_polygon(last).size(), last);
+    for(std::size_t i = last + 1; i < soup.polygons.size(); ++i)
+      BOOST_CHECK(repaired.report.faces_of_polygon(i).empty());
+    // It is that triangle's orientation, too, that its parts had before.
+    for(const std::size_t turned : {std::size_t(0), last})
+      std::reverse(soup.polygons[turned].begin(), soup.polygons[turned].end());
+    BOOST_CHECK_EQUAL(repair(soup).report.number_of(Repair::POLYGONS_REVERSED), last - 1);
   }
+}
+
+// Both sides of a triangle ACD, one with a point B on AC: a flip would make an edge BD that is there already. What has no
+// area is dropped, and leaves a slit; whatever the number of faces about B.
+BOOST_AUTO_TEST_CASE(no_edge_is_made_twice)
+{
+  for(const std::size_t more : {0u, 1u, 8u}) {
+    Soup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 2, 3}, {1, 3, 2}, {2, 0, 1}}};
+    std::size_t last = 3; // faces about B, between A and D
+    for(std::size_t i = 1; i <= more; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(more + 1);
+      soup.points.emplace_back(1 - t, 1 - t, 0.2);
+      soup.polygons.push_back({1, soup.points.size() - 1, last});
+      soup.polygons.push_back({0, last, soup.points.size() - 1});
+      last = soup.points.size() - 1;
+    }
+    soup.polygons.push_back({1, 0, last});
+    const Repaired repaired = repair(soup);
+    check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_DROPPED, 1}});
+    BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), soup.polygons.size() - 1);
+    BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 3u);
+  }
+}
+
+// Two triangles without area on each other, with points of their own in one place: both are dropped.
+BOOST_AUTO_TEST_CASE(no_edge_of_length_zero_is_made)
+{
+  const Soup soup = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, -2, 0}},
+                     {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {3, 0, 5}, {2, 3, 5}}};
+  const Repaired repaired = repair(soup);
+  BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 4u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::FACES_WITHOUT_AREA_FLIPPED), 0u);
+  BOOST_CHECK_EQUAL(repaired.report.number_of(Repair::FACES_WITHOUT_AREA_DROPPED), 2u);
+  BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 4u);
+  BOOST_CHECK_CLOSE(repaired.area(), 4, 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(collinear_triangles_at_a_border_are_dropped)
