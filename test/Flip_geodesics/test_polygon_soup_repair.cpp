@@ -428,7 +428,7 @@ BOOST_AUTO_TEST_CASE(collinear_triangles_are_flipped_away)
 }
 
 // Both sides of a triangle ACD, one with a point B on AC: a flip would make an edge BD that is there already. What has no
-// area is dropped, and leaves a slit; whatever the number of faces about B.
+// area is dropped, and leaves a slit; whatever the number of faces about B, and their order.
 BOOST_AUTO_TEST_CASE(no_edge_is_made_twice)
 {
   for(const std::size_t more : {0u, 1u, 8u}) {
@@ -442,10 +442,13 @@ BOOST_AUTO_TEST_CASE(no_edge_is_made_twice)
       last = soup.points.size() - 1;
     }
     soup.polygons.push_back({1, 0, last});
-    const Repaired repaired = repair(soup);
-    check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_DROPPED, 1}});
-    BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), soup.polygons.size() - 1);
-    BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 3u);
+    for(std::size_t k = 0; k < soup.polygons.size(); ++k) {
+      std::rotate(soup.polygons.begin(), soup.polygons.begin() + 1, soup.polygons.end());
+      const Repaired repaired = repair(soup);
+      check_repairs(repaired.report, {{Repair::FACES_WITHOUT_AREA_DROPPED, 1}});
+      BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), soup.polygons.size() - 1);
+      BOOST_CHECK_EQUAL(repaired.number_of_border_edges(), 3u);
+    }
   }
 }
 

@@ -30,7 +30,7 @@ namespace internal {
  * is looked at first, which is longer. So there is an end. What no flip can help is dropped: at a border the surface is
  * the same without it; elsewhere it leaves a slit.
  *
- * \pre the soup is an oriented manifold, and no triangle has two corners in one place; neither may hold afterwards
+ * \pre the soup is an oriented manifold, which it may not be afterwards, and no triangle has two corners in one place
  */
 template <class Kernel>
 class Soup_flips
@@ -73,24 +73,15 @@ public:
 private:
   bool is_done(Face f) const { return m_is_dropped[f] != 0 || !m_soup.is_collinear(m_soup.triangles[f]); }
 
-  bool has_corners_in_one_place(Face f) const
-  {
-    const auto& t = m_soup.triangles[f];
-    return m_soup.place(t[0]) == m_soup.place(t[1]) || m_soup.place(t[1]) == m_soup.place(t[2]) ||
-           m_soup.place(t[2]) == m_soup.place(t[0]);
-  }
-
   void remove(Face f)
   {
-    if(has_corners_in_one_place(f)) // made by a flip
-      return drop(f);
     const Halfedge h = longest(f), o = m_mesh.opposite(h);
     if(m_mesh.is_border(o) || m_flips_left == 0)
       return drop(f);
     const Face g = m_mesh.face(o);
     if(m_is_dropped[g] != 0) // as good as a border
       return drop(f);
-    if(!is_done(g) && !has_corners_in_one_place(g) && longest(g) != o)
+    if(!is_done(g) && longest(g) != o)
       m_stack.insert(m_stack.end(), {f, g});
     else
       flip_or_drop(f, h, g);

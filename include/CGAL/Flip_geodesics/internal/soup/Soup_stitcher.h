@@ -89,18 +89,13 @@ private:
     for(std::size_t begin = 0, end = 0; begin < m_edges.size(); begin = end) {
       while(end < m_edges.size() && m_edges[end].key() == m_edges[begin].key())
         ++end;
-      if(end - begin == 2 && can_be_stitched(m_edges[begin], m_edges[begin + 1]))
+      if(end - begin == 2 && m_edges[begin].is_ascending != m_edges[begin + 1].is_ascending)
         pairs.emplace_back(m_edges[begin].h, m_edges[begin + 1].h);
       else
         rest.insert(rest.end(), m_edges.begin() + static_cast<std::ptrdiff_t>(begin),
                     m_edges.begin() + static_cast<std::ptrdiff_t>(end));
     }
     m_edges = std::move(rest);
-  }
-
-  bool can_be_stitched(const Border_edge& a, const Border_edge& b) const
-  {
-    return a.is_ascending != b.is_ascending && m_mesh.face(m_mesh.opposite(a.h)) != m_mesh.face(m_mesh.opposite(b.h));
   }
 
   // Stitching keeps faces and places, but neither vertices nor where the corners of a face begin.
