@@ -211,8 +211,8 @@ public:
   /*!
    * Computes the field as far as the limits ask for. It can be called again, with other limits, to go on.
    *
-   * Complexity: \f$O(w \log n)\f$ for \f$w\f$ windows on \f$n\f$ faces, of which there are about 10 to 25 per face on
-   * smooth meshes, and \f$O(n^2)\f$ at worst.
+   * Complexity: \f$O(w \log n)\f$ for \f$w\f$ windows on \f$n\f$ faces: on smooth meshes 10 to 25 per face up to
+   * some ten thousand faces, growing like \f$\sqrt{n}\f$; \f$O(n^2)\f$ at worst.
    *
    * \throws Invalid_coordinate_error, Degenerate_face_error, Invalid_mesh_error for faces within reach
    * \throws Invalid_location_error if a target is none
@@ -249,7 +249,7 @@ public:
     return report;
   }
 
-  /// All distances up to this are known; others are given as infinite.
+  /// All distances up to this are known; others are given as infinite. Before anything is computed it is 0.
   double reach() const { return m_reach; }
 
   /// The distance of a vertex of the input. Constant time. \throws Vertex_out_of_range_error

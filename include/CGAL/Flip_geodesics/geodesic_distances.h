@@ -81,6 +81,7 @@ template <class Triangulation, class VertexDistanceMap>
 void write_distances(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
                      const typename Triangulation::Triangle_mesh& mesh, VertexDistanceMap distances)
 {
+  static_assert(internal::is_property_map<VertexDistanceMap>());
   for(const auto v : vertices(mesh))
     put(distances, v, field.distance(triangulation.input().index(v)));
 }
@@ -91,6 +92,7 @@ template <class Triangulation, class VertexSourceMap>
 void write_nearest_sources(const Geodesic_distance_field<Triangulation>& field, const Triangulation& triangulation,
                            const typename Triangulation::Triangle_mesh& mesh, VertexSourceMap sources)
 {
+  static_assert(internal::is_property_map<VertexSourceMap>());
   for(const auto v : vertices(mesh))
     put(sources, v, field.answer(triangulation.input().index(v)).source);
 }

@@ -97,6 +97,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::isolines(field, mesh, levels, std::back_inserter(isolines), 0.1);
 #elif MISTAKE == 23
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), FG::Window_limit(1));
+#elif MISTAKE == 24
+  FG::geodesic_distances(mesh, of_mesh, distances);
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));
