@@ -812,6 +812,22 @@ BOOST_AUTO_TEST_CASE(flat_faces_are_told)
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_default_limit_grows_like_the_windows)
+{
+  double windows = 0;
+  for(int n : {40, 80}) { // four times the vertices have eight times the windows
+    const Asked_surface s(torus(n, n, 2, 1));
+    Field field(s.triangulation, s.mesh, FG::Distance_field_extent::VERTICES_ONLY);
+    field.add_source(0_v);
+    const double more = static_cast<double>(field.compute().windows);
+    BOOST_TEST(more < 9 * (windows > 0 ? windows : more));
+    windows = more;
+  }
+  for(double vertices : {1e6, 1e8})
+    BOOST_TEST(static_cast<double>(FG::Window_limit()(static_cast<std::size_t>(vertices))) >
+               2 * windows * std::pow(vertices / (80 * 80), 1.5));
+}
+
 BOOST_AUTO_TEST_CASE(sources_at_special_places)
 {
   // An end in the face of a source; the source itself; a vertex given as a location; a source on the border.
