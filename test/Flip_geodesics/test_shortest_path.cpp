@@ -7,6 +7,7 @@
 #include "descriptors.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
+#include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
@@ -176,7 +177,7 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
     for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
       distances.push_back(tree.distance(v));
     setting.triangulation.rollback();
-    for(int i = 0; i < setting.triangulation.number_of_vertices(); i += 7) {
+    for(int i = 0; i < setting.triangulation.number_of_vertices(); i += 7 * stride) {
       const Vertex_index v(i);
       const auto path = shortest(setting, v, 3_v); // of some, legs are in each other's way
       BOOST_TEST(path.is_confirmed);
@@ -284,7 +285,8 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_paths_over_edges)
       continue;
     Random_numbers random(3);
     std::size_t from_the_left = 0;
-    for(FG::Input_halfedge_index h(0); h.idx() < triangulation.input().number_of_halfedges(); ++h) {
+    for(FG::Index e = 0; e < triangulation.input().number_of_halfedges(); e += stride) {
+      const FG::Input_halfedge_index h(e);
       if(triangulation.input().is_border(h))
         continue;
       const double length = faces[faces.number(h)].length;
@@ -334,7 +336,7 @@ BOOST_AUTO_TEST_CASE(a_corridor_loses_no_path)
     Setting setting(soup);
     const int n = setting.triangulation.number_of_vertices();
     Random_numbers random(11);
-    for(int i = 0; i < 6; ++i) {
+    for(int i = 0; i < 6; i += stride) {
       const Vertex_index source(random.below(n));
       FG::internal::Unfolded_faces<Setting::Triangulation> faces(setting.triangulation);
       FG::internal::Window_search<Setting::Triangulation> windows(setting.triangulation, faces, source);
