@@ -241,8 +241,10 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
   BOOST_TEST(check(saddle_disk(12, 8, 9), 0.02));
   BOOST_TEST(check(grid_with_hole(12, 14, 3, 8, 4, 11), 0.02));
   // Fronts meet on long edges: cones that fit badly there would lower one another until the bounds are of no use.
-  BOOST_TEST(check(shaken(torus(12, 60, 3, 1), 0.05, 1), 0.03));
-  BOOST_TEST(check(shaken(torus(20, 60, 3, 1), 0.09, 1), 0.06));
+  if(stride == 1) { // a search without bounds, as the check does it, has long heaps here
+    BOOST_TEST(check(shaken(torus(12, 60, 3, 1), 0.05, 1), 0.03));
+    BOOST_TEST(check(shaken(torus(20, 60, 3, 1), 0.09, 1), 0.06));
+  }
   int useful = 0;
   const std::vector<Mesh_soup> rough = {box(5, 4, 3, 1),
                                         tetrahedron(3),
@@ -311,13 +313,11 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_paths_over_edges)
 namespace {
 
 // The path that a search finds in a corridor against that of one which goes everywhere.
-void check_corridor(Setting& setting, const FG::internal::Window_search<Setting::Triangulation>& windows,
-                    Vertex_index source, Vertex_index target)
+void check_corridor(Setting& setting, Vertex_index source, Vertex_index target, double distance)
 {
   const auto report = shortest(setting, source, target);
   BOOST_TEST(report.is_confirmed);
-  BOOST_TEST(std::abs(report.length - windows.distance(target)) <= 1e-10 * report.length,
-             source.idx() << " to " << target.idx());
+  BOOST_TEST(std::abs(report.length - distance) <= 1e-10 * report.length, source.idx() << " to " << target.idx());
 }
 
 } // namespace
@@ -344,7 +344,7 @@ BOOST_AUTO_TEST_CASE(a_corridor_loses_no_path)
       for(int j = 0; j < 20; ++j) {
         const Vertex_index target(random.below(n));
         if(target != source)
-          check_corridor(setting, windows, source, target);
+          check_corridor(setting, source, target, windows.distance(target));
       }
     }
   }
@@ -361,10 +361,10 @@ BOOST_AUTO_TEST_CASE(a_corridor_counts_paths_by_way_of_all_vertices)
   };
   for(const auto& [seed, source, target] : {Example{2, 648_v, 1175_v}, Example{5, 611_v, 367_v}}) {
     Setting setting(shaken(torus(20, 60, 3, 1), 0.09, seed));
-    FG::internal::Unfolded_faces<Setting::Triangulation> faces(setting.triangulation);
-    FG::internal::Window_search<Setting::Triangulation> windows(setting.triangulation, faces, source);
-    windows.run(1e9);
-    check_corridor(setting, windows, source, target);
+    FG::Geodesic_distance_field<Setting::Triangulation> field(setting.triangulation, setting.mesh);
+    field.add_source(source);
+    field.compute();
+    check_corridor(setting, source, target, field.distance(target));
   }
 }
 
