@@ -63,7 +63,7 @@ void measure(const std::string& name, std::size_t pairs)
     std::cout << benchmark_meshes::short_name(name) << ',' << mesh.number_of_faces() << ',' << source.idx() << ','
               << target.idx() << ',' << dijkstra.back() << ',' << shortest.back() << ',' << report.windows << ','
               << report.first_length << ',' << report.length << ',' << report.lower_bound << ','
-              << (report.is_confirmed ? 1 : 0) << '\n';
+              << (report.is_confirmed() ? 1 : 0) << '\n';
   }
   if(shortest.empty())
     return;

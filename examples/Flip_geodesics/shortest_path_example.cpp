@@ -41,7 +41,7 @@ try {
   std::cout << "The shortest edge path pulled tight: " << found.report.first_length
             << "\nThe result: " << found.length() << ", at most " << found.report.gap()
             << " longer than a shortest path, "
-            << (found.report.is_confirmed ? "and confirmed\n" : "but not confirmed\n");
+            << FG::to_string(found.report.verdict) << (found.report.has_tie ? ", one of several\n" : "\n");
   FG::IO::write_VTP("shortest_path.vtp", paths);
 
   auto distances = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;

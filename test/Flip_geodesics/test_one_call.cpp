@@ -589,7 +589,7 @@ BOOST_AUTO_TEST_CASE(least_policies_are_enough)
   Visitor_archetype visitor;
   const auto shortest = FG::shortest_path(mesh, Vertex(0), Vertex(150), CGAL::Emptyset_iterator(),
                                           CGAL::parameters::visitor(std::ref(visitor)));
-  BOOST_CHECK(shortest.report.is_confirmed);
+  BOOST_CHECK(shortest.report.is_confirmed());
   BOOST_CHECK_GT(visitor.questions(), 0);
 
   Curve_setting setting(torus(24, 14, 2, 1));

@@ -472,7 +472,7 @@ struct Add_shortest_paths
             FG::add_shortest_path(network, search, v, w, i % 10 == 5 ? FG::Window_limit(100) : FG::Window_limit());
         BOOST_TEST(report.gap() >= 0);
         windows += report.windows;
-        confirmed += report.is_confirmed ? 1 : 0;
+        confirmed += report.is_confirmed() ? 1 : 0;
         summary.add(report.shortening);
         for(double length : {report.first_length, report.length, report.lower_bound})
           summary.lengths.add(length);

@@ -117,7 +117,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
   search.add_vertex(tree.source(), 0, 0);
   const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
   report.windows = search.number_of_windows();
-  report.is_confirmed = is_sound && report.windows <= most_windows;
+  report.is_confirmed = is_sound && !search.has_flat_face() && report.windows <= most_windows;
   for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices()))
     report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
 

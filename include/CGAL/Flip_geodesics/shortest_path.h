@@ -23,6 +23,29 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
+/// Is a path globally shortest?
+enum class Shortest_path_verdict {
+  UNCONFIRMED, ///< there may be a shorter one
+  CONFIRMED,   ///< none is shorter by more than `Shortest_path_report::tolerance()`
+  /// The same with `Shortest_path_report::proof_tolerance()`, and all decisions on the way to the path were exact.
+  PROVEN_SHORTEST
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The name of a verdict, as it is written here.
+inline const char* to_string(Shortest_path_verdict verdict)
+{
+  switch(verdict) {
+  case Shortest_path_verdict::CONFIRMED:
+    return "CONFIRMED";
+  case Shortest_path_verdict::PROVEN_SHORTEST:
+    return "PROVEN_SHORTEST";
+  default:
+    return "UNCONFIRMED";
+  }
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
 /// What is known of a path that was to be shortest.
 struct Shortest_path_report
 {
@@ -30,16 +53,23 @@ struct Shortest_path_report
 
   double first_length = 0; ///< the length of the shortest edge path once it was pulled tight
   double length = 0;       ///< the length of the result
-  double lower_bound = 0;  ///< no path is shorter, up to `tolerance()`
+  double lower_bound = 0;  ///< no path is shorter: a bound for the mesh as its numbers say, rounding included
   std::size_t windows = 0; ///< what the search cost
+  Shortest_path_verdict verdict = Shortest_path_verdict::UNCONFIRMED; ///< is the path globally shortest?
+  /// Are there other paths as short, up to `proof_tolerance()`? Those that a confirmed one ties with are all found.
+  bool has_tie = false;
+
   /// Is the path globally shortest? If not, it may still be.
-  bool is_confirmed = false;
+  bool is_confirmed() const { return verdict != Shortest_path_verdict::UNCONFIRMED; }
 
   /// By how much the path may be longer than a shortest one.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// The part of a length that the search, which is in double, can be wrong by.
+  /// By what part of its length a path may be longer than a shortest one and is confirmed.
   static constexpr double tolerance() { return 1e-10; }
+
+  /// By what part of its length a path may be longer than a shortest one and is proven to be one.
+  static constexpr double proof_tolerance() { return 1e-12; }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -94,7 +124,7 @@ auto with_limit(const Options& options, const Function& function)
     return function(Window_limit(), options);
 }
 
-/* Searches; false if there may be shorter paths than it found, on account of degenerate faces. */
+/* Searches; false if there may be shorter paths than it found, on account of edges of length zero. */
 template <class Search>
 bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
 {
@@ -103,19 +133,20 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
   } catch(const Degenerate_face_error&) {
     return false;
   }
-  return !search.has_flat_face();
+  return true;
 }
 
 /* The same between two vertices, where a path as long as the bound is known. */
 template <class Sweep, class Search>
 bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_windows)
 {
+  constexpr double tolerance = Shortest_path_report::proof_tolerance();
   try {
-    sweep.run(bound);
+    sweep.run(bound * (1 + 2 * tolerance));
   } catch(const Degenerate_face_error&) {
     return false;
   }
-  return run_to_the_end(search, bound * (1 - Shortest_path_report::tolerance()), most_windows);
+  return run_to_the_end(search, bound * (1 + tolerance), most_windows);
 }
 
 /* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
@@ -165,12 +196,23 @@ std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
   return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Halfedge_index>();
 }
 
+/* What the gap says of a path that was made with some traits. */
+template <class Traits>
+Shortest_path_verdict verdict_of(const Shortest_path_report& report)
+{
+  if(!report.shortening.is_complete() || report.gap() > Shortest_path_report::tolerance() * report.length)
+    return Shortest_path_verdict::UNCONFIRMED;
+  const bool is_proven =
+      !Traits::Has_drift::value && report.gap() <= Shortest_path_report::proof_tolerance() * report.length;
+  return is_proven ? Shortest_path_verdict::PROVEN_SHORTEST : Shortest_path_verdict::CONFIRMED;
+}
+
 /* There is nothing shorter than a path of no length. */
 inline Shortest_path_report report_of_no_length(const Shortening_report& shortening)
 {
   Shortest_path_report report;
   report.shortening = shortening;
-  report.is_confirmed = true;
+  report.verdict = Shortest_path_verdict::PROVEN_SHORTEST;
   return report;
 }
 
@@ -184,8 +226,10 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
  * mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one, in another homotopy class, that one is
  * inserted instead, by flipping the edges that it crosses.
  *
- * The search is exact up to rounding, and so is what it confirms, `Shortest_path_report::tolerance()`. It cannot
- * confirm where it meets an edge of length zero or a face whose height is 1e-10 of its base, and where it is given up.
+ * The search is rounded outward: `Shortest_path_report::lower_bound` holds for the mesh as its numbers say, to the last
+ * digit, and is mostly within 1e-13 of the length. If the traits decide exactly, then the path is
+ * `Shortest_path_verdict::PROVEN_SHORTEST` where it is within `Shortest_path_report::proof_tolerance()`. The search
+ * cannot confirm where it meets an edge of length zero, and where it is given up.
  *
  * Complexity: that of `geodesic_path()`; for the sweep \f$O(n \log n)\f$ for the \f$n\f$ vertices where the distances in
  * space from both ends add up to less than the path's length; and \f$O(w \log w)\f$ for \f$w\f$ windows. These lie in a
@@ -220,7 +264,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   const bool is_sound = internal::run_between(sweep, windows, report.length,
                                               limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
   report.windows = windows.number_of_windows();
-  if(windows.distance(target) < report.length * (1 - tolerance)) {
+  if(windows.distance(target) < report.length * (1 - Shortest_path_report::proof_tolerance())) {
     const Shortening_report before = report.shortening;
     network.clear();
     triangulation.rollback(0);
@@ -249,12 +293,13 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   }
 
   const auto& metric = triangulation.metric();
-  report.lower_bound = metric.distance_lower_bound(metric.place(triangulation.input(), source),
-                                                   metric.place(triangulation.input(), target));
+  report.lower_bound = (1 - 0x1p-48) * metric.distance_lower_bound(metric.place(triangulation.input(), source),
+                                                                   metric.place(triangulation.input(), target));
   if(is_sound && !triangulation.input().has_split_point())
     report.lower_bound = (std::max)(report.lower_bound,
-                                    (std::min)({windows.lower_bound(), windows.distance(target), report.first_length}));
-  report.is_confirmed = report.shortening.is_complete() && report.length <= report.lower_bound * (1 + 2 * tolerance);
+                                    (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
+  report.verdict = internal::verdict_of<typename Triangulation::Traits>(report);
+  report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
   return report;
 }
 

@@ -7,9 +7,11 @@
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -41,10 +43,17 @@ public:
     Vertex_index tail;
   };
 
+  /* A direction from a vertex: an angle on from a halfedge that leaves it, in the face on the left. */
+  struct Direction
+  {
+    Input_halfedge_index halfedge;
+    double angle;
+  };
+
   explicit Unfolded_faces(const Triangulation& triangulation)
     : m_triangulation(triangulation)
     , m_number(static_cast<std::size_t>(triangulation.number_of_halfedges()))
-    , m_passing(static_cast<std::size_t>(triangulation.number_of_vertices()))
+    , m_shapes(static_cast<std::size_t>(triangulation.number_of_vertices()))
   {
   }
 
@@ -79,15 +88,60 @@ public:
    * May a shortest path pass the vertex? Only on the border and where the angles add up to more than 2 pi; where they
    * nearly do, it counts as if they did.
    */
-  bool is_passable(Vertex_index v)
+  bool is_passable(Vertex_index v) { return shape(v) != CONVEX; }
+
+  /* Do the angles nearly add up to 2 pi? */
+  bool is_flat(Vertex_index v) { return shape(v) == FLAT; }
+
+  /* From a vertex to the nearest edge opposite to it. */
+  double nearest_edge(Vertex_index v)
   {
-    char& known = m_passing[v];
-    if(known == 0)
-      known = is_convex(v) ? 2 : 1;
-    return known == 1;
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index first = input.outgoing(v);
+    double nearest = std::numeric_limits<double>::infinity();
+    Input_halfedge_index h = first;
+    do {
+      if(!input.is_border(h))
+        nearest = (std::min)(nearest, apex(next(number(h))).imag());
+      h = input.next(twin_index(h));
+    } while(h != first);
+    return nearest;
+  }
+
+  /* The smaller angle between two directions from a vertex, zero if it is less than a tolerance. */
+  double angle_between(const Direction& a, const Direction& b, double tolerance)
+  {
+    const double angle = (std::min)(turn(a, b, tolerance), turn(b, a, tolerance));
+    return angle < tolerance ? 0 : angle;
   }
 
 private:
+  // The angle from one direction on to another; infinite if the border lies between them.
+  double turn(const Direction& a, const Direction& b, double tolerance)
+  {
+    double angle = -a.angle;
+    for(Input_halfedge_index h = a.halfedge; h != b.halfedge || angle + b.angle < -tolerance;) {
+      if(m_triangulation.input().is_border(h))
+        return std::numeric_limits<double>::infinity();
+      const Index side = number(h);
+      angle += std::atan2((*this)[side].sine, (*this)[side].cosine);
+      h = twin_index((*this)[previous(side)].halfedge);
+      if(h == a.halfedge && h != b.halfedge) // faces about the vertex that meet these at the vertex alone
+        return std::numeric_limits<double>::infinity();
+    }
+    return angle + b.angle;
+  }
+
+  enum Shape : char { UNKNOWN, CONVEX, FLAT, OTHER };
+
+  Shape shape(Vertex_index v)
+  {
+    Shape& known = m_shapes[v];
+    if(known == UNKNOWN)
+      known = compute_shape(v);
+    return known;
+  }
+
   void lay_out(Input_halfedge_index h)
   {
     const auto& input = m_triangulation.input();
@@ -109,9 +163,9 @@ private:
   }
 
   // Turns by the angles, and counts the half turns.
-  bool is_convex(Vertex_index v)
+  Shape compute_shape(Vertex_index v)
   {
-    constexpr double tolerance = 1e-9; // towards vertices that are passed
+    constexpr double tolerance = 1e-9; // of an angle that counts as 2 pi
     const auto& input = m_triangulation.input();
     const Input_halfedge_index first = input.outgoing(v);
     Vector direction(1, 0);
@@ -119,20 +173,22 @@ private:
     Input_halfedge_index h = first;
     do {
       if(input.is_border(h))
-        return false;
+        return OTHER;
       const Index s = number(h);
       const bool was_left = direction.imag() >= 0;
       direction *= Vector((*this)[s].cosine, (*this)[s].sine);
       half_turns += was_left == (direction.imag() >= 0) ? 0 : 1;
       h = twin_index((*this)[previous(s)].halfedge);
     } while(h != first);
-    return half_turns == 0 || (half_turns == 1 && !(direction.real() > 0 && direction.imag() > -tolerance));
+    if(direction.real() > 0 && std::abs(direction.imag()) < tolerance && (half_turns == 1 || half_turns == 2))
+      return FLAT;
+    return half_turns < 2 ? CONVEX : OTHER;
   }
 
   const Triangulation& m_triangulation;
   Indexed_by<Input_halfedge_index, Lazy_array<Index>> m_number; // and 1, of the sides that are laid out
   std::vector<Side> m_sides;
-  Indexed_by<Vertex_index, Lazy_array<char>> m_passing; // 0 if not known, 1 if passable, 2 if not
+  Indexed_by<Vertex_index, Lazy_array<Shape>> m_shapes;
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,8 +21,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Shortest paths on the input mesh from one vertex, exact up to rounding: windows of straight rays are carried from
- * face to face [MMP87], in the order of a lower bound, and dropped where a shorter way is known [CH90, XW09].
+ * Shortest paths on the input mesh from one vertex: windows of straight rays are carried from face to face [MMP87], in
+ * the order of a lower bound, and dropped where a shorter way is known [CH90, XW09].
  *
  * A window is a part of an edge together with the place, unfolded into the plane of the edge, of the vertex that the
  * rays come from. It lies in the frame of halfedge h, which has the face to be entered on its left:
@@ -37,6 +38,16 @@ namespace internal {
  *
  * With a target, and a sweep from there, windows are ordered by the least length that a path through them to the target
  * can have, and dropped where that is longer than all that is looked for.
+ *
+ * All is rounded so that no path is lost, and none counts as longer than it is. A window knows how far its point can be
+ * from the true one, `radius`, and is as wide as rays from there can reach; its true ends lie within `margin` inside of
+ * its own. `sigma` is at most the true value. So what a window says, less its radius, bounds all paths through it from
+ * below; and a way is dropped only where a true path is shorter beyond doubt. A vertex has three numbers: the computed
+ * distance, one that no path is shorter than, and the length of a path that there is.
+ *
+ * A window whose ends are closer than their errors may be none at all. Where it goes along a vertex, paths through it
+ * are no shorter than those by way of the vertex, less twice the offset of its rays. Rays from the vertex take its part
+ * then, if there are such; otherwise two would follow from it at each vertex of a straight row.
  */
 template <class Triangulation>
 class Window_search
@@ -73,36 +84,39 @@ public:
   void run(double bound, std::size_t most_windows = (std::numeric_limits<std::size_t>::max)())
   {
     if(!is_reached(m_source))
-      offer(m_source, 0, null_index, null_index);
+      offer(m_source, {0, 0, 0, 0}, {});
     while(!m_heap.empty() && m_windows.size() <= most_windows) {
       const Entry entry = m_heap.front();
-      if(entry.priority >= (m_sweep == nullptr ? bound : (std::min)(bound, distance(m_sweep->source()))))
+      if(entry.priority >= (m_sweep == nullptr ? bound : (std::min)(bound, longest_tie(m_sweep->source()))))
         return;
       std::pop_heap(m_heap.begin(), m_heap.end());
       m_heap.pop_back();
       if(!entry.is_vertex)
         propagate(entry.id);
-      else if(const Vertex_index v(entry.id); m_vertices[v].distance == entry.distance)
+      else if(const Vertex_index v(entry.id); m_vertices[v].length.least == entry.least)
         start_from(v);
     }
   }
 
   /* No path to the target, or to a vertex that is not reached yet, is shorter than this unless it is known. */
-  double lower_bound() const
-  {
-    return m_heap.empty() ? std::numeric_limits<double>::infinity() : m_heap.front().priority;
-  }
+  double lower_bound() const { return m_heap.empty() ? infinity : m_heap.front().priority; }
 
   /* The length of the shortest path found to a vertex; infinite if there is none yet. */
-  double distance(Vertex_index v) const
-  {
-    return is_reached(v) ? m_vertices[v].distance : std::numeric_limits<double>::infinity();
-  }
+  double distance(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.computed : infinity; }
 
-  /* Were there faces so flat that rays can have been lost in them? Then there may be shorter paths. */
-  bool has_flat_face() const { return m_has_flat_face; }
+  /* No path that was found to a vertex is shorter than this; infinite if there is none yet. */
+  double least_distance(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.least : infinity; }
 
   bool is_reached(Vertex_index v) const { return m_vertices[v].is_reached; }
+
+  /* Are there several shortest paths to a vertex, as far as one can tell? \pre it has been reached */
+  bool has_tie(Vertex_index v) const
+  {
+    while(v != m_source && !m_vertices[v].has_tie)
+      v = start(m_vertices[v].arrival);
+    return v != m_source;
+  }
+
   std::size_t number_of_windows() const { return m_windows.size(); }
 
   /* The last leg of the shortest path found to a vertex that is not the source. */
@@ -110,33 +124,52 @@ public:
   {
     const Vertex_record& record = m_vertices[v];
     Leg result;
-    if(record.window == null_index) {
-      result.from = m_triangulation.input().tail(record.along);
-      result.word.along = record.along;
+    result.from = start(m_vertices[v].arrival);
+    if(record.arrival.window == null_index) {
+      result.word.along = record.arrival.along;
       return result;
     }
-    for(Index w = record.window; w != null_index; w = m_windows[w].parent) {
+    for(Index w = record.arrival.window; w != null_index; w = m_windows[w].parent)
       result.word.crossed.push_back(twin_index(m_windows[w].halfedge));
-      result.from = m_windows[w].root;
-    }
     std::reverse(result.word.crossed.begin(), result.word.crossed.end());
     return result;
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double step_error = 0x1p-49;       // of a step from face to face, in parts of the lengths in it
+  static constexpr double evaluation_error = 0x1p-50; // of the length of a path, from a root's and a point's
+  static constexpr double same_way = 1e-6;            // angle between the ends of paths that are one
+  static constexpr double tie_tolerance = 0x1p-42;    // of the length of a path, within which another one ties
+
+  // Of a path: not more than it is, as computed, and not less than that of one that there is.
+  struct Length
+  {
+    double least, computed, most;
+    double error; // of the least one, since the last root
+  };
+
+  // How a path arrives at a vertex: along a halfedge to it, or through a window; and the length since the last root.
+  struct Arrival
+  {
+    Index window = null_index;
+    Input_halfedge_index along = null_index;
+    double leg = 0;
+  };
+
   struct Vertex_record
   {
-    double distance;
-    Index window; // through which window the path arrives, null_index if along a halfedge
-    Input_halfedge_index along;
-    bool is_reached;
+    Length length; // each the smallest of all paths
+    Arrival arrival;
+    double started; // from which least length the rays have started that start here
+    bool is_reached, has_started, has_tie;
   };
 
   // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
   struct Split
   {
-    double distance = 0, crossing = 0;
-    bool is_set = false;
+    double length, crossing, error;
+    bool is_set;
   };
 
   struct Window
@@ -144,7 +177,14 @@ private:
     Input_halfedge_index halfedge;
     Index parent; // the window before, null_index if there is none
     Vertex_index root;
-    double from, to, x, y, sigma;
+    double from, to, x, y, sigma, radius, margin;
+
+    /* No path through the window to a place on its edge is shorter. */
+    double least(double place) const
+    {
+      const double value = sigma + norm(place - x, y);
+      return value - (radius + evaluation_error * value);
+    }
   };
 
   // The other edges of a face, seen from the one that is the x-axis.
@@ -156,9 +196,15 @@ private:
     double base, base_place; // where it meets the x-axis, there, and on itself
   };
 
+  // A part of an edge, and how far the true ends can be inside of it.
+  struct Part
+  {
+    double from, to, margin;
+  };
+
   struct Entry
   {
-    double priority, distance;
+    double priority, least;
     Index id; // of a window or a vertex
     bool is_vertex;
 
@@ -171,34 +217,78 @@ private:
     }
   };
 
-  // The place of the corner opposite to a side.
-  Vector apex(Index side)
+  void push(double priority, double least, Index id, bool is_vertex)
   {
-    constexpr double flat = 1e-10;
-    const Vector result = m_faces.apex(side);
-    m_has_flat_face = m_has_flat_face || !(result.imag() > flat * (m_faces[side].length + std::abs(result.real())));
-    return result;
-  }
-
-  void push(double priority, double distance, Index id, bool is_vertex)
-  {
-    m_heap.push_back({priority, distance, id, is_vertex});
+    m_heap.push_back({priority, least, id, is_vertex});
     std::push_heap(m_heap.begin(), m_heap.end());
   }
 
   // A path to v has been found.
-  void offer(Vertex_index v, double distance, Index window, Input_halfedge_index along)
+  void offer(Vertex_index v, const Length& length, const Arrival& arrival)
   {
     Vertex_record& record = m_vertices[v];
-    if(record.is_reached && record.distance <= distance)
+    if(!record.is_reached)
+      record.length = {infinity, infinity, infinity, 0};
+    else if(v == m_source)
       return;
-    record.distance = distance;
-    record.window = window;
-    record.along = along;
     record.is_reached = true;
-    const double rest = m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v);
-    if((v == m_source || m_faces.is_passable(v)) && is_wanted(distance + rest))
-      push(distance + rest, distance, v.idx(), true);
+    record.length.most = (std::min)(record.length.most, length.most);
+    const double allowed = tie_tolerance * length.computed;
+    const bool ties = std::abs(length.computed - record.length.computed) <= allowed;
+    if(ties && are_apart(record.arrival, arrival, length.computed))
+      record.has_tie = true;
+    else if(ties ? arrival.leg < record.arrival.leg : length.computed < record.length.computed) {
+      record.arrival = arrival;
+      record.has_tie = record.has_tie && ties;
+    }
+    record.length.computed = (std::min)(record.length.computed, length.computed);
+    lower(v, length.least, length.error);
+  }
+
+  double longest_tie(Vertex_index v) const { return distance(v) * (1 + 2 * tie_tolerance); }
+
+  Vertex_index start(const Arrival& arrival) const
+  {
+    return arrival.window == null_index ? m_triangulation.input().tail(arrival.along) : m_windows[arrival.window].root;
+  }
+
+  // Where a path comes from.
+  typename Faces::Direction direction(const Arrival& arrival)
+  {
+    if(arrival.window == null_index)
+      return {twin_index(arrival.along), 0};
+    const Window& w = m_windows[arrival.window];
+    const Index side = m_faces.number(w.halfedge);
+    const Vector apex = m_faces.apex(side);
+    return {m_faces[Faces::previous(side)].halfedge, std::arg((Vector(w.x, -w.y) - apex) / -apex)};
+  }
+
+  /*
+   * Are two arrivals at a vertex, by paths of some length, of different shortest paths? A path that bends a little at a flat
+   * vertex beside a shortest one is hardly longer, and none.
+   */
+  bool are_apart(const Arrival& a, const Arrival& b, double length)
+  {
+    const double angle = m_faces.angle_between(direction(a), direction(b), same_way);
+    const auto is_beside = [&](const Arrival& arrival) {
+      return arrival.leg * angle <= same_way * length && m_faces.is_flat(start(arrival));
+    };
+    return angle > 0 && !is_beside(a) && !is_beside(b);
+  }
+
+  // No path to v that is known is shorter than this.
+  void lower(Vertex_index v, double least, double error)
+  {
+    Vertex_record& record = m_vertices[v];
+    if(!(least < record.length.least))
+      return;
+    record.length.least = least;
+    record.length.error = error;
+    if((record.has_started && record.started <= least) || !(v == m_source || m_faces.is_passable(v)))
+      return;
+    const double total = least + (m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v));
+    if(is_wanted(total))
+      push(total, least, v.idx(), true);
   }
 
   // Can a path of this length be of use?
@@ -208,20 +298,29 @@ private:
   void start_from(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
-    const double sigma = m_vertices[v].distance;
+    const Length before = m_vertices[v].length;
+    // A little less, for what may come later and be less by rounding.
+    const double sigma = before.least - (m_faces.is_flat(v) ? 32 * before.error : 0.0);
+    m_vertices[v].started = sigma;
+    m_vertices[v].has_started = true;
     const Input_halfedge_index first = input.outgoing(v);
     if(first == null_index)
       return;
     Input_halfedge_index h = first;
     do {
-      offer(input.tail(twin_index(h)), sigma + m_triangulation.metric().length(input, h), null_index, h);
+      const double along = m_triangulation.metric().length(input, h);
+      const double computed = before.computed + along, error = evaluation_error * (before.computed + along);
+      offer(input.tail(twin_index(h)),
+            {sigma + along - error, computed, before.most + along + error, step_error * along}, {null_index, h, along});
       if(!input.is_border(h)) {
         const Index opposite = Faces::next(m_faces.number(h));
-        const Vector place = apex(opposite);
+        const Vector place = m_faces.apex(opposite);
         const auto& [length, cosine, sine, halfedge, tail] = m_faces[opposite];
-        static_cast<void>(cosine), static_cast<void>(sine);
-        if(place.imag() > 0) // seen from the other side the edge is reversed
-          open({twin_index(halfedge), null_index, v, 0, length, length - place.real(), place.imag(), sigma}, length);
+        static_cast<void>(cosine), static_cast<void>(sine), static_cast<void>(tail);
+        // Seen from the other side the edge is reversed.
+        open({twin_index(halfedge), null_index, v, 0, length, length - place.real(), (std::max)(place.imag(), 0.0),
+              sigma, step_error * (length + along), 0},
+             length);
       }
       h = input.next(twin_index(h));
     } while(h != first);
@@ -231,75 +330,137 @@ private:
   void open(const Window& w, double length)
   {
     const auto& input = m_triangulation.input();
-    if(input.is_border(w.halfedge) || !(w.to > w.from))
+    if(input.is_border(w.halfedge) || !(w.to >= w.from))
       return;
     const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
-    const double to_from = w.sigma + norm(w.from - w.x, w.y), to_to = w.sigma + norm(w.to - w.x, w.y);
-    if(distance(tail) + w.to <= to_to || distance(head) + (length - w.from) <= to_from) // all through it are shorter
+    const double to_from = w.least(w.from), to_to = w.least(w.to);
+    if(most(tail) + w.to < to_to || most(head) + (length - w.from) < to_from) // all through it are shorter
+      return;
+    const bool may_be_none = w.to - w.from <= 2 * w.margin;
+    if(may_be_none && (goes_along(w, tail, 0, w.to) || goes_along(w, head, length, length - w.from) || comes_back(w)))
       return;
     const double nearest = (std::min)((std::max)(w.x, w.from), w.to);
-    const double least = w.sigma + norm(nearest - w.x, w.y);
-    const double total =
-        m_sweep == nullptr ? least : m_sweep->through(w.halfedge, length, {w.x, w.y, w.sigma}, w.from, w.to);
+    const double least = w.least(nearest);
+    const double total = m_sweep == nullptr ? least
+                                            : m_sweep->through(w.halfedge, length, {w.x, w.y, w.sigma}, w.from, w.to) -
+                                                  (w.radius + evaluation_error * m_sweep->bound());
     if(!is_wanted(total))
       return;
     m_windows.push_back(w);
     push(total, least, static_cast<Index>(m_windows.size()) - 1, false);
   }
 
+  // The length of a path that there is.
+  double most(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.most : infinity; }
+
+  // Does a vertex take the part of a window whose places are not farther from it than this?
+  bool goes_along(const Window& w, Vertex_index v, double place, double farthest)
+  {
+    if(!is_reached(v) || !m_faces.is_passable(v))
+      return false;
+    // How far the rays pass from the vertex.
+    const double run = norm(place - w.x, w.y) - farthest - w.radius;
+    const double offset = run > 0 ? farthest * (std::min)((w.y + w.radius) / run, 1.0) : farthest;
+    if(offset > 64 * w.radius || !(2 * farthest < m_faces.nearest_edge(v)))
+      return false;
+    const double least = w.least(place) - 2 * offset;
+    if(!m_vertices[v].has_started)
+      lower(v, least, w.radius);
+    return !m_vertices[v].has_started || m_vertices[v].started <= least;
+  }
+
+  // Does it pass an edge twice, as no shortest path does [MMP87], but rounded rays in flat faces can?
+  bool comes_back(const Window& w) const
+  {
+    Index before = w.parent;
+    while(before != null_index && m_windows[before].halfedge != w.halfedge)
+      before = m_windows[before].parent;
+    return before != null_index;
+  }
+
   void propagate(Index id)
   {
     const Window w = m_windows[id];
     const Index side = m_faces.number(w.halfedge);
-    const Vector apex = this->apex(side);
+    const Vector apex = m_faces.apex(side);
     const auto base = m_faces[side], next = m_faces[Faces::next(side)], previous = m_faces[Faces::previous(side)];
     const Edge left = {twin_index(previous.halfedge), previous.length, {base.cosine, base.sine}, 0, 0};
     const Edge right = {twin_index(next.halfedge), next.length, {next.cosine, -next.sine}, base.length, next.length};
-    if(!(w.y + apex.imag() > 0))
-      return;
     // Where the ray to the apex passes the edge.
-    const double crossing = w.x + (apex.real() - w.x) * (w.y / (w.y + apex.imag()));
-    if(crossing <= w.from)
-      return enter(id, right, w.from, w.to);
-    if(crossing >= w.to)
-      return enter(id, left, w.from, w.to);
+    const double height = w.y + apex.imag();
+    const double away = norm(w.x, w.y) + base.length + previous.length;
+    const double error = w.radius + step_error * away;
+    const bool is_flat = !(height > 8 * error);
+    const double crossing = is_flat ? w.from : w.x + (apex.real() - w.x) * (w.y / height);
+    const double crossing_error = is_flat ? infinity : 2 * error * (1 + std::abs(apex.real() - w.x) / height);
+    if(crossing + crossing_error < w.from)
+      return enter(id, right, {w.from, w.to, w.margin});
+    if(crossing - crossing_error > w.to)
+      return enter(id, left, {w.from, w.to, w.margin});
 
-    const double through = w.sigma + norm(apex.real() - w.x, apex.imag() + w.y);
-    offer(previous.tail, through, id, null_index);
+    const double leg = norm(apex.real() - w.x, height);
+    const Length& before = m_vertices[w.root].length;
+    const double leg_error = error + evaluation_error * (before.computed + leg);
+    const bool is_seen = crossing - crossing_error >= w.from + w.margin && crossing + crossing_error <= w.to - w.margin;
+    const Length length = {w.sigma + leg - leg_error, before.computed + leg,
+                           is_seen ? before.most + leg + leg_error : infinity, error};
+    if(previous.tail != w.root) // which flat faces can lead back to
+      offer(previous.tail, length, {id, null_index, leg});
+    const auto [goes_left, goes_right] = sides_to_enter(side, length, crossing, crossing_error);
+    const double margin = (std::max)(w.margin, 2 * crossing_error);
+    if(goes_left)
+      enter(id, left, {w.from, (std::min)(crossing + crossing_error, w.to), margin});
+    if(goes_right)
+      enter(id, right, {(std::max)(crossing - crossing_error, w.from), w.to, margin});
+  }
+
+  // On which sides of the apex the rays can be of use, of a window with a way to there across the edge of a side.
+  std::pair<bool, bool> sides_to_enter(Index side, const Length& length, double crossing, double error)
+  {
+    if(!(length.most < infinity))
+      return {true, true};
     if(m_splits.size() < m_faces.size())
       m_splits.resize(m_faces.size());
     Split& split = m_splits[static_cast<std::size_t>(side)];
-    const bool is_best = !split.is_set || through < split.distance;
-    // Towards more windows: which of two rays along one line is on the left is a matter of rounding.
-    const double equal = 1e-9 * base.length;
-    const bool is_left_of_best = split.is_set && crossing <= split.crossing + equal;
-    const bool is_right_of_best = split.is_set && crossing >= split.crossing - equal;
-    if(is_best)
-      split = {through, crossing, true};
+    const bool is_worse = split.is_set && length.least > split.length;
+    const double allowed = error + split.error;
+    const bool is_left = crossing<split.crossing - allowed, is_right = crossing> split.crossing + allowed;
+    if(!split.is_set || length.most < split.length)
+      split = {length.most, crossing, error, true};
     // One that is not the best at the apex is of no use beyond the best one's ray.
-    if(is_best || is_left_of_best)
-      enter(id, left, w.from, crossing);
-    if(is_best || is_right_of_best)
-      enter(id, right, crossing, w.to);
+    return {!is_worse || !is_right, !is_worse || !is_left};
   }
 
-  // Carries the rays of a window between two of its points on to another edge of the face that they enter.
-  void enter(Index id, const Edge& edge, double from, double to)
+  // Carries the rays of a window through a part of it on to another edge of the face that they enter.
+  void enter(Index id, const Edge& edge, const Part& part)
   {
     const Window& w = m_windows[id];
     const auto in_frame = [&](double x, double y) {
       return Vector(x - edge.base, y) * std::conj(edge.axis) + edge.base_place;
     };
     const Vector seen = in_frame(w.x, -w.y);
-    if(!(seen.imag() < 0))
+    const double away = norm(w.x - edge.base, w.y);
+    const double radius = w.radius + step_error * (away + edge.base + edge.length);
+    if(!(seen.imag() < radius))
       return;
-    const auto hit = [&](double b) {
+    const double depth = (std::max)(-seen.imag(), 0.0);
+    double margin = 0;
+    const auto hit = [&](double b, bool is_end) {
       const Vector point = in_frame(b, 0);
-      const double fall = point.imag() - seen.imag();
-      const double x = fall > 0 ? seen.real() - seen.imag() * ((point.real() - seen.real()) / fall) : 0;
-      return (std::min)((std::max)(x, 0.0), edge.length);
+      const double fall = point.imag() + depth;
+      if(!(fall > 4 * radius)) {
+        margin = edge.length;
+        return is_end ? edge.length : 0.0;
+      }
+      const double run = depth * ((point.real() - seen.real()) / fall);
+      const double error = 4 * radius * ((std::abs(run) + depth) / fall);
+      const double spread = (w.y + radius) * ((depth + radius) / fall) / (fall - part.margin);
+      margin = fall > 2 * part.margin ? (std::max)(margin, part.margin * spread + 2 * error) : edge.length;
+      const double place = seen.real() + run + (is_end ? error : -error);
+      return (std::min)((std::max)(place, 0.0), edge.length);
     };
-    open({edge.halfedge, id, w.root, hit(from), hit(to), seen.real(), -seen.imag(), w.sigma}, edge.length);
+    const double from = hit(part.from, false), to = hit(part.to, true);
+    open({edge.halfedge, id, w.root, from, to, seen.real(), depth, w.sigma, radius, margin}, edge.length);
   }
 
   static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -312,7 +473,6 @@ private:
   std::vector<Split> m_splits; // of sides
   std::vector<Window> m_windows;
   std::vector<Entry> m_heap;
-  bool m_has_flat_face = false;
 };
 
 } // namespace internal

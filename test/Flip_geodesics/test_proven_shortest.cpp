@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#define BOOST_TEST_MODULE proven_shortest
+
+#include "Curve_setting.h"
+#include "Exact_distances.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+namespace FG = CGAL::Flip_geodesics;
+using FG::Vertex_index;
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Setting = Basic_curve_setting<
+    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Length_metric::Kernel>>>;
+using Number = Exact_distances::Number;
+
+FG::Shortest_path_report shortest(Setting& setting, int s, int t)
+{
+  Setting::Search search(setting.triangulation);
+  const auto report = FG::add_shortest_path(setting.network, search, Vertex_index(s), Vertex_index(t));
+  setting.network.clear();
+  setting.triangulation.rollback();
+  return report;
+}
+
+struct Counts
+{
+  std::size_t pairs = 0, ties = 0;
+};
+
+// All pairs of vertices against brute force: no bound is above the distance, not even in the last digit.
+Counts check(const char* name, const Mesh_soup& soup)
+{
+  Counts counts;
+  BOOST_TEST_CONTEXT(name)
+  {
+    const Exact_distances exact(soup);
+    Setting setting(soup);
+    const int n = static_cast<int>(soup.points.size());
+    for(int s = 0; s < n; ++s)
+      for(int t = 0; t < n; ++t) {
+        if(s == t)
+          continue;
+        const auto report = shortest(setting, s, t);
+        const Number& distance = exact.distance(s, t);
+        BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t << ", gap " << report.gap());
+        BOOST_TEST((Number(report.lower_bound) <= distance), s << " to " << t);
+        BOOST_TEST((distance <= Number(report.lower_bound) * (1 + 1e-12)), s << " to " << t);
+        BOOST_TEST((abs(Number(report.length) - distance) <= distance * 1e-14), s << " to " << t);
+        BOOST_TEST(report.has_tie == (exact.number_of_paths(s, t) > 1), s << " to " << t);
+        ++counts.pairs;
+        counts.ties += report.has_tie ? 1 : 0;
+      }
+  }
+  return counts;
+}
+
+// A pyramid over a square.
+Mesh_soup pyramid(double height)
+{
+  return {{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, height}},
+          {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+}
+
+// Coordinates in sixteenths.
+Mesh_soup with_short_coordinates(const Mesh_soup& soup)
+{
+  return mapped(soup, [](const Coordinates& p) {
+    return Coordinates{std::round(16 * p[0]) / 16, std::round(16 * p[1]) / 16, std::round(16 * p[2]) / 16};
+  });
+}
+
+} // namespace
+
+// The distances that the others are compared with, where they are known.
+BOOST_AUTO_TEST_CASE(brute_force)
+{
+  const Mesh_soup soup = box(1, 1, 1, 1);
+  const Exact_distances exact(soup);
+  std::size_t opposite = 0;
+  for(int s = 0; s < 8; ++s)
+    for(int t = 0; t < 8; ++t) {
+      double square = 0;
+      for(int i = 0; i < 3; ++i)
+        square += std::abs(soup.points[s][i] - soup.points[t][i]);
+      const double expected = square == 3 ? std::sqrt(5.0) : std::sqrt(square);
+      BOOST_TEST(std::abs(static_cast<double>(exact.distance(s, t)) - expected) <= 1e-15);
+      BOOST_TEST(exact.number_of_paths(s, t) == (square == 3 ? 6u : 1u));
+      opposite += square == 3 ? 1 : 0;
+    }
+  BOOST_TEST(opposite == 8u);
+}
+
+BOOST_AUTO_TEST_CASE(boxes)
+{
+  const Counts cube = check("cube", box(1, 1, 1, 1));
+  BOOST_TEST(cube.ties == 8u);
+  check("cube, two by two", box(2, 2, 2, 2));
+  check("box", box(3, 2, 1, 1));
+  check("box of thirds", mapped(box(3, 2, 1, 1), [](const Coordinates& p) {
+          return Coordinates{p[0] / 3, p[1] / 7, p[2] / 5};
+        }));
+  check("box far away", mapped(box(1, 2, 3, 1), [](const Coordinates& p) {
+          return Coordinates{p[0] + 1e6, p[1] - 3e5, p[2] + 7e4};
+        }));
+}
+
+BOOST_AUTO_TEST_CASE(pyramids)
+{
+  for(double height : {0.25, 1.0, 5.0, 1e-3, 1e-5})
+    check("pyramid", pyramid(height));
+  check("octahedron", octahedron());
+  check("octahedron, two by two", octahedron(2));
+  check("tetrahedron, two by two", tetrahedron(2));
+}
+
+BOOST_AUTO_TEST_CASE(random_hulls)
+{
+  for(unsigned seed = 1; seed <= 6; ++seed)
+    check("hull", random_convex_polyhedron(10, seed));
+  check("hull with short coordinates", with_short_coordinates(random_convex_polyhedron(12, 7)));
+}
+
+// With saddles, borders, flat parts, and needles.
+BOOST_AUTO_TEST_CASE(other_surfaces)
+{
+  Random_numbers random(5);
+  check("terrain", mapped(flat_grid(3, 3, Diagonal_rule::RANDOM), [&](const Coordinates& p) {
+          return Coordinates{p[0], p[1], random.uniform(0, 2)};
+        }));
+  const Counts lattice = check("lattice", flat_grid(4, 3, Diagonal_rule::ALTERNATING));
+  BOOST_TEST(lattice.ties == 0u);
+  check("hole", grid_with_hole(3, 3, 1, 2, 1, 2));
+  check("needles", needle_strip(5, 2, 1e-6));
+  check("thin box", box(1e-7, 1, 1, 1));
+  check("saddle", saddle_disk(6, 2, 8));
+}
