@@ -424,7 +424,8 @@ private:
     Split& split = m_splits[static_cast<std::size_t>(side)];
     const bool is_worse = split.is_set && length.least > split.length;
     const double allowed = error + split.error;
-    const bool is_left = crossing<split.crossing - allowed, is_right = crossing> split.crossing + allowed;
+    const bool is_left = crossing + allowed < split.crossing;
+    const bool is_right = crossing - allowed > split.crossing;
     if(!split.is_set || length.most < split.length)
       split = {length.most, crossing, error, true};
     // One that is not the best at the apex is of no use beyond the best one's ray.
@@ -440,10 +441,11 @@ private:
     };
     const Vector seen = in_frame(w.x, -w.y);
     const double away = norm(w.x - edge.base, w.y);
-    const double radius = w.radius + step_error * (away + edge.base + edge.length);
-    if(!(seen.imag() < radius))
+    const double carried = w.radius + step_error * (away + edge.base + edge.length);
+    if(!(seen.imag() < carried))
       return;
     const double depth = (std::max)(-seen.imag(), 0.0);
+    const double radius = carried + (depth + seen.imag()); // by that the point has been moved
     double margin = 0;
     const auto hit = [&](double b, bool is_end) {
       const Vector point = in_frame(b, 0);
