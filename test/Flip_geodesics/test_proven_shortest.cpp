@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
 using FG::Vertex_index;
@@ -24,10 +25,10 @@ using Setting = Basic_curve_setting<
     FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<Length_metric::Kernel>>>;
 using Number = Exact_distances::Number;
 
-FG::Shortest_path_report shortest(Setting& setting, int s, int t)
+FG::Shortest_path_report shortest(Setting& setting, int s, int t, const FG::Window_limit& limit = FG::Window_limit())
 {
   Setting::Search search(setting.triangulation);
-  const auto report = FG::add_shortest_path(setting.network, search, Vertex_index(s), Vertex_index(t));
+  const auto report = FG::add_shortest_path(setting.network, search, Vertex_index(s), Vertex_index(t), limit);
   setting.network.clear();
   setting.triangulation.rollback();
   return report;
@@ -144,4 +145,85 @@ BOOST_AUTO_TEST_CASE(other_surfaces)
   check("needles", needle_strip(5, 2, 1e-6));
   check("thin box", box(1e-7, 1, 1, 1));
   check("saddle", saddle_disk(6, 2, 8));
+}
+
+// Rays from one vertex run through rows of others. What passes them on both sides by rounding is not followed twice: the
+// number of windows would double at each.
+BOOST_AUTO_TEST_CASE(windows_do_not_multiply_along_rows)
+{
+  const auto squashed = [](const Mesh_soup& soup) {
+    return mapped(soup, [](const Coordinates& p) { return Coordinates{p[0] / 3, p[1] / 7, p[0] / 11 + p[1] / 13}; });
+  };
+  for(const Mesh_soup& soup :
+      {flat_grid(16, 4, Diagonal_rule::ALTERNATING), squashed(flat_grid(20, 6, Diagonal_rule::RISING)),
+       cylinder(12, 16, 1, 4), cylinder(24, 16, 1, 4, true)})
+  {
+    Setting setting(soup);
+    const int n = static_cast<int>(soup.points.size());
+    for(int s = 0; s < n; s += n / 20)
+      for(int t = 0; t < n; t += n / 20) {
+        if(s == t)
+          continue;
+        const auto report = shortest(setting, s, t, FG::Window_limit(20000));
+        BOOST_TEST(report.is_confirmed(), s << " to " << t);
+        BOOST_TEST(report.gap() <= 5e-12 * report.length, s << " to " << t << ", gap " << report.gap());
+        BOOST_TEST(report.windows < 4000u, s << " to " << t << ": " << report.windows);
+      }
+  }
+}
+
+// Faces without area, whose corners lie in a line, can be passed again and again at one place.
+BOOST_AUTO_TEST_CASE(faces_without_area)
+{
+  const std::vector<Mesh_soup> folded = {
+      {{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {2, -1, 0}},
+       {{0, 1, 5}, {0, 2, 1}, {2, 3, 1}, {3, 4, 1}, {0, 6, 2}, {2, 6, 3}, {3, 6, 4}, {4, 6, 1}}},
+      {{{0, 0, 0}, {6, 0, 0}, {1, 0, 0}, {5, 0, 0}, {2, 0, 0}, {4, 0, 0}, {3, 2, 0}, {3, -2, 0}, {3, 0, 0}},
+       {{0, 1, 6},
+        {0, 2, 1},
+        {2, 3, 1},
+        {2, 4, 3},
+        {4, 5, 3},
+        {4, 8, 5},
+        {0, 7, 2},
+        {2, 7, 4},
+        {4, 7, 8},
+        {8, 7, 5},
+        {5, 7, 3},
+        {3, 7, 1}}}};
+  for(const Mesh_soup& soup : folded) {
+    Setting setting(soup);
+    const int n = static_cast<int>(soup.points.size());
+    for(int s = 0; s < n; ++s)
+      for(int t = 0; t < n; ++t) {
+        if(s == t)
+          continue;
+        const auto report = shortest(setting, s, t, FG::Window_limit(20000));
+        const auto &p = soup.points[s], &q = soup.points[t]; // all lie in a plane, without gaps
+        BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t);
+        BOOST_TEST(std::abs(report.length - std::hypot(p[0] - q[0], p[1] - q[1])) <= 1e-14 * report.length);
+        BOOST_TEST(report.windows < 8000u, s << " to " << t);
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(verdicts)
+{
+  using Certified = Setting::Triangulation::Traits;
+  using Double = FG::Intrinsic_triangulation_traits<Length_metric::Kernel>;
+  FG::Shortest_path_report report;
+  report.length = 2;
+  const auto verdict = [&](auto traits, double bound) {
+    report.lower_bound = 2 * bound;
+    return FG::internal::verdict_of<decltype(traits)>(report);
+  };
+  BOOST_CHECK(verdict(Certified(), 1 - 0.9e-12) == FG::Shortest_path_verdict::PROVEN_SHORTEST);
+  BOOST_CHECK(verdict(Certified(), 1 - 1.1e-12) == FG::Shortest_path_verdict::CONFIRMED);
+  BOOST_CHECK(verdict(Certified(), 1 - 0.9e-10) == FG::Shortest_path_verdict::CONFIRMED);
+  BOOST_CHECK(verdict(Certified(), 1 - 1.1e-10) == FG::Shortest_path_verdict::UNCONFIRMED);
+  BOOST_CHECK(verdict(Double(), 1) == FG::Shortest_path_verdict::CONFIRMED);
+  BOOST_TEST(FG::to_string(FG::Shortest_path_verdict::UNCONFIRMED) == "UNCONFIRMED");
+  report.shortening.curves.emplace_back();
+  report.shortening.curves.back().status = FG::Shortening_status::STOPPED_BY_VISITOR;
+  BOOST_CHECK(verdict(Certified(), 1) == FG::Shortest_path_verdict::UNCONFIRMED);
 }

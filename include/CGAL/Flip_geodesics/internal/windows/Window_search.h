@@ -64,10 +64,7 @@ public:
     Crossing_word word;
   };
 
-  /*
-   * Searches from the source to all vertices. With a sweep from a target, only paths to there that are no longer than the
-   * sweep's bound.
-   */
+  /* Searches from the source to all vertices; with a sweep from a target, to there, and up to the sweep's bound. */
   Window_search(const Triangulation& triangulation, Faces& faces, Vertex_index source, const Sweep* sweep = nullptr)
     : m_triangulation(triangulation)
     , m_faces(faces)
@@ -93,7 +90,7 @@ public:
       m_heap.pop_back();
       if(!entry.is_vertex)
         propagate(entry.id);
-      else if(const Vertex_index v(entry.id); m_vertices[v].length.least == entry.least)
+      else if(const Vertex_index v(entry.id); is_due(m_vertices[v], entry.least))
         start_from(v);
     }
   }
@@ -139,6 +136,7 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double step_error = 0x1p-49;       // of a step from face to face, in parts of the lengths in it
   static constexpr double evaluation_error = 0x1p-50; // of the length of a path, from a root's and a point's
+  static constexpr double row_allowance = 32;         // of errors, at vertices that can be in a row
   static constexpr double same_way = 1e-6;            // angle between the ends of paths that are one
   static constexpr double tie_tolerance = 0x1p-42;    // of the length of a path, within which another one ties
 
@@ -161,7 +159,8 @@ private:
   {
     Length length; // each the smallest of all paths
     Arrival arrival;
-    double started; // from which least length the rays have started that start here
+    double promised; // from which length the rays have to start at most that start here, for what they replace
+    double started;  // from which they have started
     bool is_reached, has_started, has_tie;
   };
 
@@ -227,9 +226,10 @@ private:
   void offer(Vertex_index v, const Length& length, const Arrival& arrival)
   {
     Vertex_record& record = m_vertices[v];
-    if(!record.is_reached)
+    if(!record.is_reached) {
       record.length = {infinity, infinity, infinity, 0};
-    else if(v == m_source)
+      record.promised = infinity;
+    } else if(v == m_source)
       return;
     record.is_reached = true;
     record.length.most = (std::min)(record.length.most, length.most);
@@ -270,25 +270,35 @@ private:
   bool are_apart(const Arrival& a, const Arrival& b, double length)
   {
     const double angle = m_faces.angle_between(direction(a), direction(b), same_way);
-    const auto is_beside = [&](const Arrival& arrival) {
-      return arrival.leg * angle <= same_way * length && m_faces.is_flat(start(arrival));
-    };
-    return angle > 0 && !is_beside(a) && !is_beside(b);
+    const Arrival& shorter = a.leg < b.leg ? a : b;
+    const bool is_beside = shorter.leg * angle <= same_way * length && m_faces.is_flat(start(shorter));
+    return angle > 0 && !is_beside;
   }
 
   // No path to v that is known is shorter than this.
   void lower(Vertex_index v, double least, double error)
   {
     Vertex_record& record = m_vertices[v];
-    if(!(least < record.length.least))
+    if(least >= record.length.least)
       return;
     record.length.least = least;
     record.length.error = error;
-    if((record.has_started && record.started <= least) || !(v == m_source || m_faces.is_passable(v)))
-      return;
-    const double total = least + (m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v));
+    if((v == m_source || m_faces.is_passable(v)) && !(record.has_started && record.started <= least))
+      push_vertex(v, (std::min)(least, record.promised));
+  }
+
+  // Rays are to start from a vertex, with a length.
+  void push_vertex(Vertex_index v, double length)
+  {
+    const double total = length + (m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v));
     if(is_wanted(total))
-      push(total, least, v.idx(), true);
+      push(total, m_vertices[v].length.least, v.idx(), true);
+  }
+
+  // Have rays to start, as they were to when this was the least length?
+  static bool is_due(const Vertex_record& record, double least)
+  {
+    return record.length.least == least && !(record.has_started && record.started <= least);
   }
 
   // Can a path of this length be of use?
@@ -299,8 +309,8 @@ private:
   {
     const auto& input = m_triangulation.input();
     const Length before = m_vertices[v].length;
-    // A little less, for what may come later and be less by rounding.
-    const double sigma = before.least - (m_faces.is_flat(v) ? 32 * before.error : 0.0);
+    const double allowance = m_faces.is_flat(v) ? row_allowance * before.error : 0.0;
+    const double sigma = (std::min)(before.least - allowance, m_vertices[v].promised);
     m_vertices[v].started = sigma;
     m_vertices[v].has_started = true;
     const Input_halfedge_index first = input.outgoing(v);
@@ -315,12 +325,10 @@ private:
       if(!input.is_border(h)) {
         const Index opposite = Faces::next(m_faces.number(h));
         const Vector place = m_faces.apex(opposite);
-        const auto& [length, cosine, sine, halfedge, tail] = m_faces[opposite];
-        static_cast<void>(cosine), static_cast<void>(sine), static_cast<void>(tail);
-        // Seen from the other side the edge is reversed.
-        open({twin_index(halfedge), null_index, v, 0, length, length - place.real(), (std::max)(place.imag(), 0.0),
-              sigma, step_error * (length + along), 0},
-             length);
+        const auto& side = m_faces[opposite]; // seen from the other side it is reversed
+        open({twin_index(side.halfedge), null_index, v, 0, side.length, side.length - place.real(),
+              (std::max)(place.imag(), 0.0), sigma, step_error * (side.length + along), 0},
+             side.length);
       }
       h = input.next(twin_index(h));
     } while(h != first);
@@ -361,12 +369,17 @@ private:
     // How far the rays pass from the vertex.
     const double run = norm(place - w.x, w.y) - farthest - w.radius;
     const double offset = run > 0 ? farthest * (std::min)((w.y + w.radius) / run, 1.0) : farthest;
-    if(offset > 64 * w.radius || !(2 * farthest < m_faces.nearest_edge(v)))
+    if(offset > 32 * w.radius || !(2 * farthest < m_faces.nearest_edge(v)))
       return false;
     const double least = w.least(place) - 2 * offset;
-    if(!m_vertices[v].has_started)
-      lower(v, least, w.radius);
-    return !m_vertices[v].has_started || m_vertices[v].started <= least;
+    Vertex_record& record = m_vertices[v];
+    if(record.has_started)
+      return record.started <= least;
+    if(least < record.promised) {
+      record.promised = least - row_allowance * w.radius;
+      push_vertex(v, record.promised);
+    }
+    return true;
   }
 
   // Does it pass an edge twice, as no shortest path does [MMP87], but rounded rays in flat faces can?
