@@ -111,7 +111,7 @@ public:
     internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     start(source);
     for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
-      visit(v, m_labels.distance(v));
+      visit(v, m_labels[v].distance);
       relax_neighbors(v);
     }
   }
@@ -124,6 +124,7 @@ public:
 
 private:
   using Place = typename Triangulation::Metric::Place;
+  using Search_label = internal::Search_labels::Label;
 
   // A vertex on the path to the one that is being settled, and what is known of the way from there.
   struct Ancestor
@@ -183,7 +184,7 @@ private:
   {
     while(!m_queue.empty()) {
       const Vertex_index v = m_queue.pop();
-      if(m_labels.is_settled(v))
+      if(m_labels.is_settled(m_labels[v]))
         continue; // has been reached on a shorter way since
       m_labels.settle(v);
       ++m_settled;
@@ -195,17 +196,18 @@ private:
   void relax_neighbors(Vertex_index v)
   {
     const auto& input = m_triangulation->input();
-    const Input_halfedge_index incoming = m_labels.incoming(v);
+    const Search_label& label = m_labels[v];
+    const Input_halfedge_index incoming = label.incoming();
     const bool is_source = incoming == null_index;
     const Input_halfedge_index first = is_source ? input.outgoing(v) : internal::twin_index(incoming);
     if(first == null_index)
       return;
     const Input_halfedge_index second = is_source ? first : next_around(first); // where the path came from is settled
+    const Place place = m_triangulation->metric().place(input, v);
     if(m_looks_back)
-      relax_neighbors<true>(
-          {v, m_labels.distance(v), m_triangulation->metric().place(input, v), ancestors_of(incoming)}, second, first);
+      relax_neighbors<true>({v, label.distance, place, ancestors_of(incoming)}, second, first);
     else
-      relax_neighbors<false>({v, m_labels.distance(v), m_triangulation->metric().place(input, v), {}}, second, first);
+      relax_neighbors<false>({v, label.distance, place, {}}, second, first);
   }
 
   // The neighbors from one halfedge round to another.
@@ -234,8 +236,9 @@ private:
     for(std::size_t i = 0; i < most_ancestors && incoming != null_index; ++i) {
       const Vertex_index a = input.tail(incoming);
       length += metric.weight(input, incoming);
-      result[i] = {metric.place(input, a), m_labels.distance(a), length};
-      incoming = m_labels.incoming(a);
+      const Search_label& label = m_labels[a];
+      result[i] = {metric.place(input, a), label.distance, length};
+      incoming = label.incoming();
     }
     return result;
   }
@@ -246,15 +249,16 @@ private:
     const auto& input = m_triangulation->input();
     const auto& metric = m_triangulation->metric();
     const Vertex_index w = input.tail(internal::twin_index(h));
-    if(m_labels.is_settled(w))
+    const Search_label& label = m_labels[w];
+    if(m_labels.is_settled(label))
       return;
     const Place place = metric.place(input, w);
     const double weight = metric.weight(input, h, origin.place, place);
     if(!(weight >= 0 && weight <= (std::numeric_limits<double>::max)()))
       internal::throw_unusable_length(weight, origin.vertex, w);
     const double distance = LooksBack ? distance_looking_back(origin, place, weight) : origin.distance + weight;
-    const bool is_reached = m_labels.is_reached(w);
-    const double gain = m_labels.distance(w) - distance; // if it is
+    const bool is_reached = m_labels.is_reached(label);
+    const double gain = label.distance - distance; // if it is
     if(is_reached && !(gain > 0))
       return;
     m_labels.reach(w, distance, h);
@@ -284,8 +288,8 @@ private:
   std::vector<Halfedge_index> path_to(Vertex_index target) const
   {
     std::vector<Halfedge_index> path;
-    for(Input_halfedge_index h = m_labels.incoming(target); h != null_index;
-        h = m_labels.incoming(m_triangulation->input().tail(h)))
+    for(Input_halfedge_index h = m_labels[target].incoming(); h != null_index;
+        h = m_labels[m_triangulation->input().tail(h)].incoming())
       path.push_back(internal::as_intrinsic(h));
     std::reverse(path.begin(), path.end());
     return path;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -18,24 +19,24 @@ namespace internal {
 /*
  * What a search knows of the vertices that it has reached: the distance, through which halfedge the path arrives, and
  * whether the vertex is settled. Only vertices that were once reached take memory, with their neighbors in a cache
- * line, which holds the labels of five, in the order in which they were first written.
+ * line, which holds the labels of four, in the order in which they were first written.
  *
- * A block knows in which search it was last written, so that a new search forgets all labels in constant time.
+ * A label knows in which search it was written, so that a new search forgets all labels in constant time.
  */
 class Search_labels
 {
-  static constexpr std::size_t block_size = 5;
-  static constexpr std::uint32_t settled_bit = std::uint32_t(1) << 31;
-
-  struct alignas(64) Block
-  {
-    std::array<double, block_size> distances;
-    std::array<std::uint32_t, block_size> arrivals; // 0 if not reached, else the halfedge + 2, and the settled bit
-    std::uint32_t search;
-  };
-  static_assert(sizeof(Block) == 64, "a block fills a cache line");
-
 public:
+  /* What is known of one vertex. */
+  struct Label
+  {
+    double distance;
+    Index arrival;       // the halfedge through which the path arrives
+    std::uint32_t stamp; // twice the number of the search, and one more if the vertex is settled
+
+    /* `null_index` at the source. */
+    Input_halfedge_index incoming() const { return Input_halfedge_index(arrival); }
+  };
+
   explicit Search_labels(std::size_t size)
     : m_size(size)
     , m_slots(size / block_size + 1)
@@ -47,66 +48,49 @@ public:
   /* Forgets all labels. */
   void clear()
   {
-    if(++m_search == 0) // all numbers have been used
+    m_stamp += 2;
+    if(m_stamp == 0) // all numbers have been used
       *this = Search_labels(m_size);
   }
 
-  bool is_reached(Vertex_index v) const { return arrival(v) != 0; }
-  bool is_settled(Vertex_index v) const { return (arrival(v) & settled_bit) != 0; }
+  /* The label of a vertex, which says something if the vertex is reached. */
+  const Label& operator[](Vertex_index v) const { return m_blocks[index(v)].labels[position(v)]; }
 
-  /* Any number if `v` is not reached. */
-  double distance(Vertex_index v) const { return block(v).distances[slot(v)]; }
-
-  /* The halfedge through which the path arrives, `null_index` at the source. \pre `v` is reached */
-  Input_halfedge_index incoming(Vertex_index v) const
-  {
-    return Input_halfedge_index(static_cast<Index>(block(v).arrivals[slot(v)] & ~settled_bit) - 2);
-  }
+  bool is_settled(const Label& label) const { return label.stamp == m_stamp + 1; }
+  /* \pre the vertex is not settled */
+  bool is_reached(const Label& label) const { return label.stamp == m_stamp; }
 
   /* Labels a vertex, which is not settled then. */
   void reach(Vertex_index v, double distance, Input_halfedge_index incoming)
   {
-    Block& written = writable_block(v);
-    written.distances[slot(v)] = distance;
-    written.arrivals[slot(v)] = static_cast<std::uint32_t>(incoming.idx() + 2);
+    if(!m_slots.has_slot(block(v)))
+      m_blocks[static_cast<std::size_t>(m_slots.add(block(v)))] = Block();
+    m_blocks[index(v)].labels[position(v)] = {distance, incoming.idx(), m_stamp};
   }
 
   /* \pre `v` is reached */
-  void settle(Vertex_index v) { m_blocks[index(v)].arrivals[slot(v)] |= settled_bit; }
+  void settle(Vertex_index v) { m_blocks[index(v)].labels[position(v)].stamp = m_stamp + 1; }
 
 private:
-  static Index place(Vertex_index v) { return static_cast<Index>(static_cast<std::uint32_t>(v.idx()) / block_size); }
-  static std::size_t slot(Vertex_index v) { return static_cast<std::uint32_t>(v.idx()) % block_size; }
+  static constexpr std::uint32_t block_size = 4;
 
-  std::size_t index(Vertex_index v) const { return static_cast<std::size_t>(m_slots[place(v)]); }
-  const Block& block(Vertex_index v) const { return m_blocks[index(v)]; }
-
-  std::uint32_t arrival(Vertex_index v) const
+  struct alignas(64) Block
   {
-    const Block& b = block(v);
-    return b.search == m_search ? b.arrivals[slot(v)] : 0;
-  }
+    std::array<Label, block_size> labels;
+  };
+  static_assert(sizeof(Block) == 64, "a block fills a cache line");
+  static_assert(std::is_trivially_default_constructible<Block>::value, "to make blocks must not write them");
 
-  Block& writable_block(Vertex_index v)
-  {
-    std::size_t i = index(v);
-    if(i == 0) {
-      i = static_cast<std::size_t>(m_slots.add(place(v)));
-      m_blocks[i] = Block();
-    }
-    Block& result = m_blocks[i];
-    if(result.search != m_search) {
-      result.search = m_search;
-      result.arrivals.fill(0);
-    }
-    return result;
-  }
+  static Index block(Vertex_index v) { return static_cast<Index>(static_cast<std::uint32_t>(v.idx()) / block_size); }
+  static std::size_t position(Vertex_index v) { return static_cast<std::uint32_t>(v.idx()) % block_size; }
+
+  std::size_t index(Vertex_index v) const { return static_cast<std::size_t>(m_slots[block(v)]); }
 
   std::size_t m_size;
   // Of blocks; the first is of no search.
   Slot_table<1> m_slots;
   std::unique_ptr<Block[]> m_blocks;
-  std::uint32_t m_search = 1;
+  std::uint32_t m_stamp = 2;
 };
 
 } // namespace internal
