@@ -73,7 +73,7 @@ public:
   {
     m_bound = bound;
     m_error = 0x1p-46 * bound;
-    m_total_error = static_cast<double>(m_triangulation.number_of_halfedges()) * m_error;
+    m_total_error = 2 * static_cast<double>(m_triangulation.number_of_halfedges()) * m_error;
     reach(m_source, 0, 0);
     while(!m_queue.empty() && is_useful())
       pass_first();
@@ -146,6 +146,9 @@ private:
     }
   };
 
+  // By which paths come to a side of a face: over the side before it, over the side after it, or by way of the apex.
+  enum class Entrance : char { BEFORE, AFTER, APEX };
+
   double in_space(Vertex_index v) const
   {
     const auto& metric = m_triangulation.metric();
@@ -170,8 +173,8 @@ private:
     if(m_triangulation.input().is_border(h))
       return;
     const Index side = m_faces.number(h);
-    update(Faces::next(side));
-    update(Faces::previous(side));
+    update(Faces::next(side), Entrance::BEFORE);
+    update(Faces::previous(side), Entrance::AFTER);
   }
 
   // All edges opposite to a vertex, and the vertices beside it.
@@ -193,7 +196,7 @@ private:
       const Index side = m_faces.number(is_border ? t : h);
       reach(input.tail(t), distance + m_faces[side].length, m_faces[side].length);
       if(!is_border && !has_noticed(Faces::next(side), distance))
-        update(Faces::next(side));
+        update(Faces::next(side), Entrance::APEX);
       h = input.next(t);
     } while(h != first);
   }
@@ -237,17 +240,35 @@ private:
     return wave != nullptr && wave->apex_distance <= distance;
   }
 
-  // Makes the cone of a side hold for what enters its face.
-  void update(Index side)
+  // Makes the cone of a side hold for what enters its face, of which some has changed.
+  void update(Index side, Entrance changed)
   {
-    const Lit_parts parts = lit_parts(side);
     if(m_waves.size() < m_faces.size())
       m_waves.resize(m_faces.size());
     Wave& wave = m_waves[static_cast<std::size_t>(side)];
-    wave.apex_distance = parts.apex_value;
-    const double length = m_faces[side].length;
-    if(parts.size == 0 || (wave.is_set && wave.cones.are_below(parts, length, tolerance(wave))))
+    if(wave.is_set && holds(wave, side, changed))
       return;
+    const Lit_parts parts = lit_parts(side);
+    wave.apex_distance = distance_of_apex(side);
+    if(parts.size > 0)
+      fit(wave, side, parts);
+  }
+
+  // Is the cone of a side low enough for what comes by one entrance?
+  bool holds(Wave& wave, Index side, Entrance entrance) const
+  {
+    Lit_parts parts;
+    if(entrance == Entrance::APEX) {
+      wave.apex_distance = distance_of_apex(side);
+      add_apex(parts, side, 0, m_faces[side].length);
+    } else
+      light_from(parts, side, entrance);
+    return wave.cones.are_below(parts, m_faces[side].length, tolerance(wave));
+  }
+
+  void fit(Wave& wave, Index side, const Lit_parts& parts)
+  {
+    const double length = m_faces[side].length;
     ++m_updates;
     ++wave.number_of_updates;
     if(wave.number_of_updates > free_updates)
@@ -276,37 +297,50 @@ private:
     return further <= 0 ? m_error : std::ldexp(m_error, 2 * further);
   }
 
-  // In the frame of a side, from 0 to its length on the x-axis with its face above.
-  Lit_parts lit_parts(Index number)
+  // What comes by all entrances, in the frame of a side, from 0 to its length on the x-axis with its face above.
+  Lit_parts lit_parts(Index side) const
   {
-    const Index next_number = Faces::next(number), previous_number = Faces::previous(number);
-    const auto &side = m_faces[number], &next = m_faces[next_number], &previous = m_faces[previous_number];
-    const Vertex_index opposite = previous.tail;
-    const Vector apex = previous.length * Vector(side.cosine, side.sine);
-    const double length = side.length;
+    const double length = m_faces[side].length;
     Lit_parts parts;
-    if(const Wave* wave = known_wave(m_faces.known_twin(previous_number))) {
-      parts.apex_value = wave->cones.last(previous.length)(previous.length);
-      light(parts, wave->cones, previous.length, Vector(side.cosine, side.sine), length, false);
-    }
-    if(const Wave* wave = known_wave(m_faces.known_twin(next_number))) { // seen in a mirror, from the head
-      parts.apex_value = (std::min)(parts.apex_value, wave->cones.first(0));
-      light(parts, wave->cones.mirrored(next.length), next.length, Vector(next.cosine, next.sine), length, true);
-    }
-    add_apex(parts, opposite, apex, length);
-    for(std::size_t i = 0; i < parts.size; ++i) // what lies below the edge sends nothing up, up to rounding
-      parts.part[i].cone.y = std::abs(parts.part[i].cone.y);
+    const Lit_end before = light_from(parts, side, Entrance::BEFORE), after = light_from(parts, side, Entrance::AFTER);
+    // Where one cone lights the edge, the paths by way of the apex are no shorter, if the cone says no more for the apex.
+    const double enough = distance_of_apex(side) + m_error;
+    add_apex(parts, side, before.apex_value <= enough ? before.place : 0,
+             after.apex_value <= enough ? length - after.place : length);
     return parts;
   }
 
-  // Adds what comes in through the side that leaves 0 in a direction.
-  void light(Lit_parts& parts, const Edge_cones& cones, double side_length, const Vector& direction, double length,
-             bool is_mirrored) const
+  // Up to where one cone lights an edge from an end on, and what it says for the apex.
+  struct Lit_end
+  {
+    double place = 0, apex_value = infinity;
+  };
+
+  // Adds what comes over the side before or after a side.
+  Lit_end light_from(Lit_parts& parts, Index number, Entrance entrance) const
+  {
+    const Index next_number = Faces::next(number), previous_number = Faces::previous(number);
+    const bool is_mirrored = entrance == Entrance::AFTER; // seen in a mirror, from the head
+    const auto &near = m_faces[is_mirrored ? next_number : number], &side = m_faces[number];
+    const double length = m_faces[is_mirrored ? next_number : previous_number].length;
+    const Wave* wave = known_wave(m_faces.known_twin(is_mirrored ? next_number : previous_number));
+    if(wave == nullptr)
+      return {};
+    const Edge_cones cones = is_mirrored ? wave->cones.mirrored(length) : wave->cones;
+    Lit_end end;
+    end.apex_value = cones.last(length)(length);
+    end.place = light(parts, cones, length, Vector(near.cosine, near.sine), side.length, is_mirrored);
+    return end;
+  }
+
+  // Adds what comes in through the side that leaves 0 in a direction; returns up to where, if that is one cone.
+  double light(Lit_parts& parts, const Edge_cones& cones, double side_length, const Vector& direction, double length,
+               bool is_mirrored) const
   {
     const int number = cones.split < side_length ? 2 : 1;
     double end = 0;
     for(int i = 0; i < number; ++i) {
-      const Cone cone = seen_from((i == 0 ? cones.first : cones.second), direction);
+      Cone cone = seen_from((i == 0 ? cones.first : cones.second), direction);
       const bool is_first = i + 1 < number;
       // No gap is left between what two cones light, nor where the second one lights nothing.
       const bool is_alone = is_first && seen_from(cones.second, direction).y < -m_error && cone.y >= -m_error;
@@ -314,6 +348,7 @@ private:
       const double to = is_alone ? length : lit;
       const double from =
           i == 0 ? 0 : (std::min)(lit_length(cone, cones.split * direction, length) - 1e-5 * length, end);
+      cone.y = std::abs(cone.y); // what lies below the edge sends nothing up, up to rounding
       const Cone turned = is_mirrored ? Cone{length - cone.x, cone.y, cone.sigma} : cone;
       if(is_mirrored)
         parts.add(turned, length - to, length - (std::max)(from, 0.0));
@@ -321,6 +356,7 @@ private:
         parts.add(turned, (std::max)(from, 0.0), to);
       end = (std::max)(end, to);
     }
+    return number == 1 ? end : 0;
   }
 
   // A cone over the side that leaves 0 in a direction, in the frame of the edge.
@@ -346,14 +382,21 @@ private:
     return (std::min)((std::max)(end, 0.0) + enlargement * length, length);
   }
 
-  // The paths by way of the apex.
-  void add_apex(Lit_parts& parts, Vertex_index v, const Vector& apex, double length) const
+  // That of the corner opposite to a side; waves tell their ends what they say for them, so that it is not above them.
+  double distance_of_apex(Index side) const
   {
-    const Vertex_record& record = m_vertices[v];
-    if(record.is_reached)
-      parts.apex_value = (std::min)(parts.apex_value, record.distance);
-    if(parts.apex_value < infinity)
-      parts.add({apex.real(), apex.imag(), parts.apex_value}, 0, length);
+    const Vertex_record& record = m_vertices[m_faces[Faces::previous(side)].tail];
+    return record.is_reached ? record.distance : infinity;
+  }
+
+  // Adds the paths by way of the apex to a part of a side.
+  void add_apex(Lit_parts& parts, Index side, double from, double to) const
+  {
+    const double distance = distance_of_apex(side);
+    if(!(distance < infinity))
+      return;
+    const Vector apex = m_faces.apex(side);
+    parts.add({apex.real(), std::abs(apex.imag()), distance}, from, to);
   }
 
   const Triangulation& m_triangulation;

@@ -29,7 +29,6 @@ struct Lit_parts
 
   std::array<Lit_part, 5> part;
   std::size_t size = 0;
-  double apex_value = infinity; // at the corner opposite to the edge
 
   void add(const Cone& cone, double from, double to)
   {
