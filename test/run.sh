@@ -89,6 +89,8 @@ if command -v ccache > /dev/null; then
   export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
   # What it takes to use precompiled headers as well.
   export CCACHE_SLOPPINESS=pch_defines,time_macros
+  # What is not in the cache is not preprocessed twice.
+  export CCACHE_DEPEND=1
   # Without a home that can be written, the cache goes where everything else goes.
   if ! [ -w "${HOME:-/nonexistent}" ]; then
     export CCACHE_DIR=${CCACHE_DIR:-$build_dir/ccache}
