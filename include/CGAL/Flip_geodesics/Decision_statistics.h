@@ -12,6 +12,7 @@ namespace Flip_geodesics {
 /// How the decisions that the filter left open were taken.
 struct Decision_statistics
 {
+  std::size_t by_memory = 0;      ///< as before: of an angle between the same two edges; counted nowhere else
   std::size_t by_strip = 0;       ///< by vectors of doubles, or of pairs of doubles, with an error bound
   std::size_t by_plane = 0;       ///< by exact predicates of points, where all input faces lie in one plane
   std::size_t by_precision = 0;   ///< by numbers of 50 digits, or as many as it takes, with an error bound

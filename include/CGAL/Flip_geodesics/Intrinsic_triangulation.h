@@ -16,6 +16,7 @@
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/store/Flip_log.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
+#include <CGAL/Flip_geodesics/internal/strips/Compared_wedges.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/words/Edge_history.h>
@@ -156,7 +157,7 @@ public:
     const Uncertain<Comparison_result> comparison = traits().compare_turn_with_straight_object()(turn);
     if constexpr(!Traits::Has_drift::value)
       if(!comparison.is_certain())
-        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics, true)(from, to) != SMALLER;
+        return compare_with_straight(from, to) != SMALLER;
     return comparison.make_certain() != SMALLER;
   }
 
@@ -246,6 +247,8 @@ public:
   /// is undone. \pre no curve lies on an edge that goes, or is removed before anything is asked of it
   void rollback(Log_position position = 0)
   {
+    if(m_log.size() > position)
+      m_compared_wedges.forget_flips();
     while(m_log.size() > position) {
       m_history.forget(edge(m_log.back().h), static_cast<Index>(m_log.size()));
       if(m_log.back().is_insertion())
@@ -391,6 +394,20 @@ private:
     return input.contracted([&](Input_halfedge_index h) { return metric.weight(input, h); });
   }
 
+  // Of a wedge that the traits leave open.
+  Comparison_result compare_with_straight(Halfedge_index from, Halfedge_index to) const
+  {
+    const internal::Side_version a = {from, version(edge(from))}, b = {to, version(edge(to))};
+    if(const Comparison_result* known = m_compared_wedges.find(a, b)) {
+      ++m_statistics.by_memory;
+      return *known;
+    }
+    const Comparison_result result =
+        internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics, true)(from, to);
+    m_compared_wedges.insert(a, b, result);
+    return result;
+  }
+
   internal::Insertion_editor<Intrinsic_triangulation, Store> editor()
   {
     return {*this, store(), m_log, m_points, m_history};
@@ -411,6 +428,7 @@ private:
   }
 
   mutable internal::Edge_history<Intrinsic_triangulation> m_history;
+  mutable internal::Compared_wedges m_compared_wedges;
   mutable Decision_statistics m_statistics;
   internal::Flip_log<Store> m_log;
   std::vector<internal::Inserted_point<Halfedge_geometry>> m_points;
