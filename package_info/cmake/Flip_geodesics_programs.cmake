@@ -61,11 +61,15 @@ set(flip_geodesics_optional_libraries
     "<CLI/CLI.hpp>" CLI11::CLI11 REQUIRED
     "<benchmark/benchmark.h>" benchmark::benchmark REQUIRED)
 
-# Sets `used` to the optional libraries that `source` mentions and `missing` to those that it cannot do without.
-function(flip_geodesics_find_used_libraries source used missing)
-  # Editing the source may change the answer.
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
-  file(READ "${source}" text)
+# Sets `used` to the optional libraries that the `sources` mention and `missing` to those that they cannot do without.
+function(flip_geodesics_find_used_libraries sources used missing)
+  set(text "")
+  foreach(source IN LISTS sources)
+    # Editing the source may change the answer.
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${source}")
+    file(READ "${source}" text_of_source)
+    string(APPEND text "${text_of_source}")
+  endforeach()
   set(found "")
   set(absent "")
   set(triples "${flip_geodesics_optional_libraries}")
@@ -83,19 +87,23 @@ function(flip_geodesics_find_used_libraries source used missing)
   set(${missing} "${absent}" PARENT_SCOPE)
 endfunction()
 
-# flip_geodesics_add_program(name [WITHOUT_LIBRARY | WITHOUT_GMP])
+# flip_geodesics_add_program(name [WITHOUT_LIBRARY | WITHOUT_GMP] [PARTS source...])
 #
 # Adds the executable `name` made of `name.cpp`, linked to CGAL::Flip_geodesics if nothing else is said. Leaves it out,
-# with a message, if a required library is missing: test if(TARGET name) after the call.
+# with a message, if a required library is missing: test if(TARGET name) after the call. The parts, sources and
+# headers, are compiled together with it, so that a program costs the same however many sources it is in.
 function(flip_geodesics_add_program name)
-  cmake_parse_arguments(arg "WITHOUT_LIBRARY;WITHOUT_GMP" "" "" ${ARGN})
-  set(source "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
-  flip_geodesics_find_used_libraries("${source}" used missing)
+  cmake_parse_arguments(arg "WITHOUT_LIBRARY;WITHOUT_GMP" "" "PARTS" ${ARGN})
+  set(sources "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" ${arg_PARTS})
+  flip_geodesics_find_used_libraries("${sources}" used missing)
   if(missing)
     message(STATUS "Flip_geodesics: ${name} is left out, because ${missing} was not found")
     return()
   endif()
-  add_executable(${name} "${source}")
+  add_executable(${name} ${sources})
+  if(arg_PARTS)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
   target_compile_features(${name} PRIVATE cxx_std_17)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${name} PRIVATE Flip_geodesics_warnings ${used})

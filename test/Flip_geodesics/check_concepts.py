@@ -36,7 +36,8 @@ def main():
     headers = {p.name: INTERNAL.sub('', p.read_text())
                for p in sorted((source / 'include/CGAL/Flip_geodesics').glob('*.h'))}
     public = '\n'.join(headers.values())
-    tests = '\n'.join((source / 'test/Flip_geodesics' / test).read_text() for test in TESTS)
+    folder = source / 'test/Flip_geodesics'
+    tests = '\n'.join(p.read_text() for test in TESTS for p in [folder / test, *folder.glob(test[:-4] + '/*')])
     names, asked = table(source / 'doc/Flip_geodesics/Design.txt')
     wrong = [f'{name} is twice in the table' for name in sorted(set(names)) if names.count(name) > 1]
     for name in names:

@@ -301,6 +301,13 @@ def copy_headers(include, target, change):
 # ---------------------------------------------------------------- compiling
 
 
+def files_of(test):
+    """A test is one source, and the sources and headers in a folder of its name if there is one."""
+    folder = os.path.join(TESTS, test)
+    parts = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+    return [folder + ".cpp"] + [os.path.join(folder, n) for n in parts]
+
+
 class Compiler:
     def __init__(self, options, build):
         self.build = build
@@ -340,7 +347,8 @@ class Compiler:
     def program(self, test, include, folder):
         """Compiles and links a test with the headers in `include`; its path, or none."""
         os.makedirs(folder, exist_ok=True)
-        observer, text = self.precompile(), open(os.path.join(TESTS, test + ".cpp"), encoding="utf-8").read()
+        observer, files = self.precompile(), files_of(test)
+        text = "".join(open(name, encoding="utf-8").read() for name in files)
         arguments = ["-c", "-I", include, "-I", TESTS, "-I", os.path.join(ROOT, "benchmark", "Flip_geodesics")]
         libraries = ["-lboost_unit_test_framework", "-lmpfr", "-lgmp"]
         if "FLIP_GEODESICS_RECORDED_RESULTS" in text:
@@ -357,7 +365,9 @@ class Compiler:
             arguments += ["-include", self.plain_switch()]
         target = os.path.join(folder, test + ".o")
         log = os.path.join(folder, test + ".log")
-        if not self.make(target, os.path.join(TESTS, test + ".cpp"), arguments, log):
+        together = os.path.join(folder, test + ".cpp")
+        write_if_changed(together, "".join(f'#include "{name}"\n' for name in files if name.endswith(".cpp")))
+        if not self.make(target, together, arguments, log):
             return None
         program = os.path.join(folder, test)
         if not os.path.exists(program) or os.path.getmtime(program) < os.path.getmtime(target):

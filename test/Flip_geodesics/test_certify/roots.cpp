@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Curves across many faces with different roots.
+
+#include "test_certify/second_opinion.h"
+
+using namespace Flip_geodesics_test;
+
+namespace {
+
+// A folding screen over a grid of 2 n columns and 2 rows, the folds at irregular distances: to the left of the middle
+// as given, from the middle on, and to the right in the same or in reverse order. It unfolds to a plane. The area of
+// each column has a root of its own; the middle point lies on the line between opposite corners.
+Mesh_soup folding_screen(int n, bool is_reversed, double lift)
+{
+  std::vector<double> x(2 * n + 1, 0.0), z(2 * n + 1, 0.0);
+  for(int i = 1; i <= n; ++i) {
+    const double dx = 1 + 0.125 * i, dz = (i % 2 == 0 ? 1 : -1) * (0.5 + 0.0625 * i * i);
+    const int left = is_reversed ? n - i : i - 1; // columns from the left border
+    x[left + 1] = dx;
+    z[left + 1] = dz;
+    x[n + i] = dx;
+    z[n + i] = dz;
+  }
+  for(int i = 1; i <= 2 * n; ++i) {
+    x[i] += x[i - 1];
+    z[i] += z[i - 1];
+  }
+  Mesh_soup soup = mapped(flat_grid(2 * n, 2, Diagonal_rule::RISING), [&](const Coordinates& p) {
+    const int i = static_cast<int>(p[0]);
+    return Coordinates{x[i], p[1] - 1, z[i]};
+  });
+  soup.points[grid_vertex(2 * n, n, 1)][1] += lift;
+  return soup;
+}
+
+// Pulls the diagonal tight that passes by the middle point, on its left.
+template <class Setting>
+FG::Network_certificate certificate_of_diagonal(Setting& setting, int n)
+{
+  setting.add(vertex_path_on_grid(2 * n, {{0, 0}, {0, 1}, {2 * n, 1}, {2 * n, 2}}), false);
+  setting.pull();
+  return checked_certificate(setting);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(zeros_of_many_roots_are_proven)
+{
+  for(int n : {5, 20, 70}) {
+    Certified_setting setting(folding_screen(n, true, 0));
+    const FG::Network_certificate certificate = certificate_of_diagonal(setting, n);
+    BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST(setting.network.halfedges(0_c).size() == 2u);
+    BOOST_TEST(certificate.statistics.zeros_by_roots == 2u);
+    BOOST_TEST(certificate.statistics.most_roots > (n == 5 ? 3u : 12u));
+    BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
+  }
+}
+
+// No order of faces closes the roots of such strips early.
+BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
+{
+  Certified_setting few(folding_screen(8, false, 0));
+  BOOST_TEST((certificate_of_diagonal(few, 8).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+
+  Certified_setting many(folding_screen(20, false, 0));
+  const FG::Network_certificate certificate = certificate_of_diagonal(many, 20);
+  BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
+  BOOST_TEST(certificate.is_locally_shortest());
+  BOOST_TEST(certificate.statistics.unproven_zeros == 2u);
+
+  many.add(vertex_path_on_grid(40, {{1, 0}, {2, 0}}), false); // another curve has nothing to do with it
+  const FG::Network_certificate both = FG::certify(many.network);
+  BOOST_TEST((both.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
+  BOOST_TEST((both.curves[1].verdict == FG::Certificate_verdict::PROVEN));
+}
+
+// Of several legs, the weakest verdict counts.
+BOOST_AUTO_TEST_CASE(legs_are_as_certain_as_the_least_of_them)
+{
+  Certified_setting setting(folding_screen(20, false, 0));
+  auto& t = setting.triangulation;
+  const auto at = [&](int i, int j) { return t.location(FG::Vertex_index(grid_vertex(40, i, j))); };
+  setting.network.clear();
+  BOOST_TEST((FG::geodesics_through(t, {at(0, 0), at(40, 2), at(39, 2)}).certificate.verdict ==
+              FG::Certificate_verdict::PROBABLE));
+  BOOST_TEST((FG::geodesics_through(t, {at(40, 2), at(39, 2)}).certificate.verdict ==
+              FG::Certificate_verdict::PROVEN));
+}
+
+// The line misses the middle point by 1e-90: what is not zero has a sign, after as many digits as it takes.
+BOOST_AUTO_TEST_CASE(almost_zeros_of_many_roots_have_signs)
+{
+  for(bool is_reversed : {true, false})
+    for(double lift : {0x1p-300, -0x1p-300}) {
+      Certified_setting setting(folding_screen(20, is_reversed, lift));
+      const FG::Network_certificate certificate = certificate_of_diagonal(setting, 20);
+      BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+      BOOST_TEST(setting.network.halfedges(0_c).size() == 1u);
+      BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(residues_of_roots_multiply_as_roots_do)
+{
+  const std::vector<FG::internal::Integer> squares = {2, 3, 6, 8, 12, 49, 1001, 7 * 1001};
+  const FG::internal::Root_base base(squares);
+  for(unsigned bits : {61u, 64u, 150u}) {
+    const FG::internal::Integer prime = FG::internal::random_prime(bits);
+    BOOST_TEST(boost::multiprecision::msb(prime) + 1 == bits);
+    BOOST_TEST(prime % 4 == 3);
+    const FG::internal::Residue_ring ring(base, prime);
+    const auto root = [&](int d) { return ring.side(0, d, 1, 1).root; };
+    const auto difference = [&](const auto& a, const auto& b) { return ring.add(a, ring.negate(b)); };
+    for(const FG::internal::Integer& d : squares) {
+      const auto r = ring.side(0, d, 1, 1).root;
+      BOOST_TEST(ring.is_zero(difference(ring.multiply(r, r), ring.integer(d))));
+    }
+    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(2), root(3)), root(6))));
+    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(8), root(2)), ring.integer(4))));
+    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(12), root(8)), ring.multiply(root(6), ring.integer(4)))));
+    BOOST_TEST(!ring.is_zero(difference(ring.multiply(root(2), root(3)), root(12))));
+    BOOST_TEST(!ring.is_zero(difference(root(2), root(3))));
+  }
+}

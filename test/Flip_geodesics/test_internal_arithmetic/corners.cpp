@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Corners and lengths as doubles.
+
+#include "test_internal_arithmetic/numbers.h"
+
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Plain = FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
+using Certified = FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
+
+// The halfedges before and after a corner of an angle, with the given lengths.
+template <class Halfedge_geometry>
+std::array<Halfedge_geometry, 2> sides_of_corner(double angle, double in, double out)
+{
+  Halfedge_geometry a = {}, b = {};
+  a.x = -in;
+  b.x = out * std::cos(angle);
+  b.y = -out * std::sin(angle); // on the left
+  return {a, b};
+}
+
+template <class Traits>
+typename Traits::Turn turn_over(const std::vector<double>& angles, double length)
+{
+  typename Traits::Turn turn;
+  for(double angle : angles) {
+    const auto sides = sides_of_corner<typename Traits::Halfedge_geometry>(angle, length, length);
+    Traits().extend_turn_object()(turn, sides[0], sides[1], sides[0]);
+  }
+  return turn;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(turns_over_large_and_small_faces_neither_overflow_nor_vanish)
+{
+  for(double length : {1e-69, 1.0, 1e69})
+    for(int corners : {10, 100}) {
+      const Plain traits;
+      const auto compare = traits.compare_turn_with_straight_object();
+      const auto below = turn_over<Plain>(std::vector<double>(corners, 0.99 * pi / corners), length);
+      const auto above = turn_over<Plain>(std::vector<double>(corners, 1.01 * pi / corners), length);
+      BOOST_TEST((compare(below) == CGAL::SMALLER));
+      BOOST_TEST((compare(above) == CGAL::LARGER));
+      const auto half = turn_over<Plain>(std::vector<double>(corners, 0.5 * pi / corners), length);
+      BOOST_TEST(std::abs(traits.turn_key_object()(half) - 1) < 1e-12);
+    }
+}
+
+// A face without area, seen through rounding: its corner is not below zero.
+BOOST_AUTO_TEST_CASE(corners_of_faces_without_area_do_not_turn_back)
+{
+  const auto sides = sides_of_corner<Plain::Halfedge_geometry>(-1e-17, 1, 1);
+  Plain::Turn turn;
+  for(int i = 0; i < 3; ++i)
+    Plain().extend_turn_object()(turn, sides[0], sides[1], sides[0]);
+  BOOST_TEST((Plain().compare_turn_with_straight_object()(turn) == CGAL::SMALLER));
+}
+
+BOOST_AUTO_TEST_CASE(edges_opposite_to_wide_angles_are_not_delaunay)
+{
+  for(double first : {0.3, 0.9, 1.7, 2.5, pi})
+    for(double second : {0.2, 1.1, 1.6, 2.9, pi}) {
+      const auto k = sides_of_corner<Plain::Halfedge_geometry>(first, 2, 1);
+      const auto l = sides_of_corner<Plain::Halfedge_geometry>(second, 1, 3);
+      const auto is_delaunay = Plain().is_locally_delaunay_object()(k[0], k[0], k[1], l[0], l[0], l[1]);
+      BOOST_TEST(is_delaunay.is_certain());
+      BOOST_TEST((is_delaunay.make_certain() == (first + second < pi)));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(layouts_of_needles_are_accurate_relative_to_each_side)
+{
+  Random_numbers random(9);
+  for(int i = 0; i < 500 * scale; ++i) {
+    const double a = random.uniform(1, 2), thin = std::ldexp(1, -random.below(50));
+    std::array<double, 3> l = {a, a - thin * random.uniform(0, 0.9), thin * random.uniform(1, 2)};
+    if(random.below(2) == 0)
+      std::swap(l[1], l[2]);
+    std::rotate(l.begin(), l.begin() + i % 3, l.end());
+    if(FI::is_longer_than_sum(l[0], l[1], l[2]) || FI::is_longer_than_sum(l[1], l[2], l[0]) ||
+       FI::is_longer_than_sum(l[2], l[0], l[1]))
+      continue;
+    const auto face = Plain().construct_face_from_lengths_object()(l[0], l[1], l[2]);
+    const std::array<Real, 2> next = direction_of_next(l[0], l[1], l[2]);
+    const Real x = Real(face[1].x) / l[1] - next[0], y = Real(face[1].y) / l[1] - next[1];
+    BOOST_TEST(sqrt(x * x + y * y) < 16 * std::numeric_limits<double>::epsilon());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_face_with_a_side_longer_than_the_others_by_rounding_has_no_area)
+{
+  const double longer = 1 + 2 * std::numeric_limits<double>::epsilon();
+  for(const std::array<double, 3>& l : {std::array<double, 3>{longer, 0.5, 0.5}, {0.5, longer, 0.5}, {1, 0.25, 0.75}})
+    for(const auto& side : Plain().construct_face_from_lengths_object()(l[0], l[1], l[2]))
+      BOOST_TEST(side.y == 0);
+}
+
+// Two corners that are acute but for their errors make less than a straight angle, but for theirs.
+BOOST_AUTO_TEST_CASE(corners_within_their_error_of_right_angles_are_not_taken_for_acute)
+{
+  const double angle = pi / 2 - 1e-3;
+  for(double error : {1e-6, 1e-2}) {
+    auto sides = sides_of_corner<Certified::Halfedge_geometry>(angle, 1, 1);
+    sides[0].error = error;
+    Certified::Turn turn;
+    Certified().extend_turn_object()(turn, sides[1], sides[0], sides[0]); // an error in the turn
+    const auto turn_before = turn_over<Certified>({1e-3}, 1);
+    turn = turn_before;
+    Certified().extend_turn_object()(turn, sides[0], sides[1], sides[0]);
+    BOOST_TEST(Certified().compare_turn_with_straight_object()(turn).is_certain());
+    turn = turn_over<Certified>({angle}, 1);
+    Certified().extend_turn_object()(turn, sides[0], sides[1], sides[0]);
+    const auto comparison = Certified().compare_turn_with_straight_object()(turn);
+    BOOST_TEST(comparison.is_certain() == (error < 1e-3));
+    BOOST_TEST(comparison.inf() == CGAL::SMALLER);
+  }
+}
+
+namespace {
+
+// A triangle with a side of length 1 and corners at its ends, each with an error.
+std::optional<Plain::Face_geometry> laid_out(double at_tail, double at_head, double error)
+{
+  const double sum = at_tail + at_head, second = std::abs(std::sin(at_tail) / std::sin(sum)),
+               third = std::abs(std::sin(at_head) / std::sin(sum));
+  return FI::laid_out_face(Plain(), {{{{1, 0}, {second, 0}, {third, 0}}}, {at_tail, error}, {at_head, error}}, 0);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(faces_with_corners_below_zero_or_above_pi_are_refused)
+{
+  BOOST_TEST(laid_out(1, 1.2, 0).has_value());
+  for(double wrong : {-1e-3, pi + 1e-3}) {
+    BOOST_TEST(!laid_out(wrong, 1, 1e-6).has_value());
+    BOOST_TEST(!laid_out(1, wrong, 1e-6).has_value());
+    BOOST_TEST(laid_out(wrong, 1, 1e-2).has_value());
+    BOOST_TEST(laid_out(1, wrong, 1e-2).has_value());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(corners_below_zero_by_their_error_are_zero)
+{
+  for(double rounded : {-1e-9, 0.0}) {
+    const auto face = FI::laid_out_face(Plain(), {{{{1, 0}, {0.5, 0}, {0.5, 0}}}, {rounded, 1e-8}, {rounded, 1e-8}}, 0);
+    BOOST_TEST((*face)[2].y == 0);
+    BOOST_TEST((*face)[2].x == -0.5);
+    BOOST_TEST(std::abs((*face)[1].y) < 1e-15);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lengths_have_a_range)
+{
+  BOOST_TEST(!FI::is_usable_length(0));
+  BOOST_TEST(!FI::is_usable_length(0.9e-70));
+  BOOST_TEST(FI::is_usable_length(1.1e-70));
+  BOOST_TEST(FI::is_usable_length(0.9e70));
+  BOOST_TEST(!FI::is_usable_length(1.1e70));
+  BOOST_TEST(!FI::is_usable_length(std::numeric_limits<double>::quiet_NaN()));
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Directions at vertices, inserted ones too, and strips of faces.
+
+#include "test_intrinsic_triangulation/inserted_vertices.h"
+
+using namespace Flip_geodesics_test;
+
+BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
+{
+  const double tolerance = 1e-9;
+  Random_numbers random(12);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(3, 3, Diagonal_rule::RANDOM, 0.2, 1));
+  for(int i = 0; i < 5 * scale; ++i) {
+    Triangulation t(mesh);
+    insert_at_random(t, 8, random);
+    flip_at_random(t, 30, random);
+    const auto vector = [&](FG::Halfedge_index h) { return place(mesh, t, t.head(h)) - place(mesh, t, t.tail(h)); };
+    for(FG::Vertex_index v : descriptors<FG::Vertex_index>(t.number_of_vertices())) {
+      const FG::internal::Vertex_directions<Triangulation> directions(t, v);
+      const Halfedge_sequence spokes = spokes_at_tail(t, t.outgoing(v));
+      const bool is_border =
+          std::any_of(spokes.begin(), spokes.end(), [&](FG::Halfedge_index h) { return t.is_border(h); });
+      BOOST_TEST(directions.has_border() == is_border);
+      if(!is_border)
+        BOOST_TEST(std::abs(directions.total() - 2 * pi) < tolerance);
+      if(t.is_inserted(v) && is_border)
+        BOOST_TEST(std::abs(directions.total() - pi) < tolerance);
+      for(FG::Halfedge_index g : spokes) {
+        BOOST_TEST((directions(g) > -tolerance && directions(g) < directions.total() + tolerance));
+        for(FG::Halfedge_index h : spokes) {
+          if(g == h)
+            continue;
+          const double angle = planar_angle(vector(g), vector(h)), back = 2 * pi - angle;
+          const double found = directions.counterclockwise(directions(g), directions(h));
+          const double smaller = directions.smaller_wedge(directions(g), directions(h));
+          const bool is_inner = is_inner_turn(t, g, h);
+          BOOST_TEST((is_inner ? std::abs(found - angle) < tolerance : std::isinf(found)));
+          const double expected = !is_border ? (std::min)(angle, back) : (is_inner ? angle : back);
+          BOOST_TEST(std::abs(smaller - expected) < tolerance);
+        }
+      }
+    }
+  }
+}
+
+namespace {
+
+// The angle at the head of h in the two faces of its edge.
+double angle_at_head(const Triangulation& t, FG::Halfedge_index h)
+{
+  const auto corner = [&](FG::Halfedge_index in) {
+    const auto a = t.geometry(in), b = t.geometry(t.next(in));
+    return std::atan2(a.x * b.y - a.y * b.x, -(a.x * b.x + a.y * b.y));
+  };
+  return corner(h) + corner(t.previous(t.twin(h)));
+}
+
+// Flips an edge whose quad may be reflex by so much.
+bool flip_if_nearly_convex(Triangulation& t, FG::Halfedge_index h, double angle)
+{
+  const FG::Halfedge_index twin = t.twin(h);
+  if(t.is_border(h) || t.is_border(twin) || t.next(h) == twin || t.next(twin) == h ||
+     angle_at_head(t, h) > pi + angle || angle_at_head(t, twin) > pi + angle)
+    return false;
+  t.flip(h);
+  return true;
+}
+
+} // namespace
+
+// Points on one line inside a face, in a direction whose angle is pi or -pi as rounding will have it; and flips that
+// are wrong by little, so that edges follow on one another in the wrong order.
+BOOST_AUTO_TEST_CASE(angles_about_points_inside_a_face_sum_up_to_a_full_turn)
+{
+  Random_numbers random(13);
+  const Mesh mesh = to_mesh<Mesh>(single_triangle());
+  const auto side = mesh.halfedge(*mesh.faces_begin());
+  // Angles are told from it.
+  const FG::Input_halfedge_index h(static_cast<FG::Index>((std::min)({side, mesh.next(side), mesh.prev(side)})));
+  int opposite = 0;
+  const auto check = [&](const Triangulation& t) {
+    for(FG::Vertex_index v = 3_v; v.idx() < t.number_of_vertices(); ++v)
+      for(FG::Halfedge_index g : spokes_at_tail(t, t.outgoing(v))) {
+        BOOST_TEST(std::abs(FG::internal::wedge_angle(t, g, g).value - 2 * pi) < 1e-9);
+        const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(g));
+        opposite += std::abs(std::arg(strip.end())) > pi - 1e-15 ? 1 : 0;
+      }
+  };
+  for(int i = 0; i < 50 * scale; ++i) {
+    Triangulation t(mesh);
+    const double row = random.uniform(0.1, 0.6);
+    for(int k = 0; k < 5; ++k) {
+      const double along = random.uniform(0.01, 0.99) * (1 - row);
+      t.insert({h, {{along, 1 - row - along, row * (i % 2 == 0 ? 1 : random.uniform(0.99, 1.01))}}});
+      flip_at_random(t, 10, random);
+      check(t);
+    }
+    for(int k = 0; k < 100; ++k) {
+      const auto position = t.log_position();
+      if(flip_if_nearly_convex(t, FG::Halfedge_index(random.below(t.number_of_halfedges())), 0.3))
+        check(t);
+      t.rollback(position);
+      flip_at_random(t, 1, random);
+    }
+  }
+  BOOST_TEST(opposite > 50);
+}
+
+// A word that comes back to where it starts is all error; no direction follows from it.
+BOOST_AUTO_TEST_CASE(strips_without_length_have_no_relative_error)
+{
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 5));
+  const Triangulation t(mesh);
+  const auto& input = t.input();
+  int closed = 0;
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+    const Halfedge_sequence spokes = spokes_at_tail(t, h);
+    const auto is_at_border = [&](FG::Halfedge_index g) { return t.is_border(g) || t.is_border(t.twin(g)); };
+    if(std::any_of(spokes.begin(), spokes.end(), is_at_border))
+      continue;
+    FG::Crossing_word word; // from the head of h about its tail, counterclockwise, to the head of h
+    word.tail = word.head = t.head(h);
+    for(FG::Halfedge_index g = t.counterclockwise(h); g != h; g = t.counterclockwise(g)) {
+      const FG::Input_halfedge_index crossed = FG::internal::as_input(g);
+      word.crossed.push_back(twin_index(crossed));
+      BOOST_REQUIRE(input.tail(crossed) == t.tail(h));
+    }
+    const FG::internal::Strip<Triangulation> strip(t, word);
+    BOOST_TEST(strip.length() <= strip.end_error());
+    BOOST_TEST(strip.end_error() < 1e-12);
+    BOOST_TEST(std::isinf(strip.relative_error()));
+    ++closed;
+  }
+  BOOST_TEST(closed > 20);
+}
+
+// Also where flips were wrong, and the straight line is not in the strip.
+BOOST_AUTO_TEST_CASE(crossings_lie_on_the_edges_that_cross)
+{
+  Random_numbers random(16);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 6));
+  int bent = 0;
+  for(int i = 0; i < 20 * scale; ++i) {
+    Triangulation t(mesh);
+    for(int k = 0; k < 40; ++k)
+      flip_if_nearly_convex(t, FG::Halfedge_index(random.below(t.number_of_halfedges())), 2);
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+      const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(h));
+      bent += strip.bend() > 0.1 ? 1 : 0;
+      for(std::size_t gate = 0; gate < strip.gates().size(); ++gate)
+        for(double position : {strip.crossing(gate), strip.crossing_along(gate)})
+          BOOST_TEST((position >= 0 && position <= 1));
+    }
+  }
+  BOOST_TEST(bent > 100);
+}
+
+// From the side without a face as from the other one.
+BOOST_AUTO_TEST_CASE(edges_on_the_border_are_split)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
+  int split = 0;
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(static_cast<int>(mesh.number_of_halfedges()))) {
+    Triangulation t(mesh);
+    if(!t.is_border(h) && !t.is_border(t.twin(h)))
+      continue;
+    const std::complex<double> a = place(mesh, t, t.tail(h)), b = place(mesh, t, t.head(h));
+    const FG::Surface_location at = {FG::internal::as_input(h), {{0.75, 0.25, 0}}};
+    const FG::Vertex_index v = t.split_edge(h, at, 0, [](const auto&) {});
+    BOOST_TEST(t.is_inserted(v));
+    BOOST_TEST(std::abs(place(mesh, t, v) - (0.75 * a + 0.25 * b)) < 1e-15);
+    BOOST_TEST(t.is_valid());
+    BOOST_TEST(spokes_at_tail(t, t.outgoing(v)).size() == 3u);
+    ++split;
+  }
+  BOOST_TEST(split == 16);
+}

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The meshes, and sums of results that are compared with recorded ones.
+
+#ifndef FLIP_GEODESICS_TEST_RECORDED_RESULTS_COMPARISON_H
+#define FLIP_GEODESICS_TEST_RECORDED_RESULTS_COMPARISON_H
+
+#include "Curve_setting.h"
+#include "Hostile_traits.h"
+#include "Recorded_results.h"
+#include "descriptors.h"
+#include "generated_meshes.h"
+#include "random_curves.h"
+
+#include <CGAL/Flip_geodesics.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Flip_geodesics_test {
+
+namespace FG = CGAL::Flip_geodesics;
+
+using Plain = Curve_setting::Triangulation;
+using Certified =
+    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>;
+using Hostile = FG::Intrinsic_triangulation<Surface, Hostile_traits>;
+
+struct Input
+{
+  std::string name;
+  Mesh_soup soup;
+};
+
+// What the functions of a library of mathematics do not agree on is cut off.
+inline Mesh_soup rounded(const Mesh_soup& soup)
+{
+  return mapped(soup, [](Coordinates p) {
+    for(double& x : p)
+      x = std::nearbyint(x * (1 << 24)) / (1 << 24);
+    return p;
+  });
+}
+
+inline Mesh_soup stretched(const Mesh_soup& soup, double x, double y, double z)
+{
+  return mapped(soup, [=](const Coordinates& p) { return Coordinates{p[0] * x, p[1] * y, p[2] * z}; });
+}
+
+// So rough that shortest paths cross faces of other triangulations several times.
+inline Mesh_soup terrain(int n, double height)
+{
+  Random_numbers random(6);
+  return grid(n, n, Diagonal_rule::RANDOM, [&](int, int) { return random.uniform(0, height); });
+}
+
+inline Mesh_soup two_pieces()
+{
+  return with_isolated_vertices(disjoint_union(octahedron(5), translated(shaken(octahedron(5), 0.2, 3), 20, 0, 0)), 1,
+                                1);
+}
+
+// Ties, needles, borders, handles, vertices with small and large angles, several components.
+inline const std::vector<Input>& inputs()
+{
+  static const std::vector<Input> result = [] {
+    const std::vector<Input> all = {
+        {"flat_grid", flat_grid(12, 10, Diagonal_rule::ALTERNATING)},
+        {"jittered_grid", jittered_grid(14, 14, Diagonal_rule::RANDOM, 0.24, 5)},
+        {"grid_with_hole", grid_with_hole(12, 14, 3, 8, 4, 11)},
+        {"hills", grid(16, 16, Diagonal_rule::RANDOM, [](int i, int j) { return ((i * 7 + j * 13) % 5) * 0.4; })},
+        {"terrain", terrain(12, 60)},
+        {"needle_strip", needle_strip(20, 6, 1e-3)},
+        {"box", box(3, 2, 1, 6)},
+        {"tetrahedron", tetrahedron(8)},
+        {"plate", genus_3_plate(2)},
+        {"shaken_plate", shaken(genus_3_plate(3), 0.3, 4)},
+        {"pointed_cone", cone_disk(9, 9, 2)},
+        {"blunt_cone", cone_disk(12, 8, 5)},
+        {"saddle", saddle_disk(12, 8, 9)},
+        {"ruff", saddle_disk(16, 7, 14)},
+        {"lantern", lantern(10, 40)},
+        {"closed_cylinder", cylinder(24, 3, 1, 30, true)},
+        {"torus", shaken(torus(26, 14, 3, 1), 0.05, 2)},
+        {"bumpy_sphere", bumpy_sphere(8, 0.3, 1)},
+        {"flattened_sphere", stretched(bumpy_sphere(7, 0.2, 2), 1, 1, 1e-4)},
+        {"polyhedron", random_convex_polyhedron(150, 7)},
+        {"needle_polyhedron", stretched(random_convex_polyhedron(120, 8), 1, 1e-3, 1)},
+        {"two_pieces", two_pieces()}};
+    std::vector<Input> chosen;
+    for(std::size_t i = 0; i < all.size(); i += stride)
+      chosen.push_back({all[i].name, rounded(all[i].soup)});
+    return chosen;
+  }();
+  return result;
+}
+
+template <class Triangulation>
+struct Setting
+{
+  using Network = FG::Edge_path_network<Triangulation>;
+
+  explicit Setting(const Input& input, const typename Triangulation::Traits& traits = typename Triangulation::Traits())
+    : mesh(to_mesh<Surface>(input.soup))
+    , triangulation(mesh, traits)
+    , random(static_cast<unsigned>(input.soup.triangles.size()))
+    , has_two_pieces(input.name == "two_pieces")
+  {
+  }
+
+  FG::Vertex_index random_vertex()
+  {
+    FG::Vertex_index v;
+    do
+      v = FG::Vertex_index(random.below(triangulation.input().number_of_vertices()));
+    while(triangulation.input().outgoing(v) == FG::null_index);
+    return v;
+  }
+
+  // In a face, on an edge, at a vertex; of two pieces, in one of them.
+  FG::Surface_location random_location(bool is_far)
+  {
+    const auto is_unwanted = [&](FG::Input_halfedge_index h) {
+      return triangulation.input().is_border(h) ||
+             (has_two_pieces &&
+              is_far != (triangulation.input().tail(h).idx() > triangulation.input().number_of_vertices() / 2));
+    };
+    FG::Input_halfedge_index h;
+    do
+      h = FG::Input_halfedge_index(random.below(triangulation.input().number_of_halfedges()));
+    while(is_unwanted(h));
+    const int kind = random.below(6);
+    return {h,
+            {{random.uniform(0.1, 1), kind == 0 ? 0 : random.uniform(0.1, 1), kind < 3 ? 0 : random.uniform(0.1, 1)}}};
+  }
+
+  std::vector<FG::Surface_location> random_locations(int n)
+  {
+    const bool is_far = random.below(2) == 0;
+    std::vector<FG::Surface_location> result;
+    for(int i = 0; i < n; ++i)
+      result.push_back(random_location(is_far));
+    return result;
+  }
+
+  Surface mesh;
+  Triangulation triangulation;
+  Random_numbers random;
+  bool has_two_pieces;
+};
+
+// Sums up results of a kind.
+struct Summary
+{
+  Integer_hash words, flipped, statuses;
+  Weighted_sum lengths;
+  std::size_t flips = 0, steps = 0, errors = 0;
+
+  template <class Network>
+  void add_curves(const Network& network)
+  {
+    const auto& triangulation = network.triangulation();
+    for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(network.number_of_curves())) {
+      const auto halfedges = network.halfedges(c);
+      words.add(static_cast<long long>(halfedges.size()));
+      for(const auto h : halfedges) {
+        words.add(h);
+        add(triangulation.crossing_word(h));
+        words.add_all(network.stack(Plain::edge(h)));
+      }
+      lengths.add(network.length(c));
+    }
+    add_log(triangulation);
+  }
+
+  void add(const FG::Crossing_word& word)
+  {
+    for(long long i : {word.along.idx(), word.face.idx(), word.tail.idx(), word.head.idx()})
+      words.add(i);
+    words.add_all(word.crossed);
+  }
+
+  template <class Triangulation>
+  void add_log(const Triangulation& triangulation)
+  {
+    for(std::size_t i = 0; i < triangulation.log_position(); ++i)
+      flipped.add(triangulation.flip_record(i).h);
+  }
+
+  void add(const FG::Shortening_report& report)
+  {
+    flips += report.flips;
+    steps += report.flip_outs;
+    for(const FG::Curve_report& curve : report.curves) {
+      statuses.add(static_cast<long long>(curve.status));
+      statuses.add(static_cast<long long>(curve.flips));
+      lengths.add(curve.initial_length);
+      lengths.add(curve.length);
+      lengths.add(curve.smallest_angle);
+    }
+  }
+
+  void add(const FG::Surface_location& location)
+  {
+    words.add(location.halfedge);
+    const auto& w = location.weights;
+    for(double weight : w) {
+      words.add(weight != 0);
+      lengths.add(weight / (w[0] + w[1] + w[2]));
+    }
+  }
+
+  void add(const FG::Surface_point& p)
+  {
+    for(long long i : {p.a.idx(), p.b.idx(), p.c.idx(), p.halfedge.idx(), p.vertex.idx()})
+      words.add(i);
+    lengths.add(p.t);
+    lengths.add(p.u);
+  }
+
+  template <class Element>
+  void add(const std::vector<Element>& elements)
+  {
+    words.add(static_cast<long long>(elements.size()));
+    for(const Element& element : elements)
+      add(element);
+  }
+
+  // Refusals are results, too.
+  template <class Function>
+  void attempt(const Function& function)
+  {
+    try {
+      function();
+    } catch(const std::exception&) {
+      ++errors;
+    }
+  }
+
+  Result result() const
+  {
+    Result all;
+    all.add("words", words);
+    all.add("flipped", flipped);
+    all.add("statuses", statuses);
+    all.count("flips", flips);
+    all.count("steps", steps);
+    all.count("errors", errors);
+    all.add("lengths", lengths);
+    return all;
+  }
+};
+
+// Calls `function(setting, summary, extra)`, and compares what it adds.
+template <class Triangulation, class Function>
+void compare_one(Recorded_results& recorded, const std::string& name, Setting<Triangulation>& setting,
+                 const Function& function)
+{
+  Summary summary;
+  Result extra;
+  summary.attempt([&] { function(setting, summary, extra); });
+  Result result = summary.result();
+  result.append(extra);
+  recorded.compare(name, result);
+}
+
+// For each mesh.
+template <class Triangulation, class Function>
+void compare(const std::string& name, Depends_on depends_on, const Function& function)
+{
+  Recorded_results recorded(FLIP_GEODESICS_RECORDED_RESULTS, name, depends_on);
+  for(const Input& input : inputs()) {
+    Setting<Triangulation> setting(input);
+    compare_one(recorded, input.name, setting, function);
+  }
+  recorded.finish();
+}
+
+// For some meshes, with traits that are wrong as no rounding is.
+template <class Function>
+void compare_among_lies(const std::string& name, const Function& function)
+{
+  Recorded_results recorded(FLIP_GEODESICS_RECORDED_RESULTS, name, Depends_on::ARITHMETIC);
+  for(const Input& input : inputs()) {
+    if(input.soup.triangles.size() > 300)
+      continue;
+    for(int period : {3, 8}) {
+      Liar liar(period);
+      std::map<std::string, Lies> all;
+      all["stiff"].is_quad_reflex = [&](bool truth) { return truth || liar(false); };
+      all["straight"].is_wedge_straight = [&](int, bool truth) { return truth || liar(false); };
+      all["bent"].is_wedge_straight = [&](int corners, bool truth) { return truth && !(corners > 1 && liar(false)); };
+      if(name == "hostile_trees")
+        all.erase("stiff"); // trees rely on arcs being free of edges: an assertion says so
+      for(const auto& [lie, lies] : all) {
+        Setting<Hostile> setting(input, Hostile_traits(lies));
+        compare_one(recorded, input.name + "_" + lie + "_" + std::to_string(period), setting, function);
+      }
+    }
+  }
+  recorded.finish();
+}
+
+} // namespace Flip_geodesics_test
+
+#endif // FLIP_GEODESICS_TEST_RECORDED_RESULTS_COMPARISON_H
