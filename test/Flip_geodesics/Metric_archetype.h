@@ -69,9 +69,11 @@ public:
     return m_metric.face_geometry(mesh, h, traits);
   }
   auto exact_face(const Mesh& mesh, Halfedge_index h) const { return m_metric.exact_face(mesh, h); }
-  bool sine_in_plane(const Mesh& mesh, const Word& a, const Word& b, Index steps, CGAL::Sign& sine) const
+  template <class FlatEdges>
+  bool sine_in_plane(const Mesh& mesh, const Word& a, const Word& b, Index steps, FlatEdges& flat_edges,
+                     CGAL::Sign& sine) const
   {
-    return m_metric.sine_in_plane(mesh, a, b, steps, sine);
+    return m_metric.sine_in_plane(mesh, a, b, steps, flat_edges, sine);
   }
 
 private:

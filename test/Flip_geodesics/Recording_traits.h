@@ -101,6 +101,7 @@ public:
   auto location(Vertex_index v) const { return m_triangulation.location(v); }
   Halfedge_index clockwise(Halfedge_index h) const { return m_triangulation.clockwise(h); }
   decltype(auto) exact_input_face(Input_halfedge_index h) const { return m_triangulation.exact_input_face(h); }
+  decltype(auto) flat_edges() const { return m_triangulation.flat_edges(); }
   decltype(auto) precise_edge(Halfedge_index h) const { return m_triangulation.precise_edge(h); }
   decltype(auto) precise_input_halfedge(Input_halfedge_index h) const
   {

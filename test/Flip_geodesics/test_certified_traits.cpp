@@ -46,6 +46,7 @@ constexpr int scale = 1;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Certified_traits = FG::Certified_intrinsic_triangulation_traits<Kernel>;
 using Recording = Recording_traits<Kernel>;
+using Point_metric = FG::Embedded_metric<Surface, boost::property_map<Surface, CGAL::vertex_point_t>::const_type>;
 using Lengths = std::map<boost::graph_traits<Surface>::edge_descriptor, double>;
 
 Mesh_soup turned(const Mesh_soup& soup)
@@ -406,6 +407,53 @@ BOOST_AUTO_TEST_CASE(what_is_remembered_of_wedges_is_forgotten_with_their_flips)
   }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(remembered > 1000u);
+}
+
+// The metric of points, which keeps to itself what lies in one plane: so arithmetic with roots decides.
+class Planeless_metric : public Point_metric
+{
+public:
+  using Point_metric::Point_metric;
+
+  template <class... Arguments>
+  bool sine_in_plane(Arguments&&...) const
+  {
+    return false;
+  }
+};
+
+BOOST_AUTO_TEST_CASE(planes_and_walls_are_decided_as_by_roots)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface, Certified_traits>;
+  using Planeless = FG::Intrinsic_triangulation<Surface, Certified_traits, Planeless_metric>;
+  std::vector<Named_soup> soups = soups_full_of_ties();
+  soups.push_back({"cylinder", cylinder(12, 5, 1, 3)});
+  soups.push_back({"thin cylinder", cylinder(31, 4, 0.1, 7)});
+  soups.push_back({"far cylinder", translated(cylinder(7, 6, 1, 3), 1e5, 0.1, 0)});
+  Random_numbers random(12);
+  for(const Named_soup& shape : soups) {
+    const Surface mesh = to_mesh<Surface>(shape.soup);
+    Triangulation triangulation(mesh);
+    Planeless planeless(mesh, Planeless_metric(get(CGAL::vertex_point, mesh)));
+    int wrong = 0;
+    for(int i = 0; i < 600 * scale; ++i) {
+      const FG::Halfedge_index h(random.below(2 * triangulation.number_of_edges()));
+      if(triangulation.is_border(h) || triangulation.is_border(triangulation.twin(h)))
+        continue;
+      wrong += triangulation.is_reflex_at_head(h) == planeless.is_reflex_at_head(h) ? 0 : 1;
+      if(triangulation.is_flippable(h)) {
+        triangulation.flip(h);
+        planeless.flip(h);
+      }
+    }
+    BOOST_TEST(wrong == 0, shape.name);
+    BOOST_TEST(planeless.decision_statistics().by_plane == 0u);
+    BOOST_TEST(triangulation.decision_statistics().zeros_by_plane > 0u, shape.name);
+    BOOST_TEST(triangulation.decision_statistics().zeros_by_roots < planeless.decision_statistics().zeros_by_roots);
+    std::cout << shape.name << ": " << triangulation.decision_statistics().zeros_by_plane << " zeros by plane, "
+              << triangulation.decision_statistics().zeros_by_roots << " by roots of "
+              << planeless.decision_statistics().zeros_by_roots << '\n';
+  }
 }
 
 BOOST_AUTO_TEST_CASE(error_bounds_hold)

@@ -7,6 +7,8 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
+#include <CGAL/Flip_geodesics/internal/exact/Right_angle.h>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(errors_of_pairs_of_doubles_are_bounded)
@@ -214,4 +216,40 @@ BOOST_AUTO_TEST_CASE(literals_are_united_unless_they_are_opposite)
         BOOST_TEST(!are_equal_in_all(a, b));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(right_angles_are_those_of_integers)
+{
+  using Place = std::array<double, 3>;
+  const auto is_right_by_integers = [](const Place& o, const Place& a, const Place& b) {
+    const auto n = FI::to_integers<9>({o[0], o[1], o[2], a[0], a[1], a[2], b[0], b[1], b[2]});
+    FI::Integer dot = 0;
+    for(int i = 0; i < 3; ++i)
+      dot += (n[3 + i] - n[i]) * (n[6 + i] - n[i]);
+    return dot == 0;
+  };
+  Random_numbers random(6);
+  int right = 0, wrong = 0;
+  for(int i = 0; i < 20000 * scale; ++i) {
+    // Perpendicular up to rounding, and exactly along the axes; sometimes moved by a unit in the last place.
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), far = i % 3 == 0 ? 1e6 : 0;
+    Place o = {far, 1 - far, 0.1}, a = {o[0] + x, o[1] + y, 0.1}, b = {o[0] - y, o[1] + x, 0.1};
+    if(i % 2 == 0)
+      b = {o[0], o[1], random.uniform(-1, 1)};
+    if(i % 5 == 0)
+      b[static_cast<std::size_t>(random.below(3))] += 0x1p-40;
+    if(i % 7 == 0)
+      for(Place* p : {&o, &a, &b})
+        for(double& c : *p)
+          c *= i % 14 == 0 ? 0x1p-200 : 0x1p200;
+    const bool expected = is_right_by_integers(o, a, b);
+    right += expected ? 1 : 0;
+    wrong += FI::is_right_angle(o, a, b) == expected ? 0 : 1;
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(right > 5000);
+  BOOST_TEST(right < 19000 * scale);
+  BOOST_TEST(FI::is_right_angle({0, 0, 0}, {3, 4, 0}, {-4, 3, 7}));
+  // Too small for products: not proven.
+  BOOST_TEST(!FI::is_right_angle({0, 0, 0}, {0x1p-500, 0, 0}, {0, 0x1p-500, 0}));
 }

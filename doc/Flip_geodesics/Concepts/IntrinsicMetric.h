@@ -74,7 +74,9 @@ public:
   unspecified_type exact_face(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to that of
-  /// word `b`, exactly, if the faces involved lie unfolded in one plane of space.
-  /// \return do they? If not, `sine` is not set; a metric without points answers `false`
-  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const;
+  /// word `b`, exactly, if the faces involved lie unfolded in one plane of space, or in two with a right angle in each.
+  /// `flat_edges` keeps from call to call which edges lie between faces in one plane.
+  /// \return do they? If not, `sine` says nothing; a metric without points answers `false`
+  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
+                     unspecified_type& flat_edges, Sign& sine) const;
 };

@@ -71,9 +71,11 @@ public:
     return m_mollified ? m_mollified->exact_face(mesh, h) : m_embedded.exact_face(mesh, h);
   }
 
-  bool sine_in_plane(const Mesh& mesh, const Word& a, const Word& b, Index steps, CGAL::Sign& sine) const
+  template <class FlatEdges>
+  bool sine_in_plane(const Mesh& mesh, const Word& a, const Word& b, Index steps, FlatEdges& flat_edges,
+                     CGAL::Sign& sine) const
   {
-    return !m_mollified && m_embedded.sine_in_plane(mesh, a, b, steps, sine);
+    return !m_mollified && m_embedded.sine_in_plane(mesh, a, b, steps, flat_edges, sine);
   }
 
 private:

@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/store/Flip_log.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/strips/Compared_wedges.h>
@@ -161,13 +162,20 @@ public:
     return comparison.make_certain() != SMALLER;
   }
 
-  /// The input face on the left of input halfedge `h` in exact numbers. Like the next two, it is of a type that is not
+  /// The input face on the left of input halfedge `h` in exact numbers. Like the next three, it is of a type that is not
   /// documented, and kept, since hard decisions come in crowds.
   const internal::Exact_face& exact_input_face(Input_halfedge_index h) const { return m_history.exact_face(*this, h); }
   /// Input halfedge `h` in numbers of about 100 bits.
   const internal::Precise_halfedge& precise_input_halfedge(Input_halfedge_index h) const
   {
     return m_history.input_halfedge(*this, h);
+  }
+  /// What is known of flat edges; as above.
+  internal::Flat_edges& flat_edges() const
+  {
+    if(m_flat_edges.size() == 0)
+      m_flat_edges = internal::Flat_edges(static_cast<std::size_t>(input().number_of_halfedges() / 2));
+    return m_flat_edges;
   }
   /// The edge of `h` in numbers of about 100 bits, if its ends are input vertices.
   internal::Precise_edge precise_edge(Halfedge_index h) const { return m_history.edge(*this, h); }
@@ -429,6 +437,7 @@ private:
 
   mutable internal::Edge_history<Intrinsic_triangulation> m_history;
   mutable internal::Compared_wedges m_compared_wedges;
+  mutable internal::Flat_edges m_flat_edges;
   mutable Decision_statistics m_statistics;
   internal::Flip_log<Store> m_log;
   std::vector<internal::Inserted_point<Halfedge_geometry>> m_points;

@@ -119,7 +119,10 @@ public:
   }
 
   /// False: lengths do not say what lies in one plane.
-  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, Sign&) const { return false; }
+  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, internal::Flat_edges&, Sign&) const
+  {
+    return false;
+  }
 
 private:
   double checked_weight(const Mesh& mesh, Input_halfedge_index h) const

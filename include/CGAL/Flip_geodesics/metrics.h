@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/metric/planar_sine.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -142,13 +143,15 @@ public:
 
   /*!
    * The sign of the sine of the wedge from the direction of one word clockwise over `steps` input corners to that of
-   * another, exactly, if the faces lie unfolded in one plane of space.
+   * another, exactly, if the faces lie unfolded in one plane of space, or in two with a right angle in each.
+   * `flat_edges` keeps what is found out of edges.
    * \return do they?
    */
-  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
+  bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
+                     internal::Flat_edges& flat_edges, Sign& sine) const
   {
     const auto place_of = [&](Vertex_index v) { return place(mesh, v); };
-    return internal::Planar_sine<Mesh, decltype(place_of)>(mesh, place_of)(a, b, steps, sine);
+    return internal::Planar_sine<Mesh, decltype(place_of)>(mesh, place_of, flat_edges)(a, b, steps, sine);
   }
 
 private:
@@ -251,7 +254,10 @@ public:
   }
 
   /// False: lengths do not say what lies in one plane.
-  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, Sign&) const { return false; }
+  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, internal::Flat_edges&, Sign&) const
+  {
+    return false;
+  }
 
 private:
   const TriangleMesh* m_mesh;

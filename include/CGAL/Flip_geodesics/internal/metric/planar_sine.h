@@ -5,7 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
+#include <CGAL/Flip_geodesics/internal/exact/Right_angle.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
 
 #include <CGAL/enum.h>
 
@@ -17,8 +19,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points.
- * It is the common case of exact ties: the flat parts of technical models.
+ * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points;
+ * or in two, in each of which the wedge has a right angle. These are the common cases of exact ties: the flat parts of
+ * technical models, and their walls.
  *
  * PlaceOf maps an input vertex to three double coordinates. Words with an end elsewhere are left to others, since
  * the coordinates of such a point are no doubles.
@@ -29,15 +32,16 @@ class Planar_sine
   using Place = std::array<double, 3>;
 
 public:
-  Planar_sine(const Mesh& mesh, PlaceOf place_of)
+  Planar_sine(const Mesh& mesh, PlaceOf place_of, Flat_edges& flat_edges)
     : m_mesh(mesh)
     , m_place_of(place_of)
+    , m_flat_edges(flat_edges)
   {
   }
 
   /*
-   * The wedge leads from the direction of word a clockwise over `steps` input corners to that of word b. Returns false,
-   * and no sign, if its faces do not lie in one plane.
+   * The wedge leads from the direction of word a clockwise over `steps` input corners to that of word b, and is below
+   * 2 pi. Returns false, and no sign, if its faces do not lie so.
    */
   bool operator()(const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
   {
@@ -48,13 +52,22 @@ public:
     const Input_halfedge_index some_face = a.along != null_index ? twin_index(h) : h;
     if(!is_flat(a) || !is_flat(b))
       return false;
+    Input_halfedge_index crease = null_index;
     for(Index i = 0; i < steps; ++i) {
       const bool is_start = i == 0 && a.along != null_index;
-      if(!is_start && !is_flat_across(h))
-        return false;
+      if(!is_start && !is_flat_across(h)) {
+        if(crease != null_index)
+          return false;
+        crease = h;
+      }
       h = m_mesh.next(twin_index(h));
     }
     const Place node = m_place_of(m_mesh.tail(reference(a))), end_a = m_place_of(head(a)), end_b = m_place_of(head(b));
+    if(crease != null_index) {
+      const Place end = m_place_of(m_mesh.tail(twin_index(crease)));
+      sine = ZERO;
+      return is_right_angle(node, end_a, end) && is_right_angle(node, end, end_b);
+    }
     for(int axis = 0; axis < 3; ++axis) {
       const Sign face = orientation_along(axis, corner(some_face, 0), corner(some_face, 1), corner(some_face, 2));
       if(face == ZERO)
@@ -95,6 +108,12 @@ private:
 
   bool is_flat_across(Input_halfedge_index h) const
   {
+    return m_flat_edges(h, [&] { return lies_in_one_plane(h); });
+  }
+
+  // Do the faces on both sides of an edge, unfolded?
+  bool lies_in_one_plane(Input_halfedge_index h) const
+  {
     const Place p = m_place_of(m_mesh.tail(h)), q = m_place_of(m_mesh.tail(twin_index(h)));
     const Place r = m_place_of(apex(h)), s = m_place_of(apex(twin_index(h)));
     return Orientation_of_places<3>()({p, q, r, s}) == ZERO && is_unfolded(p, q, r, s);
@@ -119,6 +138,7 @@ private:
 
   const Mesh& m_mesh;
   PlaceOf m_place_of;
+  Flat_edges& m_flat_edges;
 };
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_wedge.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 
@@ -20,7 +21,7 @@ namespace internal {
 
 /*
  * Compares angles with pi: the sign of the exact real number that the input defines. In stages: strips in double,
- * unless a filter as good as them has failed; points in one plane; edges as vectors of about 100 bits; arithmetic in
+ * unless a filter as good as them has failed; points in one plane or two; edges as vectors of about 100 bits; arithmetic in
  * the field of all roots.
  */
 template <class Triangulation>
@@ -51,7 +52,7 @@ public:
     }
     const Wedge_words words = words_of({from, to});
     Sign sine;
-    if(m_triangulation.metric().sine_in_plane(m_triangulation.input(), words.from, words.to, words.steps, sine)) {
+    if(is_in_plane(words, sine)) {
       count_plane(sine);
       return comparison(sine);
     }
@@ -102,6 +103,20 @@ private:
   static Comparison_result comparison(Sign sine)
   {
     return sine == POSITIVE ? SMALLER : (sine == ZERO ? EQUAL : LARGER);
+  }
+
+  bool is_in_plane(const Wedge_words& words, Sign& sine) const
+  {
+    const auto by_metric = [&](Flat_edges& flat_edges) {
+      return m_triangulation.metric().sine_in_plane(m_triangulation.input(), words.from, words.to, words.steps,
+                                                    flat_edges, sine);
+    };
+    if constexpr(Keeps_precise_numbers<Triangulation>::value)
+      return by_metric(m_triangulation.flat_edges());
+    else {
+      Flat_edges none;
+      return by_metric(none);
+    }
   }
 
   void count_plane(Sign sine) const
