@@ -214,23 +214,24 @@ public:
   /// that make subdivisions.
   template <class IsConstrained>
   Surface_subdivision(const internal::Overlay<Triangulation>& overlay,
-                      const internal::Overlay_layout<Triangulation>& layout, const std::vector<Index>& original,
+                      const internal::Overlay_layout<Triangulation>& layout,
+                      const internal::Per_overlay_vertex<internal::Overlay_vertex>& original,
                       const typename Triangulation::Triangle_mesh& input_mesh, IsConstrained is_constrained)
     : m_triangulation(&overlay.triangulation())
     , m_input_mesh(&input_mesh)
   {
     const internal::Overlay_to_mesh<Triangulation, OutputMesh> built(overlay, m_mesh);
     make_maps();
-    for(Index v = 0; v < overlay.number_of_vertices(); ++v)
+    for(internal::Overlay_vertex v : overlay.vertices())
       if(built.vertex(v) != Graph::null_vertex())
         set_vertex(built.vertex(v), overlay, layout, original[v]);
-    for(Index h = 0; h < overlay.number_of_halfedges(); ++h)
+    for(internal::Overlay_halfedge h : overlay.halfedges())
       if(overlay.is_alive(h))
         put(m_halfedges, built.halfedge(h), Lines{overlay.input_halfedge(h), overlay.intrinsic_halfedge(h)});
-    for(Index h = 0; h < overlay.number_of_halfedges(); h += 2)
-      if(overlay.is_alive(h))
+    for(internal::Overlay_halfedge h : overlay.halfedges())
+      if(internal::is_first_side(h) && overlay.is_alive(h))
         put(m_is_constrained, edge(built.halfedge(h), m_mesh), is_constrained(overlay.intrinsic_halfedge(h)));
-    overlay.for_each_polygon([&](Index h) { set_face(overlay, layout, h, built); });
+    overlay.for_each_polygon([&](internal::Overlay_halfedge h) { set_face(overlay, layout, h, built); });
     list_halfedges_along(overlay, built);
   }
 
@@ -268,7 +269,7 @@ private:
     return (std::min)((std::max)(internal::least_weight, t), below_one);
   }
 
-  void set_vertex(vertex_descriptor to, const Overlay& overlay, const Layout& layout, Index v)
+  void set_vertex(vertex_descriptor to, const Overlay& overlay, const Layout& layout, internal::Overlay_vertex v)
   {
     Subdivision_vertex origin;
     if(overlay.is_crossing(v)) {
@@ -280,7 +281,7 @@ private:
       const typename Layout::Midpoint& midpoint = layout.midpoint(v);
       origin = {midpoint.on_input, null_index, midpoint.intrinsic_halfedge, inside_edge(midpoint.on_intrinsic)};
     } else {
-      origin.intrinsic_vertex = Vertex_index(v);
+      origin.intrinsic_vertex = Vertex_index(v.idx());
       origin.on_input = internal::surface_point_at_vertex(*m_triangulation, origin.intrinsic_vertex);
     }
     put(m_vertex_origin, to, origin);
@@ -288,14 +289,14 @@ private:
       put(get(CGAL::vertex_point, m_mesh), to, point_in_space(*m_triangulation, origin.on_input));
   }
 
-  void set_face(const Overlay& overlay, const Layout& layout, Index h, const Built& built)
+  void set_face(const Overlay& overlay, const Layout& layout, internal::Overlay_halfedge h, const Built& built)
   {
     Face face;
     face.input = layout.face(h);
     face.intrinsic = layout.intrinsic_face(h);
     const auto corners = layout.corners(face.input);
     std::array<typename Layout::Point_2, 3> p;
-    Index side = h;
+    internal::Overlay_halfedge side = h;
     for(int i = 0; i < 3; ++i, side = overlay.next(side)) {
       face.corners[i] = layout.weights(side);
       p[i] = Layout::point(corners, face.corners[i]);
@@ -309,7 +310,7 @@ private:
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
       m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
       for(Index i = 0; i <= overlay.crossings(Triangulation::edge(h)); ++i)
-        overlay.for_each_part(h, i, [&](Index part) {
+        overlay.for_each_part(h, i, [&](internal::Overlay_halfedge part) {
           if(overlay.is_alive(part) && overlay.intrinsic_halfedge(part) == h)
             m_along.push_back(built.halfedge(part));
         });

@@ -6,7 +6,6 @@
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
 
 #include <cstddef>
-#include <numeric>
 #include <set>
 #include <vector>
 
@@ -40,11 +39,11 @@ public:
   {
     mark_bends();
     m_layout.forget_intrinsic_faces();
-    const Index end = m_overlay.number_of_halfedges();
-    for(Index h = 0; h < end; h += 2)
-      if(!is_kept(h) && m_whole_faces.count(m_layout.face(h)) == 0)
+    const auto all = m_overlay.halfedges();
+    for(Overlay_halfedge h : all)
+      if(is_first_side(h) && !is_kept(h) && m_whole_faces.count(m_layout.face(h)) == 0)
         m_overlay.dissolve(h);
-    for(Index h = 0; h < end; ++h)
+    for(Overlay_halfedge h : all)
       if(m_overlay.is_alive(h) && !m_overlay.is_border(h))
         while(!m_overlay.is_input_vertex(m_overlay.target(h)) && is_passed(h)) {
           m_layout.join(h);
@@ -56,16 +55,16 @@ private:
   // Radians by which a curve may bend at a vertex and still count as straight for this purpose.
   static constexpr double straight = 1e-7;
 
-  bool is_kept(Index h) const { return m_overlay.input_halfedge(h) != null_index || is_on_curve(h); }
+  bool is_kept(Overlay_halfedge h) const { return m_overlay.input_halfedge(h) != null_index || is_on_curve(h); }
 
   // Does nothing but an input edge without a curve go through the target of h?
-  bool is_passed(Index h) const
+  bool is_passed(Overlay_halfedge h) const
   {
     return m_overlay.input_halfedge(h) != null_index && m_overlay.has_two_edges_at_target(h) && !is_on_curve(h) &&
            !is_on_curve(m_overlay.next(h));
   }
 
-  bool is_on_curve(Index h) const
+  bool is_on_curve(Overlay_halfedge h) const
   {
     const Halfedge_index intrinsic = m_overlay.intrinsic_halfedge(h);
     return intrinsic != null_index && m_network.is_occupied(intrinsic);
@@ -73,8 +72,8 @@ private:
 
   void mark_bends()
   {
-    for(Index h = 0; h < m_overlay.number_of_halfedges(); ++h) {
-      const Index v = m_overlay.origin(h);
+    for(Overlay_halfedge h : m_overlay.halfedges()) {
+      const Overlay_vertex v = m_overlay.origin(h);
       const bool may_bend = !m_overlay.is_input_vertex(v) && !m_overlay.is_crossing(v) && is_kept(h) &&
                             m_overlay.input_halfedge(h) == null_index;
       if(may_bend && is_reflex_after(h))
@@ -83,10 +82,10 @@ private:
   }
 
   // From h counterclockwise about its origin, is the next kept piece, or the next input edge, more than pi away?
-  bool is_reflex_after(Index h) const
+  bool is_reflex_after(Overlay_halfedge h) const
   {
-    const Index next = [&] {
-      Index g = h;
+    const Overlay_halfedge next = [&] {
+      Overlay_halfedge g = h;
       do
         g = Overlay::twin(m_overlay.previous(g));
       while(!m_overlay.is_border(g) && !is_kept(g));
@@ -101,7 +100,7 @@ private:
     return cross < 0 && !(dot < 0 && -cross <= straight * -dot);
   }
 
-  Vector_2 direction(Index h) const
+  Vector_2 direction(Overlay_halfedge h) const
   {
     const auto corners = m_layout.corners(m_layout.face(h));
     const Vector_2 from = Layout::point(corners, m_layout.weights(h));
@@ -116,7 +115,7 @@ private:
 };
 
 template <class Triangulation>
-void cut(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout, Index h)
+void cut(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout, Overlay_halfedge h)
 {
   if(overlay.is_border(h) || overlay.is_border(overlay.twin(h)))
     return;
@@ -127,32 +126,32 @@ void cut(Overlay<Triangulation>& overlay, Overlay_layout<Triangulation>& layout,
 /* Edges that are to be cut, with none of both their ends on the border or on another such edge: their two sides would
  * have both ends in common. By first halfedges. */
 template <class Triangulation, class Predicate>
-std::vector<Index> slits_of_one_edge(const Overlay<Triangulation>& overlay, const Predicate& is_on_curve)
+std::vector<Overlay_halfedge> slits_of_one_edge(const Overlay<Triangulation>& overlay, const Predicate& is_on_curve)
 {
-  std::vector<int> degree(static_cast<std::size_t>(overlay.number_of_vertices()), 0); // those on the border have more
-  std::vector<Index> candidates, result;
-  for(Index h = 0; h < overlay.number_of_halfedges(); h += 2) {
-    if(!overlay.is_alive(h))
+  const auto number_of_vertices = static_cast<std::size_t>(overlay.number_of_vertices());
+  Per_overlay_vertex<int> degree(number_of_vertices, 0); // those on the border have more
+  std::vector<Overlay_halfedge> candidates, result;
+  for(Overlay_halfedge h : overlay.halfedges()) {
+    if(!is_first_side(h) || !overlay.is_alive(h))
       continue;
     const bool is_border = overlay.is_border(h) || overlay.is_border(overlay.twin(h));
     const bool is_cut = !is_border && is_on_curve(overlay.intrinsic_halfedge(h));
-    for(Index v : {overlay.origin(h), overlay.target(h)})
+    for(Overlay_vertex v : {overlay.origin(h), overlay.target(h)})
       degree[v] += is_border ? 2 : (is_cut ? 1 : 0);
     if(is_cut)
       candidates.push_back(h);
   }
-  for(Index h : candidates)
+  for(Overlay_halfedge h : candidates)
     if(degree[overlay.origin(h)] == 1 && degree[overlay.target(h)] == 1)
       result.push_back(h);
   return result;
 }
 
 template <class Triangulation>
-std::vector<Index> same_vertices(const Overlay<Triangulation>& overlay)
+auto same_vertices(const Overlay<Triangulation>& overlay)
 {
-  std::vector<Index> result(static_cast<std::size_t>(overlay.number_of_vertices()));
-  std::iota(result.begin(), result.end(), 0);
-  return result;
+  const auto all = overlay.vertices();
+  return Per_overlay_vertex<Overlay_vertex>(all.begin(), all.end());
 }
 
 /* The input with the curves as edges, and cut open along them if that is wanted. */
@@ -166,15 +165,15 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
   Curve_filter<Network>(overlay, layout, network)();
   Polygon_triangulator<Triangulation>(overlay, layout)();
   const auto is_on_curve = [&](Halfedge_index h) { return h != null_index && network.is_occupied(h); };
-  for(Index h : overlay.parallel_edges())
+  for(Overlay_halfedge h : overlay.parallel_edges())
     layout.split(overlay, h);
-  std::vector<Index> original;
+  Per_overlay_vertex<Overlay_vertex> original;
   if(is_cutting) {
-    for(Index h : slits_of_one_edge(overlay, is_on_curve))
+    for(Overlay_halfedge h : slits_of_one_edge(overlay, is_on_curve))
       layout.split(overlay, h);
-    const Index end = overlay.number_of_halfedges();
-    for(Index h = 0; h < end; h += 2)
-      if(overlay.is_alive(h) && is_on_curve(overlay.intrinsic_halfedge(h)))
+    const auto all = overlay.halfedges();
+    for(Overlay_halfedge h : all)
+      if(is_first_side(h) && overlay.is_alive(h) && is_on_curve(overlay.intrinsic_halfedge(h)))
         cut(overlay, layout, h);
     original = overlay.split_vertices();
   } else

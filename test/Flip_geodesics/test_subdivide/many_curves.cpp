@@ -154,13 +154,15 @@ BOOST_AUTO_TEST_CASE(positions_of_crossings_are_in_order)
       for(FG::Index i = 0; i + 1 < overlay.crossings(e); ++i, ++compared)
         BOOST_CHECK_LE(layout.on_intrinsic(overlay.crossing_vertex(e, i)),
                        layout.on_intrinsic(overlay.crossing_vertex(e, i + 1)));
-    for(FG::Index h = 0; h < overlay.number_of_halfedges(); ++h) {
+    for(FG::internal::Overlay_halfedge h : overlay.halfedges()) {
       const Input_halfedge_index c = overlay.input_halfedge(h);
       if(c == FG::null_index || !FG::internal::is_first_side(c) || overlay.is_crossing(overlay.origin(h)))
         continue;
       double reached = 0;
-      for(FG::Index arc = h; overlay.is_crossing(overlay.target(arc)); arc = overlay.next_arc(arc), ++compared) {
-        const FG::Index v = overlay.target(arc);
+      for(FG::internal::Overlay_halfedge arc = h; overlay.is_crossing(overlay.target(arc));
+          arc = overlay.next_arc(arc), ++compared)
+      {
+        const FG::internal::Overlay_vertex v = overlay.target(arc);
         const double t = overlay.crossed_halfedge(v) == c ? layout.on_input(v) : 1 - layout.on_input(v);
         BOOST_CHECK_GE(t, reached - 0x1p-53); // told from either end
         reached = t;

@@ -45,31 +45,34 @@ public:
     raise_to_order();
     find_intrinsic_faces();
     m_weights.resize(m_faces.size());
-    for(Index h = 0; h < overlay.number_of_halfedges(); ++h)
+    for(Overlay_halfedge h : overlay.halfedges())
       if(!overlay.is_border(h))
         m_weights[h] = measure_corner(h);
   }
 
   /* The position of a crossing on its input edge, from 0 at the tail of `crossed_halfedge(v)` to 1 at the head. */
-  double on_input(Index v) const { return m_crossings[number(v)].on_input; }
+  double on_input(Overlay_vertex v) const { return m_crossings[number(v)].on_input; }
   /* The position of a crossing on its intrinsic edge, from 0 at the tail of the first halfedge to 1 at the head. */
-  double on_intrinsic(Index v) const { return m_crossings[number(v)].on_intrinsic; }
+  double on_intrinsic(Overlay_vertex v) const { return m_crossings[number(v)].on_intrinsic; }
 
   /* The first halfedge of that intrinsic edge. */
-  Halfedge_index intrinsic_halfedge(Index v) const { return m_crossings[number(v)].intrinsic_halfedge; }
+  Halfedge_index intrinsic_halfedge(Overlay_vertex v) const { return m_crossings[number(v)].intrinsic_halfedge; }
 
   /* The smallest halfedge of the intrinsic face that the polygon of h lies in, null_index if polygons were merged. */
-  Halfedge_index intrinsic_face(Index h) const { return m_intrinsic_faces.empty() ? null_index : m_intrinsic_faces[h]; }
+  Halfedge_index intrinsic_face(Overlay_halfedge h) const
+  {
+    return m_intrinsic_faces.empty() ? Halfedge_index() : m_intrinsic_faces[h];
+  }
   /* To be called when polygons of different intrinsic faces are merged. */
   void forget_intrinsic_faces() { m_intrinsic_faces.clear(); }
 
   /* The smallest halfedge of the input face that the polygon of h lies in. */
-  Input_halfedge_index face(Index h) const { return m_faces[h]; }
+  Input_halfedge_index face(Overlay_halfedge h) const { return m_faces[h]; }
   /* The origin of h in that face: barycentric coordinates for the tails of that halfedge and the next two. */
-  const Weights& weights(Index h) const { return m_weights[h]; }
+  const Weights& weights(Overlay_halfedge h) const { return m_weights[h]; }
 
   /* Takes notice of a diagonal that was added to the overlay from the origin of a to that of b. */
-  void add_diagonal(Index a, Index b)
+  void add_diagonal(Overlay_halfedge a, Overlay_halfedge b)
   {
     m_faces.insert(m_faces.end(), 2, m_faces[a]);
     if(!m_intrinsic_faces.empty())
@@ -79,10 +82,10 @@ public:
   }
 
   /* Takes notice of h and the edge after it before they are joined. */
-  void join(Index h) { m_weights[Overlay::twin(h)] = m_weights[Overlay::twin(m_overlay->next(h))]; }
+  void join(Overlay_halfedge h) { m_weights[Overlay::twin(h)] = m_weights[Overlay::twin(m_overlay->next(h))]; }
 
   /* Takes notice of an edge that was cut: the new edge stands for t, the twin of h. */
-  void add_cut(Index t)
+  void add_cut(Overlay_halfedge t)
   {
     m_faces.insert(m_faces.end(), {m_faces[t], null_index});
     if(!m_intrinsic_faces.empty())
@@ -95,15 +98,15 @@ public:
    * Splits the edge of h, between two triangles or on the border, in the middle, as the overlay does. For an overlay
    * that is triangulated, and whose vertices have not been split yet.
    */
-  void split(Overlay& overlay, Index h)
+  void split(Overlay& overlay, Overlay_halfedge h)
   {
     CGAL_precondition(m_intrinsic_faces.empty());
-    h &= ~1;
-    const Index t = Overlay::twin(h);
+    h = is_first_side(h) ? h : Overlay::twin(h);
+    const Overlay_halfedge t = Overlay::twin(h);
     std::array<Side, 2> sides;
-    for(const Index side : {h, t})
+    for(const Overlay_halfedge side : {h, t})
       if(!overlay.is_border(side))
-        sides[side & 1] = {m_faces[side], middle_of(side), m_weights[overlay.previous(side)]};
+        sides[is_first_side(side) ? 0 : 1] = {m_faces[side], middle_of(side), m_weights[overlay.previous(side)]};
     add_midpoint(h, sides[overlay.is_border(h) ? 1 : 0]);
     overlay.split(h);
     add_edge(sides[0].face, sides[0].middle, sides[1].face, m_weights[t]);
@@ -122,7 +125,7 @@ public:
     double on_intrinsic;
   };
 
-  const Midpoint& midpoint(Index v) const { return m_midpoints[number(v) - m_crossings.size()]; }
+  const Midpoint& midpoint(Overlay_vertex v) const { return m_midpoints[number(v) - m_crossings.size()]; }
 
   /* The corners of an input face in the plane, the tail of f at the origin. */
   std::array<Point_2, 3> corners(Input_halfedge_index f) const
@@ -152,7 +155,7 @@ private:
 
   const Triangulation& triangulation() const { return m_overlay->triangulation(); }
 
-  Weights middle_of(Index h) const
+  Weights middle_of(Overlay_halfedge h) const
   {
     const Weights &p = m_weights[h], &q = m_weights[m_overlay->next(h)];
     return {{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}};
@@ -164,12 +167,12 @@ private:
     m_weights.insert(m_weights.end(), {from, to});
   }
 
-  void add_midpoint(Index h, const Side& side)
+  void add_midpoint(Overlay_halfedge h, const Side& side)
   {
     const auto& input = triangulation().input();
     const Input_halfedge_index f = side.face, fn = input.next(f), along = m_overlay->input_halfedge(h);
     const Halfedge_index intrinsic = m_overlay->intrinsic_halfedge(h);
-    const Index from = m_overlay->origin(h), to = m_overlay->target(h);
+    const Overlay_vertex from = m_overlay->origin(h), to = m_overlay->target(h);
     const double first = m_overlay->is_crossing(from) ? on_intrinsic(from) : 0,
                  last = m_overlay->is_crossing(to) ? on_intrinsic(to) : 1;
     m_midpoints.push_back({surface_point({{input.tail(f), input.tail(fn), input.tail(input.next(fn))}}, side.middle,
@@ -177,19 +180,22 @@ private:
                            intrinsic, (first + last) / 2});
   }
 
-  std::size_t number(Index v) const { return static_cast<std::size_t>(v - triangulation().number_of_vertices()); }
+  std::size_t number(Overlay_vertex v) const
+  {
+    return static_cast<std::size_t>(v.idx() - triangulation().number_of_vertices());
+  }
 
   // Each polygon has a piece of an intrinsic edge among its sides.
   void find_intrinsic_faces()
   {
     m_intrinsic_faces.assign(m_faces.size(), null_index);
-    m_overlay->for_each_polygon([&](Index h) {
-      Index piece = h;
+    m_overlay->for_each_polygon([&](Overlay_halfedge h) {
+      Overlay_halfedge piece = h;
       while(m_overlay->intrinsic_halfedge(piece) == null_index)
         piece = m_overlay->next(piece);
       const Halfedge_index side = m_overlay->intrinsic_halfedge(piece), after = triangulation().next(side);
       const Halfedge_index face = (std::min)({side, after, triangulation().next(after)});
-      m_overlay->for_each_side(h, [&](Index s) { m_intrinsic_faces[s] = face; });
+      m_overlay->for_each_side(h, [&](Overlay_halfedge s) { m_intrinsic_faces[s] = face; });
     });
   }
 
@@ -209,13 +215,13 @@ private:
 
   void raise_to_order()
   {
-    for(Index h = 0; h < m_overlay->number_of_halfedges(); ++h) {
+    for(Overlay_halfedge h : m_overlay->halfedges()) {
       const Input_halfedge_index c = m_overlay->input_halfedge(h);
       if(c == null_index || !is_first_side(c) || m_overlay->is_crossing(m_overlay->origin(h)))
         continue;
-      double reached = position_on_side(Vertex_index(m_overlay->origin(h)));
-      for(Index arc = h; m_overlay->is_crossing(m_overlay->target(arc)); arc = m_overlay->next_arc(arc)) {
-        const Index v = m_overlay->target(arc);
+      double reached = position_on_side(Vertex_index(m_overlay->origin(h).idx()));
+      for(Overlay_halfedge arc = h; m_overlay->is_crossing(m_overlay->target(arc)); arc = m_overlay->next_arc(arc)) {
+        const Overlay_vertex v = m_overlay->target(arc);
         const bool is_along = m_overlay->crossed_halfedge(v) == c;
         double& t = m_crossings[number(v)].on_input;
         reached = (std::max)(reached, is_along ? t : 1 - t);
@@ -236,15 +242,15 @@ private:
   }
 
   // The origin of h lies on a side of the input face, which follows from what h runs along, or is an inserted vertex.
-  Weights measure_corner(Index h) const
+  Weights measure_corner(Overlay_halfedge h) const
   {
     const auto& input = triangulation().input();
-    const Index v = m_overlay->origin(h);
+    const Overlay_vertex v = m_overlay->origin(h);
     const Input_halfedge_index along = m_overlay->input_halfedge(h);
     if(!m_overlay->is_crossing(v)) {
       const bool is_told_by_crossing = along != null_index || m_overlay->is_crossing(m_overlay->target(h));
-      if(triangulation().is_inserted(Vertex_index(v)) || !is_told_by_crossing)
-        return normalized(vertex_weights(triangulation(), Vertex_index(v), m_faces[h]));
+      if(triangulation().is_inserted(Vertex_index(v.idx())) || !is_told_by_crossing)
+        return normalized(vertex_weights(triangulation(), Vertex_index(v.idx()), m_faces[h]));
       const Input_halfedge_index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
       return on_side(m_faces[h], corner, 0);
     }
@@ -257,7 +263,7 @@ private:
   }
 
   // The side of the face through which an intrinsic edge that starts at a corner leaves it.
-  Input_halfedge_index leaving_through(Index h) const
+  Input_halfedge_index leaving_through(Overlay_halfedge h) const
   {
     const Input_halfedge_index crossed = m_overlay->crossed_halfedge(m_overlay->target(h));
     return is_first_side(m_overlay->intrinsic_halfedge(h)) ? crossed : twin_index(crossed);
@@ -282,9 +288,9 @@ private:
   }
 
   const Overlay* m_overlay;
-  std::vector<Input_halfedge_index> m_faces;
-  std::vector<Halfedge_index> m_intrinsic_faces;
-  std::vector<Weights> m_weights;
+  Per_overlay_halfedge<Input_halfedge_index> m_faces;
+  Per_overlay_halfedge<Halfedge_index> m_intrinsic_faces;
+  Per_overlay_halfedge<Weights> m_weights;
   std::vector<Crossing> m_crossings;
   std::vector<Midpoint> m_midpoints;
 };

@@ -38,9 +38,9 @@ public:
   /* Triangulates all polygons. Cubic in the sides of each, of which there are rarely more than six. */
   void operator()()
   {
-    std::vector<Index> polygons;
-    m_overlay.for_each_polygon([&](Index h) { polygons.push_back(h); });
-    for(Index h : polygons)
+    std::vector<Overlay_halfedge> polygons;
+    m_overlay.for_each_polygon([&](Overlay_halfedge h) { polygons.push_back(h); });
+    for(Overlay_halfedge h : polygons)
       triangulate(h);
   }
 
@@ -48,10 +48,10 @@ private:
   // Beyond this, polygons are halved first: so many vertices lie on straight lines.
   static constexpr std::size_t largest = 32;
 
-  void triangulate(Index h)
+  void triangulate(Overlay_halfedge h)
   {
-    std::vector<Index> sides;
-    m_overlay.for_each_side(h, [&](Index side) { sides.push_back(side); });
+    std::vector<Overlay_halfedge> sides;
+    m_overlay.for_each_side(h, [&](Overlay_halfedge side) { sides.push_back(side); });
     if(sides.size() <= 3)
       return;
     find_runs(sides);
@@ -59,13 +59,13 @@ private:
       return;
     m_points.clear();
     const auto corners = m_layout.corners(m_layout.face(h));
-    for(Index side : sides)
+    for(Overlay_halfedge side : sides)
       m_points.push_back(Layout::point(corners, m_layout.weights(side)));
     find_best(sides.size());
     add_diagonals(sides, 0, sides.size() - 1, sides.back());
   }
 
-  bool is_on_one_line(Index side, Index other) const
+  bool is_on_one_line(Overlay_halfedge side, Overlay_halfedge other) const
   {
     const Input_halfedge_index input = m_overlay.input_halfedge(side);
     const Halfedge_index intrinsic = m_overlay.intrinsic_halfedge(side);
@@ -74,7 +74,7 @@ private:
   }
 
   // How many sides from each on lie on one line.
-  void find_runs(const std::vector<Index>& sides)
+  void find_runs(const std::vector<Overlay_halfedge>& sides)
   {
     const std::size_t n = sides.size();
     m_runs.assign(n, 1);
@@ -88,14 +88,14 @@ private:
     return m_runs[i] < j - i && m_runs[j] < m_runs.size() - (j - i);
   }
 
-  bool halve(const std::vector<Index>& sides)
+  bool halve(const std::vector<Overlay_halfedge>& sides)
   {
     const std::size_t n = sides.size(), half = n / 2;
     for(std::size_t i = 0; i < n - half; ++i)
       if(is_diagonal(i, i + half)) {
-        const Index d = add_diagonal(sides[i], sides[i + half]);
+        const Overlay_halfedge d = add_diagonal(sides[i], sides[i + half]);
         triangulate(d);
-        triangulate(d + 1);
+        triangulate(Overlay::twin(d));
         return true;
       }
     return false;
@@ -135,20 +135,20 @@ private:
   }
 
   // Sides i to j - 1 and `closing`, which leads from vertex j to vertex i, are a polygon of the overlay.
-  void add_diagonals(const std::vector<Index>& sides, std::size_t i, std::size_t j, Index closing)
+  void add_diagonals(const std::vector<Overlay_halfedge>& sides, std::size_t i, std::size_t j, Overlay_halfedge closing)
   {
     if(j - i < 2)
       return;
     const std::size_t k = m_apex[i * sides.size() + j];
     if(k - i > 1)
-      add_diagonals(sides, i, k, add_diagonal(sides[i], sides[k]) + 1);
+      add_diagonals(sides, i, k, Overlay::twin(add_diagonal(sides[i], sides[k])));
     if(j - k > 1)
-      add_diagonals(sides, k, j, add_diagonal(sides[k], closing) + 1);
+      add_diagonals(sides, k, j, Overlay::twin(add_diagonal(sides[k], closing)));
   }
 
-  Index add_diagonal(Index a, Index b)
+  Overlay_halfedge add_diagonal(Overlay_halfedge a, Overlay_halfedge b)
   {
-    const Index d = m_overlay.add_diagonal(a, b);
+    const Overlay_halfedge d = m_overlay.add_diagonal(a, b);
     m_layout.add_diagonal(a, b);
     return d;
   }

@@ -42,19 +42,19 @@ public:
   }
 
   /* The mesh's vertex for a vertex of the overlay, the null vertex if it was dissolved. */
-  vertex_descriptor vertex(Index v) const { return m_vertices[v]; }
+  vertex_descriptor vertex(Overlay_vertex v) const { return m_vertices[v]; }
   /* The mesh's halfedge for a halfedge of the overlay, the null halfedge if it was dissolved. */
-  halfedge_descriptor halfedge(Index h) const { return m_halfedges[h]; }
+  halfedge_descriptor halfedge(Overlay_halfedge h) const { return m_halfedges[h]; }
 
 private:
   // All but the crossings and inserted vertices that were dissolved.
   void create_vertices()
   {
-    std::vector<char> is_used(m_vertices.size(), 0);
-    for(Index h = 0; h < m_overlay.number_of_halfedges(); ++h)
+    Per_overlay_vertex<char> is_used(m_vertices.size(), 0);
+    for(Overlay_halfedge h : m_overlay.halfedges())
       if(m_overlay.is_alive(h))
         is_used[m_overlay.origin(h)] = 1;
-    for(Index v = 0; v < m_overlay.number_of_vertices(); ++v)
+    for(Overlay_vertex v : m_overlay.vertices())
       if(is_used[v] != 0 || m_overlay.is_input_vertex(v)) {
         m_vertices[v] = add_vertex(m_mesh);
         set_halfedge(m_vertices[v], Graph::null_halfedge(), m_mesh);
@@ -63,22 +63,23 @@ private:
 
   void create_edges()
   {
-    for(Index h = 0; h < m_overlay.number_of_halfedges(); h += 2) {
-      if(!m_overlay.is_alive(h))
+    for(Overlay_halfedge h : m_overlay.halfedges()) {
+      if(!is_first_side(h) || !m_overlay.is_alive(h))
         continue;
+      const Overlay_halfedge t = Overlay::twin(h);
       m_halfedges[h] = graph_halfedge(add_edge(m_mesh), m_mesh);
-      m_halfedges[h + 1] = opposite(m_halfedges[h], m_mesh);
+      m_halfedges[t] = opposite(m_halfedges[h], m_mesh);
       set_target(m_halfedges[h], m_vertices[m_overlay.target(h)], m_mesh);
-      set_target(m_halfedges[h + 1], m_vertices[m_overlay.origin(h)], m_mesh);
+      set_target(m_halfedges[t], m_vertices[m_overlay.origin(h)], m_mesh);
     }
   }
 
   void create_faces()
   {
-    m_overlay.for_each_polygon([&](Index h) {
+    m_overlay.for_each_polygon([&](Overlay_halfedge h) {
       const face_descriptor f = add_face(m_mesh);
       set_halfedge(f, m_halfedges[h], m_mesh);
-      m_overlay.for_each_side(h, [&](Index side) {
+      m_overlay.for_each_side(h, [&](Overlay_halfedge side) {
         set_face(m_halfedges[side], f, m_mesh);
         set_next(m_halfedges[side], m_halfedges[m_overlay.next(side)], m_mesh);
         set_halfedge(m_vertices[m_overlay.target(side)], m_halfedges[side], m_mesh);
@@ -89,10 +90,10 @@ private:
   // Vertices on the border refer to a halfedge there, as `Surface_mesh` wants it.
   void link_border()
   {
-    for(Index h = 0; h < m_overlay.number_of_halfedges(); ++h) {
+    for(Overlay_halfedge h : m_overlay.halfedges()) {
       if(!m_overlay.is_alive(h) || !m_overlay.is_border(h))
         continue;
-      Index after = Overlay::twin(h); // turns about the target of h
+      Overlay_halfedge after = Overlay::twin(h); // turns about the target of h
       while(!m_overlay.is_border(after))
         after = Overlay::twin(m_overlay.previous(after));
       set_face(m_halfedges[h], Graph::null_face(), m_mesh);
@@ -103,8 +104,8 @@ private:
 
   const Overlay& m_overlay;
   OutputMesh& m_mesh;
-  std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges;
+  Per_overlay_vertex<vertex_descriptor> m_vertices;
+  Per_overlay_halfedge<halfedge_descriptor> m_halfedges;
 };
 
 } // namespace internal
