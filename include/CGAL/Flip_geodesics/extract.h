@@ -23,6 +23,23 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+namespace internal {
+
+/* Writes where an edge runs, from its tail to its head or from what comes after the tail on; `strip` is its own. */
+template <class Triangulation, class OutputIterator>
+OutputIterator write_surface_points(const Triangulation& triangulation, Halfedge_index h,
+                                    const Strip<Triangulation>& strip, bool has_tail, OutputIterator out)
+{
+  if(has_tail)
+    *out++ = surface_point_at_vertex(triangulation, triangulation.tail(h));
+  for(std::size_t i = 0; i < strip.gates().size(); ++i)
+    *out++ = surface_point_on_edge(triangulation, strip.gates()[i].crossed, strip.crossing(i));
+  *out++ = surface_point_at_vertex(triangulation, triangulation.head(h));
+  return out;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
@@ -32,12 +49,8 @@ namespace Flip_geodesics {
 template <class Triangulation, class OutputIterator>
 OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_index h, OutputIterator out)
 {
-  *out++ = internal::surface_point_at_vertex(triangulation, triangulation.tail(h));
   const internal::Strip<Triangulation> strip(triangulation, triangulation.crossing_word(h));
-  for(std::size_t i = 0; i < strip.gates().size(); ++i)
-    *out++ = internal::surface_point_on_edge(triangulation, strip.gates()[i].crossed, strip.crossing(i));
-  *out++ = internal::surface_point_at_vertex(triangulation, triangulation.head(h));
-  return out;
+  return internal::write_surface_points(triangulation, h, strip, true, out);
 }
 
 /*!
@@ -74,22 +87,20 @@ public:
   template <class OutputIterator>
   OutputIterator surface_points(Curve_index curve, OutputIterator out)
   {
-    std::vector<Surface_point> segment;
-    bool is_first = true;
-    m_network.for_each_segment(curve, [&](Segment_index s) {
-      segment.clear();
-      edge_surface_points(m_triangulation, m_network.halfedge(s), std::back_inserter(segment));
-      out = std::copy(segment.begin() + (is_first ? 0 : 1), segment.end(), out); // its start is the end before
-      is_first = false;
-    });
-    return out;
+    const std::vector<Surface_point> points = surface_points(curve);
+    return std::copy(points.begin(), points.end(), out);
   }
 
   /// The surface points of a curve as a vector.
   std::vector<Surface_point> surface_points(Curve_index curve)
   {
     std::vector<Surface_point> result;
-    surface_points(curve, std::back_inserter(result));
+    m_network.for_each_segment(curve, [&](Segment_index s) {
+      const Halfedge_index h = m_network.halfedge(s);
+      const Strip strip(m_triangulation, m_triangulation.crossing_word(h));
+      make_room(result, strip.gates().size() + 2);
+      internal::write_surface_points(m_triangulation, h, strip, result.empty(), std::back_inserter(result));
+    });
     return result;
   }
 
@@ -150,6 +161,14 @@ private:
   using Strip = internal::Strip<Triangulation>;
   using Direction = std::array<double, 3>;
 
+  // For some more points; of a curve of one segment, for no others.
+  static void make_room(std::vector<Surface_point>& points, std::size_t more)
+  {
+    const std::size_t size = points.size() + more;
+    if(size > points.capacity())
+      points.reserve((std::max)(size, 2 * points.capacity()));
+  }
+
   static double cross(const std::complex<double>& u, const std::complex<double>& v)
   {
     return u.real() * v.imag() - u.imag() * v.real();
@@ -184,9 +203,10 @@ private:
   void append_segment(const internal::Form_converter<Triangulation, Form>& convert, Halfedge_index h,
                       std::vector<Form>& result) const
   {
-    std::vector<Surface_point> points;
-    edge_surface_points(m_triangulation, h, std::back_inserter(points));
     const Strip strip(m_triangulation, m_triangulation.crossing_word(h));
+    std::vector<Surface_point> points;
+    points.reserve(strip.gates().size() + 2);
+    internal::write_surface_points(m_triangulation, h, strip, true, std::back_inserter(points));
     for(std::size_t i = result.empty() ? 0 : 1; i < points.size(); ++i)
       result.push_back(convert(points[i]));
     if constexpr(internal::Has_points<typename Triangulation::Metric>::value)
