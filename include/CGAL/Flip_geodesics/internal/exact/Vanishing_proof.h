@@ -62,7 +62,8 @@ private:
   using Residue = std::uint64_t;
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1), digits = 30;
-  static constexpr std::size_t most_open = 4, most_work = std::size_t(1) << 32; // multiplications: some ten seconds
+  static constexpr std::size_t most_open = 4;
+  static constexpr std::uint64_t most_work = std::uint64_t(1) << 32; // multiplications: some ten seconds
 
   /* number + i root_factor variable */
   struct Entry
@@ -400,7 +401,7 @@ private:
   Residue m_p = 0;
   std::vector<Vector> m_vectors;
   std::vector<std::size_t> m_pivots;
-  std::size_t m_work = 0; // modulo one prime
+  std::uint64_t m_work = 0; // modulo one prime
 };
 
 } // namespace internal
