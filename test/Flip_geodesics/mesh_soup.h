@@ -116,6 +116,16 @@ inline Mesh_soup translated(const Mesh_soup& soup, double x, double y, double z)
   return mapped(soup, [=](const Coordinates& p) { return Coordinates{p[0] + x, p[1] + y, p[2] + z}; });
 }
 
+/// Coordinates as multiples of 2^-24: what libraries of mathematics do not agree on is cut off.
+inline Mesh_soup with_rounded_coordinates(const Mesh_soup& soup)
+{
+  return mapped(soup, [](Coordinates p) {
+    for(double& x : p)
+      x = std::nearbyint(x * (1 << 24)) / (1 << 24);
+    return p;
+  });
+}
+
 inline Mesh_soup scaled(const Mesh_soup& soup, double s)
 {
   return mapped(soup, [=](const Coordinates& p) { return Coordinates{p[0] * s, p[1] * s, p[2] * s}; });

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_CERTIFIED_INTRINSIC_TRIANGULATION_TRAITS_H
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -45,6 +46,12 @@ class Certified_intrinsic_triangulation_traits
   static constexpr double layout_error = 16 * unit, product_error = 8 * unit, rotation_error = 16 * unit;
 
   static double norm_bound(double x, double y) { return std::abs(x) + std::abs(y); }
+
+  template <class Vector>
+  static double length_of(const Vector& v)
+  {
+    return std::sqrt(internal::unfused(v.x * v.x) + internal::unfused(v.y * v.y));
+  }
 
 public:
   using FT = double;                   ///< squared lengths are rounded to it
@@ -122,11 +129,13 @@ public:
     void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
                     const Halfedge_geometry& /* opposite */) const
     {
-      const double x = -(out.x * in.x + out.y * in.y), y = out.y * in.x - out.x * in.y;
+      const double x = -(internal::unfused(out.x * in.x) + internal::unfused(out.y * in.y));
+      const double y = internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y);
       const double corner_error = in.error + out.error + product_error;
       const bool is_corner_acute = x > corner_error * norm_bound(x, y);
       const bool is_turn_acute = turn.x > turn.error * norm_bound(turn.x, turn.y);
-      const double product_x = turn.x * x - turn.y * y, product_y = turn.x * y + turn.y * x;
+      const double product_x = internal::unfused(turn.x * x) - internal::unfused(turn.y * y);
+      const double product_y = internal::unfused(turn.x * y) + internal::unfused(turn.y * x);
       turn.x = product_x;
       turn.y = product_y;
       turn.error += corner_error + product_error;
@@ -206,8 +215,8 @@ public:
     static Halfedge_geometry difference(const typename Plain::Halfedge_geometry& sum, const Halfedge_geometry& a,
                                         const Halfedge_geometry& b)
     {
-      const double error = a.error * std::sqrt(a.x * a.x + a.y * a.y) + b.error * std::sqrt(b.x * b.x + b.y * b.y);
-      const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y);
+      const double error = internal::unfused(a.error * length_of(a)) + internal::unfused(b.error * length_of(b));
+      const double length = length_of(sum);
       return {sum.x, sum.y,
               error < length ? error / (length - error) + product_error : std::numeric_limits<double>::infinity()};
     }
@@ -228,7 +237,8 @@ public:
         return true;
       if(k.x < -radius_k && l.x < -radius_l)
         return false;
-      const double x = k.x * l.x - k.y * l.y, y = k.x * l.y + k.y * l.x;
+      const double x = internal::unfused(k.x * l.x) - internal::unfused(k.y * l.y);
+      const double y = internal::unfused(k.x * l.y) + internal::unfused(k.y * l.x);
       const double radius = (k.error + l.error + product_error) * norm_bound(x, y);
       if(std::abs(y) > radius)
         return y > 0;
@@ -238,7 +248,8 @@ public:
   private:
     static Halfedge_geometry corner(const Halfedge_geometry& in, const Halfedge_geometry& out)
     {
-      return {-(out.x * in.x + out.y * in.y), out.y * in.x - out.x * in.y, in.error + out.error + product_error};
+      return {-(internal::unfused(out.x * in.x) + internal::unfused(out.y * in.y)),
+              internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y), in.error + out.error + product_error};
     }
   };
 
@@ -255,7 +266,10 @@ public:
   {
   public:
     /// Rounded to double.
-    FT operator()(const Halfedge_geometry& h) const { return h.x * h.x + h.y * h.y; }
+    FT operator()(const Halfedge_geometry& h) const
+    {
+      return internal::unfused(h.x * h.x) + internal::unfused(h.y * h.y);
+    }
   };
 
   /// Computes the length of a halfedge.
@@ -263,7 +277,7 @@ public:
   {
   public:
     /// Rounded to double.
-    double operator()(const Halfedge_geometry& h) const { return std::sqrt(h.x * h.x + h.y * h.y); }
+    double operator()(const Halfedge_geometry& h) const { return length_of(h); }
   };
 
   Construct_face_3 construct_face_3_object() const { return {}; }                       ///< a functor of this type

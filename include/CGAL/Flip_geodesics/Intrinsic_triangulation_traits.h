@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_TRAITS_H
 #define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_TRAITS_H
 
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -97,7 +99,10 @@ public:
               CGAL::to_double(q.z()) - CGAL::to_double(p.z())};
     }
 
-    static double dot(const Vector_3& u, const Vector_3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+    static double dot(const Vector_3& u, const Vector_3& v)
+    {
+      return internal::unfused(u[0] * v[0]) + internal::unfused(u[1] * v[1]) + internal::unfused(u[2] * v[2]);
+    }
 
     // From the two shortest edges, where cancellation costs least.
     static double doubled_area(const std::array<Vector_3, 3>& e)
@@ -106,7 +111,8 @@ public:
       const int longest = static_cast<int>((std::max_element)(l.begin(), l.end()) - l.begin());
       const Vector_3& u = e[(longest + 1) % 3];
       const Vector_3& v = e[(longest + 2) % 3];
-      const Vector_3 n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      const auto minor = [&](int i, int j) { return internal::unfused(u[i] * v[j]) - internal::unfused(u[j] * v[i]); };
+      const Vector_3 n = {minor(1, 2), minor(2, 0), minor(0, 1)};
       return std::sqrt(dot(n, n));
     }
   };
@@ -133,15 +139,17 @@ public:
     static Face_geometry on_longest(double a, double b, double c)
     {
       const double height = doubled_area(a, b, c) / a;
-      return {
-          {{a, 0}, {((c - a) * (c + a) - b * b) / (2 * a), height}, {((b - a) * (b + a) - c * c) / (2 * a), -height}}};
+      return {{{a, 0},
+               {(internal::unfused((c - a) * (c + a)) - internal::unfused(b * b)) / (2 * a), height},
+               {(internal::unfused((b - a) * (b + a)) - internal::unfused(c * c)) / (2 * a), -height}}};
     }
 
     static Face_geometry turned_to_first(const Face_geometry& face, double length)
     {
       const double x = face[0].x / length, y = -face[0].y / length;
       const auto turned = [x, y](const Halfedge_geometry& v) {
-        return Halfedge_geometry{v.x * x - v.y * y, v.x * y + v.y * x};
+        return Halfedge_geometry{internal::unfused(v.x * x) - internal::unfused(v.y * y),
+                                 internal::unfused(v.x * y) + internal::unfused(v.y * x)};
       };
       return {{{length, 0}, turned(face[1]), turned(face[2])}};
     }
@@ -180,10 +188,10 @@ public:
     void operator()(Turn& turn, const Halfedge_geometry& in, const Halfedge_geometry& out,
                     const Halfedge_geometry& /* opposite */) const
     {
-      const double x = -(out.x * in.x + out.y * in.y);
-      const double y = (std::max)(out.y * in.x - out.x * in.y, 0.0);
-      const double product_x = turn.x * x - turn.y * y;
-      const double product_y = turn.x * y + turn.y * x;
+      const double x = -(internal::unfused(out.x * in.x) + internal::unfused(out.y * in.y));
+      const double y = (std::max)(internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y), 0.0);
+      const double product_x = internal::unfused(turn.x * x) - internal::unfused(turn.y * y);
+      const double product_y = internal::unfused(turn.x * y) + internal::unfused(turn.y * x);
       // Two angles below pi: past pi the product lies below the axis, and near it on the axis' negative half. One
       // branch at most, in the caller, since none of these can be foretold.
       const bool is_near = static_cast<bool>(static_cast<unsigned>(product_x < 0) &
@@ -258,8 +266,9 @@ public:
                                 const Halfedge_geometry& t, const Halfedge_geometry& tn,
                                 const Halfedge_geometry& tp) const
     {
-      const double norm = t.x * t.x + t.y * t.y;
-      const Halfedge_geometry rotation = {-(h.x * t.x + h.y * t.y) / norm, -(h.y * t.x - h.x * t.y) / norm};
+      const double norm = internal::unfused(t.x * t.x) + internal::unfused(t.y * t.y);
+      const Halfedge_geometry rotation = {-(internal::unfused(h.x * t.x) + internal::unfused(h.y * t.y)) / norm,
+                                          -(internal::unfused(h.y * t.x) - internal::unfused(h.x * t.y)) / norm};
       const Halfedge_geometry moved_tn = product(rotation, tn);
       const Halfedge_geometry moved_tp = product(rotation, tp);
       return {{-(hp.x + moved_tn.x), -(hp.y + moved_tn.y)},
@@ -271,7 +280,8 @@ public:
   private:
     static Halfedge_geometry product(const Halfedge_geometry& a, const Halfedge_geometry& b)
     {
-      return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+      return {internal::unfused(a.x * b.x) - internal::unfused(a.y * b.y),
+              internal::unfused(a.x * b.y) + internal::unfused(a.y * b.x)};
     }
   };
 
@@ -289,7 +299,8 @@ public:
                                const Halfedge_geometry& tn, const Halfedge_geometry& tp) const
     {
       const Halfedge_geometry k = corner(hn, hp), l = corner(tn, tp);
-      const double x = k.x * l.x - k.y * l.y, y = k.x * l.y + k.y * l.x;
+      const double x = internal::unfused(k.x * l.x) - internal::unfused(k.y * l.y);
+      const double y = internal::unfused(k.x * l.y) + internal::unfused(k.y * l.x);
       const bool is_past_three_halves = k.x < 0 && l.x < 0 && x > 0;
       return !is_past_three_halves && y >= -angle_tolerance() * std::abs(x);
     }
@@ -298,7 +309,8 @@ public:
     // As in Extend_turn; areas are not negative, whatever rounding makes of them.
     static Halfedge_geometry corner(const Halfedge_geometry& in, const Halfedge_geometry& out)
     {
-      return {-(out.x * in.x + out.y * in.y), (std::max)(out.y * in.x - out.x * in.y, 0.0)};
+      return {-(internal::unfused(out.x * in.x) + internal::unfused(out.y * in.y)),
+              (std::max)(internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y), 0.0)};
     }
   };
 
@@ -315,7 +327,10 @@ public:
   {
   public:
     /// Rounded to double.
-    FT operator()(const Halfedge_geometry& h) const { return h.x * h.x + h.y * h.y; }
+    FT operator()(const Halfedge_geometry& h) const
+    {
+      return internal::unfused(h.x * h.x) + internal::unfused(h.y * h.y);
+    }
   };
 
   /// Computes the length of a halfedge.
@@ -323,7 +338,10 @@ public:
   {
   public:
     /// Rounded to double.
-    double operator()(const Halfedge_geometry& h) const { return std::sqrt(h.x * h.x + h.y * h.y); }
+    double operator()(const Halfedge_geometry& h) const
+    {
+      return std::sqrt(internal::unfused(h.x * h.x) + internal::unfused(h.y * h.y));
+    }
   };
 
   Construct_face_3 construct_face_3_object() const { return {}; }                       ///< a functor of this type

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 
 #include <algorithm>
@@ -99,7 +100,7 @@ private:
       const Point p = point(v), q = point(m_target);
       const double x = CGAL::to_double(q.x() - p.x()), y = CGAL::to_double(q.y() - p.y()),
                    z = CGAL::to_double(q.z() - p.z());
-      return std::sqrt(x * x + y * y + z * z);
+      return std::sqrt(internal::unfused(x * x) + internal::unfused(y * y) + internal::unfused(z * z));
     } else {
       return static_cast<void>(v), 0;
     }

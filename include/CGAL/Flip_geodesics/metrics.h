@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
@@ -166,7 +167,7 @@ private:
   static double squared_distance(const Place& p, const Place& q)
   {
     const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
-    return x * x + y * y + z * z;
+    return internal::unfused(x * x) + internal::unfused(y * y) + internal::unfused(z * z);
   }
 
   VertexPointMap m_points;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/search/Search_labels.h>
@@ -271,7 +272,7 @@ private:
     double bound = m_is_bounded ? m_triangulation->metric().distance_lower_bound(place, m_target_place) : 0;
     if(m_landmarks != nullptr && m_target != null_index)
       bound = (std::max)(bound, m_landmarks->distance_lower_bound(v, m_target));
-    return m_haste * bound;
+    return internal::unfused(m_haste * bound);
   }
 
   // The distance of a neighbor, or what it is from an ancestor on if that is less.
@@ -280,7 +281,8 @@ private:
     double distance = origin.distance + weight;
     for(const Ancestor& a : origin.ancestors) {
       const double straight = m_triangulation->metric().distance_lower_bound(a.place, place);
-      distance = (std::min)(distance, a.distance + (std::max)(straight, (a.length + weight) * (1 / most_zigzag)));
+      distance = (std::min)(
+          distance, a.distance + (std::max)(straight, internal::unfused((a.length + weight) * (1 / most_zigzag))));
     }
     return distance;
   }

@@ -43,16 +43,6 @@ struct Input
   Mesh_soup soup;
 };
 
-// What the functions of a library of mathematics do not agree on is cut off.
-inline Mesh_soup rounded(const Mesh_soup& soup)
-{
-  return mapped(soup, [](Coordinates p) {
-    for(double& x : p)
-      x = std::nearbyint(x * (1 << 24)) / (1 << 24);
-    return p;
-  });
-}
-
 inline Mesh_soup stretched(const Mesh_soup& soup, double x, double y, double z)
 {
   return mapped(soup, [=](const Coordinates& p) { return Coordinates{p[0] * x, p[1] * y, p[2] * z}; });
@@ -100,7 +90,7 @@ inline const std::vector<Input>& inputs()
         {"two_pieces", two_pieces()}};
     std::vector<Input> chosen;
     for(std::size_t i = 0; i < all.size(); i += stride)
-      chosen.push_back({all[i].name, rounded(all[i].soup)});
+      chosen.push_back({all[i].name, with_rounded_coordinates(all[i].soup)});
     return chosen;
   }();
   return result;

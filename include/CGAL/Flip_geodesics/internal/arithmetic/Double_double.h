@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
 
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+
 #include <cmath>
 
 namespace CGAL {
@@ -32,6 +34,8 @@ constexpr double double_double_error = 0x1p-102;
 /* a + b, exactly. [Knuth, TwoSum] */
 inline Double_double exact_sum(double a, double b)
 {
+  a = unfused(a);
+  b = unfused(b);
   const double sum = a + b, rest = sum - a;
   return {sum, (a - (sum - rest)) + (b - rest)};
 }
@@ -39,6 +43,8 @@ inline Double_double exact_sum(double a, double b)
 /* a + b, exactly. \pre |a| >= |b| or a = 0 */
 inline Double_double ordered_sum(double a, double b)
 {
+  a = unfused(a);
+  b = unfused(b);
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
@@ -46,7 +52,7 @@ inline Double_double ordered_sum(double a, double b)
 /* a b, exactly. */
 inline Double_double exact_product(double a, double b)
 {
-  const double product = a * b;
+  const double product = unfused(a * b);
   return {product, std::fma(a, b, -product)};
 }
 
@@ -63,7 +69,7 @@ inline Double_double operator-(const Double_double& a, const Double_double& b) {
 inline Double_double operator*(const Double_double& a, const Double_double& b)
 {
   const Double_double product = exact_product(a.high, b.high);
-  return ordered_sum(product.high, product.low + std::fma(a.low, b.high, a.high * b.low));
+  return ordered_sum(product.high, product.low + std::fma(a.low, b.high, unfused(a.high * b.low)));
 }
 
 inline Double_double operator/(const Double_double& a, const Double_double& b)
@@ -71,7 +77,7 @@ inline Double_double operator/(const Double_double& a, const Double_double& b)
   const double quotient = a.high / b.high;
   const Double_double product = exact_product(quotient, b.high);
   const double rest = (a.high - product.high) - product.low;
-  return ordered_sum(quotient, (rest + (a.low - quotient * b.low)) / b.high);
+  return ordered_sum(quotient, (rest + (a.low - unfused(quotient * b.low))) / b.high);
 }
 
 /* \pre a >= 0 */
@@ -114,7 +120,10 @@ inline Double_double_vector operator*(const Double_double& a, const Double_doubl
 }
 
 /* The length, in double. */
-inline double length(const Double_double_vector& v) { return std::sqrt(v.x.high * v.x.high + v.y.high * v.y.high); }
+inline double length(const Double_double_vector& v)
+{
+  return std::sqrt(unfused(v.x.high * v.x.high) + unfused(v.y.high * v.y.high));
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

@@ -3,7 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_TAUT_STRING_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_TAUT_STRING_H
 
+#include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+
 #include <array>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -14,12 +18,27 @@ namespace internal {
 
 using Plane_vector = std::complex<double>;
 
-inline double cross(const Plane_vector& u, const Plane_vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
+inline double cross(const Plane_vector& u, const Plane_vector& v)
+{
+  return unfused(u.real() * v.imag()) - unfused(u.imag() * v.real());
+}
 
 /* Without the care for infinite numbers that the operator takes. */
 inline Plane_vector product(const Plane_vector& u, const Plane_vector& v)
 {
-  return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
+  return {unfused(u.real() * v.real()) - unfused(u.imag() * v.imag()),
+          unfused(u.real() * v.imag()) + unfused(u.imag() * v.real())};
+}
+
+inline double magnitude(const Plane_vector& v)
+{
+  return std::sqrt(unfused(v.real() * v.real()) + unfused(v.imag() * v.imag()));
+}
+
+/* The same by 106 bits, since std::abs() has other last bits in each library, and so has what is just as long. */
+inline double well_rounded_length(const Plane_vector& v)
+{
+  return sqrt(exact_product(v.real(), v.real()) + exact_product(v.imag(), v.imag())).high;
 }
 
 /* The sides of a gate, as the traveller sees it. */
@@ -89,8 +108,8 @@ private:
     Funnel funnel = {end(gates, start, LEFT_END) - apex, end(gates, start, RIGHT_END) - apex, start, start};
     for(std::size_t i = start + 1; i < gates.size(); ++i) {
       const double x = gates[i].end.real() - apex.real(), y = gates[i].end.imag() - apex.imag();
-      const double to_left = funnel.right.real() * y - funnel.right.imag() * x;
-      const double to_right = x * funnel.left.imag() - y * funnel.left.real();
+      const double to_left = unfused(funnel.right.real() * y) - unfused(funnel.right.imag() * x);
+      const double to_right = unfused(x * funnel.left.imag()) - unfused(y * funnel.left.real());
       const Gate_side side = gates[i].side;
       if(std::array<double, 2>{to_right, to_left}[side] < 0) // by LEFT_END, RIGHT_END
         continue;

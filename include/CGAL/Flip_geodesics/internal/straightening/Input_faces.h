@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRAIGHTENING_INPUT_FACES_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
@@ -64,9 +65,11 @@ private:
   {
     const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
     const double u = r[0] - p[0], v = r[1] - p[1], w = r[2] - p[2];
-    const double a = y * w - z * v, b = z * u - x * w, c = x * v - y * u;
-    const double scale = 1 / (x * x + y * y + z * z);
-    return {(x * u + y * v + z * w) * scale, std::sqrt(a * a + b * b + c * c) * scale};
+    const double a = unfused(y * w) - unfused(z * v), b = unfused(z * u) - unfused(x * w),
+                 c = unfused(x * v) - unfused(y * u);
+    const double scale = 1 / (unfused(x * x) + unfused(y * y) + unfused(z * z));
+    return {(unfused(x * u) + unfused(y * v) + unfused(z * w)) * scale,
+            std::sqrt(unfused(a * a) + unfused(b * b) + unfused(c * c)) * scale};
   }
 
   const Triangulation& m_triangulation;

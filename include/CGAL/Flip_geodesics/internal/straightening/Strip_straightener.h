@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Crossing_removal.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Input_faces.h>
@@ -224,7 +225,7 @@ private:
       } while(spoke != to.spoke);
     }
     angle = product(angle, to.turn);
-    return angle.imag() > angle_tolerance * std::sqrt(std::norm(angle));
+    return angle.imag() > angle_tolerance * magnitude(angle);
   }
 
   // Does a turn counterclockwise from one direction to another stay in one corner?
@@ -354,15 +355,16 @@ private:
     const std::size_t last = m_word.size() - 1;
     for(std::size_t i = 0; i < last; ++i) {
       const double x = m_word[i].corner.real(), y = m_word[i].corner.imag();
-      const double apex_x = across_x * x - across_y * y, apex_y = across_x * y + across_y * x;
+      const double apex_x = unfused(across_x * x) - unfused(across_y * y);
+      const double apex_y = unfused(across_x * y) + unfused(across_y * x);
       const bool is_right = m_word[i + 1].crossed != m_word[i].right_side;
       m_gates[i + 1] = {{left_x + apex_x, left_y + apex_y}, is_right ? RIGHT_END : LEFT_END};
       const double on_right = is_side[is_right][1], on_left = is_side[is_right][0];
-      left_x += on_left * apex_x;
-      left_y += on_left * apex_y;
-      const double turn_x = on_left + (on_right - on_left) * x, turn_y = (on_right - on_left) * y;
-      const double next_x = across_x * turn_x - across_y * turn_y;
-      across_y = across_x * turn_y + across_y * turn_x;
+      left_x += unfused(on_left * apex_x);
+      left_y += unfused(on_left * apex_y);
+      const double turn_x = on_left + unfused((on_right - on_left) * x), turn_y = (on_right - on_left) * y;
+      const double next_x = unfused(across_x * turn_x) - unfused(across_y * turn_y);
+      across_y = unfused(across_x * turn_y) + unfused(across_y * turn_x);
       across_x = next_x;
     }
     m_target = Plane_vector(left_x, left_y) + product({across_x, across_y}, m_word[last].corner);
@@ -403,7 +405,7 @@ private:
     const Direction at_head = {m_faces.previous(twin_index(m_word[last - 1].crossed)),
                                turn(Taut_string::end(m_gates, last - 1, LEFT_END) - to, -along)};
     m_legs.push_back({null_index, m_crossings.size(), m_crossings.size() + last - first, tail, head, at_tail, at_head,
-                      std::abs(along)});
+                      well_rounded_length(along)});
     m_crossings.insert(m_crossings.end(), m_word.begin() + static_cast<std::ptrdiff_t>(first),
                        m_word.begin() + static_cast<std::ptrdiff_t>(last));
   }
@@ -412,7 +414,7 @@ private:
   static Plane_vector turn(const Plane_vector& from, const Plane_vector& to)
   {
     const Plane_vector result = product(std::conj(from), to);
-    return result.imag() > 0 ? result / std::sqrt(std::norm(result)) : 1;
+    return result.imag() > 0 ? result / magnitude(result) : 1;
   }
 
   void keep(const Leg& leg)

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_STRIP_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
@@ -33,9 +34,10 @@ inline std::array<double, 3> barycentric_difference(const std::array<double, 3>&
   const auto from_sum = sum_with_error(from), to_sum = sum_with_error(to);
   std::array<double, 3> result;
   for(int i = 0; i < 3; ++i) {
-    const double product = from[i] * to_sum[0], rounding = std::fma(from[i], to_sum[0], -product);
+    const double product = unfused(from[i] * to_sum[0]), rounding = std::fma(from[i], to_sum[0], -product);
     const double difference = std::fma(to[i], from_sum[0], -product) - rounding; // [Kahan]
-    result[i] = (difference + (to[i] * from_sum[1] - from[i] * to_sum[1])) / (from_sum[0] * to_sum[0]);
+    result[i] =
+        (difference + (unfused(to[i] * from_sum[1]) - unfused(from[i] * to_sum[1]))) / (from_sum[0] * to_sum[0]);
   }
   return result;
 }
@@ -155,14 +157,21 @@ private:
   // vector has 16 units of roundoff at most, from differences (2), dot or cross products (8), roots and quotients (3).
   static constexpr double ratio_error = 48 * std::numeric_limits<double>::epsilon();
 
-  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
+  static double cross(const Vector& u, const Vector& v)
+  {
+    return unfused(u.real() * v.imag()) - unfused(u.imag() * v.real());
+  }
 
-  static double magnitude(const Vector& v) { return std::sqrt(std::norm(v)); }
+  static double magnitude(const Vector& v)
+  {
+    return std::sqrt(unfused(v.real() * v.real()) + unfused(v.imag() * v.imag()));
+  }
 
   // Without the care for infinite numbers that the operator takes.
   static Vector product(const Vector& u, const Vector& v)
   {
-    return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
+    return {unfused(u.real() * v.real()) - unfused(u.imag() * v.imag()),
+            unfused(u.real() * v.imag()) + unfused(u.imag() * v.real())};
   }
 
   double wrong_side_angle(const Vector& p, bool is_mirrored = false) const
@@ -202,7 +211,7 @@ private:
   {
     const Face_vectors face = first_face();
     const auto d = barycentric_difference(weights(word.tail, m_reference), weights(word.head, m_reference));
-    m_end = d[1] * face[0] - d[2] * face[2];
+    m_end = unfused(d[1] * face[0]) - unfused(d[2] * face[2]);
     m_error = ratio_error * (std::abs(d[1]) * std::abs(face[0]) + std::abs(d[2]) * std::abs(face[2]));
   }
 
@@ -229,7 +238,7 @@ private:
     std::array<Corner, 3> result;
     for(int i = 0; i < 3; ++i) { // from the corner's two sides
       const double b = w[(i + 1) % 3] / sum, c = w[(i + 2) % 3] / sum;
-      result[i].position = c * f[(i + 2) % 3] - b * f[i];
+      result[i].position = unfused(c * f[(i + 2) % 3]) - unfused(b * f[i]);
       result[i].error = ratio_error * (b * std::abs(f[i]) + c * std::abs(f[(i + 2) % 3]));
     }
     return result;
@@ -288,13 +297,13 @@ private:
   {
     const double sum = w[0] + w[1] + w[2], at_left = w[0] / sum, at_right = w[1] / sum, at_apex = w[2] / sum;
     const Gate& gate = m_gates.back();
-    const double from_right = at_left * std::abs(face[0]) + at_apex * std::abs(face[1]);
-    const double from_left = at_right * std::abs(face[0]) + at_apex * std::abs(face[2]);
+    const double from_right = unfused(at_left * std::abs(face[0])) + unfused(at_apex * std::abs(face[1]));
+    const double from_left = unfused(at_right * std::abs(face[0])) + unfused(at_apex * std::abs(face[2]));
     if(from_right < from_left) {
-      m_end = gate.right + at_apex * face[1] - at_left * face[0];
+      m_end = gate.right + unfused(at_apex * face[1]) - unfused(at_left * face[0]);
       m_error = gate.right_error + turn_error * from_right;
     } else {
-      m_end = gate.left + at_right * face[0] - at_apex * face[2];
+      m_end = gate.left + unfused(at_right * face[0]) - unfused(at_apex * face[2]);
       m_error = gate.left_error + turn_error * from_left;
     }
     m_error += ratio_error * std::abs(m_end);

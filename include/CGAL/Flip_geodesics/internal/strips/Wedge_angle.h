@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_ANGLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_ANGLE_H
 
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
@@ -61,7 +62,8 @@ class Angle_sum
 public:
   void add(const std::complex<double>& corner)
   {
-    const double x = m_x * corner.real() - m_y * corner.imag(), y = m_x * corner.imag() + m_y * corner.real();
+    const double x = unfused(m_x * corner.real()) - unfused(m_y * corner.imag());
+    const double y = unfused(m_x * corner.imag()) + unfused(m_y * corner.real());
     const double scale = 1 / (std::abs(x) + std::abs(y));
     const bool is_past_straight = y < 0 || (y == 0 && x < 0);
     m_half_turns += is_past_straight ? 1 : 0;
@@ -69,7 +71,7 @@ public:
     m_y = std::abs(y) * scale;
   }
 
-  double value() const { return m_half_turns * boost::math::constants::pi<double>() + std::atan2(m_y, m_x); }
+  double value() const { return unfused(m_half_turns * boost::math::constants::pi<double>()) + std::atan2(m_y, m_x); }
 
 private:
   double m_x = 1, m_y = 0; // with an angle of at least 0 and below pi
