@@ -95,6 +95,7 @@ public:
   static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
   const Input_mesh& input() const { return m_triangulation.input(); }
   const Metric& metric() const { return m_triangulation.metric(); }
+  int crossings(CGAL::Flip_geodesics::Edge_index e) const { return m_triangulation.crossings(e); }
   decltype(auto) crossing_word(Halfedge_index h) const { return m_triangulation.crossing_word(h); }
   Vertex_index tail(Halfedge_index h) const { return m_triangulation.tail(h); }
   bool is_inserted(Vertex_index v) const { return m_triangulation.is_inserted(v); }

@@ -22,7 +22,7 @@ namespace internal {
 /*
  * Compares angles with pi: the sign of the exact real number that the input defines. In stages: strips in double,
  * unless a filter as good as them has failed; points in one plane or two; edges as vectors of about 100 bits; arithmetic in
- * the field of all roots.
+ * the field of all roots. Where words are long, vectors come before points.
  */
 template <class Triangulation>
 class Wedge_comparison
@@ -50,13 +50,19 @@ public:
       if(quick != EQUAL)
         return quick;
     }
+    const bool are_long = m_is_filtered && have_long_words(from, to);
+    if(are_long) {
+      const Comparison_result quick = by_vectors({{from, to}});
+      if(quick != EQUAL)
+        return quick;
+    }
     const Wedge_words words = words_of({from, to});
     Sign sine;
     if(is_in_plane(words, sine)) {
       count_plane(sine);
       return comparison(sine);
     }
-    const Comparison_result quick = by_vectors({{from, to}});
+    const Comparison_result quick = are_long ? EQUAL : by_vectors({{from, to}});
     return quick != EQUAL ? quick : comparison(exact_sine({words}));
   }
 
@@ -103,6 +109,16 @@ private:
   static Comparison_result comparison(Sign sine)
   {
     return sine == POSITIVE ? SMALLER : (sine == ZERO ? EQUAL : LARGER);
+  }
+
+  // Does it take longer to look at the words of two edges than to derive their vectors?
+  bool have_long_words(Halfedge_index from, Halfedge_index to) const
+  {
+    constexpr Index many_letters = 16;
+    if constexpr(Keeps_precise_numbers<Triangulation>::value)
+      return m_triangulation.crossings(edge_of(from)) + m_triangulation.crossings(edge_of(to)) > many_letters;
+    else
+      return false;
   }
 
   bool is_in_plane(const Wedge_words& words, Sign& sine) const

@@ -51,8 +51,8 @@ public:
 
   /*
    * Of the diagonal kl that a flip made: how many input edges lie between the first faces of ki and of kl about k, and
-   * between those of li and of lk about l. Negative if vectors are not to be derived along with the word: where it was
-   * read off, or is so short that it is faster to unfold it, or the flip was wrong by rounding.
+   * between those of li and of lk about l. Negative if vectors are not to be derived along with the word: where it is so
+   * short that it is faster to unfold it, or the flip was wrong by rounding.
    */
   struct Spokes
   {
@@ -74,11 +74,8 @@ public:
     const Edge_version asked = {h, triangulation.version(Triangulation::edge(h))};
     if(asked.version == 0)
       return input_word(triangulation, h);
-    const bool is_new = !is_resolved(asked);
-    if((!is_new && is_there(asked)) || !trace(triangulation, asked))
+    if(!is_there(asked) && !trace(triangulation, asked))
       resolve(triangulation, asked);
-    else if(is_new)
-      set_spokes(asked.version, {number_of_crossings(triangulation, h), -1, -1});
     Crossing_word found = word(triangulation, asked);
     if(found.crossed.size() != static_cast<std::size_t>(number_of_crossings(triangulation, h)))
       fail(triangulation, found);
