@@ -47,12 +47,18 @@ public:
   bool operator()(Halfedge_index h) const
   {
     const Crossing_word word = m_triangulation.crossing_word(h);
-    if(word.tail != m_triangulation.tail(h) || word.head != m_triangulation.head(h) || !is_strip(word))
+    return word.tail == m_triangulation.tail(h) && word.head == m_triangulation.head(h) && (*this)(word);
+  }
+
+  /* Is the line of a word, which need not be that of an edge of the triangulation? */
+  bool operator()(const Crossing_word& word) const
+  {
+    if(!is_strip(word))
       return false;
     if(word.along == null_index && word.crossed.empty())
       return true;
     const Strip_in_double strip(m_triangulation, word);
-    Touched touched(m_triangulation, m_triangulation.tail(h), m_triangulation.head(h), strip.length(), m_statistics);
+    Touched touched(m_triangulation, word.tail, word.head, strip.length(), m_statistics);
     if(word.along != null_index)
       add_edge_along(word, touched);
     else if(!is_inside(word, strip, touched))

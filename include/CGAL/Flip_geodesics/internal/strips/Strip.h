@@ -130,8 +130,14 @@ public:
   {
     double result = 0;
     for(const Gate& gate : m_gates)
-      result = (std::max)({result, wrong_side_angle(gate.left), wrong_side_angle(std::conj(gate.right), true)});
+      result = (std::max)(result, bend(gate));
     return result;
+  }
+
+  /* The same of one crossed edge. */
+  double bend(const Gate& gate) const
+  {
+    return (std::max)(wrong_side_angle(gate.left), wrong_side_angle(std::conj(gate.right), true));
   }
 
   /* Where the straight line crosses gate i, from 0 at the right end to 1 at the left end. */
