@@ -55,6 +55,7 @@ flip_geodesics_test_example(own_mesh_and_kernel_example torus.off)
 flip_geodesics_test_example(poisson_example torus.off 0 150)
 flip_geodesics_test_example(save_network_example torus.off)
 flip_geodesics_test_example(shortest_path_example torus.off 6 150)
+flip_geodesics_test_example(trace_geodesic_example torus.off 2 7)
 flip_geodesics_test_example(write_files_example torus.off)
 
 # A result of one run as the mesh of the next.

@@ -21,6 +21,7 @@
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
@@ -71,6 +72,7 @@
 #include <CGAL/Flip_geodesics/straightened_path.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
 #include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 #include <CGAL/Flip_geodesics/with_metric.h>
 

@@ -19,6 +19,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
@@ -525,8 +526,13 @@ private:
       BOOST_TEST(std::abs(told[v] - distances[v]) <= 1e-9 * distances[v]);
       BOOST_TEST(sources[v] == 0u);
     }
-    for(const FG::Surface_location& p : points(triangulation))
+    const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
+    for(const FG::Surface_location& p : points(triangulation)) {
       BOOST_TEST(field.surface_points(p).size() >= 2u);
+      const FG::Trace trace = tracer.trace(p, p.halfedge, 0.5, FG::Trace_limits<>{1});
+      BOOST_TEST(trace.length > 0);
+      m_record.polyline({p, trace.location});
+    }
   }
 
   void delaunay(Triangulation& triangulation)

@@ -224,6 +224,9 @@ private:
 template <class Ring>
 class Chain_arithmetic
 {
+  using Kind = Unfolding_step::Kind;
+
+public:
   using Number = typename Ring::Number;
 
   struct Complex
@@ -231,7 +234,15 @@ class Chain_arithmetic
     Number re, im;
   };
 
-public:
+  /*
+   * The ends of a gate, and the vector from the left one to the right one: a product of corners, never a difference of
+   * positions, which would magnify errors wherever a gate is short.
+   */
+  struct Gate
+  {
+    Complex right, left, to_right;
+  };
+
   explicit Chain_arithmetic(const Ring& ring)
     : m_ring(ring)
   {
@@ -252,31 +263,15 @@ public:
     return product.im;
   }
 
-private:
-  using Kind = Unfolding_step::Kind;
-
-  /*
-   * The ends of a gate, and the vector from the left one to the right one: a product of corners, never a difference of
-   * positions, which would magnify errors wherever a gate is short.
-   */
-  struct Gate
+  /* The gate before the first step. */
+  Gate first_gate() const
   {
-    Complex right, left, to_right;
-  };
-
-  Complex value(const Unfolding_chain& chain) const
-  {
-    Gate gate = {{m_ring.integer(1), m_ring.integer(0)},
-                 {m_ring.integer(0), m_ring.integer(0)},
-                 {m_ring.integer(0), m_ring.integer(0)}};
-    for(const Unfolding_step& step : chain.steps)
-      apply(chain, step, gate);
-    Complex result = chain.reads_left ? gate.left : gate.right;
-    if(chain.is_conjugate)
-      result.im = m_ring.negate(result.im);
-    return result;
+    return {{m_ring.integer(1), m_ring.integer(0)},
+            {m_ring.integer(0), m_ring.integer(0)},
+            {m_ring.integer(0), m_ring.integer(0)}};
   }
 
+  /* Takes a step of a chain with a gate. */
   void apply(const Unfolding_chain& chain, const Unfolding_step& step, Gate& gate) const
   {
     const Integer& length = step.squared_length();
@@ -306,6 +301,25 @@ private:
     }
   }
 
+  Complex multiply(const Complex& a, const Complex& b) const
+  {
+    return {m_ring.add(m_ring.multiply(a.re, b.re), m_ring.negate(m_ring.multiply(a.im, b.im))),
+            m_ring.add(m_ring.multiply(a.re, b.im), m_ring.multiply(a.im, b.re))};
+  }
+
+  /* The number of a chain. */
+  Complex value(const Unfolding_chain& chain) const
+  {
+    Gate gate = first_gate();
+    for(const Unfolding_step& step : chain.steps)
+      apply(chain, step, gate);
+    Complex result = chain.reads_left ? gate.left : gate.right;
+    if(chain.is_conjugate)
+      result.im = m_ring.negate(result.im);
+    return result;
+  }
+
+private:
   Complex combined(const Unfolding_step& step, const Side_combination& c) const
   {
     const auto side = m_ring.side(c.number, step.squared_root(), 1, step.squared_length());
@@ -322,12 +336,6 @@ private:
   Complex times(const Complex& z, const Integer& n) const
   {
     return {m_ring.times_integer(z.re, n), m_ring.times_integer(z.im, n)};
-  }
-
-  Complex multiply(const Complex& a, const Complex& b) const
-  {
-    return {m_ring.add(m_ring.multiply(a.re, b.re), m_ring.negate(m_ring.multiply(a.im, b.im))),
-            m_ring.add(m_ring.multiply(a.re, b.im), m_ring.multiply(a.im, b.re))};
   }
 
   Complex add(const Complex& a, const Complex& b) const { return {m_ring.add(a.re, b.re), m_ring.add(a.im, b.im)}; }

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Straightest geodesics: where they come to on surfaces that unfold into the plane, which edges and vertices they meet
+// exactly, how they end, and that they invert the logarithmic map.
+
+#define BOOST_TEST_MODULE trace_geodesic
+
+#include "closed_forms.h"
+#include "generated_meshes.h"
+#include "mesh_soup.h"
+
+#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/logarithmic_map.h>
+#include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Vertex = Surface::Vertex_index;
+using Halfedge = Surface::Halfedge_index;
+using Face = Surface::Face_index;
+using Face_location = std::pair<Face, std::array<double, 3>>;
+using Curve_point = FG::Curve_point<Surface, Point>;
+using FG::At_vertices;
+using FG::Trace_end;
+
+namespace {
+
+Point point_at(const Surface& mesh, const Face_location& location)
+{
+  const Halfedge h = mesh.halfedge(location.first);
+  const std::array<Vertex, 3> corners = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+  Vector sum(0, 0, 0);
+  for(int i = 0; i < 3; ++i)
+    sum = sum + location.second[i] * (mesh.point(corners[i]) - CGAL::ORIGIN);
+  return CGAL::ORIGIN + sum;
+}
+
+double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+// The face location of a vertex in one of its faces.
+Face_location at_vertex(const Surface& mesh, Vertex v)
+{
+  Halfedge h = mesh.halfedge(v); // arrives
+  while(mesh.is_border(h))
+    h = mesh.opposite(mesh.next(h));
+  Face_location result = {mesh.face(h), {0, 0, 0}};
+  Halfedge corner = mesh.halfedge(result.first);
+  for(double& weight : result.second) {
+    weight = mesh.source(corner) == v ? 1 : 0;
+    corner = mesh.next(corner);
+  }
+  return result;
+}
+
+Face_location random_location(const Surface& mesh, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> weight(0.05, 1);
+  const std::array<double, 3> w = {weight(random), weight(random), weight(random)};
+  const double sum = w[0] + w[1] + w[2];
+  return {Face(random() % mesh.number_of_faces()), {w[0] / sum, w[1] / sum, w[2] / sum}};
+}
+
+struct Traced
+{
+  std::vector<Point> points;
+  FG::Trace_result<std::back_insert_iterator<std::vector<Point>>, Surface> result;
+};
+
+template <class Source, class Direction, class... Options>
+Traced trace(const Surface& mesh, const Source& source, const Direction& direction, double length,
+             const Options&... options)
+{
+  std::vector<Point> points;
+  const auto result = FG::trace_geodesic(mesh, source, direction, length, std::back_inserter(points), options...);
+  return {points, result};
+}
+
+double length_of(const std::vector<Point>& points)
+{
+  double length = 0;
+  for(std::size_t i = 1; i < points.size(); ++i)
+    length += distance(points[i - 1], points[i]);
+  return length;
+}
+
+Surface grid_mesh() { return to_mesh<Surface>(flat_grid(12, 12, Diagonal_rule::ALTERNATING)); }
+
+// From the middle vertex of the grid, in a direction in the plane: told in the face that it starts into.
+Traced trace_from_middle(const Surface& mesh, const Vector& v, double length, At_vertices at = At_vertices::GO_STRAIGHT)
+{
+  const Vertex middle(grid_vertex(12, 6, 6));
+  for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(middle))) {
+    const Vector a = mesh.point(mesh.target(mesh.next(h))) - mesh.point(middle),
+                 b = mesh.point(mesh.source(h)) - mesh.point(middle);
+    if(a.x() * v.y() - a.y() * v.x() >= 0 && v.x() * b.y() - v.y() * b.x() > 0) {
+      Face_location source = {mesh.face(h), {0, 0, 0}};
+      Halfedge corner = mesh.halfedge(source.first);
+      for(double& weight : source.second) {
+        weight = mesh.source(corner) == middle ? 1 : 0;
+        corner = mesh.next(corner);
+      }
+      return trace(mesh, source, v, length, at);
+    }
+  }
+  throw std::logic_error("no face about the vertex has the direction");
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(in_the_plane_it_is_a_straight_line)
+{
+  const Surface mesh = to_mesh<Surface>(jittered_grid(12, 12, Diagonal_rule::ALTERNATING, 0.24, 3));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::size_t inside = 0, on_border = 0;
+  for(int i = 0; i < 300; ++i) {
+    const Face_location source = random_location(mesh, random);
+    const Point start = point_at(mesh, source);
+    const Vector v(number(random), number(random), number(random)); // its height does not count
+    const Vector unit = Vector(v.x(), v.y(), 0) / std::hypot(v.x(), v.y());
+    const Traced t = trace(mesh, source, v, 5);
+    const Point end = start + t.result.length * unit;
+    BOOST_TEST(distance(t.points.front(), start) < 1e-14);
+    BOOST_TEST(distance(t.points.back(), end) < 1e-13);
+    BOOST_TEST(distance(point_at(mesh, t.result.location), end) < 1e-13);
+    BOOST_TEST(std::abs(length_of(t.points) - t.result.length) < 1e-12);
+    BOOST_TEST(t.points.size() == t.result.edges + 2);
+    BOOST_TEST(t.result.vertices == 0u);
+    if(t.result.end == Trace_end::LENGTH) {
+      ++inside;
+      BOOST_TEST(t.result.length == 5);
+    } else {
+      ++on_border;
+      BOOST_TEST((t.result.end == Trace_end::BORDER));
+      BOOST_TEST(t.result.length < 5);
+    }
+  }
+  BOOST_TEST(inside > 50u);
+  BOOST_TEST(on_border > 50u);
+}
+
+BOOST_AUTO_TEST_CASE(vertices_on_its_way_are_met_exactly)
+{
+  const Surface mesh = grid_mesh();
+  for(int x = -5; x <= 5; ++x)
+    for(int y = -5; y <= 5; ++y) {
+      if(x == 0 && y == 0)
+        continue;
+      const Vector v(x, y, 0), first = v / std::gcd(x, y);
+      const double size = std::sqrt(first.squared_length());
+      const Traced stopped = trace_from_middle(mesh, v, 100, At_vertices::STOP);
+      BOOST_TEST((stopped.result.end == Trace_end::VERTEX));
+      BOOST_TEST(stopped.result.vertices == 0u);
+      BOOST_TEST(std::abs(stopped.result.length - size) < 1e-14 * size);
+      BOOST_TEST(distance(stopped.points.back(), Point(6, 6, 0) + first) < 1e-14);
+      const Traced passed = trace_from_middle(mesh, v, 1.1 * size);
+      BOOST_TEST((passed.result.end == Trace_end::LENGTH));
+      BOOST_TEST(passed.result.vertices == 1u);
+      BOOST_TEST(distance(passed.points.back(), Point(6, 6, 0) + passed.result.length / size * first) < 1e-13);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_vertex_that_it_misses_by_the_last_digit_is_missed)
+{
+  const Surface mesh = grid_mesh();
+  for(double y : {std::nextafter(2.0, 3.0), std::nextafter(2.0, 1.0)}) {
+    const Traced t = trace_from_middle(mesh, Vector(1, y, 0), 6, At_vertices::STOP);
+    BOOST_TEST((t.result.end == Trace_end::LENGTH));
+    BOOST_TEST(t.result.vertices == 0u);
+    BOOST_TEST(t.result.statistics.by_roots + t.result.statistics.by_precision > 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(it_runs_along_edges)
+{
+  const Surface mesh = grid_mesh();
+  const Traced t = trace_from_middle(mesh, Vector(-1, 0, 0), 3.5);
+  BOOST_TEST(t.result.vertices == 3u);
+  BOOST_TEST(t.result.edges == 0u);
+  BOOST_TEST(distance(t.points.back(), Point(2.5, 6, 0)) < 1e-14);
+  // From a point of an edge, along it and across it.
+  const Halfedge h = mesh.halfedge(Vertex(grid_vertex(12, 6, 6)), Vertex(grid_vertex(12, 7, 6)));
+  const Traced along = trace(mesh, Point(6.25, 6, 0), std::make_pair(h, 0.0), 1.0);
+  BOOST_TEST(along.result.vertices == 1u);
+  BOOST_TEST(distance(along.points.back(), Point(7.25, 6, 0)) < 1e-14);
+  for(double angle : {0.5 * pi, -0.5 * pi}) {
+    const Traced across = trace(mesh, Point(6.25, 6, 0), std::make_pair(h, angle), 0.1);
+    BOOST_TEST(across.points.size() == (angle > 0 ? 2u : across.result.edges + 1));
+    BOOST_TEST(distance(across.points.back(), Point(6.25, 6 + (angle > 0 ? 0.1 : -0.1), 0)) < 1e-14);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_band_of_a_cube_is_closed)
+{
+  const Surface mesh = to_mesh<Surface>(cube(4)); // of size 4
+  std::size_t bands = 0;
+  for(const Face f : mesh.faces()) {
+    const Face_location source = {f, {0.3, 0.25, 0.45}};
+    const Point start = point_at(mesh, source);
+    for(const Vector& v : {Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)}) {
+      const Halfedge h = mesh.halfedge(f);
+      const Vector normal = CGAL::cross_product(mesh.point(mesh.target(h)) - mesh.point(mesh.source(h)),
+                                                mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.target(h)));
+      if(normal * v != 0)
+        continue;
+      const Traced t = trace(mesh, source, v, 16.0);
+      BOOST_TEST(distance(t.points.back(), start) < 1e-13);
+      BOOST_TEST(t.result.vertices == 0u);
+      ++bands;
+    }
+  }
+  BOOST_TEST(bands == 2 * mesh.number_of_faces());
+}
+
+BOOST_AUTO_TEST_CASE(at_the_apex_of_a_cone_both_angles_are_equal)
+{
+  for(int n : {4, 6, 10, 20}) {
+    const Surface mesh = to_mesh<Surface>(n == 20 ? saddle_disk(20, 3, 3 * pi) : cone(n, 3, 1, n));
+    const Halfedge h = mesh.halfedge(Vertex(disk_vertex(n, 1, 0)), Vertex(0)); // up to the apex
+    const double ring = distance(mesh.point(Vertex(0)), mesh.point(Vertex(disk_vertex(n, 1, 0))));
+    const Traced t = trace(mesh, Vertex(disk_vertex(n, 1, 0)), std::make_pair(h, 0.0), 2 * ring);
+    BOOST_TEST(t.result.vertices == 1u);
+    BOOST_TEST(distance(t.points.back(), mesh.point(Vertex(disk_vertex(n, 1, n / 2)))) < 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_logarithmic_map_is_its_inverse)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface>;
+  for(const Surface& mesh : {to_mesh<Surface>(bumpy_sphere(6, 0.2, 5)),
+                             to_mesh<Surface>(jittered_grid(10, 10, Diagonal_rule::ALTERNATING, 0.2, 4))})
+  {
+    const Vertex source(mesh.number_of_vertices() / 2);
+    Triangulation triangulation(mesh);
+    FG::Geodesic_tree<Triangulation> tree(triangulation);
+    tree.grow(triangulation.index(source));
+    FG::make_shortest(tree);
+    const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+    const Halfedge zero = triangulation.input().halfedge(triangulation.input().outgoing(triangulation.index(source)));
+    std::size_t direct = 0;
+    for(const Vertex v : mesh.vertices()) {
+      const FG::Vertex_index index = triangulation.index(v);
+      if(v == source || triangulation.tail(tree.incoming(index)) != tree.source())
+        continue; // in the shadow of another vertex
+      const FG::Polar_coordinates& p = map.vertices[index];
+      const Traced t = trace(mesh, source, std::make_pair(zero, p.angle), p.radius);
+      BOOST_TEST(distance(t.points.back(), mesh.point(v)) < 1e-11);
+      ++direct;
+    }
+    BOOST_TEST(direct > mesh.number_of_vertices() / 4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(it_can_be_traced_on_and_back)
+{
+  const Surface mesh = to_mesh<Surface>(torus(24, 14, 2, 1));
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> angle(-7, 7);
+  for(int i = 0; i < 200; ++i) {
+    const Face_location source = random_location(mesh, random);
+    const std::pair<Halfedge, double> direction = {mesh.next(mesh.halfedge(source.first)), angle(random)};
+    const Traced whole = trace(mesh, source, direction, 6), half = trace(mesh, source, direction, 2.5);
+    const Traced rest = trace(mesh, half.result.location, half.result.direction, 3.5);
+    BOOST_TEST(distance(rest.points.back(), whole.points.back()) < 1e-11);
+    const auto [h, on] = whole.result.direction;
+    const Traced back = trace(mesh, whole.result.location, std::make_pair(h, on + pi), 6);
+    BOOST_TEST(distance(back.points.back(), whole.points.front()) < 1e-11);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_forms_are_in_step)
+{
+  const Surface mesh = to_mesh<Surface>(torus(24, 14, 2, 1));
+  const Face_location source = {Face(7), {0.25, 0.5, 0.25}};
+  const std::pair<Halfedge, double> direction = {mesh.halfedge(Face(7)), 1.0};
+  const Traced t = trace(mesh, source, direction, 6);
+  std::vector<Face_location> locations;
+  std::vector<Curve_point> all;
+  FG::trace_geodesic(mesh, source, direction, 6, std::back_inserter(locations));
+  FG::trace_geodesic(mesh, source, direction, 6, std::back_inserter(all));
+  BOOST_REQUIRE(locations.size() == t.points.size());
+  BOOST_REQUIRE(all.size() == t.points.size());
+  for(std::size_t i = 0; i < all.size(); ++i) {
+    BOOST_TEST(distance(point_at(mesh, locations[i]), t.points[i]) < 1e-14);
+    BOOST_TEST((all[i].location == locations[i]));
+    BOOST_TEST((all[i].point == t.points[i]));
+    BOOST_TEST(std::abs(all[i].tangent.squared_length() - 1) < 1e-14);
+    const std::size_t j = i + 1 < all.size() ? i : i - 1;
+    const Vector step = t.points[j + 1] - t.points[j];
+    BOOST_TEST(std::abs(all[i].tangent * step - std::sqrt(step.squared_length())) < 1e-14);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(constrained_edges_and_limits_end_it)
+{
+  Surface mesh = grid_mesh();
+  auto is_constrained = mesh.add_property_map<Surface::Edge_index, bool>("e:wall", false).first;
+  for(int j = 0; j < 12; ++j)
+    is_constrained[mesh.edge(mesh.halfedge(Vertex(grid_vertex(12, 9, j)), Vertex(grid_vertex(12, 9, j + 1))))] = true;
+  const auto np = CGAL::parameters::edge_is_constrained_map(is_constrained);
+  const Face_location middle = at_vertex(mesh, Vertex(grid_vertex(12, 6, 6)));
+  const Traced wall = trace(mesh, middle, Vector(3, 0.5, 0), 100, np);
+  BOOST_TEST((wall.result.end == Trace_end::CONSTRAINED_EDGE));
+  BOOST_TEST(distance(wall.points.back(), Point(9, 6.5, 0)) < 1e-14);
+  const Traced corner = trace(mesh, middle, Vector(1, 0, 0), 100, np);
+  BOOST_TEST((corner.result.end == Trace_end::CONSTRAINED_EDGE));
+  BOOST_TEST(distance(corner.points.back(), Point(9, 6, 0)) < 1e-14);
+  const Traced few = trace(mesh, middle, Vector(3, 0.5, 0), 100, CGAL::parameters::number_of_iterations(2));
+  BOOST_TEST((few.result.end == Trace_end::CROSSING_LIMIT));
+  BOOST_TEST(few.result.edges + few.result.vertices == 2u);
+  const Traced rim = trace(mesh, middle, Vector(0, -1, 0), 100);
+  BOOST_TEST((rim.result.end == Trace_end::BORDER));
+  BOOST_TEST(std::abs(rim.result.length - 6) < 1e-14);
+  const Traced none = trace(mesh, middle, Vector(0, -1, 0), 0);
+  BOOST_TEST((none.result.end == Trace_end::LENGTH));
+  BOOST_TEST(none.result.length == 0);
+  BOOST_TEST(distance(none.points.back(), Point(6, 6, 0)) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_refused)
+{
+  const Surface mesh = grid_mesh();
+  const Vertex middle(grid_vertex(12, 6, 6)), corner(grid_vertex(12, 0, 0));
+  const Face_location source = at_vertex(mesh, middle);
+  const Halfedge h = mesh.halfedge(middle, Vertex(grid_vertex(12, 7, 6)));
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for(double length : {-1.0, nan, infinity})
+    BOOST_CHECK_THROW(trace(mesh, source, Vector(1, 0, 0), length), FG::Invalid_parameter_error);
+  for(const Vector& v : {Vector(0, 0, 0), Vector(0, 0, 1), Vector(nan, 0, 0), Vector(infinity, 1, 0)})
+    BOOST_CHECK_THROW(trace(mesh, source, v, 1), FG::Invalid_parameter_error);
+  for(double angle : {nan, infinity})
+    BOOST_CHECK_THROW(trace(mesh, middle, std::make_pair(h, angle), 1), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(trace(mesh, corner, std::make_pair(h, 0.0), 1), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(trace(mesh, Face_location{Face(0), {0.2, 0.3, 0.5}}, std::make_pair(h, 0.0), 1),
+                    FG::Invalid_parameter_error);
+  const Halfedge rim = mesh.halfedge(corner, Vertex(grid_vertex(12, 1, 0)));
+  BOOST_CHECK_THROW(trace(mesh, corner, std::make_pair(rim, 2.0), 1), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(trace(mesh, corner, std::make_pair(rim, -0.5), 1), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(trace(mesh, Vertex(100000), std::make_pair(h, 0.0), 1), FG::Vertex_out_of_range_error);
+  // Along the border, to both sides.
+  BOOST_TEST(distance(trace(mesh, corner, std::make_pair(rim, 0.0), 1).points.back(), Point(1, 0, 0)) < 1e-14);
+  BOOST_TEST(distance(trace(mesh, corner, std::make_pair(rim, 0.5 * pi), 1).points.back(), Point(0, 1, 0)) < 1e-14);
+}
