@@ -193,6 +193,40 @@ BOOST_AUTO_TEST_CASE(a_vertex_that_it_misses_by_the_last_digit_is_missed)
   }
 }
 
+BOOST_AUTO_TEST_CASE(vertices_are_met_exactly_from_inside_a_face)
+{
+  const Surface mesh = grid_mesh();
+  std::size_t rays = 0;
+  for(const std::array<double, 3>& weights : {std::array<double, 3>{0.5, 0.25, 0.25}, {0.125, 0.25, 0.625}})
+    for(const Face f : {Face(130), Face(155)})
+      for(const Vertex v : mesh.vertices()) {
+        const Point start = point_at(mesh, {f, weights});
+        const Vector way = mesh.point(v) - start;
+        const Traced t = trace(mesh, Face_location{f, weights}, way, 100, At_vertices::STOP);
+        const double part = t.result.length / std::sqrt(way.squared_length()); // of the way, up to its first vertex
+        const bool is_at_v = part > 1 - 1e-14;
+        BOOST_TEST(part < 1 + 1e-14);
+        BOOST_TEST((t.result.end == (is_at_v && mesh.is_border(v) ? Trace_end::BORDER : Trace_end::VERTEX)));
+        BOOST_TEST(distance(t.points.back(), start + part * way) < 1e-13);
+        rays += is_at_v ? 1 : 0;
+      }
+  BOOST_TEST(rays > 300u);
+}
+
+BOOST_AUTO_TEST_CASE(directions_at_a_vertex_are_told_from_each_side_of_its_faces)
+{
+  const Surface mesh = grid_mesh();
+  const Vertex middle(grid_vertex(12, 6, 6));
+  for(const Halfedge arriving : mesh.halfedges_around_target(mesh.halfedge(middle)))
+    for(const Halfedge side : mesh.halfedges_around_face(arriving))
+      for(double direction : {0.1, 1.3, 2.9, 4.4, 5.9}) {
+        const Vector along = mesh.point(mesh.target(side)) - mesh.point(mesh.source(side));
+        const Traced t = trace(mesh, middle, std::make_pair(side, direction - std::atan2(along.y(), along.x())), 3);
+        BOOST_TEST(distance(t.points.back(), Point(6 + 3 * std::cos(direction), 6 + 3 * std::sin(direction), 0)) <
+                   1e-13);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(it_runs_along_edges)
 {
   const Surface mesh = grid_mesh();

@@ -75,13 +75,11 @@ public:
   /* Goes up to the corner that the ray runs into in the first face; false if there is none. */
   bool reach_first_corner()
   {
-    for(int i = 0; i < 3; ++i) {
-      const bool is_start = m_place.weights[(i + 1) % 3] == 0 && m_place.weights[(i + 2) % 3] == 0;
-      if(m_sides[i] == ZERO && !is_start && (std::conj(m_unit) * m_corners[i].position).real() > 0) {
+    for(int i = 0; i < 3; ++i) // but not one in the place of the start, which is not ahead
+      if(m_sides[i] == ZERO && (std::conj(m_unit) * m_corners[i].position).real() > 0) {
         m_apex = i;
         return true;
       }
-    }
     return false;
   }
 
