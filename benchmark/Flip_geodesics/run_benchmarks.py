@@ -17,6 +17,7 @@ kernels.csv     single operations, plain and certified                          
 exact.csv       continuous Dijkstra and the heat method                         compare_distance_methods
 fields.csv      exact distances of all vertices                                 compare_distance_fields
 pairs.csv       shortest paths between random vertices                          shortest_pairs
+rays.csv        straightest geodesics over ten edges                            trace_rays
 machine.txt     processor, compiler, load at the start
 """
 
@@ -127,6 +128,7 @@ def main():
               *real[2:3], *(real[:1] if arguments.all else []))
         table("fields.csv", "compare_distance_fields", 3, int(arguments.all), "torus:16000", *real)
         table("pairs.csv", "shortest_pairs", 100 if arguments.all else 20, "torus:16000", *real)
+        table("rays.csv", "trace_rays", 1000000, 10, "torus:16000", "terrain:256000", *real)
         if (arguments.programs / "kernels").exists():
             table("kernels.csv", "kernels", "--benchmark_format=csv", "--benchmark_repetitions=5",
                   "--benchmark_report_aggregates_only=true", "--benchmark_min_time=0.2")
