@@ -161,6 +161,26 @@ BOOST_AUTO_TEST_CASE(in_the_plane_it_is_a_straight_line)
   BOOST_TEST(on_border > 50u);
 }
 
+BOOST_AUTO_TEST_CASE(directions_in_needles_are_accurate)
+{
+  // Columns of cells that are by turns narrow and wide.
+  const Surface mesh = to_mesh<Surface>(mapped(flat_grid(12, 8, Diagonal_rule::RISING), [](const Coordinates& p) {
+    const double pair = std::floor(p[0] / 2);
+    return Coordinates{pair + (p[0] > 2 * pair ? 1e-8 : 0), p[1], 0};
+  }));
+  std::mt19937 random(7);
+  for(int i = 0; i < 200; ++i) {
+    const Face_location source = random_location(mesh, random);
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(source.first))) {
+      const Vector along = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+      const double length = std::sqrt(along.squared_length()), angle = 1e-3 + 0.7 * i;
+      const Vector direction = (std::cos(angle) * along + std::sin(angle) * Vector(-along.y(), along.x(), 0)) / length;
+      const Traced t = trace(mesh, source, std::make_pair(h, angle), 3);
+      BOOST_TEST(distance(t.points.back(), t.points.front() + t.result.length * direction) < 1e-13);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(vertices_on_its_way_are_met_exactly)
 {
   const Surface mesh = grid_mesh();

@@ -57,7 +57,7 @@ public:
     if(!is_side_of(h, at.halfedge) && !(kind(at) == Location_kind::EDGE && is_side_of(h, twin_index(at.halfedge))))
       throw Invalid_parameter_error("a direction is told from halfedge " + std::to_string(h.idx()) +
                                     ", which is no side of a face of the location");
-    return {{h, weights_in_face(input(), at, h)}, in_face(h, std::cos(angle), std::sin(angle))};
+    return told_well(at, h, angle);
   }
 
   /* By a direction in the face of the location's halfedge, which is taken as it is unless it leaves the face at once at
@@ -184,6 +184,30 @@ private:
     const double up = y == 0 ? 0 : y / third.imag();
     return normalized({(x - up * third.real()) / length, up});
   }
+
+  /*
+   * An angle from a side, told from another one if that one's corner is far less acute or obtuse: a direction in two
+   * sides that are nearly parallel would lose its digits.
+   */
+  Ray_start told_well(const Surface_location& at, Input_halfedge_index h, double angle) const
+  {
+    constexpr double far_less = 1.0 / 16;
+    Input_halfedge_index best = h, side = h;
+    double best_angle = angle, least = far_less * length(h) * length(input().next(input().next(h)));
+    for(int i = 0; i < 2; ++i) {
+      const double before = length(side);
+      side = input().next(side);
+      angle -= boost::math::constants::pi<double>() - corner(side);
+      if(before * length(side) < least) { // twice the area is this times the sine of the corner
+        least = before * length(side);
+        best = side;
+        best_angle = angle;
+      }
+    }
+    return {{best, weights_in_face(input(), at, best)}, in_face(best, std::cos(best_angle), std::sin(best_angle))};
+  }
+
+  double length(Input_halfedge_index h) const { return m_triangulation.metric().length(input(), h); }
 
   // In the corner at the tail of h, whose sides are met by rounding as well.
   Face_direction inside_corner(Input_halfedge_index h, double angle, double whole) const
