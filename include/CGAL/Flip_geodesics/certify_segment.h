@@ -31,11 +31,15 @@ namespace Flip_geodesics {
 struct Segment_certificate
 {
   Certificate_verdict verdict = Certificate_verdict::PROVEN; ///< `PROVEN`, `PROBABLE` or `BENT_SEGMENT`
-  /// If it is bent, the angle, in radians and rounded, by which an end of a crossed edge lies on the wrong side of the
-  /// straight line in the unfolded faces, seen from the nearer end of that line; the largest.
+  /// If it is bent, an angle in radians, rounded: by that an end of a crossed edge lies on the wrong side of the line
+  /// through both ends in the unfolded faces, seen from the nearer of these ends; the largest. It is at most pi / 2, and
+  /// small as well for an end that lies behind: a small one does not say that the segment is nearly straight. It is zero
+  /// where the line touches an inner vertex whose angles add up to less than 2 pi, and means nothing where both ends
+  /// unfold to one place.
   double bend = 0;
   std::size_t most_bent = 0; ///< the number of the crossed edge with that angle, from 0
-  /// Where the straight line crosses each edge, from 0 at the source of its halfedge to 1 at the target; rounded.
+  /// Where a straight segment crosses each edge, from 0 at the source of its halfedge to 1 at the target; rounded, by
+  /// the length of the segment over that of the edge times a unit in the last place. None if it is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< how the comparisons were decided
 
@@ -134,10 +138,10 @@ void measure_segment(const Triangulation& triangulation, const Crossing_word& wo
 {
   const Strip<Triangulation> strip(triangulation, word);
   for(std::size_t i = 0; i < strip.gates().size(); ++i) {
-    const double place = strip.crossing(i);
-    certificate.places.push_back(edges.is_as_given(i) ? place : 1 - place);
-    const double bend = certificate.is_straight() ? 0 : strip.bend(strip.gates()[i]);
-    if(bend > certificate.bend) {
+    if(certificate.is_straight()) {
+      const double place = strip.crossing(i);
+      certificate.places.push_back(edges.is_as_given(i) ? place : 1 - place);
+    } else if(const double bend = strip.bend(strip.gates()[i]); bend > certificate.bend) {
       certificate.bend = bend;
       certificate.most_bent = i;
     }
@@ -158,10 +162,12 @@ void measure_segment(const Triangulation& triangulation, const Crossing_word& wo
  * \param crossed a range of the mesh's halfedges, of the crossed edges from `source` to `target`, either side of each;
  *        none if the segment is the edge between its ends
  * \param np named parameters: `vertex_point_map` or `with_metric()`, as for `geodesic_path()`
- * \throws Invalid_curve_error if an edge is no edge of the mesh, on the border, or not in the face behind the one
- *         before, whose number in `crossed` is the element; if the first is not opposite to `source`, or the last not
- *         to `target`; if none is crossed and no edge joins the ends, or these are equal
- * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \throws Invalid_curve_error if an edge is no edge of the mesh, is on the border, or is no other edge of the face behind
+ *         the one before; or if the first is not opposite to `source`. The element is its number in `crossed`
+ * \throws Invalid_curve_error if the last edge is not opposite to `target`, if none is crossed and no edge joins the
+ *         ends, or if these are equal. The elements are vertices
+ * \throws Vertex_out_of_range_error also for a vertex that no face has
+ * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
  * Complexity: linear in the crossed edges, where doubles suffice; meshes other than `Surface_mesh` are indexed first,
  * \f$O(n \log n)\f$.

@@ -94,6 +94,7 @@ BOOST_AUTO_TEST_CASE(the_bend_of_a_segment_is_told)
   const std::vector<Halfedge> round = {mesh.opposite(spoke(mesh, 2)), spoke(mesh, 3), spoke(mesh, 4)};
   const auto bent = FG::certify_segment(mesh, Vertex(1), Vertex(5), round);
   BOOST_TEST((bent.verdict == FG::Certificate_verdict::BENT_SEGMENT));
+  BOOST_TEST(bent.places.empty());
   BOOST_TEST(std::abs(bent.bend - pi / 6) < 1e-12); // the centre is half a radius off the chord
   BOOST_TEST(bent.most_bent < 3u);
 }
