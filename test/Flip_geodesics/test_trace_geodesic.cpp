@@ -181,6 +181,51 @@ BOOST_AUTO_TEST_CASE(directions_in_needles_are_accurate)
   }
 }
 
+BOOST_AUTO_TEST_CASE(edges_can_be_grazed)
+{
+  const Surface mesh = to_mesh<Surface>({{{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {1, -3, 0}}, {{0, 1, 2}, {0, 3, 1}}});
+  for(double height : {0.0, 1e-14, 1e-9, 1e-5})
+    for(double slope : {1e-4, 1e-7, 1e-10, 1e-14, 1e-16})
+      for(const Face f : mesh.faces())
+        for(double sign : {-1.0, 1.0}) {
+          Face_location source = {f, {0, 0, 0}};
+          Halfedge corner = mesh.halfedge(f);
+          for(double& weight : source.second) {
+            const Vertex v = mesh.source(corner);
+            weight = v == Vertex(0) ? 0.75 * (1 - height / 3) : (v == Vertex(1) ? 0.25 * (1 - height / 3) : height / 3);
+            corner = mesh.next(corner);
+          }
+          const Traced t = trace(mesh, source, Vector(1, sign * slope, 0), 1);
+          const Vector unit = Vector(1, sign * slope, 0) / std::hypot(1, slope);
+          BOOST_TEST(distance(t.points.back(), t.points.front() + unit) < 1e-14);
+          const Traced part = trace(mesh, source, Vector(1, sign * slope, 0), 0.25);
+          const Traced rest = trace(mesh, part.result.location, part.result.direction, 0.75);
+          BOOST_TEST(distance(rest.points.back(), t.points.back()) < 1e-14);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(it_can_be_traced_on_from_beside_a_vertex)
+{
+  const Surface mesh =
+      to_mesh<Surface>({{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}});
+  const Halfedge h = mesh.halfedge(Vertex(0), Vertex(1)); // of the face in the plane z = 0
+  Face_location source = {mesh.face(h), {0, 0, 0}};
+  Halfedge corner = mesh.halfedge(source.first);
+  for(double& weight : source.second) {
+    weight = mesh.source(corner) == Vertex(0) ? 0.75 : (mesh.source(corner) == Vertex(1) ? 0.25 : 0);
+    corner = mesh.next(corner);
+  }
+  for(double beside : {1e-9, 1e-11, 1e-12, 1e-14}) {
+    const Vector way(-2, beside, 0); // to the edge that leads from the corner along the y-axis
+    const Traced whole = trace(mesh, source, way, 4);
+    const Traced part = trace(mesh, source, way, 4, CGAL::parameters::number_of_iterations(0));
+    BOOST_TEST((part.result.end == Trace_end::CROSSING_LIMIT));
+    const Traced rest = trace(mesh, part.result.location, part.result.direction, 4 - part.result.length);
+    BOOST_TEST(distance(whole.points.back(), Point(0, 2 * beside, 2)) < 1e-14 + beside);
+    BOOST_TEST(distance(rest.points.back(), whole.points.back()) < 1e-13);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(vertices_on_its_way_are_met_exactly)
 {
   const Surface mesh = grid_mesh();

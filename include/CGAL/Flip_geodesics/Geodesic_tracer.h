@@ -75,7 +75,7 @@ struct Trace_limits
 {
   double length;                                      ///< at most this long, a finite number
   At_vertices at_vertices = At_vertices::GO_STRAIGHT; ///< what it does at vertices
-  std::size_t most_crossings = 1000000;              ///< how many edges and vertices it may pass
+  std::size_t most_crossings = 1000000;               ///< how many edges and vertices it may pass
   IsConstrained is_constrained = IsConstrained();     ///< tells of an `Input_halfedge_index` whether its edge ends it
 };
 
@@ -188,11 +188,13 @@ private:
     const bool is_border = !std::isfinite(total), is_last = m_trace.edges + m_trace.vertices >= m_limits.most_crossings;
     const double on = back + (is_border ? boost::math::constants::pi<double>() : total / 2);
     m_trace.length = length;
-    if(is_border || has_constrained_edge(h) || is_last || m_limits.at_vertices == At_vertices::STOP) {
+    const bool is_long = length == m_limits.length;
+    if(is_border || is_long || has_constrained_edge(h) || is_last || m_limits.at_vertices == At_vertices::STOP) {
       end_at_corner(h, on);
-      m_trace.end = is_border ? Trace_end::BORDER
-                              : (has_constrained_edge(h) ? Trace_end::CONSTRAINED_EDGE
-                                                         : (is_last ? Trace_end::CROSSING_LIMIT : Trace_end::VERTEX));
+      m_trace.end = is_border                 ? Trace_end::BORDER
+                    : is_long                 ? Trace_end::LENGTH
+                    : has_constrained_edge(h) ? Trace_end::CONSTRAINED_EDGE
+                                              : (is_last ? Trace_end::CROSSING_LIMIT : Trace_end::VERTEX);
       return false;
     }
     start = directions.at_vertex(h, on);

@@ -53,6 +53,12 @@ constexpr bool
     is_vector_in_space<T, std::void_t<decltype(std::declval<T>().x(), std::declval<T>().y(), std::declval<T>().z())>> =
         true;
 
+template <class T, class = void>
+constexpr bool is_face_location = false;
+template <class T>
+constexpr bool
+    is_face_location<T, std::void_t<decltype(std::declval<T>().first), decltype(std::declval<T>().second[0])>> = true;
+
 /* Starts of rays by what users give: a vector in space, or a halfedge and an angle. */
 template <class Triangulation, class TriangleMesh>
 class Given_direction
@@ -161,6 +167,19 @@ auto make_trace_limits(const Triangulation& triangulation, const TriangleMesh& m
   }
 }
 
+/* A place on the mesh. A Face_location is not put on an edge or vertex that is near: so can be traced on from each end. */
+template <class Triangulation, class TriangleMesh, class Place>
+Surface_location trace_start(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
+{
+  Surface_location result = located_place(triangulation, mesh, place);
+  if constexpr(is_face_location<Place>)
+    for(std::size_t i = 0; i < 3; ++i) {
+      const double weight = CGAL::to_double(place.second[i]);
+      result.weights[i] = weight < least_weight ? 0 : weight;
+    }
+  return result;
+}
+
 /* A location in a face as users know it. */
 template <class Triangulation, class TriangleMesh>
 auto face_location_of(const Triangulation& triangulation, const TriangleMesh& mesh, Surface_location location)
@@ -241,7 +260,7 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   static_assert(!is_vector || !internal::is_mesh_vertex<TriangleMesh, Source>,
                 "a vector in space is told in a face: give a Face_location at the vertex, or a halfedge and an angle");
   const Triangulation triangulation = internal::make_triangulation(mesh, np);
-  const Surface_location place = internal::located_place(triangulation, mesh, source);
+  const Surface_location place = internal::trace_start(triangulation, mesh, source);
   std::vector<Surface_point> points;
   const Trace trace =
       internal::Given_direction<Triangulation, TriangleMesh>(triangulation)

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/insertion/nearest_weights.h>
 #include <CGAL/Flip_geodesics/internal/rays/Exact_ray_side.h>
 
 #include <CGAL/enum.h>
@@ -89,6 +90,7 @@ public:
   {
     const Input_halfedge_index entered = twin_index(m_crossed.back());
     m_entry_distance = distance_of_gate();
+    m_entry_sine = starts_on_gate() ? 1 : sine_at_gate();
     m_entry = {place_on_gate(), 1 - place_on_gate(), 0};
     enter_face(entered);
     const Sign sign = side_of_apex();
@@ -114,6 +116,8 @@ public:
   /* How far the gate is, in the direction of the ray. */
   double distance_of_gate() const
   {
+    if(starts_on_gate())
+      return 0;
     const double whole = cross(m_unit, -m_gate);
     return whole > 0 ? (std::max)(cross(m_right.position, -m_gate) / whole, 0.0) : 0.0;
   }
@@ -121,6 +125,10 @@ public:
   /* Where the ray passes the gate, from 0 at its right end to 1 at its left end. */
   double place_on_gate() const
   {
+    if(starts_on_gate()) {
+      const int tail = number_of(gate());
+      return m_place.weights[(tail + 1) % 3] / m_sum;
+    }
     const double right = (std::max)(-cross(m_unit, m_right.position), 0.0);
     const double left = (std::max)(cross(m_unit, m_left.position), 0.0);
     return right + left > 0 ? right / (right + left) : 0.5;
@@ -133,26 +141,21 @@ public:
   }
   double distance_of_corner() const { return magnitude(m_corners[m_apex].position); }
 
-  /* Where the ray is at a distance, in the last face that it has entered: between the places where it enters it and where
-   * it leaves it, or runs into a corner. */
+  /*
+   * Where the ray is at a distance, in the last face that it has entered. Between the places where it enters it and leaves
+   * it, or runs into a corner; those are inaccurate where it grazes a side. Or nearest to where it is in the plane; that
+   * is inaccurate in a face that is nearly without area.
+   */
   Surface_location location_at(double distance, bool is_at_gate) const
   {
-    const double whole = (is_at_gate ? distance_of_gate() : distance_of_corner()) - m_entry_distance;
-    const double part = whole > 0 ? (std::min)((std::max)((distance - m_entry_distance) / whole, 0.0), 1.0) : 0.0;
-    std::array<double, 3> end = {0, 0, 0};
-    if(is_at_gate) {
-      const int right = number_of(gate());
-      const double place = place_on_gate();
-      end[right] = 1 - place;
-      end[(right + 1) % 3] = place;
-    } else
-      end[m_apex] = 1;
-    Surface_location result = {m_halfedge, end};
-    for(int i = 0; i < 3; ++i) {
-      const double weight = (1 - part) * m_entry[i] + part * end[i];
-      result.weights[i] = weight > least_weight ? weight : 0;
-    }
-    return result;
+    const double area = cross(m_vectors[0], m_vectors[1]);
+    const double longest = (std::max)({std::norm(m_vectors[0]), std::norm(m_vectors[1]), std::norm(m_vectors[2])});
+    const double grazing = (std::min)(m_entry_sine, is_at_gate ? sine_at_gate() : 1.0);
+    std::array<double, 3> weights =
+        area > grazing * longest ? nearest_to(distance * m_unit) : between_ends(distance, is_at_gate);
+    for(double& weight : weights)
+      weight = weight > least_weight ? weight : 0;
+    return {m_halfedge, weights};
   }
 
   /* The last face, by the halfedge over which it was entered, or that of the place; and the angle from there on to the
@@ -181,6 +184,34 @@ private:
   }
 
   Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+
+  // The sine of the angle between the ray and the gate.
+  double sine_at_gate() const { return std::abs(cross(m_unit, m_gate)) / magnitude(m_gate); }
+
+  std::array<double, 3> nearest_to(const Vector& p) const
+  {
+    std::array<Place_in_space, 3> corners;
+    for(std::size_t i = 0; i < 3; ++i)
+      corners[i] = {{m_corners[i].position.real() - p.real(), m_corners[i].position.imag() - p.imag(), 0}};
+    return nearest_weights(corners).weights;
+  }
+
+  std::array<double, 3> between_ends(double distance, bool is_at_gate) const
+  {
+    const double whole = (is_at_gate ? distance_of_gate() : distance_of_corner()) - m_entry_distance;
+    const double part = whole > 0 ? (std::min)((std::max)((distance - m_entry_distance) / whole, 0.0), 1.0) : 0.0;
+    std::array<double, 3> result = {0, 0, 0};
+    if(is_at_gate) {
+      const int right = number_of(gate());
+      const double place = place_on_gate();
+      result[right] = 1 - place;
+      result[(right + 1) % 3] = place;
+    } else
+      result[m_apex] = 1;
+    for(int i = 0; i < 3; ++i)
+      result[i] = (1 - part) * m_entry[i] + part * result[i];
+    return result;
+  }
 
   // Which side of the last face.
   int number_of(Input_halfedge_index h) const { return h == m_halfedge ? 0 : (h == next(m_halfedge) ? 1 : 2); }
@@ -269,9 +300,9 @@ private:
   Input_halfedge_index m_halfedge; // of the last face, in which its vectors and corners are told from there
   std::array<Vector, 3> m_vectors = {};
   std::array<Corner, 3> m_corners = {};
-  std::array<double, 3> m_entry = {}; // the weights of the place where it is entered
-  double m_entry_distance = 0;
-  int m_apex = 2; // the corner that the ray runs into
+  std::array<double, 3> m_entry = {};            // the weights of the place where it is entered
+  double m_entry_distance = 0, m_entry_sine = 1; // and of the angle between ray and side there
+  int m_apex = 2;                                // the corner that the ray runs into
 
   Corner m_right = {0, 0}, m_left = {0, 0};
   Vector m_gate = 0; // from left to right
