@@ -5,7 +5,7 @@
 #
 #   bash test/run.sh           every test with g++; headers and smoke tests with clang++ and under sanitizers
 #   bash test/run.sh --full    every test with g++, with clang++, and under sanitizers with checked iterators; OpenMesh
-#                              installed as well
+#                              and MPI installed as well
 #
 # Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
 # parallel jobs (default: one per processor), SKIP_INSTALL=1 neither looks for packages nor installs any.
@@ -18,8 +18,9 @@ smoke_tests=(test_checker test_edge_path_graph test_entry_points)
 
 packages=(g++ clang cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev libeigen3-dev
           libtbb-dev libcli11-dev python3)
-# Some 250 packages come along with the first, therefore not for everybody; the second has the sanitizers of clang++.
-full_packages=(libopenmesh-dev libclang-rt-dev)
+# Some 250 packages come along with the first and 50 with MPI, therefore not for everybody; the second has the sanitizers
+# of clang++.
+full_packages=(libopenmesh-dev libclang-rt-dev libboost-mpi-dev openmpi-bin)
 
 full=0
 case "${1-}" in

@@ -58,6 +58,16 @@ flip_geodesics_test_example(shortest_path_example torus.off 6 150)
 flip_geodesics_test_example(trace_geodesic_example torus.off 2 7)
 flip_geodesics_test_example(write_files_example torus.off)
 
+# On one process and on several, from the beginning and from the middle, with the same results.
+if(TARGET distributed_paths_example)
+  add_test(
+    NAME distributed_paths_example
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:distributed_paths_example> -D MPIEXEC=${MPIEXEC_EXECUTABLE} -D
+            NUMBER_OPTION=${MPIEXEC_NUMPROC_FLAG} -P ${CMAKE_CURRENT_SOURCE_DIR}/distributed_paths.cmake
+    WORKING_DIRECTORY ${example_dir})
+  set_tests_properties(distributed_paths_example PROPERTIES FIXTURES_REQUIRED example_input)
+endif()
+
 # A result of one run as the mesh of the next.
 foreach(case "flattening_example flattening.obj 0 1 2" "geodesic_tree_example logarithmic_map.obj"
              "poisson_example poisson.ply 0 1" "write_files_example ends.ply")

@@ -9,6 +9,16 @@ include(CGAL_TBB_support)
 find_package(CLI11 QUIET)
 find_package(benchmark QUIET)
 
+# Boost.MPI, with what it needs, for programs that run on many machines.
+find_package(MPI QUIET COMPONENTS CXX)
+find_package(boost_mpi QUIET CONFIG)
+find_package(boost_serialization QUIET CONFIG)
+if(TARGET MPI::MPI_CXX AND TARGET Boost::mpi AND TARGET Boost::serialization)
+  add_library(Flip_geodesics_MPI INTERFACE IMPORTED)
+  set_target_properties(Flip_geodesics_MPI PROPERTIES INTERFACE_LINK_LIBRARIES
+                                                      "Boost::mpi;Boost::serialization;MPI::MPI_CXX")
+endif()
+
 # By hand: the configuration file of some distributions' OpenMesh names files that they do not ship.
 find_path(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/ArrayKernel.hh)
 find_library(FLIP_GEODESICS_OPENMESH_LIBRARY OpenMeshCore)
@@ -58,6 +68,7 @@ set(flip_geodesics_optional_libraries
     REQUIRED
     "CGAL_LINKED_WITH_TBB|CGAL::Parallel_tag" CGAL::TBB_support GUARDED
     "CGAL_USE_OPENMESH" Flip_geodesics_OpenMesh GUARDED
+    "<boost/mpi.hpp>" Flip_geodesics_MPI REQUIRED
     "<CLI/CLI.hpp>" CLI11::CLI11 REQUIRED
     "<benchmark/benchmark.h>" benchmark::benchmark REQUIRED)
 
