@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsCurves
  *
  * The input edges that an intrinsic edge crosses, from its tail to its head. With its ends, it determines the edge: the
  * straight line in the unfolded faces.

@@ -17,11 +17,11 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// What elements are numbered by.
 using Index = std::int32_t;
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// The type of `null_index`.
 struct Null_index
 {
@@ -29,7 +29,7 @@ struct Null_index
   constexpr operator Index() const { return -1; }
 };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// No element: every descriptor can be compared with it and made from it.
 inline constexpr Null_index null_index{};
 
@@ -55,7 +55,7 @@ struct Descriptor_operators
 } // namespace internal
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsDescriptors
  *
  * Names one element of a triangulation or of a network: a number in a type of its own, so that a halfedge cannot be
  * given where a vertex is asked for.
@@ -139,29 +139,29 @@ struct Vertex_copy_element
 
 } // namespace internal
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// A vertex of a triangulation; the input's have the same numbers as in the input.
 using Vertex_index = Descriptor<internal::Vertex_element>;
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// A halfedge of a triangulation.
 using Halfedge_index = Descriptor<internal::Halfedge_element>;
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// A face of a triangulation, by the smallest number of its halfedges. A flip takes away two faces and makes two.
 using Face_index = Descriptor<internal::Face_element>;
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// A halfedge of the input of a triangulation, which flips do not change.
 using Input_halfedge_index = Descriptor<internal::Input_halfedge_element>;
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// A segment of a curve of a network.
 using Segment_index = Descriptor<internal::Segment_element>;
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// A curve of a network.
 using Curve_index = Descriptor<internal::Curve_element>;
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// A vertex of a surface that is cut open: one of the copies of a vertex of a triangulation.
 using Vertex_copy_index = Descriptor<internal::Vertex_copy_element>;
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsDescriptors
 /// An edge of a triangulation. It knows from which halfedge it was made, and is the same edge whichever it was: so
 /// `source()` and `target()` of an edge that a traversal hands out are where the traversal is and where it leads.
 class Edge_index : public internal::Descriptor_operators<Edge_index>

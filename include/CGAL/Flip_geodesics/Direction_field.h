@@ -53,6 +53,8 @@ public:
   };
 
   /*!
+   * Prepares the computation.
+   *
    * \param symmetry the number of directions at a point, at least 1
    * \throws what `Operators` throws
    */

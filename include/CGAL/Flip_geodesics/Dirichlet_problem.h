@@ -36,6 +36,8 @@ public:
   using Vector = Eigen::VectorXd; ///< a number per vertex
 
   /*!
+   * Factorizes the matrix of the problem.
+   *
    * \param operators of the triangulation; needed only here
    * \param given the vertices where values are given, in any order, each once or more
    * \throws Vertex_out_of_range_error
@@ -57,6 +59,8 @@ public:
   }
 
   /*!
+   * Solves the problem for a density and values.
+   *
    * \param density \f$\rho\f$, a value per vertex, or empty for 0
    * \param values a number per vertex, read at the given ones
    * \return the solution, a value per vertex; NaN at isolated vertices that are not given

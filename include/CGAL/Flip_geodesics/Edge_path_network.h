@@ -25,13 +25,13 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// The place for a network in a triangulation, which has one: a model of `IntrinsicTriangulation` has a member of this
 /// type. It refuses to be moved while it is taken; `has_curves()` tells whether its network has any.
 using Network_place = internal::Network_place;
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsCurves
  *
  * A network of curves along the edges of an intrinsic triangulation: open paths, closed loops, curves with fixed nodes
  * inside, several strands over one edge, strands that run to and fro. Model of `EdgePathGraph`.

@@ -9,7 +9,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsCurves
  *
  * What the log of an `Intrinsic_triangulation` keeps of a flip: enough to take it back, and to derive the crossings of
  * the new edge. Where `hp` is `null_index`, nothing was flipped: either the face of `h` was laid out afresh, `tn` is

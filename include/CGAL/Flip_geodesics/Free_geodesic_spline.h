@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsBuilders
 /// What the control points of a spline are the control points of.
 enum class Spline_kind {
   BEZIER,                ///< one B&eacute;zier curve, of a degree one less than their number
@@ -28,7 +28,7 @@ enum class Spline_kind {
 };
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsBuilders
  *
  * A chain of geodesic B&eacute;zier curves as polylines on the surface, by de Casteljau's algorithm with geodesics for
  * straight lines, as `Geodesic_spline` [SC20, section 6.2].

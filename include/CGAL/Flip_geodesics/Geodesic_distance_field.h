@@ -110,6 +110,7 @@ public:
     std::size_t source = 0; ///< which one that is, in the order of adding; 0 if the distance is infinite
   };
 
+  /// Makes a field without sources.
   /// \param triangulation of the mesh; both must outlive the field
   /// \param mesh the mesh
   /// \param extent where the field is to be asked

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsBuilders
  *
  * A chain of geodesic B&eacute;zier curves on the surface, by de Casteljau's algorithm with geodesics for straight
  * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008].

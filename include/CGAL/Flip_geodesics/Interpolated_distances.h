@@ -44,6 +44,7 @@ public:
     std::size_t source = 0;                                    ///< its position among the maps
   };
 
+  /// Interpolates between the distances of vertices.
   /// \param mesh must outlive the field
   /// \param distances of the vertices, from each of the sources
   Interpolated_distances(const TriangleMesh& mesh, std::vector<VertexDistanceMap> distances)

@@ -40,7 +40,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// What a triangulation makes of edges of length zero.
 enum class Zero_length_edges {
   REFUSE,  ///< a face with such an edge throws `Degenerate_face_error` when it is touched
@@ -48,7 +48,7 @@ enum class Zero_length_edges {
 };
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsCurves
  *
  * An intrinsic triangulation of a triangle mesh: the mesh's vertices, joined by straight edges *in* the surface, that
  * can be flipped without changing the surface [SC20, section 3.1].

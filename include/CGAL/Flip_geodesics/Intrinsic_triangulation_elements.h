@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsCurves
  *
  * The elements of an intrinsic triangulation: how they hang together, how long they are, and what a network keeps of
  * them. This is the base of `Intrinsic_triangulation`, which flips edges and inserts points.

@@ -8,15 +8,15 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// The side of a curve, as seen along it.
 enum class Side { LEFT, RIGHT };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// The other side.
 inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// One side of the joint between a segment and the next one of its curve.
 struct Joint
 {
@@ -24,7 +24,7 @@ struct Joint
   Side side;              ///< on which side of the curve
 };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
 struct Strand_end
 {
@@ -39,7 +39,7 @@ struct Strand_end
   bool operator!=(const Strand_end& other) const { return !(*this == other); }
 };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// What stands in the wedge at one side of a joint.
 enum class Wedge_state {
   FREE,     ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened

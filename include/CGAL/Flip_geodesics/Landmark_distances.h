@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsBuilders
  *
  * The distances of all vertices from 16 landmarks, which are vertices far from one another. Made once for many searches
  * on one mesh, they direct them round bumps and holes: by the triangle inequality, two vertices are not closer to each

@@ -9,7 +9,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsCurves
  *
  * A mesh seen by consecutive numbers: what a triangulation has as its input, and what metrics are asked about. It is a
  * class, and no concept, since a metric and all triangulations with it must mean the same elements by the same numbers.

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsShortening
  *
  * Pulls the curves of a network tight as `shorten()` does, but in as many runs as one likes: what is known of the
  * joints is kept from run to run, so that a run takes time for its steps alone, not for the size of the network. For

@@ -10,7 +10,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsShortening
 /// How a curve came out of a shortening.
 enum class Shortening_status {
   LOCALLY_SHORTEST,   ///< no side of a joint that is not blocked has an angle below \f$\pi\f$
@@ -47,7 +47,7 @@ inline const char* to_string(Shortening_status status)
   return "";
 }
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsShortening
 /// What happened to one curve.
 struct Curve_report
 {
@@ -61,7 +61,7 @@ struct Curve_report
   bool are_zero_edges_contracted = false;
 };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsShortening
 /// What a shortening did.
 struct Shortening_report
 {

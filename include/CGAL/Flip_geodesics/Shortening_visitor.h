@@ -9,7 +9,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsStop
  *
  * A visitor that does nothing; derive from it and hide what you need.
  *

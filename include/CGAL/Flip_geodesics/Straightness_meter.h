@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsProving
 /// How straight a curve is, measured from the input alone.
 struct Straightness
 {
@@ -39,7 +39,7 @@ struct Straightness
 };
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsProving
  *
  * Measures curves of a network afresh from the input: each segment's word of crossed input edges is unfolded from the
  * input's coordinates, and the angles at the joints are summed over input faces. Nothing that the flips computed enters

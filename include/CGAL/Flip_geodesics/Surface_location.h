@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsCurves
  *
  * A point of the input surface: in the face of `halfedge`, or on its border, at the barycentric `weights` of the tail of
  * `halfedge`, its head, and the third vertex. Only the ratio of the weights counts: the point is exactly
@@ -35,11 +35,11 @@ struct Surface_location
   std::array<double, 3> weights = {{1, 0, 0}}; ///< of tail, head and third vertex; each 0 or in [1e-100, 1e100]
 };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// What a location is a point of.
 enum class Location_kind { VERTEX, EDGE, FACE };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// The kind of a location, by its weights of zero.
 inline Location_kind kind(const Surface_location& location)
 {
@@ -47,7 +47,7 @@ inline Location_kind kind(const Surface_location& location)
   return zeros == 0 ? Location_kind::FACE : (zeros == 1 ? Location_kind::EDGE : Location_kind::VERTEX);
 }
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsCurves
 /// Where a point to be inserted is nearly: in the piece of an input face at a gap of the word of a halfedge, as seen
 /// from that halfedge's face.
 struct Known_piece

@@ -28,6 +28,7 @@ template <class Triangulation>
 class Tangent_spaces
 {
 public:
+  /// Lays out the tangent plane of each vertex.
   /// \param faces all faces, from `intrinsic_faces()`
   Tangent_spaces(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces)
     : m_angles(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)

@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsProving
 /// What a certificate says of a curve.
 enum class Certificate_verdict {
   PROVEN,       ///< the curve is locally shortest, exactly
@@ -44,7 +44,7 @@ inline const char* to_string(Certificate_verdict verdict)
   return "";
 }
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsProving
 /// The verdict on one curve; if it is bent, where.
 struct Curve_certificate
 {
@@ -59,7 +59,7 @@ struct Curve_certificate
   }
 };
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsProving
 /// The verdicts on all curves of a network, and how the comparisons were decided.
 struct Network_certificate
 {
@@ -137,7 +137,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsProving
  *
  * Proves from the input alone that the curves of a network are locally shortest, whatever traits computed them: each
  * segment's word of crossed input edges unfolds to a strip that contains the straight line between its ends, and each

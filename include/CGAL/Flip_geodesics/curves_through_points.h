@@ -60,7 +60,7 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
   return curve;
 }
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsBuilders
 /// Geodesics from point to point, each by itself.
 struct Free_legs
 {

@@ -23,6 +23,7 @@ namespace Flip_geodesics {
 class Error : public std::runtime_error
 {
 public:
+  /// Says what is wrong, and where.
   /// \param message what is wrong, to be had from `what()`
   /// \param elements the indices of the offending elements, in the order of the message
   explicit Error(const std::string& message, std::vector<std::size_t> elements = {})

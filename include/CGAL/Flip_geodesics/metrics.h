@@ -74,6 +74,7 @@ public:
   using Point_3 = typename boost::property_traits<VertexPointMap>::value_type; ///< of the vertices
   using Kernel = typename Kernel_traits<Point_3>::Kernel;                      ///< of the points
 
+  /// Takes the lengths from points.
   /// \param points of the mesh's vertices, read whenever a length is asked for
   explicit Embedded_metric(VertexPointMap points)
     : m_points(points)
@@ -190,6 +191,7 @@ public:
   using Mesh = Numbered_mesh<TriangleMesh>; ///< the mesh, numbered
   using Kernel = Simple_cartesian<double>;  ///< in which finished curves are measured
 
+  /// Takes the lengths from a property map.
   /// \param mesh must outlive the metric
   /// \param lengths of its edges, read whenever one is asked for; any unit, each between 1e-70 and 1e70
   Edge_length_metric(const TriangleMesh& mesh, EdgeLengthMap lengths)

@@ -12,7 +12,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsShortening
  *
  * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class, and measures
  * the result afresh from the input. With traits of which `Has_drift` is `CGAL::Tag_true`, a curve is reported

@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsBuilders
 /// How an edge path is searched.
 enum class Search_method {
   /// A path that is to be pulled tight: close to a shortest one on the surface, rather than shortest along edges. The
@@ -43,7 +43,7 @@ enum class Search_method {
 };
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsBuilders
  *
  * Searches paths along the edges of the input mesh, which is where curves usually start from: shortest ones, or such as
  * are soon pulled tight. It reads the input alone and touches no triangulation.

@@ -55,6 +55,7 @@ struct Never_stop_predicate
 class Length_ratio_stop_predicate
 {
 public:
+  /// Sets the limit.
   /// \param ratio the least length, as a part of the initial one
   /// \pre 0 <= ratio <= 1
   explicit Length_ratio_stop_predicate(double ratio)
@@ -79,6 +80,7 @@ private:
 class Curve_length_ratio_stop_predicate
 {
 public:
+  /// Sets the limit.
   /// \param ratio the least length, as a part of the initial one
   /// \pre 0 <= ratio <= 1
   explicit Curve_length_ratio_stop_predicate(double ratio)
@@ -103,6 +105,7 @@ private:
 class Angle_stop_predicate
 {
 public:
+  /// Sets the limit.
   /// \param angle in radians, in (0, \f$\pi\f$]
   explicit Angle_stop_predicate(double angle)
     : m_key(1 - std::cos(angle) / (std::abs(std::cos(angle)) + std::sin(angle)))
@@ -125,6 +128,7 @@ private:
 class Iteration_stop_predicate
 {
 public:
+  /// Sets the limit.
   /// \param limit the number of steps that may be taken, as `Shortening_step::steps` counts them
   explicit Iteration_stop_predicate(std::size_t limit)
     : m_limit(limit)
@@ -175,6 +179,7 @@ decltype(auto) restarted(const StopPredicate& stop)
 class Time_stop_predicate
 {
 public:
+  /// Sets the limit, and starts to count.
   /// \param limit a time in seconds, or any duration of `std::chrono`; it runs from now on
   explicit Time_stop_predicate(std::chrono::duration<double> limit)
     : m_limit(limit)
@@ -203,6 +208,7 @@ private:
 class Memory_stop_predicate
 {
 public:
+  /// Sets the limit.
   /// \param limit in bytes
   explicit Memory_stop_predicate(std::size_t limit)
     : m_limit(limit)

@@ -26,6 +26,8 @@ class Tubes
 {
 public:
   /*!
+   * Says how thick the tubes are, and how round.
+   *
    * \param radius the distance of the corners from the curve, in the units of the mesh
    * \param number_of_sides how many corners a ring has
    * \pre the radius is positive and finite, and there are three sides or more

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What Doxygen reads in place of a file of the manual or a header: filter.py FILE
+
+Numbers figures and names them by their numbers where they are referred to, links citations to the list of references,
+and names of enumerators to their enumerations. Lines keep their numbers.
+"""
+
+import re
+import sys
+from functools import lru_cache
+from pathlib import Path
+
+DOC = Path(__file__).resolve().parent
+HEADERS = DOC.parents[1] / 'include'
+MANUAL = DOC / 'Flip_geodesics.txt'
+
+
+def chapters():
+    """The files of the manual in the order in which they are read."""
+    inputs = re.search(r'^INPUT .*?\n(?=[A-Z#\n])', (DOC / 'Doxyfile.in').read_text(), re.M | re.S).group(0)
+    return [DOC / name for name in re.findall(r'DOC_DIR@/(\w+\.txt)"', inputs)]
+
+
+@lru_cache(maxsize=None)
+def figures():
+    """The number of each figure by its name."""
+    names = [name for chapter in chapters() for name in re.findall(r'\\cgalFigureBegin\{(\w+),', chapter.read_text())]
+    return {name: number for number, name in enumerate(names, 1)}
+
+
+@lru_cache(maxsize=None)
+def references():
+    return set(re.findall(r'^- \[(\w+)\] ', MANUAL.read_text(), re.M))
+
+
+@lru_cache(maxsize=None)
+def enumerators():
+    """The enumeration of each public enumerator, of those that only one has."""
+    owners = {}
+    for header in sorted(HEADERS.rglob('*.h')):
+        if 'internal' in header.parts:
+            continue
+        for enum, body in re.findall(r'^enum class (\w+)[^{]*\{(.*?)\n\};', header.read_text(), re.M | re.S):
+            for line in body.splitlines():
+                for name in re.findall(r'\b[A-Z][A-Z_]+\b', line.split('//')[0]):
+                    owners.setdefault(name, set()).add(enum)
+    return {name: enums.pop() for name, enums in owners.items() if len(enums) == 1}
+
+
+def number_figures(line):
+    line = re.sub(r'\\cgalFigureRef\{(\w+)\}', lambda m: rf'\ref fig__{m[1]} "Figure {figures()[m[1]]}"', line)
+    return re.sub(r'(\\cgalFigureBegin\{(\w+),[^}]*\})', lambda m: rf'\1 <b>Figure {figures()[m[2]]}.</b>'.replace(r'\1', m[1]), line)
+
+
+def link_citations(line):
+    line = re.sub(r'^- \[(\w+)\] ', lambda m: rf'- \anchor cite_{m[1]} [{m[1]}] ' if m[1] in references() else m[0], line)
+
+    def link(match):
+        return re.sub(r'\b(\w+)\b', lambda m: rf'\ref cite_{m[1]} "{m[1]}"' if m[1] in references() else m[0], match[0])
+
+    return line if line.startswith(r'- \anchor cite_') else re.sub(r'\[[A-Z]+\w*\d\d[^\]]*\]?', link, line)
+
+
+def link_enumerators(line):
+    def link(match):
+        enum = enumerators().get(match[1])
+        return rf'\link CGAL::Flip_geodesics::{enum}::{match[1]} `{match[1]}`\endlink' if enum else match[0]
+
+    return re.sub(r'`([A-Z][A-Z_]+)`', link, line)
+
+
+def main():
+    path = Path(sys.argv[1])
+    is_text = path.suffix == '.txt'
+    in_code = False
+    for line in path.read_text().splitlines():
+        if re.search(r'\\code\b|\\verbatim\b', line):
+            in_code = True
+        if not in_code and (is_text or re.match(r'\s*(///|\*|/\*!)', line) or '///<' in line):
+            line = link_enumerators(link_citations(number_figures(line)))
+        if re.search(r'\\endcode\b|\\endverbatim\b', line):
+            in_code = False
+        print(line)
+
+
+if __name__ == '__main__':
+    main()
