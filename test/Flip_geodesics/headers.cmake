@@ -14,7 +14,7 @@ set(precompiled_graph
 set(precompiled_numbers
     ${precompiled_graph} <CGAL/Kernel_traits.h> <CGAL/Named_function_parameters.h> <CGAL/Simple_cartesian.h>
     <boost/math/constants/constants.hpp> <boost/multiprecision/cpp_bin_float.hpp> <boost/multiprecision/cpp_int.hpp>
-    <boost/multiprecision/miller_rabin.hpp> <complex> <deque> <map> <optional> <random> <sstream> <unordered_map>)
+    <complex> <deque> <map> <optional> <random> <sstream> <unordered_map>)
 
 # Sets `result` to everything in <> that `header` includes, itself or by our others.
 function(flip_geodesics_includes_of header result)

@@ -84,6 +84,8 @@ inline void check_precise_face(const std::array<double, 3>& l)
   }
 }
 
+inline Real real(const Integer& n) { return Real(n.number()); }
+
 inline Integer random_integer(Random_numbers& random, int bits)
 {
   Integer result = 1;
@@ -107,7 +109,7 @@ constexpr int fixed_bits = 12;
 
 inline bool holds(const Fixed::Number& a, const Real& value)
 {
-  return abs(Real(a.middle) - ldexp(value, fixed_bits)) <= Real(a.radius);
+  return abs(real(a.middle) - ldexp(value, fixed_bits)) <= real(a.radius);
 }
 
 } // namespace Flip_geodesics_test

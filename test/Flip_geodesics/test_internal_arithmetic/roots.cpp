@@ -20,9 +20,9 @@ BOOST_AUTO_TEST_CASE(roots_are_products_of_roots_of_coprime_numbers)
     const FI::Root_base base(turned);
     const std::vector<Integer>& g = base.generators();
     for(std::size_t i = 0; i < g.size(); ++i) {
-      BOOST_TEST((g[i] > 1 && sqrt(g[i]) * sqrt(g[i]) != g[i]));
+      BOOST_TEST((g[i] > 1 && !FI::is_perfect_square(g[i])));
       for(std::size_t k = 0; k < i; ++k)
-        BOOST_TEST(gcd(g[i], g[k]) == 1);
+        BOOST_TEST(FI::greatest_common_divisor(g[i], g[k]) == 1);
     }
     for(const Integer& d : radicands) {
       const FI::Root_base::Root& root = base.root(d);
@@ -45,10 +45,10 @@ BOOST_AUTO_TEST_CASE(products_of_sums_of_roots_have_the_sign_of_their_value)
   const auto value = [&](const FI::Multiquadratic_ring::Number& a) {
     Real sum = 0;
     for(std::size_t mask = 0; mask < a.size(); ++mask) {
-      Real term(a[mask]);
+      Real term = real(a[mask]);
       for(std::size_t i = 0; i < 3; ++i)
         if((mask >> i & 1) != 0)
-          term *= sqrt(Real(base.generators()[i]));
+          term *= sqrt(real(base.generators()[i]));
       sum += term;
     }
     return sum;
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(fixed_point_numbers_hold_what_they_stand_for)
     const Integer dot = random.below(201) - 100, square = random.below(1000), divisor = 1 + random.below(90);
     const int sign = random.below(2) == 0 ? 1 : -1;
     const Fixed::Side side = ring.side(dot, square, sign, divisor);
-    const Real x = Real(dot) / Real(divisor), y = sign * sqrt(Real(square)) / Real(divisor);
+    const Real x = real(dot) / real(divisor), y = sign * sqrt(real(square)) / real(divisor);
     BOOST_TEST((holds(side.dot, x) && holds(side.root, y)));
     Fixed::Number a = side.dot; // errors grow from product to product
     Real value = x;

@@ -42,13 +42,13 @@ public:
 
   Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& divisor) const
   {
-    const Float inverse = 1 / Float(divisor), root = root_of(squared_root) * inverse;
-    return {rounded(Float(dot) * inverse, 0), rounded(sign > 0 ? root : Float(-root), 0)};
+    const Float inverse = 1 / Float(divisor.number()), root = root_of(squared_root) * inverse;
+    return {rounded(Float(dot.number()) * inverse, 0), rounded(sign > 0 ? root : Float(-root), 0)};
   }
 
   Number integer(int n) const { return {Float(n), 0}; }
   Number rescale(const Number& a, const Integer& /* factor */) const { return a; }
-  Number times_integer(const Number& a, const Integer& n) const { return multiply(a, rounded(Float(n), 0)); }
+  Number times_integer(const Number& a, const Integer& n) const { return multiply(a, rounded(Float(n.number()), 0)); }
   Number times_dot(const Number& a, const Side& side) const { return multiply(a, side.dot); }
   Number times_root(const Number& a, const Side& side) const { return multiply(a, side.root); }
   Number add(const Number& a, const Number& b) const { return rounded(a.middle + b.middle, a.radius + b.radius); }
@@ -72,8 +72,8 @@ private:
   {
     if(n == 0)
       return 0;
-    const int half_exponent = static_cast<int>(boost::multiprecision::msb(n)) / 2;
-    const Float x = boost::multiprecision::ldexp(Float(n), -2 * half_exponent); // from 1 to 4
+    const int half_exponent = static_cast<int>(n.highest_bit()) / 2;
+    const Float x = boost::multiprecision::ldexp(Float(n.number()), -2 * half_exponent); // from 1 to 4
     Float inverse = 1 / std::sqrt(x.template convert_to<double>());
     for(int bits = 50; bits < std::numeric_limits<Float>::digits; bits = 2 * bits - 2)
       inverse += boost::multiprecision::ldexp(Float(inverse * (1 - x * inverse * inverse)), -1);

@@ -133,10 +133,7 @@ private:
     return ring.is_zero(Chain_arithmetic<Residue_ring>(ring).sine(chains));
   }
 
-  static unsigned number_of_bits(const Integer& n)
-  {
-    return n == 0 ? 1 : static_cast<unsigned>(boost::multiprecision::msb(Integer(boost::multiprecision::abs(n)))) + 1;
-  }
+  static unsigned number_of_bits(const Integer& n) { return n == 0 ? 1 : static_cast<unsigned>(n.highest_bit()) + 1; }
 
   Decision_statistics& m_statistics;
 };

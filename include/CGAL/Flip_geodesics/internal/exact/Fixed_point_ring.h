@@ -43,10 +43,7 @@ public:
 
   Number integer(int n) const { return {scaled(n), 0}; }
   Number rescale(const Number& a, const Integer& /* factor */) const { return a; }
-  Number times_integer(const Number& a, const Integer& n) const
-  {
-    return {a.middle * n, a.radius * boost::multiprecision::abs(n)};
-  }
+  Number times_integer(const Number& a, const Integer& n) const { return {a.middle * n, a.radius * absolute(n)}; }
   Number times_dot(const Number& a, const Side& side) const { return multiply(a, side.dot); }
   Number times_root(const Number& a, const Side& side) const { return multiply(a, side.root); }
   Number add(const Number& a, const Number& b) const { return {a.middle + b.middle, a.radius + b.radius}; }
@@ -55,14 +52,13 @@ public:
   Number multiply(const Number& a, const Number& b) const
   {
     const Integer product = a.middle * b.middle;
-    const Integer error = boost::multiprecision::abs(a.middle) * b.radius +
-                          boost::multiprecision::abs(b.middle) * a.radius + a.radius * b.radius;
+    const Integer error = absolute(a.middle) * b.radius + absolute(b.middle) * a.radius + a.radius * b.radius;
     return {product < 0 ? Integer(-(Integer(-product) >> m_bits)) : Integer(product >> m_bits), (error >> m_bits) + 2};
   }
 
   Uncertain<Sign> sign(const Number& a) const
   {
-    if(boost::multiprecision::abs(a.middle) > a.radius)
+    if(absolute(a.middle) > a.radius)
       return a.middle > 0 ? POSITIVE : NEGATIVE;
     return Uncertain<Sign>::indeterminate();
   }

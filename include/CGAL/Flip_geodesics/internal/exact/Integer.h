@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_EXACT_INTEGER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_EXACT_INTEGER_H
 
+#include <boost/config.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
@@ -11,7 +12,9 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <ostream>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -19,11 +22,160 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Boost's, which come without a library of their own. CGAL/boost_mp.h, which tells CGAL about them, includes GMP where
- * CGAL was configured with it: so functions of CGAL for numbers are not called with these, such as an unqualified
- * abs().
+ * Boost's integers, which come without a library of their own, behind functions that are compiled once: each operation
+ * of theirs is some hundred instructions where it is inlined, and each program would compile them in each place. What is
+ * not here is not needed.
+ *
+ * CGAL/boost_mp.h, which tells CGAL about Boost's, includes GMP where CGAL was configured with it: so functions of CGAL
+ * for numbers are not called with these, such as an unqualified abs().
  */
-using Integer = boost::multiprecision::cpp_int;
+class Integer
+{
+public:
+  using Number = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+  BOOST_NOINLINE Integer() {}
+  BOOST_NOINLINE Integer(const Integer& n)
+    : m_number(n.m_number)
+  {
+  }
+  BOOST_NOINLINE Integer(Integer&& n) noexcept
+    : m_number(std::move(n.m_number))
+  {
+  }
+  BOOST_NOINLINE ~Integer() {}
+  BOOST_NOINLINE Integer& operator=(const Integer& n)
+  {
+    m_number = n.m_number;
+    return *this;
+  }
+  BOOST_NOINLINE Integer& operator=(Integer&& n) noexcept
+  {
+    m_number.swap(n.m_number);
+    return *this;
+  }
+
+  template <class T, class = std::enable_if_t<std::is_integral<T>::value>>
+  Integer(T n)
+    : Integer(Built_in<T>(n), 0)
+  {
+  }
+
+  BOOST_NOINLINE explicit Integer(double x)
+    : m_number(x)
+  {
+  }
+
+  BOOST_NOINLINE explicit Integer(const Number& n)
+    : m_number(n)
+  {
+  }
+
+  const Number& number() const { return m_number; }
+
+  template <class T, class = std::enable_if_t<std::is_integral<T>::value>>
+  explicit operator T() const
+  {
+    return static_cast<T>(converted(Built_in<T>()));
+  }
+
+  BOOST_NOINLINE explicit operator double() const { return m_number.convert_to<double>(); }
+
+  BOOST_NOINLINE int sign() const { return m_number.sign(); }
+  BOOST_NOINLINE void swap(Integer& n) noexcept { m_number.swap(n.m_number); }
+
+  /* The number of the highest bit, and of the lowest one that is set. \pre not zero */
+  BOOST_NOINLINE unsigned highest_bit() const { return static_cast<unsigned>(msb(Number(abs(m_number)))); }
+  BOOST_NOINLINE unsigned lowest_bit() const { return static_cast<unsigned>(lsb(Number(abs(m_number)))); }
+
+  BOOST_NOINLINE Integer& operator+=(const Integer& n)
+  {
+    m_number += n.m_number;
+    return *this;
+  }
+  BOOST_NOINLINE Integer& operator-=(const Integer& n)
+  {
+    m_number -= n.m_number;
+    return *this;
+  }
+  BOOST_NOINLINE Integer& operator*=(const Integer& n)
+  {
+    m_number *= n.m_number;
+    return *this;
+  }
+  BOOST_NOINLINE Integer& operator/=(const Integer& n)
+  {
+    m_number /= n.m_number;
+    return *this;
+  }
+  BOOST_NOINLINE Integer& operator%=(const Integer& n)
+  {
+    m_number %= n.m_number;
+    return *this;
+  }
+  BOOST_NOINLINE Integer& operator<<=(unsigned long bits)
+  {
+    m_number <<= bits;
+    return *this;
+  }
+  /* \pre not negative */
+  BOOST_NOINLINE Integer& operator>>=(unsigned long bits)
+  {
+    m_number >>= bits;
+    return *this;
+  }
+
+  friend Integer operator+(Integer a, const Integer& b) { return std::move(a += b); }
+  friend Integer operator-(Integer a, const Integer& b) { return std::move(a -= b); }
+  friend Integer operator/(Integer a, const Integer& b) { return std::move(a /= b); }
+  friend Integer operator%(Integer a, const Integer& b) { return std::move(a %= b); }
+  friend Integer operator<<(Integer a, unsigned long bits) { return std::move(a <<= bits); }
+  friend Integer operator>>(Integer a, unsigned long bits) { return std::move(a >>= bits); }
+
+  friend BOOST_NOINLINE Integer operator*(const Integer& a, const Integer& b)
+  {
+    Integer result;
+    boost::multiprecision::multiply(result.m_number, a.m_number, b.m_number);
+    return result;
+  }
+
+  friend BOOST_NOINLINE Integer operator-(Integer a)
+  {
+    a.m_number.backend().negate();
+    return a;
+  }
+
+  friend bool operator==(const Integer& a, const Integer& b) { return compare(a, b) == 0; }
+  friend bool operator!=(const Integer& a, const Integer& b) { return compare(a, b) != 0; }
+  friend bool operator<(const Integer& a, const Integer& b) { return compare(a, b) < 0; }
+  friend bool operator>(const Integer& a, const Integer& b) { return compare(a, b) > 0; }
+  friend bool operator<=(const Integer& a, const Integer& b) { return compare(a, b) <= 0; }
+  friend bool operator>=(const Integer& a, const Integer& b) { return compare(a, b) >= 0; }
+
+  friend std::ostream& operator<<(std::ostream& out, const Integer& n) { return out << n.m_number; }
+
+private:
+  template <class T>
+  using Built_in = std::conditional_t<std::is_signed<T>::value, std::int64_t, std::uint64_t>;
+
+  BOOST_NOINLINE Integer(std::int64_t n, int)
+    : m_number(n)
+  {
+  }
+  BOOST_NOINLINE Integer(std::uint64_t n, int)
+    : m_number(n)
+  {
+  }
+
+  BOOST_NOINLINE std::int64_t converted(std::int64_t) const { return static_cast<std::int64_t>(m_number); }
+  BOOST_NOINLINE std::uint64_t converted(std::uint64_t) const { return static_cast<std::uint64_t>(m_number); }
+
+  static BOOST_NOINLINE int compare(const Integer& a, const Integer& b) { return a.m_number.compare(b.m_number); }
+
+  Number m_number;
+};
+
+inline Integer absolute(const Integer& n) { return n.sign() < 0 ? -n : n; }
 
 /* The root of an integer, rounded down: from above, by Newton's method. \pre n >= 0 */
 inline Integer rounded_root(const Integer& n)
@@ -31,9 +183,9 @@ inline Integer rounded_root(const Integer& n)
   if(n == 0)
     return n;
   constexpr int digits = std::numeric_limits<double>::digits;
-  const int excess = static_cast<int>(boost::multiprecision::msb(n)) - 2 * digits;
+  const int excess = static_cast<int>(n.highest_bit()) - 2 * digits;
   const int half_shift = excess > 0 ? excess / 2 : 0;
-  const double leading = Integer(n >> (2 * half_shift)).convert_to<double>();
+  const auto leading = static_cast<double>(n >> (2 * half_shift));
   Integer root(std::ceil(std::sqrt(leading) * (1 + 4 * std::numeric_limits<double>::epsilon())) + 1);
   root <<= half_shift;
   for(;;) {
@@ -65,9 +217,8 @@ bool may_be_square(std::uint64_t residue)
 /* The root of an integer, if that is one as well; most others are seen at once not to be squares. */
 inline std::optional<Integer> exact_root(const Integer& n)
 {
-  constexpr std::uint64_t product = 63ull * 65 * 11 * 17 * 19 * 23 * 31;
-  if(n < 0 || !may_be_square<64>(static_cast<std::uint64_t>(n & 63)) ||
-     !may_be_square<63, 65, 11, 17, 19, 23, 31>(static_cast<std::uint64_t>(n % product)))
+  constexpr std::uint64_t product = 64ull * 63 * 65 * 11 * 17 * 19 * 23 * 31;
+  if(n.sign() < 0 || !may_be_square<64, 63, 65, 11, 17, 19, 23, 31>(static_cast<std::uint64_t>(n % product)))
     return std::nullopt;
   Integer root = rounded_root(n);
   if(root * root != n)
@@ -105,8 +256,8 @@ inline Integer greatest_common_divisor(Integer x, Integer y)
   constexpr unsigned word = 62;
   if(x < y)
     x.swap(y);
-  while(y != 0 && boost::multiprecision::msb(y) >= word) {
-    const unsigned shift = boost::multiprecision::msb(x) - (word - 1);
+  while(y != 0 && y.highest_bit() >= word) {
+    const unsigned shift = x.highest_bit() - (word - 1);
     const Leading_quotients q(static_cast<std::int64_t>(x >> shift), static_cast<std::int64_t>(y >> shift));
     Integer next = q.b == 0 ? Integer(x % y) : Integer(q.c * x + q.d * y);
     x = q.b == 0 ? y : Integer(q.a * x + q.b * y);

@@ -111,9 +111,9 @@ public:
       Integer sum = 0, error = 0; // in units of 2^-bits, each root rounded down
       for(std::size_t i = 0; i < a.size(); ++i) {
         sum += a[i] * rounded_root(Integer(m_products[i] << (2 * bits)));
-        error += boost::multiprecision::abs(a[i]);
+        error += absolute(a[i]);
       }
-      if(boost::multiprecision::abs(sum) > error)
+      if(absolute(sum) > error)
         return sum > 0 ? POSITIVE : NEGATIVE;
     }
   }

@@ -6,15 +6,26 @@
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/exact/Root_base.h>
 
-#include <boost/multiprecision/miller_rabin.hpp>
-
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <random>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+inline Integer power(Integer base, Integer exponent, const Integer& modulus)
+{
+  Integer result = 1;
+  for(; exponent != 0; exponent >>= 1) {
+    if(exponent % 2 != 0)
+      result = result * base % modulus;
+    base = base * base % modulus;
+  }
+  return result;
+}
 
 /*
  * The images of numbers in the field of p^2 elements, p a prime with p = 3 mod 4: F_p[j] with j^2 = -1, where each
@@ -76,7 +87,7 @@ private:
   // Either g or -g is a square.
   Number root_of_generator(const Integer& g) const
   {
-    const Integer n = reduced(g), root = boost::multiprecision::powm(n, Integer((m_prime + 1) / 4), m_prime);
+    const Integer n = reduced(g), root = power(n, (m_prime + 1) / 4, m_prime);
     return reduced(root * root) == n ? Number{root, 0} : Number{0, root};
   }
 
@@ -85,18 +96,40 @@ private:
   std::vector<Number> m_roots;
 };
 
-/* A prime p = 3 mod 4 of the given number of bits, from a generator with a fixed seed. */
+/* A number of the given number of bits, of which the highest is set. */
+inline Integer random_number(std::mt19937& random, unsigned bits)
+{
+  constexpr unsigned word = 32;
+  Integer n = 1;
+  for(unsigned i = 0; i < bits; i += word)
+    n = (n << word) + random();
+  return n >> (n.highest_bit() + 1 - bits);
+}
+
+/* Is n = 3 mod 4 a prime? By the test of Miller and Rabin, with random bases: +-1 are the powers to (n - 1) / 2. */
+inline bool is_prime(const Integer& n, std::mt19937& random)
+{
+  constexpr std::uint64_t small_primes = 3ull * 5 * 7 * 11 * 13 * 17 * 19 * 23 * 29 * 31 * 37 * 41 * 43 * 47 * 53;
+  constexpr int trials = 50;
+  if(std::gcd(static_cast<std::uint64_t>(n % small_primes), small_primes) != 1)
+    return false;
+  const unsigned bits = n.highest_bit() + 64;
+  for(int i = 0; i < trials; ++i) {
+    const Integer x = power(random_number(random, bits) % n, (n - 1) / 2, n);
+    if(x != 1 && x != n - 1)
+      return false;
+  }
+  return true;
+}
+
+/* A prime p = 3 mod 4 of the given number of bits, more than six, from a generator with a fixed seed. */
 inline Integer random_prime(unsigned bits)
 {
-  constexpr unsigned trials = 50, word = 32;
   std::mt19937 random(bits);
   for(;;) {
-    Integer n = 1;
-    for(unsigned i = 0; i < bits; i += word)
-      n = (n << word) | random();
-    n >>= boost::multiprecision::msb(n) + 1 - bits;
-    n |= 3;
-    if(boost::multiprecision::miller_rabin_test(n, trials, random))
+    Integer n = random_number(random, bits);
+    n += 3 - n % 4;
+    if(is_prime(n, random))
       return n;
   }
 }

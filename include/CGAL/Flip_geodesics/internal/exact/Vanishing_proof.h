@@ -240,8 +240,8 @@ private:
     Integer sum = 1;
     for(const auto& row : step.matrix)
       for(const Entry& entry : row)
-        sum += boost::multiprecision::abs(entry.number) + boost::multiprecision::abs(entry.root_factor) * square;
-    return boost::multiprecision::msb(sum) + 1;
+        sum += absolute(entry.number) + absolute(entry.root_factor) * square;
+    return sum.highest_bit() + 1;
   }
 
   // ---------------------------------------------------------------- modulo a prime

@@ -126,7 +126,7 @@ NT converted(const Integer& n)
   if(n < (1 << digits))
     return NT(static_cast<double>(n));
   const NT upper = converted<NT>(Integer(n >> digits));
-  return upper * NT(static_cast<double>(1 << digits)) + NT(static_cast<double>(n & ((1 << digits) - 1)));
+  return upper * NT(static_cast<double>(1 << digits)) + NT(static_cast<double>(n % (1 << digits)));
 }
 
 } // namespace internal

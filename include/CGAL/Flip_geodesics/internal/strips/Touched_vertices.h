@@ -83,8 +83,7 @@ private:
     const Input_halfedge_index hn = input.next(e.halfedge), hp = input.next(hn);
     const Vertex_index apex = input.tail(hp);
     const Exact_face& face = m_faces(e.halfedge);
-    const double share =
-        -face.dot_previous.template convert_to<double>() / face.squared_length.template convert_to<double>();
+    const double share = -static_cast<double>(face.dot_previous) / static_cast<double>(face.squared_length);
     const double at_apex = e.from + share * (e.to - e.from);
     if(!is_outside(at_apex, at_apex) && apex != m_tail && apex != m_head)
       m_vertices.push_back(apex);
