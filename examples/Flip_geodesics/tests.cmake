@@ -35,7 +35,7 @@ function(flip_geodesics_test_example name)
             "ARGUMENTS=${arguments}" -P ${run_program}
     WORKING_DIRECTORY ${example_dir})
 endfunction()
-flip_geodesics_test_example(certify_segments_example torus.off)
+flip_geodesics_test_example(certify_curve_example torus.off)
 flip_geodesics_test_example(conforming_triangulation_example torus.off)
 flip_geodesics_test_example(cross_field_example torus.off 0 150)
 flip_geodesics_test_example(cut_and_refine_example torus.off)

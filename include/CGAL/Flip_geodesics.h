@@ -43,7 +43,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
 #include <CGAL/Flip_geodesics/certify.h>
-#include <CGAL/Flip_geodesics/certify_segment.h>
+#include <CGAL/Flip_geodesics/certify_curve.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/delaunay.h>

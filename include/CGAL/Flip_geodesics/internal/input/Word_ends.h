@@ -60,6 +60,34 @@ Input_halfedge_index anchor(const Triangulation& triangulation, Vertex_index v, 
   throw_wrong_flips(face);
 }
 
+/* Is a vertex the tail of input halfedge h, or a point inside its edge? */
+template <class Triangulation>
+bool is_on_halfedge(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
+{
+  if(!triangulation.is_inserted(v))
+    return triangulation.input().tail(h) == v;
+  return vertex_kind(triangulation, v) == Location_kind::EDGE && are_of_one_edge(triangulation.location(v).halfedge, h);
+}
+
+/* Is a vertex inside the face of input halfedge h, or on its border? */
+template <class Triangulation>
+bool is_in_face(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
+{
+  const bool is_inside = triangulation.is_inserted(v) && vertex_kind(triangulation, v) == Location_kind::FACE;
+  for(int i = 0; i < 3; ++i, h = triangulation.input().next(h))
+    if(is_inside ? triangulation.location(v).halfedge == h : is_on_halfedge(triangulation, v, h))
+      return true;
+  return false;
+}
+
+/* Is a vertex there, but not on the edge of h? */
+template <class Triangulation>
+bool is_opposite_vertex(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
+{
+  return is_in_face(triangulation, v, h) && !is_on_halfedge(triangulation, v, h) &&
+         !is_on_halfedge(triangulation, v, twin_index(h));
+}
+
 /* An end of a word as seen from there: the input halfedge that it leaves along, the first one that it crosses, a
  * halfedge of its first face, each `null_index` if there is none; and the vertex. */
 struct Word_end

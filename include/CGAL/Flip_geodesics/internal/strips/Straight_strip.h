@@ -53,6 +53,13 @@ public:
   /* Is the line of a word, which need not be that of an edge of the triangulation? */
   bool operator()(const Crossing_word& word) const
   {
+    Strip_obstacle obstacle;
+    return (*this)(word, obstacle);
+  }
+
+  /* The same, and what is in its way. */
+  bool operator()(const Crossing_word& word, Strip_obstacle& obstacle) const
+  {
     if(!is_strip(word))
       return false;
     if(word.along == null_index && word.crossed.empty())
@@ -61,9 +68,9 @@ public:
     Touched touched(m_triangulation, word.tail, word.head, strip.length(), m_statistics);
     if(word.along != null_index)
       add_edge_along(word, touched);
-    else if(!is_inside(word, strip, touched))
+    else if(!is_inside(word, strip, touched, obstacle))
       return false;
-    return touched.are_passed_straight();
+    return touched.are_passed_straight(obstacle);
   }
 
 private:
@@ -77,9 +84,11 @@ private:
   bool is_strip(const Crossing_word& word) const
   {
     if(word.along != null_index)
-      return is_on(word.tail, word.along) && is_on(word.head, twin_index(word.along));
+      return is_on_halfedge(m_triangulation, word.tail, word.along) &&
+             is_on_halfedge(m_triangulation, word.head, twin_index(word.along));
     if(word.crossed.empty())
-      return word.face != null_index && is_in_face(word.tail, word.face) && is_in_face(word.head, word.face);
+      return word.face != null_index && is_in_face(m_triangulation, word.tail, word.face) &&
+             is_in_face(m_triangulation, word.head, word.face);
     const auto& input = m_triangulation.input();
     for(std::size_t i = 0; i < word.crossed.size(); ++i) {
       const Input_halfedge_index entered = twin_index(word.crossed[i]);
@@ -89,32 +98,8 @@ private:
       if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
         return false;
     }
-    return is_opposite(word.tail, word.crossed.front()) && is_opposite(word.head, twin_index(word.crossed.back()));
-  }
-
-  // Is a vertex the tail of input halfedge h, or a point inside its edge?
-  bool is_on(Vertex_index v, Input_halfedge_index h) const
-  {
-    if(!m_triangulation.is_inserted(v))
-      return m_triangulation.input().tail(h) == v;
-    return vertex_kind(m_triangulation, v) == Location_kind::EDGE &&
-           are_of_one_edge(m_triangulation.location(v).halfedge, h);
-  }
-
-  // Is a vertex somewhere in the face of input halfedge h, but not on its edge?
-  bool is_opposite(Vertex_index v, Input_halfedge_index h) const
-  {
-    return is_in_face(v, h) && !is_on(v, h) && !is_on(v, twin_index(h));
-  }
-
-  bool is_in_face(Vertex_index v, Input_halfedge_index h) const
-  {
-    const auto& input = m_triangulation.input();
-    const bool is_inside = m_triangulation.is_inserted(v) && vertex_kind(m_triangulation, v) == Location_kind::FACE;
-    for(int i = 0; i < 3; ++i, h = input.next(h))
-      if(is_inside ? m_triangulation.location(v).halfedge == h : is_on(v, h))
-        return true;
-    return false;
+    return is_opposite_vertex(m_triangulation, word.tail, word.crossed.front()) &&
+           is_opposite_vertex(m_triangulation, word.head, twin_index(word.crossed.back()));
   }
 
   // All of the input edge, of which the segment can be a part.
@@ -126,7 +111,8 @@ private:
     touched.add_edge(word.along, from, from + length);
   }
 
-  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched) const
+  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched,
+                 Strip_obstacle& obstacle) const
   {
     double passed = 0; // the part of the line that has been followed
     Gate_sides_beyond_doubles precise(*this, word);
@@ -135,11 +121,14 @@ private:
       Gate_sides sides = in_double(strip, gate);
       sides.left = sides.left == ZERO ? precise.side(i, true) : sides.left;
       sides.right = sides.right == ZERO ? precise.side(i, false) : sides.right;
-      if(sides.left == NEGATIVE || sides.right == NEGATIVE)
+      const bool is_along = sides.left == ZERO && sides.right == ZERO;
+      if(sides.left == NEGATIVE || sides.right == NEGATIVE || (is_along && !runs_along(strip, gate, passed))) {
+        obstacle.vertex =
+            m_triangulation.input().tail(sides.left == NEGATIVE ? twin_index(gate.crossed) : gate.crossed);
+        obstacle.gate = i;
         return false;
-      if(sides.left == ZERO && sides.right == ZERO) {
-        if(!runs_along(strip, gate, passed))
-          return false;
+      }
+      if(is_along) {
         touched.add_edge(gate.crossed, along(strip, gate.right), along(strip, gate.left));
       } else if(sides.left == ZERO || sides.right == ZERO) {
         touched.add_vertex(m_triangulation.input().tail(sides.left == ZERO ? twin_index(gate.crossed) : gate.crossed));

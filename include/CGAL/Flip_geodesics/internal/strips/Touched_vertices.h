@@ -24,6 +24,17 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
+ * What keeps a word's line from being a path that is locally shortest: an end of the crossed edge of that number, which
+ * is on the wrong side; or a vertex on the line, whose angles lack so much to 2 pi, rounded.
+ */
+struct Strip_obstacle
+{
+  Vertex_index vertex = null_index;
+  std::size_t gate = 0;
+  double missing_angle = 0;
+};
+
+/*
  * The vertices at distance zero from the inside of a straight segment, as there are where faces without area lie along
  * it. The segment passes a touched vertex with an angle of pi on its own side; it is locally shortest there if the
  * angle on the other side is at least pi as well, that is, if the angles at the vertex sum up to at least 2 pi.
@@ -58,11 +69,17 @@ public:
     }
   }
 
-  bool are_passed_straight() const
+  /* The first that is not is the obstacle. */
+  bool are_passed_straight(Strip_obstacle& obstacle) const
   {
-    for(Vertex_index v : m_vertices)
-      if(!has_full_angle(v))
+    for(Vertex_index v : m_vertices) {
+      double excess = 0;
+      if(!has_full_angle(v, excess)) {
+        obstacle.vertex = v;
+        obstacle.missing_angle = (std::max)(-excess, 0.0);
         return false;
+      }
+    }
     return true;
   }
 
@@ -114,8 +131,8 @@ private:
     return m_faces(h).doubled_area_squared == 0;
   }
 
-  // Do the angles at an input vertex sum up to 2 pi or more, or is it on the border?
-  bool has_full_angle(Vertex_index v) const
+  // Do the angles at an input vertex sum up to 2 pi or more, or is it on the border? Tells what they are in excess of it.
+  bool has_full_angle(Vertex_index v, double& excess) const
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index first = input.outgoing(v);
@@ -128,9 +145,9 @@ private:
       sum += input_corner(m_triangulation, t);
       h = input.next(t);
     }
-    const double rest = sum - 2 * boost::math::constants::pi<double>();
-    if(std::abs(rest) > (count + 4) * input_corner_error)
-      return rest > 0;
+    excess = sum - 2 * boost::math::constants::pi<double>();
+    if(std::abs(excess) > (count + 4) * input_corner_error)
+      return excess > 0;
     const Unfolding_chains<Triangulation> unfolding(m_triangulation);
     return Exact_sign(m_statistics)({unfolding.corners(first, count)}) != NEGATIVE;
   }

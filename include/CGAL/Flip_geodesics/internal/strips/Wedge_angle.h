@@ -126,24 +126,43 @@ Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Halfedge
   return {sum, 1.6 * error};
 }
 
-/*
- * The angle clockwise from halfedge a to halfedge b of one vertex, afresh from the input: the input corners between
- * their reference halfedges, corrected by their strips at both ends. a == b means all the way round.
- */
+/* Two edges of one vertex by their words, and how many input corners lie between their references, clockwise. */
+struct Wedge_words
+{
+  Crossing_word from, to;
+  Index steps;
+};
+
+/* The words of the wedge clockwise from one halfedge of a vertex to another. */
+template <class Triangulation>
+Wedge_words wedge_words(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
+{
+  Wedge_words result = {triangulation.crossing_word(from), triangulation.crossing_word(to), 0};
+  result.steps = triangulation.input_edges_in_wedge(from, to) + (result.from.along != null_index ? 1 : 0);
+  return result;
+}
+
+/* The angle between two words, afresh from the input: the input corners between their reference halfedges, corrected by
+ * their strips at both ends. \pre not about a point inside a face */
+template <class Triangulation>
+Wedge_angle wedge_angle(const Triangulation& triangulation, const Wedge_words& words)
+{
+  const Strip<Triangulation> from(triangulation, words.from), to(triangulation, words.to);
+  const double between = triangulation.is_inserted(words.from.tail)
+                             ? words.steps * boost::math::constants::pi<double>()
+                             : sum_of_input_corners(triangulation, from.reference(), words.steps);
+  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
+  const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
+  return {sum, strip_error + static_cast<double>(words.steps + 4) * input_corner_error};
+}
+
+/* The angle clockwise from halfedge a to halfedge b of one vertex, afresh. a == b means all the way round. */
 template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
-  const Location_kind kind = vertex_kind(triangulation, triangulation.tail(a));
-  if(kind == Location_kind::FACE)
+  if(vertex_kind(triangulation, triangulation.tail(a)) == Location_kind::FACE)
     return wedge_angle_inside_face(triangulation, a, b);
-  const Crossing_word word_a = triangulation.crossing_word(a), word_b = triangulation.crossing_word(b);
-  const Strip<Triangulation> from(triangulation, word_a), to(triangulation, word_b);
-  const Index steps = triangulation.input_edges_in_wedge(a, b) + (word_a.along != null_index ? 1 : 0);
-  const double between = kind == Location_kind::EDGE ? steps * boost::math::constants::pi<double>()
-                                                     : sum_of_input_corners(triangulation, from.reference(), steps);
-  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
-  const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
-  return {sum, strip_error + static_cast<double>(steps + 4) * input_corner_error};
+  return wedge_angle(triangulation, wedge_words(triangulation, a, b));
 }
 
 } // namespace internal

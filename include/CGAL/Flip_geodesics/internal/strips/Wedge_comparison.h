@@ -56,30 +56,35 @@ public:
       if(quick != EQUAL)
         return quick;
     }
-    const Wedge_words words = words_of({from, to});
+    const Wedge_words words = wedge_words(m_triangulation, from, to);
     Sign sine;
-    if(is_in_plane(words, sine)) {
-      count_plane(sine);
+    if(is_in_plane(words, sine))
       return comparison(sine);
-    }
     const Comparison_result quick = are_long ? EQUAL : by_vectors({{from, to}});
     return quick != EQUAL ? quick : comparison(exact_sine({words}));
+  }
+
+  /* Of words that need not be edges of the triangulation; not about a point inside a face. */
+  Comparison_result operator()(const Wedge_words& words) const
+  {
+    const Comparison_result quick = counted(wedge_angle(m_triangulation, words).compare_with_straight());
+    if(quick != EQUAL)
+      return quick;
+    Sign sine;
+    return comparison(is_in_plane(words, sine) ? sine : exact_sine({words}));
   }
 
   /* The sum of two angles, each at most pi, after a filter has failed. */
   Comparison_result compare_sum(const Wedge& a, const Wedge& b) const
   {
     const Comparison_result quick = by_vectors({a, b});
-    return quick != EQUAL ? quick : comparison(exact_sine({words_of(a), words_of(b)}));
+    if(quick != EQUAL)
+      return quick;
+    return comparison(
+        exact_sine({wedge_words(m_triangulation, a.from, a.to), wedge_words(m_triangulation, b.from, b.to)}));
   }
 
 private:
-  struct Wedge_words
-  {
-    Crossing_word from, to;
-    Index steps; // input corners between their reference halfedges
-  };
-
   // The sum of angles; EQUAL if the errors hide the sign.
   Comparison_result by_vectors(const std::vector<Wedge>& wedges) const
   {
@@ -88,9 +93,7 @@ private:
       sum.add(Precise_wedge<Triangulation>(m_triangulation, wedge.from, wedge.to));
     if(m_is_filtered && !sum.has_bound())
       return by_strips(wedges);
-    const Comparison_result result = sum.compare_with_straight();
-    m_statistics.by_strip += result != EQUAL ? 1 : 0;
-    return result;
+    return counted(sum.compare_with_straight());
   }
 
   Comparison_result by_strips(const std::vector<Wedge>& wedges) const
@@ -100,9 +103,13 @@ private:
       const Wedge_angle angle = wedge_angle(m_triangulation, wedge.from, wedge.to);
       sum = {sum.value + angle.value, sum.error + angle.error};
     }
-    const Comparison_result result = sum.compare_with_straight();
-    m_statistics.by_strip += result != EQUAL ? 1 : 0;
-    return result;
+    return counted(sum.compare_with_straight());
+  }
+
+  Comparison_result counted(Comparison_result by_strip) const
+  {
+    m_statistics.by_strip += by_strip != EQUAL ? 1 : 0;
+    return by_strip;
   }
 
   // Near pi, and wherever the angle is between 0 and 2 pi, the sine's sign is that of pi - angle.
@@ -127,25 +134,15 @@ private:
       return m_triangulation.metric().sine_in_plane(m_triangulation.input(), words.from, words.to, words.steps,
                                                     flat_edges, sine);
     };
-    if constexpr(Keeps_precise_numbers<Triangulation>::value)
-      return by_metric(m_triangulation.flat_edges());
-    else {
+    bool result;
+    if constexpr(Keeps_precise_numbers<Triangulation>::value) {
+      result = by_metric(m_triangulation.flat_edges());
+    } else {
       Flat_edges none;
-      return by_metric(none);
+      result = by_metric(none);
     }
-  }
-
-  void count_plane(Sign sine) const
-  {
-    ++m_statistics.by_plane;
-    m_statistics.zeros_by_plane += sine == ZERO ? 1 : 0;
-  }
-
-  Wedge_words words_of(const Wedge& wedge) const
-  {
-    Wedge_words result = {m_triangulation.crossing_word(wedge.from), m_triangulation.crossing_word(wedge.to), 0};
-    result.steps =
-        m_triangulation.input_edges_in_wedge(wedge.from, wedge.to) + (result.from.along != null_index ? 1 : 0);
+    m_statistics.by_plane += result ? 1 : 0;
+    m_statistics.zeros_by_plane += result && sine == ZERO ? 1 : 0;
     return result;
   }
 

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H
+#define CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/measuring/Passed_vertex.h>
+#include <CGAL/Flip_geodesics/internal/measuring/Words_of_places.h>
+#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/strips/Places_on_input.h>
+#include <CGAL/Flip_geodesics/internal/strips/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+#include <CGAL/Flip_geodesics/internal/strips/largest_turn.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// A place of a curve that was made elsewhere: a vertex; a halfedge and a place on it, from 0 at its source to 1 at its
+/// target; or a face and barycentric coordinates, of source, target and third vertex of `halfedge(face, mesh)`.
+template <class TriangleMesh>
+using Given_place =
+    std::variant<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
+                 std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>,
+                 std::pair<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::array<double, 3>>>;
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The verdict on a curve that is given by its places; if it is bent, where and by what angle.
+template <class TriangleMesh>
+struct Given_curve_certificate
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< of the mesh
+
+  Certificate_verdict verdict = Certificate_verdict::PROVEN; ///< `BENT_JOINT` only if all segments are straight
+  /// If it is bent, the largest angle by which, in radians, rounded. At a joint, what the angle on a side lacks to pi. In
+  /// a segment, the turn of the shortest path that crosses the same edges between the same ends, about an end of an edge.
+  /// Where a straight segment touches a vertex, what the angles there lack to 2 pi.
+  double bend = 0;
+  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< the vertex there
+  /// The number of that place: of the passed vertex, or of the first crossed edge that ends in `vertex`.
+  std::size_t number = 0;
+  Side side = Side::LEFT; ///< of a bent joint, the side; in a segment, the one on which `vertex` lies
+  /// By the numbers of the given places, where straight segments cross these edges, from 0 at the source of the halfedge
+  /// to 1 at its target; rounded, by the length of the segment over that of the edge times a unit in the last place. For
+  /// what is no crossed edge 0. Empty if the curve is bent.
+  std::vector<double> places;
+  Decision_statistics statistics; ///< how the comparisons were decided
+
+  /// Is the curve locally shortest, `PROVEN` or `PROBABLE`?
+  bool is_locally_shortest() const
+  {
+    return verdict == Certificate_verdict::PROVEN || verdict == Certificate_verdict::PROBABLE;
+  }
+};
+
+namespace internal {
+
+/* Reads what a curve is given by. */
+template <class Triangulation>
+class Given_curve
+{
+  using Mesh = typename Triangulation::Triangle_mesh;
+  using Graph = boost::graph_traits<Mesh>;
+  using Vertex = typename Graph::vertex_descriptor;
+  using Crossing = std::pair<typename Graph::halfedge_descriptor, double>;
+  using Point_of_face = std::pair<typename Graph::face_descriptor, std::array<double, 3>>;
+
+public:
+  Given_curve(const Triangulation& triangulation, const Mesh& mesh)
+    : m_triangulation(triangulation)
+    , m_mesh(mesh)
+    , m_places(triangulation)
+    , m_words(m_places)
+  {
+  }
+
+  void read(const std::vector<Given_place<Mesh>>& given, bool is_closed)
+  {
+    if(given.size() < (is_closed ? 1u : 2u))
+      throw Invalid_curve_error(is_closed ? "a closed curve has no places" : "a curve has fewer than two places");
+    if(is_closed && !std::holds_alternative<Vertex>(given.front()))
+      throw Invalid_curve_error("a closed curve does not start at a vertex", {0});
+    for(std::size_t i = 0; i < given.size(); ++i) {
+      const bool is_end = !is_closed && (i == 0 || i + 1 == given.size());
+      const Crossing* crossing = std::get_if<Crossing>(&given[i]);
+      if(crossing != nullptr && !is_end)
+        m_words.cross(halfedge(crossing->first, i), i);
+      else if(is_end || std::holds_alternative<Vertex>(given[i]))
+        arrive(m_places.add(location(given[i], i)), i, i > 0 && i + 1 == given.size() && !is_closed);
+      else
+        throw Invalid_curve_error("place " + std::to_string(i) + " of the curve, in between, is inside a face", {i});
+    }
+    if(is_closed)
+      m_words.arrive(m_first, given.size());
+  }
+
+  const Places_on_input<Triangulation>& places() const { return m_places; }
+  const std::vector<Segment_of_places>& segments() const { return m_words.segments(); }
+
+private:
+  void arrive(Vertex_index v, std::size_t number, bool is_last)
+  {
+    if(number == 0)
+      m_first = v;
+    is_last ? m_words.arrive(v, number) : m_words.pass(v, number);
+  }
+
+  Input_halfedge_index halfedge(typename Graph::halfedge_descriptor given, std::size_t number) const
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index h =
+        given == Graph::null_halfedge() ? Input_halfedge_index() : Input_halfedge_index(input.index(given));
+    if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
+      throw Invalid_curve_error("place " + std::to_string(number) + " of the curve is on no halfedge of the mesh",
+                                {number});
+    return h;
+  }
+
+  Surface_location location(const Given_place<Mesh>& given, std::size_t number) const
+  {
+    const auto& input = m_triangulation.input();
+    if(const auto* crossing = std::get_if<Crossing>(&given))
+      return {halfedge(crossing->first, number), {{1 - crossing->second, crossing->second, 0}}};
+    if(const auto* point = std::get_if<Point_of_face>(&given)) {
+      if(!is_face(point->first, m_mesh))
+        throw Invalid_location_error("place " + std::to_string(number) + " of the curve is in no face of the mesh");
+      return {input.index(graph_halfedge(point->first, m_mesh)), point->second};
+    }
+    const Vertex_index v = m_triangulation.index(std::get<Vertex>(given));
+    check_vertex(v, input.number_of_vertices());
+    if(input.outgoing(v) == null_index)
+      throw Vertex_out_of_range_error("a curve passes vertex " + std::to_string(v.idx()) + ", which no face has",
+                                      {static_cast<std::size_t>(v.idx())});
+    return {input.outgoing(v), {{1, 0, 0}}};
+  }
+
+  const Triangulation& m_triangulation;
+  const Mesh& m_mesh;
+  Places_on_input<Triangulation> m_places;
+  Words_of_places<Triangulation> m_words;
+  Vertex_index m_first = null_index;
+};
+
+/* Certifies the words of a curve. */
+template <class Triangulation>
+class Given_curve_certifier
+{
+  using Places = Places_on_input<Triangulation>;
+  using Mesh = typename Triangulation::Triangle_mesh;
+
+public:
+  Given_curve_certifier(const Triangulation& triangulation, const Given_curve<Triangulation>& curve)
+    : m_triangulation(triangulation)
+    , m_curve(curve)
+  {
+  }
+
+  Given_curve_certificate<Mesh> operator()(std::size_t number_of_places, bool is_closed)
+  {
+    const std::vector<Segment_of_places>& segments = m_curve.segments();
+    for(const Segment_of_places& segment : segments)
+      look_at_segment(segment);
+    // The angle at a joint is that between its words, which are known to be straight now.
+    if(m_result.is_locally_shortest())
+      for(std::size_t i = is_closed ? 0 : 1; i < segments.size(); ++i)
+        look_at_joint(segments[i == 0 ? segments.size() - 1 : i - 1].word, segments[i]);
+    if(m_result.verdict == Certificate_verdict::PROVEN && m_result.statistics.unproven_zeros > 0)
+      m_result.verdict = Certificate_verdict::PROBABLE;
+    if(m_result.is_locally_shortest())
+      tell_places(number_of_places);
+    return m_result;
+  }
+
+private:
+  void look_at_segment(const Segment_of_places& segment)
+  {
+    Strip_obstacle obstacle;
+    if(Straight_strip<Places>(m_curve.places(), m_result.statistics)(segment.word, obstacle))
+      return;
+    const auto& crossed = segment.word.crossed;
+    Gate_turn turn;
+    if(obstacle.missing_angle > 0 || crossed.empty()) {
+      turn.angle = obstacle.missing_angle;
+      while(turn.gate < crossed.size() && !has_end(crossed[turn.gate], obstacle.vertex))
+        ++turn.gate;
+    } else {
+      turn = largest_turn(m_curve.places(), Strip<Places>(m_curve.places(), segment.word));
+      if(turn.angle == 0) // rounded
+        turn.gate = obstacle.gate;
+      else
+        obstacle.vertex = tail(turn.side == LEFT_END ? twin_index(crossed[turn.gate]) : crossed[turn.gate]);
+    }
+    const bool is_crossed = turn.gate < crossed.size();
+    const bool is_on_left = is_crossed && tail(crossed[turn.gate]) != obstacle.vertex;
+    note(Certificate_verdict::BENT_SEGMENT, turn.angle, obstacle.vertex,
+         segment.start + (is_crossed ? 1 + turn.gate : 0), is_on_left ? Side::LEFT : Side::RIGHT);
+  }
+
+  void look_at_joint(const Crossing_word& before, const Segment_of_places& segment)
+  {
+    const Passed_vertex<Places> vertex(m_curve.places(), m_result.statistics);
+    const Crossing_word back = before.reversed();
+    if(const std::optional<double> left = vertex.missing_angle(back, segment.word))
+      note(Certificate_verdict::BENT_JOINT, *left, segment.word.tail, segment.start, Side::LEFT);
+    if(const std::optional<double> right = vertex.missing_angle(segment.word, back))
+      note(Certificate_verdict::BENT_JOINT, *right, segment.word.tail, segment.start, Side::RIGHT);
+  }
+
+  // The first bend, and each that is larger.
+  void note(Certificate_verdict verdict, double bend, Vertex_index v, std::size_t number, Side side)
+  {
+    if(!m_result.is_locally_shortest() && bend <= m_result.bend)
+      return;
+    m_result.verdict = verdict;
+    m_result.bend = bend;
+    m_result.vertex = m_triangulation.input().vertex(v);
+    m_result.number = number;
+    m_result.side = side;
+  }
+
+  void tell_places(std::size_t number_of_places)
+  {
+    m_result.places.assign(number_of_places, 0);
+    for(const Segment_of_places& segment : m_curve.segments()) {
+      const Strip<Places> strip(m_curve.places(), segment.word);
+      for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+        const double place = strip.crossing(i);
+        m_result.places[segment.start + 1 + i] = segment.is_as_given[i] ? place : 1 - place;
+      }
+    }
+  }
+
+  Vertex_index tail(Input_halfedge_index h) const { return m_triangulation.input().tail(h); }
+  bool has_end(Input_halfedge_index h, Vertex_index v) const { return tail(h) == v || tail(twin_index(h)) == v; }
+
+  const Triangulation& m_triangulation;
+  const Given_curve<Triangulation>& m_curve;
+  Given_curve_certificate<Mesh> m_result;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Proves that a curve that was made elsewhere is locally shortest: each segment, from one end or passed vertex to the
+ * next, is the straight line across its edges, and on each side of a passed vertex that has no border in between the
+ * angle is at least \f$\pi\f$. Ends and edges determine the segments; so places on crossed edges are not believed, but
+ * told.
+ *
+ * An end inside a face or on an edge is exactly the point with the given weights, over their sum; on an edge these are
+ * 1 - t, rounded, and t. They are not snapped. Nothing is asked of the ends of a curve that is not closed.
+ *
+ * \param mesh a triangle mesh
+ * \param curve a range of `Given_place`, or of what becomes one, as vertices. The first and the last are the ends. What
+ *        is in between is a passed vertex, or a crossed edge, by either of its halfedges. Where nothing is crossed, the
+ *        segment is on the edge, or in the face, that has both its ends
+ * \param is_closed does the curve go on from the last place to the first, which is a vertex then, and not repeated?
+ * \param np named parameters: `vertex_point_map` or `with_metric()`, as for `geodesic_path()`
+ * \throws Invalid_curve_error if the places are no such curve: too few, two in a row equal, in between one inside a face
+ *         or an edge that is on the border or does not lead on from what is before. The element is the number of a place
+ * \throws Invalid_location_error if weights of an end are negative, no numbers, too small or too large
+ * \throws Vertex_out_of_range_error also for a vertex that no face has
+ * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ *
+ * Complexity: linear in the crossed edges and the degrees of passed vertices, where doubles suffice; meshes other than
+ * `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
+ */
+template <class TriangleMesh, class PlaceRange, class NamedParameters = parameters::Default_named_parameters>
+Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, const PlaceRange& curve, bool is_closed,
+                                                    const NamedParameters& np = parameters::default_values())
+{
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  static_assert(internal::is_range_of<PlaceRange, Given_place<TriangleMesh>>,
+                "the curve is no range of vertices, or of Given_place of the mesh");
+  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const std::vector<Given_place<TriangleMesh>> places(std::begin(curve), std::end(curve));
+  internal::Given_curve<Triangulation> given(triangulation, mesh);
+  given.read(places, is_closed);
+  return internal::Given_curve_certifier<Triangulation>(triangulation, given)(places.size(), is_closed);
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H
