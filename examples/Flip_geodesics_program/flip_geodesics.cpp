@@ -6,6 +6,7 @@
 // input, 128 and the signal's number if it is interrupted.
 
 #include "bad_input.h"
+#include "command_line.h"
 #include "file_name.h"
 #include "input/program_input.h"
 #include "output/program_output.h"
@@ -37,92 +38,6 @@ namespace {
 using namespace program;
 
 constexpr int success = 0, incomplete = 1, bad_input = 2;
-
-void add_options(CLI::App& app, Options& options)
-{
-  app.add_option("MESH", options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL")->required();
-  app.add_flag(
-      "--repair", options.is_repaired,
-      "Make a triangle mesh of any polygons: triangulate, orient, cut apart, stitch, drop; and say what was done");
-  app.add_option("--repaired", options.results.repaired,
-                 "With --repair: write the repaired mesh, which the results are about: .off, .obj, .ply, .stl or .vtp");
-  app.add_option("--from", options.from, "Source of one geodesic; vertices are counted from 0");
-  app.add_option("--to", options.to, "Target of one geodesic");
-  app.add_option("--pairs", options.pairs, "File: a geodesic per line `source target`; # starts a comment");
-  app.add_option("--random", options.random, "So many geodesics between random vertices of a component");
-  app.add_option("--seed", options.seed, "Seed of --random")->capture_default_str();
-  app.add_option("--edges", options.edges, "File: a path of edges per line, as vertices, each straightened by itself");
-  app.add_option("--loop", options.loop, "File: a closed loop of edges per line, each straightened by itself");
-  app.add_option("--network", options.network,
-                 "File: curves straightened together: a path per line, `o v v ...` a loop, `! v ...` fixed vertices");
-  app.add_option(
-      "--points", options.points,
-      "File: a geodesic per line, through points anywhere: `v`, `a,b,t` on an edge or `a,b,c,t,u` in a face");
-  app.add_option(
-      "--bezier", options.bezier,
-      "File: a geodesic Bezier curve per line of control points, `s p p ...` a B-spline, `o p p ...` closed");
-  app.add_option("--rounds", options.rounds, "How often the pieces of --bezier are halved; 5 if not given");
-  app.add_option(
-      "--draw", options.draw,
-      "File: a polyline per line, drawn on the mesh and pulled tight: points as above, after `o` closed; or, in "
-      "a file .polylines.txt, points in space");
-  app.add_flag("--snap", options.is_snapped,
-               "Move the polylines of --draw to edges first, and do not insert their points");
-  app.add_option("--segmentation", options.segmentation,
-                 "File: a label per line for each face; the network of the boundaries between labels");
-  app.add_flag("--free-junctions", options.has_free_junctions,
-               "Where boundaries meet they need not stay: each region of --segmentation has its own closed curves");
-  app.add_flag("--seams", options.has_seams, "The network of the texture seams of an OBJ file");
-  app.add_option("--source", options.sources,
-                 "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines "
-                 "or --voronoi: vertices `v,v,...`, and no tree")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_flag("--shortest", options.is_shortest, "With --source: replace paths that are not globally shortest");
-  app.add_option("--isolines", options.isolines,
-                 "With --source: the curves at these distances `d,d,...` from the nearest")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_flag("--voronoi", options.has_voronoi, "With --source: the curves on which the nearest of them changes");
-  app.add_option("--tolerance", options.tolerance,
-                 "How far --isolines and --voronoi may lie from the true curves; not given, a thousandth of the "
-                 "size, and no less than a millionth");
-  app.add_option("--kernel", options.kernel, "Arithmetic: double, or certified, which decides and proves exactly")
-      ->capture_default_str();
-  app.add_option("--mollify", options.mollify,
-                 "Lengthen all edges until triangles have this margin of the mean edge length: for degenerate meshes");
-  app.add_flag("--refuse-zero-edges", options.are_zero_edges_refused,
-               "Curves that meet an edge of length zero fail; else such edges are contracted for them");
-  app.add_option("--search", options.search,
-                 "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
-      ->capture_default_str();
-  app.add_option("--stop-length", options.stop_length,
-                 "Stop before a curve, or a network as a whole, is shorter than this share of its initial length");
-  app.add_option("--most-memory", options.most_memory,
-                 "Stop where the flips of a curve, or a network, take more megabytes; not given, three quarters of the "
-                 "machine's memory");
-  app.add_option("--map", options.results.map,
-                 "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
-  app.add_option("--threads", options.threads, "Compute so many curves at the same time")->capture_default_str();
-  app.add_option("--polylines", options.results.polylines,
-                 "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
-  app.add_option("--stats", options.results.stats, "Write a line per curve, comma-separated, with a header");
-  app.add_option("--mesh", options.results.viewer,
-                 "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
-  app.add_option("--page", options.results.page,
-                 "Write a page for a browser: surface, curves, and the flips step by step");
-  app.add_flag("--delaunay", options.meshes.is_delaunay, "Flip the other edges to constrained Delaunay");
-  app.add_option("--refine", options.meshes.refine, "Insert vertices until no angle is smaller, in degrees");
-  app.add_option("--longest-edge", options.meshes.longest_edge, "With --refine: until no edge is longer, too");
-  app.add_option("--most-vertices", options.meshes.most_vertices,
-                 "With --refine: insert no more than so many; a million if not given");
-  app.add_option("--subdivision", options.meshes.subdivision,
-                 "Write the common subdivision of mesh and triangulation: .off, .obj, .ply, .stl or .vtp");
-  app.add_option("--insert", options.meshes.insertion, "Write the mesh with the curves as edges, as above");
-  app.add_option("--cut", options.meshes.cut, "Write the mesh cut open along the curves, as above");
-  app.add_flag("--force", options.is_replacing_input, "Let a result replace the mesh or a file of curves that is read");
-  app.add_flag("--quiet", options.is_quiet, "No table and no progress");
-}
 
 CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 {
@@ -353,20 +268,22 @@ int flushed(int status)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Pulls curves on a triangle mesh tight: geodesics by edge flips", "flip_geodesics");
   Options options;
-  add_options(app, options);
+  Command_line command_line(options);
   try {
     if(std::find(argv + 1, argv + argc, std::string()) != argv + argc)
       throw Bad_input("an argument is empty; leave its option out or give it a value");
-    app.parse(argc, argv);
+    command_line.parse(argc, argv);
     CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
     return flushed(run(options));
   } catch(const CLI::CallForHelp&) {
-    std::cout << app.help();
+    std::cout << command_line.help();
+    return flushed(success);
+  } catch(const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
     return flushed(success);
   } catch(const CLI::ParseError& error) {
-    std::cerr << "flip_geodesics: " << printable(error.what(), 300) << "; see --help\n";
+    std::cerr << "flip_geodesics: " << printable(command_line.describe(error), 300) << '\n';
   } catch(const std::exception& error) {
     std::cerr << "flip_geodesics: " << without_controls(error.what()) << '\n';
   }

@@ -226,7 +226,11 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --polylines twice.csv)
   flip_geodesics_add_program_test(cut_of_many 2 "one curve" torus.off --random 3 --cut cut.off)
   flip_geodesics_add_program_test(quiet 0 "^$" torus.off --from 0 --to 150 --quiet)
-  flip_geodesics_add_program_test(help 0 "--network" --help)
+  flip_geodesics_add_program_test(help 0 "Curves from files:.*--network FILE.*Examples:.*--page" --help)
+  flip_geodesics_add_program_test(version 0 "^flip_geodesics ${PROJECT_VERSION}" --version)
+  flip_geodesics_add_program_test(misspelt 2 "--radnom is not known; did you mean --random." torus.off --radnom 3)
+  flip_geodesics_add_program_test(begun 2 "--seg is not known; did you mean --segmentation." torus.off --seg=x)
+  flip_geodesics_add_program_test(unlike_any 2 "--xyzzyx is not known; see" torus.off --xyzzyx)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
                                   zero_length.txt --refuse-zero-edges)
   flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met edges of length zero"
