@@ -24,6 +24,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -36,12 +37,21 @@ using Length_map = Mesh::Property_map<Mesh::Edge_index, double>;
 using Metric = FG::Edge_length_metric<Mesh, Length_map>;
 using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>; // as in Polygon Mesh Processing
 
+double number(const std::string& text)
+{
+  std::istringstream in(text);
+  double result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
-  const double cost = argc > 2 ? std::stod(argv[2]) : 3;
+  const double cost = argc > 2 ? number(argv[2]) : 3;
   if(!(cost > 0))
     throw std::invalid_argument("the cost is a positive number");
   Length_map lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;

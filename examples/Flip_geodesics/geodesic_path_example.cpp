@@ -18,6 +18,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,13 +27,22 @@ namespace FG = CGAL::Flip_geodesics;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
+Mesh::size_type number(const std::string& text)
+{
+  std::istringstream in(text);
+  Mesh::size_type result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
-  const Mesh::Vertex_index source(argc > 3 ? std::stoul(argv[2]) : 0);
-  const Mesh::Vertex_index target(argc > 3 ? std::stoul(argv[3]) : mesh.number_of_vertices() / 2);
+  const Mesh::Vertex_index source(argc > 3 ? number(argv[2]) : 0);
+  const Mesh::Vertex_index target(argc > 3 ? number(argv[3]) : mesh.number_of_vertices() / 2);
 
   std::vector<Kernel::Point_3> points;
   const auto result = FG::geodesic_path(mesh, source, target, std::back_inserter(points));

@@ -19,6 +19,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,12 +42,21 @@ struct Counting_visitor : FG::Default_shortening_visitor
   bool go_further() { return steps < 1000000; }
 };
 
+double number(const std::string& text)
+{
+  std::istringstream in(text);
+  double result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
-  const double ratio = argc > 2 ? std::stod(argv[2]) : 0.9;
+  const double ratio = argc > 2 ? number(argv[2]) : 0.9;
   if(!(ratio >= 0 && ratio <= 1))
     throw std::invalid_argument("the ratio is between 0 and 1");
   auto regions = mesh.add_property_map<Mesh::Face_index, int>("f:region", 0).first;

@@ -56,6 +56,7 @@ flip_geodesics_test_example(poisson_example torus.off 0 150)
 flip_geodesics_test_example(save_network_example torus.off)
 flip_geodesics_test_example(shortest_path_example torus.off 6 150)
 flip_geodesics_test_example(trace_geodesic_example torus.off 2 7)
+flip_geodesics_test_example(parallel_transport_example torus.off 7 1)
 flip_geodesics_test_example(write_files_example torus.off)
 
 # On one process and on several, from the beginning and from the middle, with the same results.
@@ -67,6 +68,22 @@ if(TARGET distributed_paths_example)
     WORKING_DIRECTORY ${example_dir})
   set_tests_properties(distributed_paths_example PROPERTIES FIXTURES_REQUIRED example_input)
 endif()
+
+# A word where a number belongs.
+foreach(case "edge_length_metric_example two" "geodesic_path_example 0 two" "network_early_stop_example two"
+             "parallel_transport_example 7 two" "shortest_path_example two 0" "trace_geodesic_example two")
+  string(REPLACE " " ";" case "${case}")
+  list(POP_FRONT case name)
+  list(JOIN case "|" arguments)
+  if(TARGET ${name})
+    add_test(
+      NAME ${name}_no_number
+      COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D STATUS=1 -D "PATTERN=two is no number" -D
+              "ARGUMENTS=torus.off|${arguments}" -P ${run_program}
+      WORKING_DIRECTORY ${example_dir})
+    set_tests_properties(${name}_no_number PROPERTIES FIXTURES_REQUIRED example_input)
+  endif()
+endforeach()
 
 # A result of one run as the mesh of the next.
 foreach(case "flattening_example flattening.obj 0 1 2" "geodesic_tree_example logarithmic_map.obj"

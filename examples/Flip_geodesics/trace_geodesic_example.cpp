@@ -20,6 +20,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,13 +31,23 @@ namespace FG = CGAL::Flip_geodesics;
 using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
+template <class Number>
+Number number(const std::string& text)
+{
+  std::istringstream in(text);
+  Number result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh, and a length");
-  const double length = std::stod(argv[2]);
-  const Mesh::Vertex_index source(argc > 3 ? std::stoul(argv[3]) : 0);
+  const double length = number<double>(argv[2]);
+  const Mesh::Vertex_index source(argc > 3 ? number<Mesh::size_type>(argv[3]) : 0);
   if(source >= mesh.number_of_vertices())
     throw std::invalid_argument("the mesh has no such vertex");
 

@@ -18,9 +18,11 @@
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
+#include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/Tangent_spaces.h>
@@ -533,6 +535,13 @@ private:
       BOOST_TEST(trace.length > 0);
       m_record.polyline({p, trace.location});
     }
+    const std::vector<FG::Surface_location> places = points(triangulation);
+    const FG::Geodesic_logarithm<Triangulation> logarithm(triangulation, m_mesh, places.front());
+    BOOST_TEST(std::abs(logarithm(places.back()).radius - logarithm.distance_field().distance(places.back())) < 1e-12);
+    const FG::Surface_direction carried =
+        FG::Parallel_transport<Triangulation>(triangulation)(std::vector<FG::Surface_location>{places.front()},
+                                                             {places.front().halfedge, 0.5});
+    BOOST_TEST(std::abs(carried.angle - 0.5) < 1e-15);
   }
 
   void delaunay(Triangulation& triangulation)

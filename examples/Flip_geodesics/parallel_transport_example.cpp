@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The tangent plane of a point inside a face: where vertices lie in it, and a direction carried to all of them.
+//
+//   parallel_transport_example MESH FACE RADIUS
+//
+// Prints the coordinates of the vertices that are nearer than the radius to the middle of the face, and traces a short
+// line from each in the direction that is carried there. Writes the lines to arrows.vtp, with the mesh.
+
+#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
+#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
+#include <CGAL/Flip_geodesics/IO/VTP.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace FG = CGAL::Flip_geodesics;
+
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+
+template <class Number>
+Number number(const std::string& text)
+{
+  std::istringstream in(text);
+  Number result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
+int main(int argc, char** argv)
+try {
+  Mesh mesh;
+  if(argc < 4 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh, a face, and a radius");
+  const Mesh::Face_index face(number<Mesh::size_type>(argv[2]));
+  if(face >= mesh.number_of_faces())
+    throw std::invalid_argument("the mesh has no such face");
+  FG::Distance_field_limits limits;
+  limits.radius = number<double>(argv[3]);
+
+  const Triangulation triangulation(mesh);
+  const FG::Surface_location source = {triangulation.input().index(mesh.halfedge(face)), {{1, 1, 1}}};
+  const FG::Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, source, limits);
+  const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
+
+  std::vector<std::vector<Point_3>> arrows;
+  for(const Mesh::Vertex_index v : mesh.vertices()) {
+    const FG::Polar_coordinates p = logarithm(triangulation.index(v));
+    if(!(p.radius < limits.radius) || mesh.is_border(v))
+      continue;
+    const auto [x, y] = logarithm.in_plane(p);
+    std::cout << v << " lies at " << x << ", " << y << '\n';
+    const FG::Surface_location here = triangulation.location(triangulation.index(v));
+    const FG::Surface_direction carried = logarithm.transported(here, 0);
+    arrows.emplace_back();
+    tracer.trace(here, carried.halfedge, carried.angle, FG::Trace_limits<>{0.05 * limits.radius},
+                 [&](const FG::Surface_point& q) { arrows.back().push_back(point_in_space(triangulation, q)); });
+  }
+  FG::IO::write_VTP("arrows.vtp", mesh, arrows);
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_CORRIDOR_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_CORRIDOR_H
+
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Unfolded_leg.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The faces along a polyline: places, and between each two in a row a leg, the edges that are crossed there. Vectors are
+ * carried along it, and it can be pulled tight. Each two places in a row are different.
+ */
+template <class Triangulation>
+class Corridor
+{
+public:
+  using Vector = std::complex<double>;
+
+  /* How a leg starts. */
+  struct Start
+  {
+    Vector vector;   // from the start to the end, in the frame of the leg's face
+    double position; // of its direction, in the start's `Place_frame`
+    Vector unit() const { return vector == Vector(0) ? Vector(1) : vector / std::abs(vector); }
+  };
+
+  /* \throws Invalid_curve_error if there is no location, or no face has two in a row
+   * \throws Invalid_location_error */
+  template <class LocationRange>
+  Corridor(const Triangulation& triangulation, const LocationRange& locations)
+    : m_triangulation(triangulation)
+  {
+    std::size_t position = 0;
+    for(const Surface_location& location : locations)
+      add(location, position++);
+    if(m_places.empty())
+      throw Invalid_curve_error("a curve has no points");
+  }
+
+  const std::vector<Surface_location>& places() const { return m_places; }
+  const std::vector<Corridor_leg>& legs() const { return m_legs; }
+
+  void reverse()
+  {
+    std::reverse(m_places.begin(), m_places.end());
+    std::reverse(m_legs.begin(), m_legs.end());
+    for(Corridor_leg& leg : m_legs)
+      leg = reversed(leg);
+  }
+
+  Place_frame<Triangulation> frame(std::size_t place) const { return {m_triangulation, m_places[place]}; }
+
+  Start start(std::size_t leg) const { return start_at(m_places[leg], m_legs[leg], m_places[leg + 1]); }
+  Start start_backward(std::size_t leg) const
+  {
+    return start_at(m_places[leg + 1], reversed(m_legs[leg]), m_places[leg]);
+  }
+
+  /*
+   * Where a position at the first place is carried to: the position at the last one. At each place on the way the angle
+   * to the curve is kept; positions about vertices are stretched to a whole turn before [PS98].
+   */
+  double transported(double position) const
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    for(std::size_t i = 0; i < m_legs.size(); ++i) {
+      const auto here = frame(i);
+      double angle = here.stretch() * (position - start(i).position);
+      if(here.has_whole_turns())
+        angle = std::remainder(angle, 2 * pi);
+      position = start_backward(i).position + (angle + pi) / frame(i + 1).stretch();
+    }
+    return position;
+  }
+
+  /*
+   * Pulls it tight, but for rounding; only vertices at which it bends stay on its way. For a path that is nearly
+   * shortest: so there are few rounds.
+   */
+  void straighten()
+  {
+    join_pieces();
+    constexpr int most_rounds = 1000; // more than one means that shortest paths differ by roundings
+    bool has_changed = true;
+    for(int round = 0; round < most_rounds && has_changed; ++round) {
+      has_changed = divide_legs();
+      has_changed = join_legs() || has_changed;
+    }
+  }
+
+private:
+  // What is left to chance when a path is pulled tight: an angle, and a distance as a part of the length of a leg.
+  static constexpr double straight = 1e-12;
+
+  const auto& input() const { return m_triangulation.input(); }
+
+  bool has_place(const Surface_location& place, Input_halfedge_index h) const
+  {
+    const std::vector<Input_halfedge_index> faces = faces_of_location(input(), place);
+    return !input().is_border(h) && std::find(faces.begin(), faces.end(), face_name(input(), h)) != faces.end();
+  }
+
+  // The face between two places: that of the second one's halfedge, as curves name the face that they leave, or else
+  // any.
+  Input_halfedge_index face_between(const Surface_location& p, const Surface_location& q,
+                                    Input_halfedge_index named) const
+  {
+    if(kind(q) == Location_kind::EDGE && has_place(p, named) && has_place(q, named))
+      return named;
+    return common_face(input(), p, q);
+  }
+
+  void add(const Surface_location& location, std::size_t position)
+  {
+    const Surface_location place = canonical_location(input(), location);
+    if(!m_places.empty()) {
+      const Surface_location& last = m_places.back();
+      const bool is_same =
+          kind(last) == kind(place) &&
+          (kind(place) == Location_kind::VERTEX ? input().tail(last.halfedge) == input().tail(place.halfedge)
+                                                : last.halfedge == place.halfedge && last.weights == place.weights);
+      if(is_same)
+        return;
+      const Input_halfedge_index face = face_between(last, place, location.halfedge);
+      if(face == null_index)
+        throw Invalid_curve_error("no face has the points " + std::to_string(position - 1) + " and " +
+                                      std::to_string(position) + " of a curve",
+                                  {position - 1, position});
+      m_legs.push_back({face, {}});
+    }
+    m_places.push_back(place);
+  }
+
+  Start start_at(const Surface_location& place, const Corridor_leg& leg, const Surface_location& end) const
+  {
+    Start result = {Unfolded_leg<Triangulation>(m_triangulation, place, leg, end).end(), 0};
+    result.position = Place_frame<Triangulation>(m_triangulation, place).position(leg.face, result.unit());
+    return result;
+  }
+
+  bool is_same_face(Input_halfedge_index g, Input_halfedge_index h) const
+  {
+    return face_name(input(), g) == face_name(input(), h);
+  }
+
+  // Where the corridor goes through an edge or a face, it passes no vertex.
+  void join_pieces()
+  {
+    std::vector<Surface_location> places = {m_places.front()};
+    std::vector<Corridor_leg> legs;
+    for(std::size_t i = 0; i < m_legs.size(); ++i) {
+      if(i == 0 || kind(m_places[i]) == Location_kind::VERTEX) {
+        if(i > 0)
+          places.push_back(m_places[i]);
+        legs.push_back(m_legs[i]);
+        continue;
+      }
+      Corridor_leg& leg = legs.back();
+      if(!is_same_face(leg.last_face(), m_legs[i].face))
+        push(leg, location_anchor(input(), m_places[i], leg.last_face()));
+      for(Input_halfedge_index h : m_legs[i].crossed)
+        push(leg, h);
+    }
+    if(!m_legs.empty())
+      places.push_back(m_places.back());
+    m_places = std::move(places);
+    m_legs = std::move(legs);
+    for(std::size_t i = 0; i < m_legs.size(); ++i)
+      trim(i);
+  }
+
+  static void push(Corridor_leg& leg, Input_halfedge_index h)
+  {
+    if(!leg.crossed.empty() && leg.crossed.back() == twin_index(h))
+      leg.crossed.pop_back();
+    else
+      leg.crossed.push_back(h);
+  }
+
+  bool is_on_edge(const Surface_location& place, Input_halfedge_index h) const
+  {
+    if(kind(place) == Location_kind::VERTEX)
+      return input().tail(h) == input().tail(place.halfedge) ||
+             input().tail(twin_index(h)) == input().tail(place.halfedge);
+    return kind(place) == Location_kind::EDGE && are_of_one_edge(place.halfedge, h);
+  }
+
+  // A leg does not cross the edges that its ends lie on.
+  void trim(std::size_t i)
+  {
+    Corridor_leg& leg = m_legs[i];
+    std::size_t first = 0;
+    while(first < leg.crossed.size() && is_on_edge(m_places[i], leg.crossed[first]))
+      leg.face = twin_index(leg.crossed[first++]);
+    leg.crossed.erase(leg.crossed.begin(), leg.crossed.begin() + static_cast<std::ptrdiff_t>(first));
+    while(!leg.crossed.empty() && is_on_edge(m_places[i + 1], leg.crossed.back()))
+      leg.crossed.pop_back();
+  }
+
+  // Divides legs that are not straight at the vertex that is the farthest from the straight line.
+  bool divide_legs()
+  {
+    bool has_changed = false;
+    for(std::size_t i = 0; i < m_legs.size(); ++i) {
+      const Unfolded_leg<Triangulation> unfolded(m_triangulation, m_places[i], m_legs[i], m_places[i + 1]);
+      const auto violation = unfolded.violation();
+      if(!(violation.distance > straight * std::abs(unfolded.end())))
+        continue;
+      divide(i, violation.vertex, violation.gate);
+      has_changed = true;
+    }
+    return has_changed;
+  }
+
+  void divide(std::size_t i, Vertex_index v, std::size_t gate)
+  {
+    const Corridor_leg leg = m_legs[i];
+    const auto has_vertex = [&](std::size_t g) {
+      return input().tail(leg.crossed[g]) == v || input().tail(twin_index(leg.crossed[g])) == v;
+    };
+    std::size_t first = gate, last = gate + 1;
+    while(first > 0 && has_vertex(first - 1))
+      --first;
+    while(last < leg.crossed.size() && has_vertex(last))
+      ++last;
+    const auto at = [&](std::size_t g) { return leg.crossed.begin() + static_cast<std::ptrdiff_t>(g); };
+    m_legs[i].crossed.assign(leg.crossed.begin(), at(first));
+    const Corridor_leg rest = {twin_index(leg.crossed[last - 1]), {at(last), leg.crossed.end()}};
+    const auto next = static_cast<std::ptrdiff_t>(i + 1);
+    m_legs.insert(m_legs.begin() + next, rest);
+    m_places.insert(m_places.begin() + next, canonical_location(input(), {input().outgoing(v), {{1, 0, 0}}}));
+  }
+
+  // Leads it past vertices on a side where its angle is less than pi.
+  bool join_legs()
+  {
+    bool has_changed = false;
+    for(std::size_t i = 1; i < m_legs.size();) {
+      const bool is_joined = join(i);
+      has_changed |= is_joined;
+      i += is_joined ? 0 : 1;
+    }
+    return has_changed;
+  }
+
+  bool join(std::size_t i)
+  {
+    const Start back = start_backward(i - 1), forward = start(i);
+    const Vertex_directions<Triangulation> directions(m_triangulation, input().tail(m_places[i].halfedge));
+    const double left = directions.counterclockwise(forward.position, back.position),
+                 right = directions.counterclockwise(back.position, forward.position);
+    if(!((std::min)(left, right) < boost::math::constants::pi<double>() - straight))
+      return false;
+    const bool is_left = left < right;
+    const bool is_direct = is_left ? back.position >= forward.position : forward.position >= back.position;
+    go_round(i, is_left, is_direct);
+    return true;
+  }
+
+  // Over the edges about the vertex, which is on the other side; none if both legs are in one corner and no full turn.
+  void go_round(std::size_t i, bool is_left, bool is_direct)
+  {
+    Corridor_leg& leg = m_legs[i - 1];
+    const auto about = frame(i);
+    Input_halfedge_index h = about.corner(leg.last_face());
+    const Input_halfedge_index last = about.corner(m_legs[i].face);
+    while(h != last || !is_direct) {
+      const Input_halfedge_index crossed = is_left ? h : input().next(input().next(h));
+      push(leg, crossed);
+      h = is_left ? input().next(twin_index(crossed)) : twin_index(crossed);
+      is_direct = true;
+    }
+    for(Input_halfedge_index crossed : m_legs[i].crossed)
+      push(leg, crossed);
+    m_legs.erase(m_legs.begin() + static_cast<std::ptrdiff_t>(i));
+    m_places.erase(m_places.begin() + static_cast<std::ptrdiff_t>(i));
+    trim(i - 1);
+  }
+
+  const Triangulation& m_triangulation;
+  std::vector<Surface_location> m_places;
+  std::vector<Corridor_leg> m_legs;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_CORRIDOR_H

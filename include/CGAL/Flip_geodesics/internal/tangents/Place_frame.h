@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_PLACE_FRAME_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_PLACE_FRAME_H
+
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <string>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The smallest halfedge of the face of h. */
+template <class Input_mesh>
+Input_halfedge_index face_name(const Input_mesh& input, Input_halfedge_index h)
+{
+  return (std::min)({h, input.next(h), input.next(input.next(h))});
+}
+
+/* The direction, of length 1, of a side of the face of h in the frame in which h is the positive real axis. */
+template <class Triangulation>
+std::complex<double> direction_of_side(const Triangulation& triangulation, Input_halfedge_index h,
+                                       Input_halfedge_index side)
+{
+  if(side == h)
+    return 1;
+  const auto face = input_face_geometry(triangulation, h);
+  const auto& along = side == triangulation.input().next(h) ? face[1] : face[2];
+  const std::complex<double> result(along.x, along.y);
+  return result / std::abs(result);
+}
+
+/*
+ * The directions at a place as positions, in radians, counterclockwise over all faces that have it: at a vertex as
+ * `Vertex_directions` tells them, else from the halfedge of the place on.
+ */
+template <class Triangulation>
+class Place_frame
+{
+public:
+  using Vector = std::complex<double>;
+
+  /* \param place a canonical location */
+  Place_frame(const Triangulation& triangulation, const Surface_location& place)
+    : m_triangulation(triangulation)
+    , m_place(place)
+  {
+    if(kind(place) == Location_kind::VERTEX)
+      m_vertex.emplace(triangulation, triangulation.input().tail(place.halfedge));
+  }
+
+  bool has_border() const
+  {
+    if(m_vertex)
+      return m_vertex->has_border();
+    return kind(m_place) == Location_kind::EDGE && input().is_border(twin_index(m_place.halfedge));
+  }
+
+  /* Are directions that differ by all angles the same? A point of an edge has the other half of its plane. */
+  bool has_whole_turns() const { return !m_vertex || !has_border(); }
+
+  /* All angles at the place. */
+  double total() const
+  {
+    return m_vertex ? m_vertex->total() : (has_border() ? 1 : 2) * boost::math::constants::pi<double>();
+  }
+
+  /* By how much positions are stretched, so that a whole turn is 2 pi; not on the border. */
+  double stretch() const { return m_vertex && !has_border() ? boost::math::constants::two_pi<double>() / total() : 1; }
+
+  /* The position of a direction in a face that has the place, in the frame of the face's halfedge h. */
+  double position(Input_halfedge_index h, const Vector& direction) const
+  {
+    if(m_vertex) {
+      const Input_halfedge_index c = corner(h);
+      return m_vertex->of_input(c) + std::arg(direction / direction_of_side(m_triangulation, h, c));
+    }
+    if(face_name(input(), h) == face_name(input(), m_place.halfedge))
+      return std::arg(direction / direction_of_side(m_triangulation, h, m_place.halfedge));
+    return std::arg(-direction / direction_of_side(m_triangulation, h, twin_index(m_place.halfedge)));
+  }
+
+  /* The position of a side of a face that has the place, or of a halfedge that starts there.
+   * \throws Invalid_parameter_error if it is none */
+  double position(Input_halfedge_index h) const
+  {
+    if(!h.is_valid() || h.idx() >= input().number_of_halfedges())
+      throw Invalid_parameter_error("a direction is told from a halfedge that the mesh does not have");
+    if(m_vertex)
+      return position_at_vertex(h);
+    const bool is_in_face = !input().is_border(h);
+    const Input_halfedge_index t = twin_index(m_place.halfedge);
+    if(is_in_face && (face_name(input(), h) == face_name(input(), m_place.halfedge) ||
+                      (kind(m_place) == Location_kind::EDGE && !input().is_border(t) &&
+                       face_name(input(), h) == face_name(input(), t))))
+      return position(h, 1);
+    throw_no_side(h);
+  }
+
+  /* The angle counterclockwise to a position from that of a halfedge; from 0 on, but at vertices of the border. */
+  double angle(double position, Input_halfedge_index from) const
+  {
+    const double result = position - this->position(from);
+    if(!has_whole_turns())
+      return result;
+    const double turn = m_vertex ? total() : boost::math::constants::two_pi<double>();
+    const double turned = result - turn * std::floor(result / turn);
+    return turned < turn ? turned : 0;
+  }
+
+  /* A halfedge that directions at a location can be told from: its own, or else that of the place. */
+  Input_halfedge_index reference(const Surface_location& location) const
+  {
+    return input().is_border(location.halfedge) ? m_place.halfedge : location.halfedge;
+  }
+
+  /* The halfedge of the face of h that starts at the place. \pre it is a vertex */
+  Input_halfedge_index corner(Input_halfedge_index h) const
+  {
+    const Vertex_index v = input().tail(m_place.halfedge);
+    for(int i = 0; i < 2 && input().tail(h) != v; ++i)
+      h = input().next(h);
+    return h;
+  }
+
+private:
+  const auto& input() const { return m_triangulation.input(); }
+
+  [[noreturn]] static void throw_no_side(Input_halfedge_index h)
+  {
+    throw Invalid_parameter_error("a direction is told from halfedge " + std::to_string(h.idx()) +
+                                  ", which is no side of a face of the location");
+  }
+
+  double position_at_vertex(Input_halfedge_index h) const
+  {
+    const Vertex_index v = input().tail(m_place.halfedge);
+    if(input().tail(h) == v)
+      return m_vertex->of_input(h);
+    if(input().is_border(h))
+      throw_no_side(h);
+    const Input_halfedge_index c = corner(h);
+    if(input().tail(c) != v)
+      throw_no_side(h);
+    // Clockwise about the face, as a `Direction_finder` goes: a whole turn more or less is another direction there.
+    const double angle = std::arg(direction_of_side(m_triangulation, c, h));
+    return m_vertex->of_input(c) + angle - (h == input().next(c) ? boost::math::constants::two_pi<double>() : 0);
+  }
+
+  const Triangulation& m_triangulation;
+  Surface_location m_place;
+  std::optional<Vertex_directions<Triangulation>> m_vertex; // if it is one
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_PLACE_FRAME_H
