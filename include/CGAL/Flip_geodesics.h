@@ -34,6 +34,7 @@
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/Located_polyline.h>
+#include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>

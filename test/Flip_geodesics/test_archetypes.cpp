@@ -22,6 +22,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
+#include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
@@ -51,6 +52,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <iterator>
 #include <limits>
@@ -234,6 +236,17 @@ public:
       m_out << h.idx() << ' ';
   }
 
+  template <class Triangulation, class Network>
+  void classes(const FG::Loop_basis<Triangulation>& basis, const Network& network)
+  {
+    for(FG::Curve_index c : descriptors<FG::Curve_index>(network.number_of_curves()))
+      if(network.is_closed(c)) {
+        for(std::int64_t i : basis.homology_class(network, c))
+          m_out << i << ' ';
+        m_out << basis.is_contractible(network, c) << '\n';
+      }
+  }
+
   // The ways of the curves of a network, and how it was flipped.
   template <class Network>
   void ways(const Network& network)
@@ -279,6 +292,7 @@ std::string reading(const Surface& mesh)
       record.report(FG::shorten(network));
     record.network(window, mesh);
   }
+  record.classes(FG::Loop_basis<Triangulation>(triangulation), window);
   record.triangulation(triangulation, mesh);
   network.insert({FG::Input_halfedge_index(0), {{1, 1, 1}}});
   record.network(window, mesh);
@@ -483,6 +497,13 @@ private:
     const std::vector<Vertex> ends = {FG::vertex_on_surface(triangulation, Vertex(1)), m_last};
     m_record.halfedges(FG::shortest_halfedges_through(search, ends));
     m_record.space(triangulation, m_mesh, FG::surface_point(triangulation, points(triangulation).front()));
+    const FG::Loop_basis<Triangulation> basis(triangulation);
+    for(FG::Index i = 0; i < basis.number_of_loops(); ++i)
+      m_record.halfedges(basis.loop(i));
+    std::vector<std::vector<FG::Halfedge_index>> borders;
+    FG::border_loops(triangulation, std::back_inserter(borders));
+    for(const auto& border : borders)
+      m_record.halfedges(border);
   }
 
   void free_curves(Triangulation& triangulation)

@@ -42,7 +42,8 @@ private:
 /// \ingroup PkgFlipGeodesicsErrors
 /// The connectivity is not that of an oriented triangulated surface: a face is not a triangle, an edge is in no face,
 /// vertices or edges of a `Surface_mesh` have been removed but are still there, or there are more elements than indices.
-/// `elements()` are the vertices of the face, eight at most, or of the edge.
+/// Or sheets meet in a vertex only, where the class of a curve is asked for. `elements()` are the vertices of the face,
+/// eight at most, or of the edge, or that vertex.
 class Invalid_mesh_error : public Error
 {
 public:
@@ -69,9 +70,10 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// A number that says what is wanted is none that can be had: a level that is not finite, a tolerance that is not
-/// positive or lost in roundings, a radius that is negative, bounds of a refinement that none can reach. Or a distance
-/// field is not a number somewhere, or keeps nothing of the place that it is asked for. `elements()` is the position of
-/// the level, or the face, if there is one.
+/// positive or lost in roundings, a radius that is negative, bounds of a refinement that none can reach, base points of
+/// loops that are isolated or two in one component. Or a distance field is not a number somewhere, or keeps nothing of
+/// the place that it is asked for. `elements()` is the position of the level, the face or the base point, if there is
+/// one.
 class Invalid_parameter_error : public Error
 {
 public:
@@ -114,7 +116,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A curve is empty or not a chain of edges of the mesh, or two of its way points in a row are equal.
+/// A curve is empty or not a chain of edges of the mesh, or two of its way points in a row are equal. Or it is open, and
+/// a closed one is asked for.
 class Invalid_curve_error : public Error
 {
 public:

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_LOOP_BASIS_H
+#define CGAL_FLIP_GEODESICS_LOOP_BASIS_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/loops/Cotree.h>
+#include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/loops/Generator_words.h>
+#include <CGAL/Flip_geodesics/internal/loops/Surface_group.h>
+#include <CGAL/Flip_geodesics/internal/loops/input_edges_along.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsLoops
+ *
+ * A basis of the closed curves of a surface, along edges of the input mesh, and the class of any closed curve in it.
+ *
+ * Each component of genus g with b borders has 2g loops if b = 0, and 2g + b - 1 otherwise. All loops of a component
+ * pass one vertex, its base point. Of all loops through the base point along edges they are the shortest that generate:
+ * a greedy choice is optimal [EW05], for the fundamental group and for homology alike. Another base point has another
+ * basis. Lengths are those of the metric.
+ *
+ * The class reads the input alone, so that it stays valid whatever is flipped, and touches no triangulation.
+ *
+ * Construction takes \f$O(n \log n)\f$ time and linear memory.
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
+ */
+template <class Triangulation>
+class Loop_basis
+{
+public:
+  /// The coefficients of a class, one for each loop of the basis.
+  using Homology_class = std::vector<std::int64_t>;
+
+  /// A component of the surface.
+  struct Component
+  {
+    Vertex_index base_point; ///< what its loops pass
+    Index genus;             ///< the number of handles
+    Index number_of_borders; ///< the number of its border loops
+    Index first_loop;        ///< the first of its loops
+    Index number_of_loops;   ///< how many loops it has, which are numbered in a row
+  };
+
+  /*!
+   * Makes a basis with the first vertex of each component as base point.
+   * \param triangulation over the surface; must outlive the basis
+   * \throws Invalid_mesh_error if the mesh is no surface of triangles; vertices in which sheets meet are none
+   * \throws Invalid_coordinate_error
+   */
+  explicit Loop_basis(const Triangulation& triangulation)
+    : Loop_basis(triangulation, std::vector<Vertex_index>())
+  {
+  }
+
+  /*!
+   * Makes a basis.
+   * \param triangulation as above
+   * \param base_points vertices, at most one in each component; where there is none, the component's first is taken
+   * \throws Vertex_out_of_range_error
+   * \throws Invalid_parameter_error for two base points in one component, and for an isolated one
+   */
+  template <class VertexRange>
+  Loop_basis(const Triangulation& triangulation, const VertexRange& base_points)
+    : m_triangulation(&triangulation)
+    , m_forest(checked_input(triangulation), base_points, weight(triangulation))
+    , m_cotree(triangulation.input(), m_forest, internal::Borders::CLOSED_BY_ONE_FACE, weight(triangulation))
+    , m_words(triangulation.input(), m_forest, m_cotree)
+  {
+    static_assert(internal::is_range_of<VertexRange, Vertex_index>,
+                  "the base points are no range of vertices of the triangulation, Vertex_index");
+    describe_components();
+  }
+
+  /// \name Loops
+  /// @{
+
+  /// The number of loops, of all components.
+  Index number_of_loops() const { return static_cast<Index>(m_cotree.generators().size()); }
+
+  /// The halfedges of a loop, from its base point back to it: for `Edge_path_network::add_curve()`, before any edge is
+  /// flipped. The loops of one component, as open curves with fixed ends, do not cross each other.
+  std::vector<Halfedge_index> loop(Index i) const
+  {
+    const auto [out, back] = legs(i);
+    return joined(out, back, 0);
+  }
+
+  /// The same loop without what it goes out and back: a closed curve that passes no vertex twice.
+  std::vector<Halfedge_index> cycle(Index i) const
+  {
+    const auto [out, back] = legs(i);
+    std::size_t common = 0;
+    while(common < out.size() && common < back.size() && out[common] == back[common])
+      ++common;
+    return joined(out, back, common);
+  }
+
+  /// The length of `loop(i)`. The loops of a component are ordered by it.
+  double length(Index i) const { return generator(i).length; }
+
+  /// @}
+  /// \name Components
+  /// @{
+
+  /// The components that have faces, in the order of the base points given, then of their first vertices.
+  const std::vector<Component>& components() const { return m_components; }
+
+  /// The position of a vertex's component in `components()`, -1 for an isolated vertex. \pre `v` is an input vertex
+  Index component(Vertex_index v) const { return m_forest.component(v); }
+
+  /// @}
+  /// \name Classes of closed curves
+  /// @{
+
+  /*!
+   * The homology class of a closed chain of halfedges of the input: how often it runs along each loop of the basis, up
+   * to what bounds a part of the surface. Integers, exact. It does not change when a curve is pulled tight.
+   *
+   * \param halfedges a range of `Input_halfedge_index`, a closed chain; an empty one has class zero
+   * \throws Invalid_curve_error if it is none
+   *
+   * Complexity: linear in the chain, times the genus and the number of borders at most.
+   */
+  template <class HalfedgeRange>
+  Homology_class homology_class(const HalfedgeRange& halfedges) const
+  {
+    check_closed_chain(halfedges);
+    Homology_class result(static_cast<std::size_t>(number_of_loops()), 0);
+    for(Input_halfedge_index h : halfedges)
+      m_words.for_each_letter(h, [&](internal::Letter letter) {
+        result[static_cast<std::size_t>(letter / 2)] += letter % 2 == 0 ? 1 : -1;
+      });
+    return result;
+  }
+
+  /*!
+   * The same of a curve of a network over this input, whatever was flipped and inserted; zero if it has contracted.
+   * \throws Invalid_curve_error for a curve that does not end where it starts
+   * \pre the network's triangulation has the same input
+   */
+  template <class Network>
+  Homology_class homology_class(const Network& network, Curve_index curve) const
+  {
+    return homology_class(input_edges(network, curve));
+  }
+
+  /*!
+   * Can the curve be contracted to a point on the surface? Decided in the fundamental group: by cancelling in the free
+   * group where the component has a border, by counting on a torus, and by Dehn's algorithm on other closed surfaces.
+   * Exact. A curve of class zero need not be contractible: one that separates two handles is not.
+   *
+   * Complexity: as `homology_class()`. Parameters and errors as there.
+   */
+  template <class HalfedgeRange>
+  bool is_contractible(const HalfedgeRange& halfedges) const
+  {
+    check_closed_chain(halfedges);
+    std::vector<internal::Letter> word;
+    Index component = -1;
+    for(Input_halfedge_index h : halfedges) {
+      component = m_forest.component(m_triangulation->input().tail(h));
+      m_words.for_each_letter(h, [&](internal::Letter letter) { word.push_back(letter); });
+    }
+    return component < 0 || m_groups[static_cast<std::size_t>(component)].is_neutral(std::move(word));
+  }
+
+  /// The same of a curve of a network, as above.
+  template <class Network>
+  bool is_contractible(const Network& network, Curve_index curve) const
+  {
+    return is_contractible(input_edges(network, curve));
+  }
+
+  /// @}
+
+private:
+  using Halfedges = std::vector<Halfedge_index>;
+
+  static const auto& checked_input(const Triangulation& triangulation)
+  {
+    internal::check_surface(triangulation.input());
+    return triangulation.input();
+  }
+
+  static auto weight(const Triangulation& triangulation)
+  {
+    return [&triangulation](Input_halfedge_index h) { return triangulation.metric().weight(triangulation.input(), h); };
+  }
+
+  void describe_components()
+  {
+    const auto& input = m_triangulation->input();
+    for(Vertex_index v : m_forest.roots())
+      m_components.push_back({v, 0, 0, 0, 0});
+    for(const internal::Cotree::Loop& loop : m_cotree.generators())
+      ++m_components[static_cast<std::size_t>(loop.component)].number_of_loops;
+    internal::for_each_border(input, [&](const Halfedges& border) {
+      const Index c = m_forest.component(input.tail(internal::as_input(border.front())));
+      ++m_components[static_cast<std::size_t>(c)].number_of_borders;
+    });
+    Index first_loop = 0;
+    for(Component& c : m_components) {
+      c.first_loop = first_loop;
+      first_loop += c.number_of_loops;
+      c.genus = (c.number_of_loops - (std::max)(0, c.number_of_borders - 1)) / 2;
+      m_groups.emplace_back(m_words.relation(static_cast<Index>(m_groups.size())));
+    }
+  }
+
+  const internal::Cotree::Loop& generator(Index i) const
+  {
+    CGAL_precondition(i >= 0 && i < number_of_loops());
+    return m_cotree.generators()[static_cast<std::size_t>(i)];
+  }
+
+  // The path to the generator and over it, and the path to its other end.
+  std::pair<Halfedges, Halfedges> legs(Index i) const
+  {
+    const auto& input = m_triangulation->input();
+    const Input_halfedge_index h = generator(i).halfedge;
+    std::pair<Halfedges, Halfedges> result = {m_forest.path(input, input.tail(h)),
+                                              m_forest.path(input, input.tail(internal::twin_index(h)))};
+    result.first.push_back(internal::as_intrinsic(h));
+    return result;
+  }
+
+  // Both from a position on, the second one backwards.
+  static Halfedges joined(const Halfedges& out, const Halfedges& back, std::size_t first)
+  {
+    Halfedges result(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
+    for(std::size_t i = back.size(); i-- > first;)
+      result.push_back(internal::twin_index(back[i]));
+    return result;
+  }
+
+  template <class HalfedgeRange>
+  void check_closed_chain(const HalfedgeRange& halfedges) const
+  {
+    static_assert(internal::is_range_of<HalfedgeRange, Input_halfedge_index>,
+                  "the curve is no range of halfedges of the input, Input_halfedge_index");
+    const auto& input = m_triangulation->input();
+    Vertex_index start = null_index, end = null_index;
+    std::size_t position = 0;
+    for(Input_halfedge_index h : halfedges) {
+      if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
+        throw Invalid_curve_error("a curve has a halfedge that the mesh does not have", {position});
+      if(end != null_index && input.tail(h) != end)
+        throw Invalid_curve_error("a curve is not connected at position " + std::to_string(position), {position});
+      start = start == null_index ? input.tail(h) : start;
+      end = input.tail(internal::twin_index(h));
+      ++position;
+    }
+    if(start != end)
+      throw Invalid_curve_error("a curve that does not end where it starts has no class", {position});
+  }
+
+  template <class Network>
+  std::vector<Input_halfedge_index> input_edges(const Network& network, Curve_index curve) const
+  {
+    const auto& triangulation = network.triangulation();
+    CGAL_precondition_msg(triangulation.input().number_of_halfedges() == m_triangulation->input().number_of_halfedges(),
+                          "the network lies over another mesh");
+    std::vector<Input_halfedge_index> result;
+    Vertex_index start = null_index, end = null_index;
+    network.for_each_segment(curve, [&](Segment_index s) {
+      const Crossing_word word = triangulation.crossing_word(network.halfedge(s));
+      start = start == null_index ? word.tail : start;
+      end = word.head;
+      internal::append_input_edges(triangulation, word, result);
+    });
+    if(start != end)
+      throw Invalid_curve_error("a curve that does not end where it starts has no class");
+    return result;
+  }
+
+  const Triangulation* m_triangulation;
+  internal::Edge_forest m_forest;
+  internal::Cotree m_cotree;
+  internal::Generator_words m_words;
+  std::vector<Component> m_components;
+  std::vector<internal::Surface_group> m_groups; // by component
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsLoops
+ *
+ * Writes the borders of a surface, each as a closed chain of halfedges with the surface on the left, a
+ * `std::vector<Halfedge_index>`: by their smallest edges, the first of which each begins with. Linear in the mesh.
+ *
+ * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose edges are the input's
+ * \throws Invalid_mesh_error as `Loop_basis`
+ */
+template <class Triangulation, class OutputIterator>
+OutputIterator border_loops(const Triangulation& triangulation, OutputIterator out)
+{
+  internal::check_surface(triangulation.input());
+  internal::for_each_border(triangulation.input(), [&](const std::vector<Halfedge_index>& border) { *out++ = border; });
+  return out;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_LOOP_BASIS_H

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_EDGE_FOREST_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_EDGE_FOREST_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Throws Invalid_mesh_error unless all faces are triangles, each edge is in one, and no vertex is passed by the border
+ * twice: sheets that hang together in a vertex are no surface, and loops through it have no class.
+ */
+template <class Input_mesh>
+void check_surface(const Input_mesh& input)
+{
+  Indexed_by<Vertex_index, std::vector<char>> is_on_border(static_cast<std::size_t>(input.number_of_vertices()), 0);
+  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
+    if(!input.is_border(h)) {
+      check_triangle(input, h);
+      continue;
+    }
+    const Vertex_index v = input.tail(h), w = input.tail(twin_index(h));
+    if(input.is_border(twin_index(h)))
+      throw Invalid_mesh_error("the edge between vertices " + std::to_string(v.idx()) + " and " +
+                                   std::to_string(w.idx()) + " is in no face",
+                               {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+    if(is_on_border[v] != 0)
+      throw Invalid_mesh_error("sheets of the surface meet in vertex " + std::to_string(v.idx()) + " only",
+                               {static_cast<std::size_t>(v.idx())});
+    is_on_border[v] = 1;
+  }
+}
+
+/* Calls `use(border)` for each border, as a chain of halfedges with the surface on the left, that of its smallest edge
+ * first. */
+template <class Input_mesh, class Use>
+void for_each_border(const Input_mesh& input, const Use& use)
+{
+  Indexed_by<Input_halfedge_index, std::vector<char>> is_used(static_cast<std::size_t>(input.number_of_halfedges()), 0);
+  for(Input_halfedge_index first : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
+    if(!input.is_border(first) || is_used[first] != 0)
+      continue;
+    std::vector<Halfedge_index> border;
+    Input_halfedge_index h = first;
+    do {
+      border.push_back(as_intrinsic(twin_index(h)));
+      is_used[h] = 1;
+      h = input.previous(h);
+    } while(h != first);
+    use(border);
+  }
+}
+
+/*
+ * Shortest paths along the edges of the input from one base point in each component to all its vertices: a tree for each
+ * component. `weight(h)` is the length of a halfedge. Of equally long ways, that which was found first stays.
+ */
+class Edge_forest
+{
+public:
+  /* Grows a tree from each base point, and from the first vertex of each component that has none. */
+  template <class Input_mesh, class VertexRange, class Weight>
+  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight)
+    : m_incoming(static_cast<std::size_t>(input.number_of_vertices()), null_index)
+    , m_distance(static_cast<std::size_t>(input.number_of_vertices()), std::numeric_limits<double>::infinity())
+    , m_component(static_cast<std::size_t>(input.number_of_vertices()), -1)
+  {
+    for(Vertex_index v : base_points)
+      grow_from_given(input, v, weight);
+    for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
+      if(m_component[v] < 0 && input.outgoing(v) != null_index)
+        grow(input, v, weight);
+    if(m_spokes != static_cast<std::size_t>(input.number_of_halfedges()))
+      throw Invalid_mesh_error("sheets of the surface meet in a vertex only");
+  }
+
+  /* The base point of each component. */
+  const std::vector<Vertex_index>& roots() const { return m_roots; }
+  /* The component of a vertex, -1 if it is isolated. */
+  Index component(Vertex_index v) const { return m_component[v]; }
+  /* The length of the path to a vertex. */
+  double distance(Vertex_index v) const { return m_distance[v]; }
+  /* The last halfedge of the path to a vertex, `null_index` at a base point. */
+  Input_halfedge_index incoming(Vertex_index v) const { return m_incoming[v]; }
+
+  /* Is an edge on a path? */
+  template <class Input_mesh>
+  bool contains(const Input_mesh& input, Input_halfedge_index h) const
+  {
+    return m_incoming[input.tail(h)] == twin_index(h) || m_incoming[input.tail(twin_index(h))] == h;
+  }
+
+  /* The path from the base point to a vertex. */
+  template <class Input_mesh>
+  std::vector<Halfedge_index> path(const Input_mesh& input, Vertex_index v) const
+  {
+    std::vector<Halfedge_index> result;
+    for(Input_halfedge_index h = m_incoming[v]; h != null_index; h = m_incoming[input.tail(h)])
+      result.push_back(as_intrinsic(h));
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  template <class Input_mesh, class Weight>
+  void grow_from_given(const Input_mesh& input, Vertex_index v, const Weight& weight)
+  {
+    check_vertex(v, input.number_of_vertices());
+    const std::string name = "vertex " + std::to_string(v.idx());
+    if(input.outgoing(v) == null_index)
+      throw Invalid_parameter_error(name + " is isolated, and no base point", {static_cast<std::size_t>(v.idx())});
+    if(m_component[v] >= 0)
+      throw Invalid_parameter_error(name + " is in a component that has a base point already",
+                                    {static_cast<std::size_t>(v.idx())});
+    grow(input, v, weight);
+  }
+
+  template <class Input_mesh, class Weight>
+  void grow(const Input_mesh& input, Vertex_index root, const Weight& weight)
+  {
+    const Index component = static_cast<Index>(m_roots.size());
+    m_roots.push_back(root);
+    m_distance[root] = 0;
+    m_queue.push(0, root);
+    while(!m_queue.empty()) {
+      const Vertex_index v = m_queue.pop();
+      if(m_component[v] >= 0)
+        continue; // has been reached on a shorter way since
+      m_component[v] = component;
+      const Input_halfedge_index first = input.outgoing(v);
+      Input_halfedge_index h = first;
+      do {
+        relax(input, v, h, weight(h));
+        h = input.next(twin_index(h));
+        ++m_spokes;
+      } while(h != first);
+    }
+  }
+
+  template <class Input_mesh>
+  void relax(const Input_mesh& input, Vertex_index v, Input_halfedge_index h, double length)
+  {
+    const Vertex_index w = input.tail(twin_index(h));
+    if(!(length >= 0 && length <= (std::numeric_limits<double>::max)()))
+      throw_unusable_length(length, v, w);
+    const double distance = m_distance[v] + length;
+    if(m_component[w] >= 0 || !(distance < m_distance[w]))
+      return;
+    m_distance[w] = distance;
+    m_incoming[w] = h;
+    m_queue.push(distance, w);
+  }
+
+  Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> m_incoming;
+  Indexed_by<Vertex_index, std::vector<double>> m_distance;
+  Indexed_by<Vertex_index, std::vector<Index>> m_component;
+  std::vector<Vertex_index> m_roots;
+  Vertex_queue m_queue;
+  std::size_t m_spokes = 0; // halfedges that start at vertices reached
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_EDGE_FOREST_H
