@@ -51,6 +51,8 @@ public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
 
   /*!
+   * Computes the distances from the source.
+   *
    * \param triangulation of the mesh; both must outlive the map
    * \param mesh the mesh
    * \param source any location
