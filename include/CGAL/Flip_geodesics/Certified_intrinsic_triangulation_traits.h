@@ -185,7 +185,7 @@ public:
     }
   };
 
-  /// A number in [0, 2), the greater the greater the turn, below \f$\pi\f$.
+  /// A number in [0, 2], which rounding alone reaches: the greater the greater the turn, below \f$\pi\f$.
   class Turn_key
   {
   public:

@@ -428,7 +428,7 @@ private:
     return true;
   }
 
-  static constexpr double straight = 2;     // above all keys
+  static constexpr double straight = 3;     // above all keys, which round to 2 close to pi
   static constexpr double rounding = 1e-12; // relative, of lengths and their sums
 
   Triangulation* m_triangulation;

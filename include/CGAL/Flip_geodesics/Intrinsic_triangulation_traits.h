@@ -235,7 +235,7 @@ public:
     Uncertain<Comparison_result> operator()(const Turn& turn) const { return turn.is_straight ? LARGER : SMALLER; }
   };
 
-  /// A number in [0, 2), the greater the greater the turn, below \f$\pi\f$.
+  /// A number in [0, 2], which rounding alone reaches: the greater the greater the turn, below \f$\pi\f$.
   class Turn_key
   {
   public:

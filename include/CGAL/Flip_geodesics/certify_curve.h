@@ -130,7 +130,7 @@ private:
     const auto& input = m_triangulation.input();
     const Input_halfedge_index h =
         given == Graph::null_halfedge() ? Input_halfedge_index() : Input_halfedge_index(input.index(given));
-    if(!h.is_valid() || h.idx() >= input.number_of_halfedges())
+    if(!h.is_valid())
       throw Invalid_curve_error("place " + std::to_string(number) + " of the curve is on no halfedge of the mesh",
                                 {number});
     return h;

@@ -33,7 +33,7 @@ enum class Stop_decision {
 struct Shortening_step
 {
   Curve_index curve;           ///< the curve that the step shortens
-  double angle_key;            ///< `Turn_key` of the wedge, in [0, 2): 1 - cos / (|cos| + sin) of its angle
+  double angle_key;            ///< `Turn_key` of the wedge, in [0, 2]: 1 - cos / (|cos| + sin) of its angle
   std::size_t steps;           ///< the number of steps taken so far
   double curve_initial_length; ///< of the curve
   double curve_length_after;   ///< of the curve, if the step is taken

@@ -239,6 +239,8 @@ BOOST_AUTO_TEST_CASE(ends_on_one_edge_and_in_one_face)
   BOOST_TEST(certified(mesh, {crossing(h), place(2)}).is_locally_shortest());
   BOOST_TEST(certified(mesh, {place(1), place(2)}).is_locally_shortest());
   BOOST_TEST(certified(mesh, {crossing(h, 1), crossing(spoke(mesh, 2), 1)}).is_locally_shortest()); // vertices
+  const auto in_face = [&](double a) { return Place(std::make_pair(mesh.face(h), std::array<double, 3>{{1, 1, a}})); };
+  BOOST_TEST(certified(mesh, {in_face(1), in_face(2)}).is_locally_shortest());
   const auto bent = certified(mesh, {crossing(h), place(0), crossing(spoke(mesh, 2))});
   check_bend(bent, Verdict::BENT_JOINT, 2 * pi / 3, 0, 1, FG::Side::RIGHT);
 }
@@ -259,9 +261,14 @@ BOOST_AUTO_TEST_CASE(the_bend_of_a_segment_is_told)
   check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, 2 * pi / 3, 0, 1, FG::Side::LEFT);
   std::reverse(round.begin(), round.end());
   check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, 2 * pi / 3, 0, 1, FG::Side::RIGHT);
-  // Of two bends the larger one is told.
-  round.insert(round.end(), {crossing(spoke(mesh, 2)), crossing(spoke(mesh, 3)), crossing(spoke(mesh, 4)), place(5)});
-  check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, 2 * pi / 3, 0, 1, FG::Side::RIGHT);
+  // Of two bends the larger one is told: in a grid, round (2, 2) by a right angle, and round (1, 2) by half of it.
+  const auto grid = to_mesh<Surface>(flat_grid(4, 4, Diagonal_rule::RISING)); // (i, j) is vertex i + 5 j
+  const auto across = [&](int i, int j) { return crossing(grid.halfedge(vertex(i), vertex(j))); };
+  Places winding = {place(7),      across(12, 13), across(12, 18), across(12, 17), across(12, 11),
+                    across(11, 6), across(11, 5),  across(11, 10), across(10, 16)};
+  check_bend(certified(grid, winding), Verdict::BENT_SEGMENT, pi / 2, 12, 1, FG::Side::LEFT);
+  std::reverse(winding.begin(), winding.end());
+  check_bend(certified(grid, winding), Verdict::BENT_SEGMENT, pi / 2, 12, 4, FG::Side::RIGHT);
 }
 
 BOOST_AUTO_TEST_CASE(the_bend_of_a_joint_is_told)
@@ -310,16 +317,31 @@ BOOST_AUTO_TEST_CASE(closed_curves_have_a_joint_at_their_start)
 // Lengths can make a cone of a point on the line.
 BOOST_AUTO_TEST_CASE(a_touched_vertex_is_told)
 {
-  // 2 is on the line from 0 to 1, and sees 4, on the other side, at less than a right angle from both.
-  const Surface mesh = to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 1, 0}},
-                                                  {{0, 3, 1}, {0, 1, 2}, {0, 2, 4}, {2, 1, 4}}});
-  const auto lengths = edge_lengths(mesh, [=](int u, int v) {
+  const auto certified_by_lengths = [](const Surface& mesh, const Places& places, const auto& lengths) {
+    const FG::Edge_length_metric metric(mesh, boost::make_assoc_property_map(lengths));
+    return FG::certify_curve(mesh, places, false, FG::with_metric(metric));
+  };
+  // 2 is on the edge from 0 to 1, and sees 4, on the other side, at less than a right angle from both.
+  const auto flat_face = to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 1, 0}},
+                                                    {{0, 3, 1}, {0, 1, 2}, {0, 2, 4}, {2, 1, 4}}});
+  const auto lengths = edge_lengths(flat_face, [=](int u, int v) {
     const std::pair<int, int> ends = std::minmax(u, v);
     return ends == std::pair<int, int>(0, 1) ? 2.0 : (ends.first == 2 || ends.second == 2 ? 1.0 : 1.4);
   });
-  const FG::Edge_length_metric metric(mesh, boost::make_assoc_property_map(lengths));
-  const auto certificate = FG::certify_curve(mesh, Places{place(0), place(1)}, false, FG::with_metric(metric));
-  check_bend(certificate, Verdict::BENT_SEGMENT, pi - 4 * std::asin(0.7), 2, 0, FG::Side::RIGHT);
+  check_bend(certified_by_lengths(flat_face, {place(0), place(1)}, lengths), Verdict::BENT_SEGMENT,
+             pi - 4 * std::asin(0.7), 2, 0, FG::Side::RIGHT);
+
+  // The line from 0 to 1 crosses the edge from 2 to 3 at 2, where it sees 4 so.
+  const auto kite = to_mesh<Surface>(Mesh_soup{{{-3, 0, 0}, {3, 0, 0}, {0, 0, 0}, {0, -4, 0}, {0, 4, 0}},
+                                               {{0, 3, 2}, {2, 3, 1}, {0, 2, 4}, {2, 1, 4}}});
+  const auto kite_lengths = edge_lengths(kite, [=](int u, int v) {
+    if(u == 2 || v == 2)
+      return u + v == 2 || u + v == 3 ? 3.0 : 4.0;
+    return (std::max)(u, v) == 4 ? 4.5 : 5.0;
+  });
+  const Place at_2 = crossing(kite.halfedge(vertex(3), vertex(2)));
+  check_bend(certified_by_lengths(kite, {place(0), at_2, place(1)}, kite_lengths), Verdict::BENT_SEGMENT,
+             pi - 2 * std::acos(4.75 / 24), 2, 1, FG::Side::LEFT);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_curve_is_refused)
@@ -331,8 +353,13 @@ BOOST_AUTO_TEST_CASE(what_is_no_curve_is_refused)
     return Place(std::make_pair(mesh.face(spoke(mesh, 1)), std::array<double, 3>{{a, 1, 1}}));
   };
   using Curve_error = FG::Invalid_curve_error;
-  check_refused<Curve_error>(mesh, {place(1), crossing(rim), place(3)}, {1});            // on the border
-  check_refused<Curve_error>(mesh, {place(1), on_3, place(3)}, {1});                     // not opposite
+  check_refused<Curve_error>(mesh, {place(1), crossing(rim), place(3)}, {1}); // on the border
+  check_refused<Curve_error>(mesh, {place(1), on_3, place(3)}, {1});          // not opposite
+  check_refused<Curve_error>(mesh, {place(1), crossing(mesh.opposite(rim)), place(3)}, {1});
+  check_refused<Curve_error>(mesh, {place(2), on_2, place(3)}, {1}); // an edge of the vertex itself
+  check_refused<Curve_error>(mesh, {place(0), on_2, place(3)}, {1});
+  for(int i : {5, 6}) // not in one face, but along the border
+    check_refused<Curve_error>(mesh, {crossing(mesh.halfedge(vertex(1), vertex(2))), place(i)}, {1});
   check_refused<Curve_error>(mesh, {place(1), on_2, on_4, place(3)}, {2});               // a face is left out
   check_refused<Curve_error>(mesh, {place(1), on_2, crossing({}), place(5)}, {2});       // null
   check_refused<Curve_error>(mesh, {place(1), crossing(Halfedge(1000)), place(3)}, {1}); // none of the mesh's

@@ -4,6 +4,8 @@
 
 #include "test_certify/second_opinion.h"
 
+#include <CGAL/Flip_geodesics/certify_curve.h>
+
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -69,6 +71,19 @@ BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
   BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
   BOOST_TEST(certificate.is_locally_shortest());
   BOOST_TEST(certificate.statistics.unproven_zeros == 2u);
+
+  std::vector<FG::Given_place<Surface>> places;
+  for(const auto h : many.network.halfedges(0_c)) {
+    const FG::Crossing_word word = many.triangulation.crossing_word(h);
+    if(places.empty())
+      places.emplace_back(Surface::Vertex_index(static_cast<unsigned>(word.tail.idx())));
+    for(const auto c : word.crossed)
+      places.emplace_back(std::make_pair(many.triangulation.input().halfedge(c), 0.5));
+    places.emplace_back(Surface::Vertex_index(static_cast<unsigned>(word.head.idx())));
+  }
+  const auto given = FG::certify_curve(many.mesh, places, false);
+  BOOST_TEST((given.verdict == FG::Certificate_verdict::PROBABLE));
+  BOOST_TEST(given.is_locally_shortest());
 
   many.add(vertex_path_on_grid(40, {{1, 0}, {2, 0}}), false); // another curve has nothing to do with it
   const FG::Network_certificate both = FG::certify(many.network);
