@@ -85,8 +85,14 @@ public:
   BOOST_NOINLINE void swap(Integer& n) noexcept { m_number.swap(n.m_number); }
 
   /* The number of the highest bit, and of the lowest one that is set. \pre not zero */
-  BOOST_NOINLINE unsigned highest_bit() const { return static_cast<unsigned>(msb(Number(abs(m_number)))); }
-  BOOST_NOINLINE unsigned lowest_bit() const { return static_cast<unsigned>(lsb(Number(abs(m_number)))); }
+  BOOST_NOINLINE unsigned highest_bit() const
+  {
+    return static_cast<unsigned>(msb(Number(boost::multiprecision::abs(m_number))));
+  }
+  BOOST_NOINLINE unsigned lowest_bit() const
+  {
+    return static_cast<unsigned>(lsb(Number(boost::multiprecision::abs(m_number))));
+  }
 
   BOOST_NOINLINE Integer& operator+=(const Integer& n)
   {
