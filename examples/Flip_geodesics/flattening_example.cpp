@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Texture coordinates by cutting and flattening. The way through some vertices is pulled tight, but for the first of
-// them, to which it may return, and is the seam. The triangulation is refined, cut open along it and flattened
-// conformally, and the coordinates are carried to the common subdivision of the mesh and the triangulation.
+// them, to which it may return, and is the seam. Without vertices, a cut graph is. The triangulation is refined, cut
+// open along the seam and flattened conformally, and the coordinates are carried to the common subdivision of the mesh
+// and the triangulation.
 //
-//   flattening_example MESH VERTEX VERTEX...
+//   flattening_example MESH [VERTEX VERTEX...]
 //
 // Writes flattening.obj, with texture coordinates.
 
@@ -35,20 +36,25 @@ using Network = FG::Edge_path_network<Triangulation>;
 int main(int argc, char** argv)
 try {
   Mesh mesh;
-  if(argc < 4 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
-    throw std::invalid_argument("give the file of a triangle mesh, and the vertices of a seam");
+  if(argc < 2 || argc == 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) ||
+     mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh, and two vertices of a seam or more, or none");
   if(std::error_code absent; std::filesystem::equivalent(argv[1], "flattening.obj", absent))
     throw std::invalid_argument("the result would replace the mesh; rename it");
 
   Triangulation triangulation(mesh);
-  FG::Shortest_edge_path<Triangulation> search(triangulation);
   std::vector<FG::Vertex_index> way;
   for(int i = 2; i < argc; ++i)
     way.emplace_back(std::stoi(argv[i]));
   Network network(triangulation);
-  network.add_curve(FG::shortest_halfedges_through(search, way), false);
-  network.fix_nodes_at(way.front());
-  FG::order_overlapping_curves(network);
+  if(way.empty()) {
+    FG::add_cut_graph(network);
+  } else {
+    FG::Shortest_edge_path<Triangulation> search(triangulation);
+    network.add_curve(FG::shortest_halfedges_through(search, way), false);
+    network.fix_nodes_at(way.front());
+    FG::order_overlapping_curves(network);
+  }
   FG::shorten(network);
 
   FG::refine(network);

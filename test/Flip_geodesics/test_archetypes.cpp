@@ -29,6 +29,7 @@
 #include <CGAL/Flip_geodesics/Tangent_spaces.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
+#include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
@@ -365,6 +366,7 @@ public:
     in_network(&Constructions::edges);
     in_network(&Constructions::regions);
     in_network(&Constructions::seams);
+    in_network(&Constructions::cut);
     in_network(&Constructions::overlapping);
     in_network(&Constructions::shortest);
     in_network(&Constructions::straightened);
@@ -428,6 +430,8 @@ private:
     FG::add_region_boundaries(network, m_mesh, Number_map<Surface::Face_index>{7}, FG::Junctions::FREE);
   }
   void seams(Network& network) { FG::add_seams(network, m_mesh, Number_map<Surface::Halfedge_index>{60}); }
+
+  void cut(Network& network) { FG::add_cut_graph(network); }
 
   void overlapping(Network& network)
   {

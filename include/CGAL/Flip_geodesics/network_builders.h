@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -143,6 +144,60 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
   return result;
 }
 
+namespace internal {
+
+/* A set of edges of a triangulation: a sign for each. */
+using Edge_marks = Indexed_by<Edge_index, std::vector<char>>;
+
+/* How many edges of a set end at each vertex. */
+template <class Triangulation>
+Indexed_by<Vertex_index, std::vector<Index>> degrees(const Triangulation& triangulation, const Edge_marks& is_marked)
+{
+  Indexed_by<Vertex_index, std::vector<Index>> result(static_cast<std::size_t>(triangulation.number_of_vertices()), 0);
+  for(Edge_index e : descriptors<Edge_index>(triangulation.number_of_edges()))
+    if(is_marked[e] != 0) {
+      ++result[triangulation.tail(first_side(e))];
+      ++result[triangulation.head(first_side(e))];
+    }
+  return result;
+}
+
+/* Adds the chains of a set of edges between the vertices for which `is_node(v)` holds, and the closed ones. Returns how
+ * many. \pre two edges end at each vertex of the set that is no node */
+template <class Network, class IsNode>
+Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
+{
+  const auto& triangulation = network.triangulation();
+  // The way on from the head of h, null_index at a node.
+  const auto next_open = [&](Halfedge_index h) -> Halfedge_index {
+    if(is_node(triangulation.head(h)))
+      return null_index;
+    for(Halfedge_index g : spokes(triangulation, triangulation.head(h)))
+      if(is_open[Network::Triangulation::edge(g)] != 0)
+        return g;
+    return null_index;
+  };
+  const auto walk = [&](Halfedge_index h) {
+    std::vector<Halfedge_index> chain;
+    for(; h != null_index; h = next_open(h)) {
+      is_open[Network::Triangulation::edge(h)] = 0;
+      chain.push_back(h);
+    }
+    return chain;
+  };
+
+  const Index before = network.number_of_curves();
+  for(Halfedge_index h : descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
+    if(is_open[Network::Triangulation::edge(h)] != 0 && is_node(triangulation.tail(h)))
+      network.add_curve(walk(h), false);
+  for(Edge_index e : descriptors<Edge_index>(triangulation.number_of_edges()))
+    if(is_open[e] != 0)
+      network.add_curve(walk(first_side(e)), true);
+  return network.number_of_curves() - before;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
@@ -160,45 +215,13 @@ Index add_marked_edges(Network& network, const TriangleMesh& mesh, EdgeIsMarkedM
 {
   static_assert(internal::is_property_map<EdgeIsMarkedMap>());
   const auto& triangulation = network.triangulation();
-  internal::Indexed_by<Edge_index, std::vector<char>> is_open(static_cast<std::size_t>(triangulation.number_of_edges()),
-                                                              0);
-  internal::Indexed_by<Vertex_index, std::vector<Index>> degree(
-      static_cast<std::size_t>(triangulation.number_of_vertices()), 0);
+  internal::Edge_marks marks(static_cast<std::size_t>(triangulation.number_of_edges()), 0);
   for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges())) {
     const auto h = triangulation.input().halfedge(internal::as_input(internal::first_side(e)));
-    is_open[e] = get(is_marked, edge(h, mesh)) ? 1 : 0;
-    if(is_open[e] != 0) {
-      ++degree[triangulation.tail(internal::first_side(e))];
-      ++degree[triangulation.head(internal::first_side(e))];
-    }
+    marks[e] = get(is_marked, edge(h, mesh)) ? 1 : 0;
   }
-
-  const auto next_marked =
-      [&](Halfedge_index h) -> Halfedge_index { // the way on from the head of h, null_index at a node that ends curves
-    if(degree[triangulation.head(h)] != 2)
-      return null_index;
-    for(Halfedge_index g : internal::spokes(triangulation, triangulation.head(h)))
-      if(is_open[Network::Triangulation::edge(g)] != 0)
-        return g;
-    return null_index;
-  };
-  const auto walk = [&](Halfedge_index h) {
-    std::vector<Halfedge_index> chain;
-    for(; h != null_index; h = next_marked(h)) {
-      is_open[Network::Triangulation::edge(h)] = 0;
-      chain.push_back(h);
-    }
-    return chain;
-  };
-
-  const Index before = network.number_of_curves();
-  for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
-    if(is_open[Network::Triangulation::edge(h)] != 0 && degree[triangulation.tail(h)] != 2)
-      network.add_curve(walk(h), false);
-  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
-    if(is_open[e] != 0)
-      network.add_curve(walk(internal::first_side(e)), true);
-  return network.number_of_curves() - before;
+  const auto degree = internal::degrees(triangulation, marks);
+  return internal::add_chains(network, std::move(marks), [&](Vertex_index v) { return degree[v] != 2; });
 }
 
 } // namespace Flip_geodesics

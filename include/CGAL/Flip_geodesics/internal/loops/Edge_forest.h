@@ -67,24 +67,34 @@ void for_each_border(const Input_mesh& input, const Use& use)
 /*
  * Shortest paths along the edges of the input from one base point in each component to all its vertices: a tree for each
  * component. `weight(h)` is the length of a halfedge. Of equally long ways, that which was found first stays.
+ *
+ * Where `is_joined(h)` holds, the ends of an edge count as one place: whoever comes to one goes on to the other at once.
+ * So a tree has as many of these edges as it can.
  */
 class Edge_forest
 {
 public:
   /* Grows a tree from each base point, and from the first vertex of each component that has none. */
-  template <class Input_mesh, class VertexRange, class Weight>
-  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight)
+  template <class Input_mesh, class VertexRange, class Weight, class IsJoined>
+  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight, const IsJoined& is_joined)
     : m_incoming(static_cast<std::size_t>(input.number_of_vertices()), null_index)
     , m_distance(static_cast<std::size_t>(input.number_of_vertices()), std::numeric_limits<double>::infinity())
     , m_component(static_cast<std::size_t>(input.number_of_vertices()), -1)
   {
     for(Vertex_index v : base_points)
-      grow_from_given(input, v, weight);
+      grow_from_given(input, v, weight, is_joined);
     for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
       if(m_component[v] < 0 && input.outgoing(v) != null_index)
-        grow(input, v, weight);
+        grow(input, v, weight, is_joined);
     if(m_spokes != static_cast<std::size_t>(input.number_of_halfedges()))
       throw Invalid_mesh_error("sheets of the surface meet in a vertex only");
+  }
+
+  /* The same with no edges joined. */
+  template <class Input_mesh, class VertexRange, class Weight>
+  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight)
+    : Edge_forest(input, base_points, weight, [](Input_halfedge_index) { return false; })
+  {
   }
 
   /* The base point of each component. */
@@ -115,8 +125,8 @@ public:
   }
 
 private:
-  template <class Input_mesh, class Weight>
-  void grow_from_given(const Input_mesh& input, Vertex_index v, const Weight& weight)
+  template <class Input_mesh, class Weight, class IsJoined>
+  void grow_from_given(const Input_mesh& input, Vertex_index v, const Weight& weight, const IsJoined& is_joined)
   {
     check_vertex(v, input.number_of_vertices());
     const std::string name = "vertex " + std::to_string(v.idx());
@@ -125,43 +135,55 @@ private:
     if(m_component[v] >= 0)
       throw Invalid_parameter_error(name + " is in a component that has a base point already",
                                     {static_cast<std::size_t>(v.idx())});
-    grow(input, v, weight);
+    grow(input, v, weight, is_joined);
   }
 
-  template <class Input_mesh, class Weight>
-  void grow(const Input_mesh& input, Vertex_index root, const Weight& weight)
+  template <class Input_mesh, class Weight, class IsJoined>
+  void grow(const Input_mesh& input, Vertex_index root, const Weight& weight, const IsJoined& is_joined)
   {
     const Index component = static_cast<Index>(m_roots.size());
     m_roots.push_back(root);
     m_distance[root] = 0;
     m_queue.push(0, root);
-    while(!m_queue.empty()) {
-      const Vertex_index v = m_queue.pop();
-      if(m_component[v] >= 0)
-        continue; // has been reached on a shorter way since
-      m_component[v] = component;
-      const Input_halfedge_index first = input.outgoing(v);
-      Input_halfedge_index h = first;
-      do {
-        relax(input, v, h, weight(h));
-        h = input.next(twin_index(h));
-        ++m_spokes;
-      } while(h != first);
-    }
+    std::vector<Vertex_index> place; // vertices joined with the one that was reached
+    while(!m_queue.empty())
+      for(place.push_back(m_queue.pop()); !place.empty();) {
+        const Vertex_index v = place.back();
+        place.pop_back();
+        if(m_component[v] >= 0)
+          continue; // has been reached on a shorter way since
+        m_component[v] = component;
+        const Input_halfedge_index first = input.outgoing(v);
+        Input_halfedge_index h = first;
+        do {
+          const Vertex_index w = input.tail(twin_index(h));
+          if(is_joined(h) && m_component[w] < 0) {
+            reach(w, m_distance[v], h);
+            place.push_back(w);
+          } else {
+            relax(v, w, h, weight(h));
+          }
+          h = input.next(twin_index(h));
+          ++m_spokes;
+        } while(h != first);
+      }
   }
 
-  template <class Input_mesh>
-  void relax(const Input_mesh& input, Vertex_index v, Input_halfedge_index h, double length)
+  void relax(Vertex_index v, Vertex_index w, Input_halfedge_index h, double length)
   {
-    const Vertex_index w = input.tail(twin_index(h));
     if(!(length >= 0 && length <= (std::numeric_limits<double>::max)()))
       throw_unusable_length(length, v, w);
     const double distance = m_distance[v] + length;
     if(m_component[w] >= 0 || !(distance < m_distance[w]))
       return;
+    reach(w, distance, h);
+    m_queue.push(distance, w);
+  }
+
+  void reach(Vertex_index w, double distance, Input_halfedge_index h)
+  {
     m_distance[w] = distance;
     m_incoming[w] = h;
-    m_queue.push(distance, w);
   }
 
   Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> m_incoming;

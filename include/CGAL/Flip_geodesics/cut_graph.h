@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_CUT_GRAPH_H
+#define CGAL_FLIP_GEODESICS_CUT_GRAPH_H
+
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/loops/Cut_edges.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsLoops
+ *
+ * Adds a network along which each component of a surface is cut open to a topological disk. Where curves meet they have
+ * fixed ends, so that the network can be pulled tight; `cut_along_curves()` and `Conformal_flattening` take it then.
+ *
+ * In each component, the shortest loops that generate [EW05] make the network, as for `Loop_basis`, without ways that
+ * all of them go out and back. So it is short, but not the shortest: that is NP-hard to find [EH04]. Borders are cut
+ * already. Curves lead from one border to another, and end where they meet it; ways along the border have no length. A
+ * disk gets no curve. A sphere gets one, from its base point to the vertex farthest from it along edges.
+ *
+ * \param network an empty network in a triangulation whose edges are the input's
+ * \param base_points vertices, at most one in each component; where there is none, the first vertex of the border is
+ *        taken, or the first vertex
+ * \return the number of curves added
+ * \throws as `Loop_basis`
+ * \pre the triangulation's edges are still the input's
+ *
+ * Complexity: \f$O(n \log n)\f$.
+ */
+template <class Network, class VertexRange>
+Index add_cut_graph(Network& network, const VertexRange& base_points)
+{
+  static_assert(internal::is_range_of<VertexRange, Vertex_index>,
+                "the base points are no range of vertices of the triangulation, Vertex_index");
+  const auto& triangulation = network.triangulation();
+  const internal::Cut_edges<typename Network::Triangulation> cut(triangulation, base_points);
+  const auto degree = internal::degrees(triangulation, cut.marks());
+  // A curve that touches a border is cut there: pulled off it, it would leave what is cut in one piece with a hole.
+  return internal::add_chains(network, cut.marks(),
+                              [&](Vertex_index v) { return degree[v] != 2 || cut.is_on_border(v); });
+}
+
+/// \ingroup PkgFlipGeodesicsLoops
+/// The same with a base point of the function's choice in each component.
+template <class Network>
+Index add_cut_graph(Network& network)
+{
+  return Flip_geodesics::add_cut_graph(network, std::vector<Vertex_index>());
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_CUT_GRAPH_H
