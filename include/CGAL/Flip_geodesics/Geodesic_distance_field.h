@@ -16,6 +16,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -212,14 +213,17 @@ public:
   /*!
    * Computes the field as far as the limits ask for. It can be called again, with other limits, to go on.
    *
-   * Complexity: \f$O(w \log n)\f$ for \f$w\f$ windows on \f$n\f$ faces: on smooth meshes 10 to 25 per face up to
-   * some ten thousand faces, growing like \f$\sqrt{n}\f$; \f$O(n^2)\f$ at worst.
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked; the results are the same
+   *
+   * Complexity: linear in the windows, and in the edges of the front a round. On \f$n\f$ faces of smooth meshes there are
+   * 10 to 25 windows a face up to some ten thousand faces, growing like \f$\sqrt{n}\f$; \f$O(n^2)\f$ in all at worst.
    *
    * \throws Invalid_coordinate_error, Degenerate_face_error, Invalid_mesh_error for faces within reach
    * \throws Invalid_location_error if a target is none
    * \throws Invalid_parameter_error if the radius is negative or not a number
    * \pre `EVERYWHERE` if there are targets inside faces or on edges
    */
+  template <class ConcurrencyTag = Sequential_tag>
   Distance_field_report compute(const Distance_field_limits& limits = Distance_field_limits())
   {
     if(!(limits.radius >= 0)) {
@@ -238,7 +242,7 @@ public:
       const double wanted = (std::min)(limits.radius, farthest(limits.targets));
       const double bound = wanted < infinity ? std::nextafter(wanted, infinity) : infinity;
       const std::size_t next_look = m_propagation.number_of_windows() + between_looks;
-      m_propagation.run(bound, limits.targets.empty() ? most : (std::min)(most, next_look));
+      m_propagation.template run<ConcurrencyTag>(bound, limits.targets.empty() ? most : (std::min)(most, next_look));
       m_reach = m_propagation.reach();
       if(m_reach == infinity || m_reach >= bound || m_propagation.number_of_windows() > most) {
         report.status = status_at(limits, bound);

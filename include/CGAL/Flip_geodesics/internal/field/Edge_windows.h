@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -22,14 +23,7 @@ namespace internal {
 /*
  * For each edge the windows on it that have the shortest ways known to its points, from both sides, ordered by where they
  * begin: the lower envelope of their distances [MMP87]. A shortest path through a point enters one face only, so that
- * windows of both sides compete.
- *
- * Where two are equally near up to rounding, both are kept: the rays of one may lead to where the other's do not. Only
- * if their rays are the same, the one that has more of them does. So windows may overlap, and what is taken off one can
- * put it behind another.
- *
- * The windows of an edge lie in a block of memory, of a power of two of them, and blocks that are given back are used
- * again.
+ * windows of both sides compete. A `Window_inserter` puts them there.
  */
 class Edge_windows
 {
@@ -39,34 +33,66 @@ public:
   {
   }
 
-  /* How many windows have been put on edges in all; and how many there is room for. */
-  std::size_t number_made() const { return m_made; }
-  std::size_t capacity() const { return m_pool.size(); }
-
   /* Those of an edge, along it. */
   CGAL::Iterator_range<Window*> on_edge(Index edge)
   {
-    Window* const first = m_pool.data() + list(edge).first;
-    return CGAL::make_range(first, first + list(edge).size);
+    const List& l = list(edge);
+    return CGAL::make_range(l.first, l.first + l.size);
   }
   CGAL::Iterator_range<const Window*> on_edge(Index edge) const
   {
     const List& l = m_lists[static_cast<std::size_t>(edge)];
-    const Window* const first = m_pool.data() + l.first;
-    return CGAL::make_range(first, first + l.size);
+    return CGAL::make_range<const Window*>(l.first, l.first + l.size);
   }
 
-  /* Takes the windows of an edge away. */
-  void clear(Index edge)
+private:
+  friend class Window_inserter;
+
+  struct List
   {
-    give_back(list(edge));
-    list(edge) = List();
+    Window* first;
+    std::uint32_t size;
+    std::uint32_t block; // the logarithm of the room, and 1; 0 if there is none
+  };
+
+  List& list(Index edge) { return m_lists[static_cast<std::size_t>(edge)]; }
+
+  Lazy_array<List> m_lists;
+};
+
+/*
+ * Puts windows on edges, as far as they are shorter than others there. Several threads can do so at once, on different
+ * edges, each by an inserter of its own, all of which must outlive the windows.
+ *
+ * Where two windows are equally near up to rounding, both are kept: the rays of one may lead to where the other's do not.
+ * Only if their rays are the same, the one that has more of them does. So windows may overlap, and what is taken off one
+ * can put it behind another.
+ *
+ * The windows of an edge lie in a block of memory, of a power of two of them, and blocks that are given back are used
+ * again.
+ */
+class Window_inserter
+{
+  using List = Edge_windows::List;
+
+public:
+  /* How many windows have been put on edges in all; and how many there is room for. */
+  std::size_t number_made() const { return m_made; }
+  std::size_t capacity() const { return m_capacity; }
+  /* Of how many windows there is room in blocks that have been given back. */
+  std::size_t spare() const { return m_spare; }
+
+  /* Takes the windows of an edge away. */
+  void clear(Edge_windows& windows, Index edge)
+  {
+    give_back(windows.list(edge));
+    windows.list(edge) = List();
   }
 
   /* Puts a window on an edge, as far as it is not longer than others there. Returns whether that is anywhere. */
-  bool insert(Index edge, const Window& w)
+  bool insert(Edge_windows& windows, Index edge, const Window& w)
   {
-    const auto old = on_edge(edge);
+    const auto old = windows.on_edge(edge);
     const auto is_apart = [&](const Window& v) { return v.to <= w.from || v.from >= w.to; };
     const Window *first = old.begin(), *last = old.end();
     while(first != last && first->to <= w.from)
@@ -82,7 +108,8 @@ public:
         compete(*v, w);
     if(!put(w))
       return false;
-    replace(list(edge), static_cast<std::uint32_t>(first - old.begin()), static_cast<std::uint32_t>(last - first));
+    replace(windows.list(edge), static_cast<std::uint32_t>(first - old.begin()),
+            static_cast<std::uint32_t>(last - first));
     return true;
   }
 
@@ -96,14 +123,6 @@ private:
   {
     double from, to;
   };
-
-  struct List
-  {
-    std::uint32_t first, size;
-    std::uint32_t block; // the logarithm of the room, and 1; 0 if there is none
-  };
-
-  List& list(Index edge) { return m_lists[static_cast<std::size_t>(edge)]; }
 
   // Takes off an old window and a new one what the other is nearer to.
   void compete(const Window& old, const Window& w)
@@ -224,18 +243,18 @@ private:
     const std::uint32_t size = first + added + rest;
     if(l.block == 0 || size > room(l.block)) {
       List larger = take(size);
-      std::copy_n(m_pool.begin() + l.first, first, m_pool.begin() + larger.first);
-      std::copy_n(m_pool.begin() + l.first + first + number, rest, m_pool.begin() + larger.first + first + added);
+      std::copy_n(l.first, first, larger.first);
+      std::copy_n(l.first + first + number, rest, larger.first + first + added);
       give_back(l);
       l = larger;
     } else if(added != number) {
-      const auto from = m_pool.begin() + l.first + first + number, to = m_pool.begin() + l.first + first + added;
+      Window *const from = l.first + first + number, *const to = l.first + first + added;
       if(added < number)
         std::copy(from, from + rest, to);
       else
         std::copy_backward(from, from + rest, to + rest);
     }
-    std::copy(m_result.begin(), m_result.end(), m_pool.begin() + l.first + first);
+    std::copy(m_result.begin(), m_result.end(), l.first + first);
     l.size = size;
   }
 
@@ -246,28 +265,44 @@ private:
     std::uint32_t block = 3;
     while(room(block) < size)
       ++block;
-    List result = {0, size, block};
-    std::vector<std::uint32_t>& unused = m_unused[block];
-    if(unused.empty()) {
-      result.first = static_cast<std::uint32_t>(m_pool.size());
-      m_pool.resize(m_pool.size() + room(block));
-    } else {
-      result.first = unused.back();
-      unused.pop_back();
+    std::vector<Window*>& unused = m_unused[block];
+    if(unused.empty())
+      return {take_new(room(block)), size, block};
+    Window* const first = unused.back();
+    unused.pop_back();
+    m_spare -= room(block);
+    return {first, size, block};
+  }
+
+  // Memory that has not been used; a little more is asked for at once than an eighth of all that there is.
+  Window* take_new(std::size_t size)
+  {
+    constexpr std::size_t least = 1024;
+    if(m_left < size) {
+      m_left = (std::max)({size, least, m_capacity / 8});
+      m_chunks.emplace_back(new Window[m_left]);
+      m_next = m_chunks.back().get();
     }
+    Window* const result = m_next;
+    m_next += size;
+    m_left -= size;
+    m_capacity += size;
     return result;
   }
 
   void give_back(const List& l)
   {
-    if(l.block != 0)
-      m_unused[l.block].push_back(l.first);
+    if(l.block == 0)
+      return;
+    m_unused[l.block].push_back(l.first);
+    m_spare += room(l.block);
   }
 
-  Lazy_array<List> m_lists;
-  std::vector<Window> m_pool;
-  std::array<std::vector<std::uint32_t>, 32> m_unused; // blocks, by the logarithm of their room
-  std::size_t m_made = 0;
+  std::vector<std::unique_ptr<Window[]>> m_chunks;
+  Window* m_next = nullptr;                      // unused in the last chunk
+  std::size_t m_left = 0;                        // how many windows there are behind it
+  std::array<std::vector<Window*>, 32> m_unused; // blocks, by the logarithm of their room
+  std::size_t m_made = 0, m_capacity = 0, m_spare = 0;
   // Of the insertion that is going on:
   std::vector<Window> m_result;
   std::vector<Interval> m_lost, m_old_lost; // parts of the new window, and of an old one

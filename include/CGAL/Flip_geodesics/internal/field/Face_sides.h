@@ -6,9 +6,12 @@
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -46,16 +49,56 @@ public:
     return m_sides[h];
   }
 
+  /* Prepares to be computed by several threads at once. */
+  void share()
+  {
+    if(m_claims.empty())
+      m_claims = std::vector<std::atomic<unsigned char>>(m_sides.size());
+  }
+
+  /* Is a face to be computed? Of several threads that ask for the same one, one is told so. */
+  bool claim(Input_halfedge_index h) { return m_claims.empty() ? m_sides[h].length == 0 : claimed(h).exchange(1) == 0; }
+
+  /* Computes the sides of a face. Is it so flat that rays can be lost in it? Several threads can do so at once, each for
+   * other faces. */
+  bool compute(Input_halfedge_index h)
+  {
+    constexpr double flat = 1e-10;
+    bool is_flat = false;
+    h = first_halfedge(h);
+    for(const Face_side& side : computed(h)) {
+      m_sides[h] = side;
+      is_flat = is_flat || !(side.y > flat * (side.length + std::abs(side.x)));
+      h = side.next;
+    }
+    return is_flat;
+  }
+
   /* The same of a face that has been asked for. */
   const Face_side& known(Input_halfedge_index h) const { return m_sides[h]; }
 
   /* Of any face, as a copy. */
-  Face_side copy(Input_halfedge_index h) const { return m_sides[h].length == 0 ? computed(h)[0] : m_sides[h]; }
-
-  /* Was there a face so flat that rays can have been lost in it? */
-  bool has_flat_face() const { return m_has_flat_face; }
+  Face_side copy(Input_halfedge_index h) const
+  {
+    if(m_sides[h].length != 0)
+      return m_sides[h];
+    const Input_halfedge_index first = first_halfedge(h);
+    return computed(first)[h == first ? 0 : (h == m_triangulation.input().next(first) ? 1 : 2)];
+  }
 
 private:
+  // The same for each halfedge of a face.
+  Input_halfedge_index first_halfedge(Input_halfedge_index h) const
+  {
+    const Input_halfedge_index hn = m_triangulation.input().next(h);
+    return (std::min)({h, hn, m_triangulation.input().next(hn)});
+  }
+
+  std::atomic<unsigned char>& claimed(Input_halfedge_index h)
+  {
+    return m_claims[static_cast<std::size_t>(first_halfedge(h).idx())];
+  }
+
   // Those of a face, from h on.
   std::array<Face_side, 3> computed(Input_halfedge_index h) const
   {
@@ -70,19 +113,10 @@ private:
              {previous, xp, area / previous, xp / next, area / (previous * next), h, input.tail(hp)}}};
   }
 
-  void compute(Input_halfedge_index h)
-  {
-    constexpr double flat = 1e-10;
-    for(const Face_side& side : computed(h)) {
-      m_sides[h] = side;
-      m_has_flat_face = m_has_flat_face || !(side.y > flat * (side.length + std::abs(side.x)));
-      h = side.next;
-    }
-  }
-
   const Triangulation& m_triangulation;
   Indexed_by<Input_halfedge_index, Lazy_array<Face_side>> m_sides;
-  bool m_has_flat_face = false;
+  std::vector<std::atomic<unsigned char>>
+      m_claims; // by the first halfedges of faces; empty if one thread computes them
 };
 
 } // namespace internal

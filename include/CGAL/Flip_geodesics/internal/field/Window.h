@@ -63,6 +63,21 @@ struct Window
   /* Where the ray to a point above the edge crosses the edge. */
   double crossing(double b, double height) const { return (x * height + b * y) / (y + weight() * height); }
 
+  /* Takes off the part that is nearer to the start of the edge, along the edge, if that is so far itself. */
+  void trim(double to_start)
+  {
+    constexpr double tie = 2e-14; // towards more windows
+    const double more = to_start * (1 + tie) - sigma;
+    if(!(distance(from) - sigma > from + more))
+      return;
+    if(distance(to) - sigma > to + more) {
+      from = to;
+      return;
+    }
+    const double b = is_far ? -more / (1 + x) : (x * x + y * y - more * more) / (2 * (x + more));
+    from = (std::min)((std::max)(from, b), to);
+  }
+
   /* Goes over to the frame of the opposite direction. */
   void mirror(double length)
   {

@@ -3,23 +3,26 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_PROPAGATION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_PROPAGATION_H
 
-#include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
 #include <CGAL/Flip_geodesics/internal/field/Edge_windows.h>
+#include <CGAL/Flip_geodesics/internal/field/Face_crossing.h>
 #include <CGAL/Flip_geodesics/internal/field/Face_sides.h>
+#include <CGAL/Flip_geodesics/internal/field/Round_queue.h>
 #include <CGAL/Flip_geodesics/internal/field/Source_part.h>
+#include <CGAL/Flip_geodesics/internal/field/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
 
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -31,28 +34,17 @@ namespace internal {
  * carried from face to face [MMP87]. An edge carries on all that wait on it when the nearest is due, and keeps the lower
  * envelope of what has come to it; so few windows are made twice, and the queue holds edges and vertices only.
  *
- * Vertices become sources themselves, for the directions in which shortest paths can go on from them: at an angle of at
- * least pi from where they came, on both sides.
+ * This is done in rounds: what is due not much later than the first comes at once. It does not matter for the distances
+ * in what order windows are carried on. In each round first the faces are crossed, from all edges and vertices; then what
+ * has crossed them is put on the edges that it comes to. So threads can share both halves, the edges that are left
+ * and those that are entered; the results are the same for each number of threads, since one thread has the same rounds.
  */
 template <class Triangulation>
 class Window_propagation
 {
-  using Vector = std::complex<double>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
 public:
-  /* How the shortest path known arrives at a vertex. */
-  struct Vertex_record
-  {
-    double distance;
-    Window window;                // through which it arrives, in the frame of `through`
-    Input_halfedge_index through; // the side by which it enters its last face; null if it crosses no edge
-    Input_halfedge_index along;   // the halfedge along which it arrives, or null
-    Index root;                   // the vertex, or the part of a source, that it comes from
-    bool is_reached, is_source;
-    std::size_t source;
-  };
-
   /* \param keeps_windows if not, windows are given back once the front has passed them */
   Window_propagation(const Triangulation& triangulation, bool keeps_windows)
     : m_triangulation(triangulation)
@@ -62,6 +54,7 @@ public:
     , m_edges(number_of_edges(triangulation))
     , m_vertices(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
+    make_workers(1);
   }
 
   /* Makes a vertex a source. */
@@ -85,7 +78,7 @@ public:
         accept(v, {distance, Window(), null_index, null_index, root, true, false, part.source});
       Window w = Source_part::window(m_sides(h), ends[0], ends[1], part.offset);
       w.root = root;
-      note_waiting(edge_of(h), w.from < w.to ? open_beyond(h, w) : infinity);
+      note_waiting(edge_of(h), w.from < w.to ? put_beyond(m_workers.front()->inserter, h, w) : infinity);
       h = m_sides(h).next == part.halfedge ? Input_halfedge_index(null_index) : m_sides(h).next;
       ends = {{rotated(ends[0]), rotated(ends[1])}};
       corner = {{corner[2], corner[0], corner[1]}};
@@ -93,29 +86,28 @@ public:
   }
 
   /* Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`. */
+  template <class ConcurrencyTag = Sequential_tag>
   void run(double bound, std::size_t most_windows)
   {
-    while(!m_queue.empty() && number_of_windows() <= most_windows && m_queue.top().key() < bound) {
-      const Entry entry = m_queue.top();
-      m_queue.pop();
-      switch(entry.kind()) {
-      case Entry::PASSED_EDGE:
-        m_windows.clear(entry.id());
-        break;
-      case Entry::EDGE:
-        if(edge_record(entry.id()).is_waiting && edge_record(entry.id()).due == entry.key())
-          carry_on(entry.id());
-        break;
-      case Entry::VERTEX:
-        if(m_vertices[Vertex_index(entry.id())].distance == entry.key())
-          start_from(Vertex_index(entry.id()));
-        break;
+    make_workers(number_of_threads<ConcurrencyTag>());
+    if(m_workers.size() > 1)
+      m_sides.share();
+    while(number_of_windows() <= most_windows && reach() < bound) {
+      begin_round(bound);
+      try {
+        compute_sides<ConcurrencyTag>();
+      } catch(...) {
+        give_up_round();
+        throw;
       }
+      cross_faces<ConcurrencyTag>();
+      enter_edges<ConcurrencyTag>();
+      give_back_passed();
     }
   }
 
   /* All paths that are shorter than this are known. */
-  double reach() { return m_queue.empty() ? infinity : m_queue.top().key(); }
+  double reach() const { return (std::min)(m_vertex_queue.least(), m_edge_queue.least()); }
 
   bool is_reached(Vertex_index v) const { return m_vertices[v].is_reached; }
   double distance(Vertex_index v) const { return is_reached(v) ? m_vertices[v].distance : infinity; }
@@ -124,8 +116,8 @@ public:
   Last_leg last_leg(Vertex_index v) const
   {
     double angle = 0;
-    const Input_halfedge_index h = first_halfedge(v, angle);
     const Vertex_record& record = m_vertices[v];
+    const Input_halfedge_index h = Vertex_fan<Triangulation>(m_triangulation).first_halfedge(m_sides, v, record, angle);
     const Vertex_index from(record.root);
     if(record.along != null_index)
       return {from, h, 0, m_triangulation.metric().length(m_triangulation.input(), record.along)};
@@ -135,52 +127,60 @@ public:
   const std::vector<Source_part>& parts() const { return m_parts; }
   const Face_sides<Triangulation>& sides() const { return m_sides; }
   const Edge_windows& windows() const { return m_windows; }
-  std::size_t number_of_windows() const { return m_windows.number_made(); }
+  std::size_t number_of_windows() const { return sum(&Window_inserter::number_made); }
+  /* Of how many windows there is room. */
+  std::size_t capacity() const { return sum(&Window_inserter::capacity); }
   /* Were there faces so flat that rays can have been lost in them? */
-  bool has_flat_face() const { return m_sides.has_flat_face(); }
+  bool has_flat_face() const
+  {
+    return std::any_of(m_workers.begin(), m_workers.end(), [](const auto& w) { return w->has_flat_face; });
+  }
 
 private:
   struct Edge_record
   {
-    double due;      // the least distance of the windows that are waiting
-    bool is_waiting; // are there any?
-    bool is_noted;   // is it in the queue for when the front has passed it?
+    double due;           // the least distance of the windows that are waiting
+    bool is_waiting;      // are there any?
+    bool is_noted;        // is it in the queue for when the front has passed it?
+    std::uint32_t target; // its number among the targets of the round
   };
 
-  struct Entry
+  // What a thread has for itself.
+  struct Worker
   {
-    enum Kind { PASSED_EDGE, EDGE, VERTEX };
-
-    std::uint64_t bits, what;
-
-    Entry() = default;
-    Entry(double key, Kind kind, Index id)
-      : bits(ordered_bits(key))
-      , what((static_cast<std::uint64_t>(kind) << 32) | static_cast<std::uint32_t>(id))
-    {
-    }
-    double key() const
-    {
-      double result;
-      std::memcpy(&result, &bits, sizeof result);
-      return result;
-    }
-    Kind kind() const { return static_cast<Kind>(what >> 32); }
-    Index id() const { return static_cast<Index>(what & 0xffffffffu); }
-
-    static std::size_t is_before(const Entry& a, const Entry& b)
-    {
-      return static_cast<std::size_t>(a.bits < b.bits) |
-             (static_cast<std::size_t>(a.bits == b.bits) & static_cast<std::size_t>(a.what < b.what));
-    }
+    Window_inserter inserter;
+    Vertex_fan<Triangulation> fan;
+    bool has_flat_face = false;
   };
 
-  // A face at a vertex, counterclockwise of a halfedge that starts there.
-  struct Fan_face
+  // A vertex from which paths go on in a round, or an edge whose waiting windows are carried on; and the room for them. An
+  // edge has those that enter its second face at the end of it.
+  template <class Place>
+  struct Due
   {
-    Input_halfedge_index halfedge;
-    double angle, corner; // of the halfedge, from where the path to the vertex comes; and of the face
+    Place place;
+    std::size_t first, last;
   };
+
+  // Where windows come from to an edge.
+  enum Origin { LEFT, RIGHT, VERTEX }; // of a side that they crossed; or the vertex opposite
+
+  // An edge to which windows come in a round: from two vertices and four sides at most, from vertices on the border twice.
+  struct Target
+  {
+    Index edge;
+    std::uint32_t number;
+    std::array<std::uint32_t, 8> from; // crossings or openings, by their number, times four, and the origin
+    double due;
+  };
+
+  std::size_t sum(std::size_t (Window_inserter::*number)() const) const
+  {
+    std::size_t result = 0;
+    for(const auto& worker : m_workers)
+      result += (worker->inserter.*number)();
+    return result;
+  }
 
   static std::size_t number_of_edges(const Triangulation& triangulation)
   {
@@ -199,145 +199,243 @@ private:
   void accept(Vertex_index v, const Vertex_record& record)
   {
     m_vertices[v] = record;
-    m_queue.push(Entry(record.distance, Entry::VERTEX, v.idx()));
+    m_vertex_queue.push(record.distance, v.idx());
   }
 
-  // Opens paths along the edges of a vertex, and windows on the edges opposite.
-  void start_from(Vertex_index v)
+  void make_workers(std::size_t number)
   {
-    if(m_triangulation.input().outgoing(v) == null_index)
-      return;
-    double angle = 0;
-    const Input_halfedge_index start = first_halfedge(v, angle);
-    const Vertex_record& record = m_vertices[v];
-    const bool is_free = record.through == null_index && record.along == null_index;
-    const Input_halfedge_index border = walk_counterclockwise(start, angle);
-    const double bend = is_free ? -infinity : boost::math::constants::pi<double>() - rounding;
-    const double total = m_fan.back().angle + m_fan.back().corner - angle;
-    const double most = border == null_index ? total - bend : infinity;
-    for(const Fan_face& face : m_fan)
-      open_opposite(v, face, bend, most);
-    if(border == null_index)
-      return;
-    walk_clockwise(start, angle, border);
-    for(const Fan_face& face : m_fan)
-      open_opposite(v, face, -infinity, -bend);
+    while(m_workers.size() < number)
+      m_workers.push_back(
+          std::make_unique<Worker>(Worker{Window_inserter(), Vertex_fan<Triangulation>(m_triangulation), false}));
   }
 
-  // A halfedge that starts at v, and its angle counterclockwise from where the path to v comes.
-  Input_halfedge_index first_halfedge(Vertex_index v, double& angle) const
+  // Takes what is due out of the queues: the first, and what is due not much later.
+  void begin_round(double bound)
   {
-    const Vertex_record& record = m_vertices[v];
-    if(record.along != null_index)
-      return twin_index(record.along);
-    if(record.through == null_index)
-      return m_triangulation.input().outgoing(v);
-    const Face_side& f = m_sides.known(record.through);
-    const Window& w = record.window;
-    const Vector apex(f.x, f.y), back = Vector(w.x, -w.y) - w.weight() * apex;
-    angle = -std::arg(back * std::conj(-apex));
-    return m_sides.known(f.next).next;
-  }
-
-  // Up to the border, whose halfedge is returned, or all round.
-  Input_halfedge_index walk_counterclockwise(Input_halfedge_index start, double angle)
-  {
-    m_fan.clear();
-    Input_halfedge_index h = start;
-    do {
-      if(m_triangulation.input().is_border(h)) {
-        m_fan.push_back({h, angle, 0});
-        return h;
+    const double first = reach();
+    const double last = first + m_step < bound ? first + m_step : std::nextafter(bound, 0);
+    m_starting.clear();
+    m_leaving.clear();
+    m_vertex_queue.take(last, m_step, [this](double distance, Index v) {
+      if(m_vertices[Vertex_index(v)].distance == distance &&
+         m_triangulation.input().outgoing(Vertex_index(v)) != null_index)
+        m_starting.push_back({Vertex_index(v), 0, 0});
+    });
+    m_edge_queue.take(last, m_step, [this](double due, Index edge) {
+      if(edge_record(edge).is_waiting && edge_record(edge).due == due) {
+        edge_record(edge).is_waiting = false;
+        m_leaving.push_back({edge, 0, 0});
       }
-      const Face_side& f = m_sides(h);
-      m_fan.push_back({h, angle, std::atan2(f.sine, f.cosine)});
-      angle += m_fan.back().corner;
-      h = twin_index(m_sides.known(f.next).next);
-    } while(h != start);
-    return null_index;
+    });
   }
 
-  // From there on, also over the border, beyond which all directions are open.
-  void walk_clockwise(Input_halfedge_index start, double angle, Input_halfedge_index end)
+  // Puts it back.
+  void give_up_round()
   {
-    constexpr double far_away = 1e100;
-    const auto& input = m_triangulation.input();
-    m_fan.clear();
-    for(Input_halfedge_index h = start;;) {
-      angle = input.is_border(twin_index(h)) ? -far_away : angle;
-      h = input.next(twin_index(h));
-      if(h == end)
-        return;
-      const double corner = input.is_border(h) ? 0 : std::atan2(m_sides(h).sine, m_sides(h).cosine);
-      angle -= corner;
-      m_fan.push_back({h, angle, corner});
+    for(const Due<Vertex_index>& s : m_starting)
+      m_vertex_queue.push(m_vertices[s.place].distance, s.place.idx());
+    for(const Due<Index>& l : m_leaving) {
+      edge_record(l.place).is_waiting = true;
+      m_edge_queue.push(edge_record(l.place).due, l.place);
     }
   }
 
-  // A path along the edge at which a face starts, and a window on the edge opposite, for angles in [least, most].
-  void open_opposite(Vertex_index v, const Fan_face& face, double least, double most)
+  // Computes the sides of the faces that are to be crossed, and makes room for what comes from them.
+  template <class ConcurrencyTag>
+  void compute_sides()
   {
-    const Vertex_record& record = m_vertices[v];
-    const Input_halfedge_index h = face.halfedge, t = twin_index(h);
-    const bool is_border = m_triangulation.input().is_border(h);
-    const double distance = record.distance + (is_border ? m_sides(t) : m_sides(h)).length;
-    const Vertex_index head = m_triangulation.input().tail(t);
-    if(is_shorter(head, distance))
-      accept(head, {distance, Window(), null_index, h, v.idx(), true, false, record.source});
-    if(is_border || face.angle > most || face.angle + face.corner < least)
-      return;
-    const Input_halfedge_index opposite = m_sides.known(h).next;
-    const Face_side& f = m_sides.known(opposite);
-    const double first = face.angle < least ? hit(f, least - face.angle) : 0;
-    const double last = face.angle + face.corner > most ? hit(f, most - face.angle) : f.length;
-    Window w = {first, last, f.x, f.y, record.distance, v.idx(), 0, false, true};
-    if(first < last && f.y > 0)
-      note_waiting(edge_of(opposite), open_beyond(opposite, w));
+    for_each_index<ConcurrencyTag>(m_starting.size() + m_leaving.size(), [this](std::size_t i) {
+      Worker& worker = *m_workers[this_thread<ConcurrencyTag>()];
+      if(i < m_starting.size()) {
+        m_starting[i].last = compute_sides(worker, m_starting[i].place);
+        return;
+      }
+      Due<Index>& l = m_leaving[i - m_starting.size()];
+      compute_sides(worker, Input_halfedge_index(2 * l.place));
+      compute_sides(worker, Input_halfedge_index(2 * l.place + 1));
+      l.last = m_windows.on_edge(l.place).size();
+    });
+    std::size_t openings = 0, windows = 0;
+    for(Due<Vertex_index>& s : m_starting) {
+      s.first = openings;
+      openings = s.last += openings;
+    }
+    for(Due<Index>& l : m_leaving) {
+      l.first = windows;
+      windows = l.last += windows;
+    }
+    m_openings.resize((std::max)(m_openings.size(), openings));
+    m_crossing_windows.resize((std::max)(m_crossing_windows.size(), windows));
+    m_crossings.resize((std::max)(m_crossings.size(), 2 * m_leaving.size()));
   }
 
-  // Where a ray from the vertex opposite meets a side, at an angle from the line to the tail.
-  static double hit(const Face_side& f, double angle)
+  // Of the faces at a vertex. Returns how much can go on from there.
+  std::size_t compute_sides(Worker& worker, Vertex_index v)
   {
-    const Vector ray = Vector(-f.x, -f.y) * std::polar(1.0, angle);
-    if(!(ray.imag() < 0))
-      return ray.real() < 0 ? 0 : f.length;
-    return (std::min)((std::max)(f.x - f.y * (ray.real() / ray.imag()), 0.0), f.length);
+    const auto& input = m_triangulation.input();
+    std::size_t result = 0;
+    Input_halfedge_index h = input.outgoing(v);
+    do {
+      compute_sides(worker, h);
+      result += 2;
+      h = input.next(twin_index(h));
+    } while(h != input.outgoing(v));
+    return result;
+  }
+
+  void compute_sides(Worker& worker, Input_halfedge_index h)
+  {
+    if(!m_triangulation.input().is_border(h) && m_sides.claim(h))
+      worker.has_flat_face = m_sides.compute(h) || worker.has_flat_face;
+  }
+
+  // Carries what goes on from vertices and edges over the next faces, and notes where it comes to.
+  template <class ConcurrencyTag>
+  void cross_faces()
+  {
+    for_each_index<ConcurrencyTag>(m_starting.size() + m_leaving.size(), [this](std::size_t i) {
+      if(i < m_starting.size())
+        open(m_workers[this_thread<ConcurrencyTag>()]->fan, m_starting[i]);
+      else
+        cross(i - m_starting.size());
+    });
+    m_targets.clear();
+    for(const Due<Vertex_index>& s : m_starting)
+      for(std::size_t i = s.first; i < s.last; ++i)
+        arrive_along(s.place, i);
+    for(std::size_t i = 0; i < 2 * m_leaving.size(); ++i)
+      if(m_crossings[i].first != m_crossings[i].last)
+        arrive_across(i);
+  }
+
+  void open(Vertex_fan<Triangulation>& fan, Due<Vertex_index>& s)
+  {
+    const std::vector<Vertex_opening>& openings = fan.openings(m_sides, s.place, m_vertices[s.place]);
+    s.last = s.first;
+    for(const Vertex_opening& o : openings)
+      if(o.opposite != null_index || is_shorter(o.head, o.distance))
+        m_openings[s.last++] = o;
+  }
+
+  void cross(std::size_t i)
+  {
+    const Due<Index>& l = m_leaving[i];
+    Crossing_window* const first = m_crossing_windows.data() + l.first;
+    Crossing_window* const last = m_crossing_windows.data() + l.last;
+    Crossing_window *to = first, *from = last;
+    for(Window& w : m_windows.on_edge(l.place))
+      if(w.is_waiting) {
+        w.is_waiting = false;
+        (w.side == 0 ? *to++ : *--from).window = w;
+      }
+    cross(m_crossings[2 * i], Input_halfedge_index(2 * l.place), first, to);
+    cross(m_crossings[2 * i + 1], Input_halfedge_index(2 * l.place + 1), from, last);
+  }
+
+  void cross(Face_crossing& c, Input_halfedge_index h, Crossing_window* first, Crossing_window* last)
+  {
+    c.first = first;
+    c.last = last;
+    if(first == last)
+      return;
+    c.begin(h, m_sides);
+    c.is_shorter = c.is_shorter && is_shorter(c.apex, c.distance);
+  }
+
+  void arrive_along(Vertex_index v, std::size_t i)
+  {
+    const Vertex_opening& o = m_openings[i];
+    if(is_shorter(o.head, o.distance))
+      accept(o.head, {o.distance, Window(), null_index, o.along, v.idx(), true, false, m_vertices[v].source});
+    if(o.opposite != null_index)
+      add_target(o.opposite, i, VERTEX);
+  }
+
+  void arrive_across(std::size_t i)
+  {
+    const Face_crossing& c = m_crossings[i];
+    if(c.is_shorter && is_shorter(c.apex, c.distance)) {
+      const Window& w = c.nearest->window;
+      accept(c.apex, {c.distance, w, c.halfedge, null_index, w.root, true, false, source_of(w.root)});
+    }
+    add_target(c.previous, i, LEFT);
+    add_target(c.next, i, RIGHT);
+  }
+
+  void add_target(Input_halfedge_index h, std::size_t number, Origin origin)
+  {
+    if(m_triangulation.input().is_border(twin_index(h)))
+      return;
+    std::uint32_t& target = edge_record(edge_of(h)).target;
+    if(!(target < m_targets.size() && m_targets[target].edge == edge_of(h))) {
+      target = static_cast<std::uint32_t>(m_targets.size());
+      m_targets.push_back({edge_of(h), 0, {}, infinity});
+    }
+    Target& t = m_targets[target];
+    CGAL_assertion(t.number < t.from.size());
+    t.from[t.number++] = 4 * static_cast<std::uint32_t>(number) + origin;
+  }
+
+  // Puts windows on the edges to which they come.
+  template <class ConcurrencyTag>
+  void enter_edges()
+  {
+    for_each_index<ConcurrencyTag>(m_targets.size(), [this](std::size_t i) {
+      enter(m_workers[this_thread<ConcurrencyTag>()]->inserter, m_targets[i]);
+    });
+    for(const Target& t : m_targets)
+      note_waiting(t.edge, t.due);
+    double length = 0;
+    for(const Due<Index>& l : m_leaving) {
+      const Input_halfedge_index h(2 * l.place), t = twin_index(h);
+      const double edge_length = m_sides.known(m_triangulation.input().is_border(h) ? t : h).length;
+      length += edge_length;
+      if(!m_keeps_windows)
+        note_passing(l.place, edge_length);
+    }
+    if(!m_leaving.empty())
+      m_step = length / static_cast<double>(m_leaving.size()) / 2; // longer ones waste windows
+  }
+
+  void enter(Window_inserter& inserter, Target& target)
+  {
+    for(std::uint32_t k = 0; k < target.number; ++k) {
+      const std::uint32_t number = target.from[k] / 4, origin = target.from[k] % 4;
+      if(origin == VERTEX) {
+        Vertex_opening& o = m_openings[number];
+        target.due = (std::min)(target.due, put_beyond(inserter, o.opposite, o.window));
+        continue;
+      }
+      const Face_crossing& c = m_crossings[number];
+      const Face_side& f = m_sides.known(c.halfedge);
+      const Input_halfedge_index h = origin == LEFT ? c.previous : c.next;
+      const auto put = [&](Window& w) { target.due = (std::min)(target.due, put_beyond(inserter, h, w)); };
+      if(origin == LEFT)
+        c.arrive_left(f, m_sides.known(h).length, put);
+      else
+        c.arrive_right(f, m_sides.known(h), put);
+    }
   }
 
   /* Puts a window on the edge of h, in whose frame it is, which leaves the face on the left of h. Returns when it is due,
    * infinity if it is of no use. */
-  double open_beyond(Input_halfedge_index h, Window& w)
+  double put_beyond(Window_inserter& inserter, Input_halfedge_index h, Window& w)
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index entered = twin_index(h);
     if(input.is_border(entered))
       return infinity;
-    const double length = m_sides(h).length;
-    trim(w, distance(input.tail(h)));
+    const double length = m_sides.known(h).length;
+    w.trim(distance(input.tail(h)));
     w.mirror(length);
-    trim(w, distance(input.tail(entered)));
+    w.trim(distance(input.tail(entered)));
     if(!(w.from < w.to))
       return infinity;
     if(is_first_side(h)) // windows of an edge are in the frame of its first side
       w.mirror(length);
     w.side = is_first_side(entered) ? 0 : 1;
     w.is_waiting = true;
-    return m_windows.insert(edge_of(h), w) ? w.least_distance() : infinity;
-  }
-
-  // Takes off the part to which it is nearer from the start of the edge, along the edge.
-  static void trim(Window& w, double to_start)
-  {
-    constexpr double tie = 2e-14; // towards more windows
-    const double more = to_start * (1 + tie) - w.sigma;
-    if(!(w.distance(w.from) - w.sigma > w.from + more))
-      return;
-    if(w.distance(w.to) - w.sigma > w.to + more) {
-      w.from = w.to;
-      return;
-    }
-    const double b = w.is_far ? -more / (1 + w.x) : (w.x * w.x + w.y * w.y - more * more) / (2 * (w.x + more));
-    w.from = (std::min)((std::max)(w.from, b), w.to);
+    return inserter.insert(m_windows, edge_of(h), w) ? w.least_distance() : infinity;
   }
 
   void note_waiting(Index edge, double due)
@@ -347,121 +445,29 @@ private:
       return;
     record.is_waiting = true;
     record.due = due;
-    m_queue.push(Entry(due, Entry::EDGE, edge));
-  }
-
-  // Carries the waiting windows of an edge over the faces that they enter.
-  void carry_on(Index edge)
-  {
-    edge_record(edge).is_waiting = false;
-    for(std::vector<Window>& batch : m_batches)
-      batch.clear();
-    for(Window& w : m_windows.on_edge(edge))
-      if(w.is_waiting) {
-        w.is_waiting = false;
-        m_batches[w.side].push_back(w);
-      }
-    for(std::size_t side = 0; side < 2; ++side)
-      if(!m_batches[side].empty())
-        cross_face(Input_halfedge_index(2 * edge + static_cast<Index>(side)), m_batches[side]);
-    if(!m_keeps_windows)
-      note_passing(edge);
+    m_edge_queue.push(due, edge);
   }
 
   // When the front is farther than any point of the edge, its windows are not needed any more.
-  void note_passing(Index edge)
+  void note_passing(Index edge, double length)
   {
     const Input_halfedge_index h(2 * edge), t = twin_index(h);
     const auto& input = m_triangulation.input();
-    const double length = m_sides(input.is_border(h) ? t : h).length;
     const double bound = (distance(input.tail(h)) + distance(input.tail(t)) + length) / 2;
     if(edge_record(edge).is_noted || bound == infinity)
       return;
     edge_record(edge).is_noted = true;
-    m_queue.push(Entry(bound, Entry::PASSED_EDGE, edge));
+    m_passing.push(bound, edge);
   }
 
-  void cross_face(Input_halfedge_index h, std::vector<Window>& batch)
+  void give_back_passed()
   {
-    const Face_side f = m_sides(h), fn = m_sides.known(f.next);
-    if(!is_first_side(h))
-      for(Window& w : batch)
-        w.mirror(f.length);
-    const double equal = 1e-9 * f.length;
-    const double best_crossing = arrive_at_apex(h, f, m_sides.known(fn.next).tail, batch, equal);
-    double due_left = infinity, due_right = infinity;
-    for(const Window& w : batch) {
-      const double c = w.crossing(f.x, f.y);
-      // One that is not the best at the apex is of no use beyond the best one's ray [CH90].
-      const bool is_split = c > w.from && c < w.to;
-      if(c > w.from && (!is_split || c <= best_crossing + equal))
-        due_left = (std::min)(due_left, enter_left(w, c, equal, f, fn.next));
-      if(c < w.to && (!is_split || c >= best_crossing - equal))
-        due_right = (std::min)(due_right, enter_right(w, c, equal, f, fn));
-    }
-    note_waiting(edge_of(fn.next), due_left);
-    note_waiting(edge_of(f.next), due_right);
-  }
-
-  // Offers the vertex opposite the path through the window that has the shortest. Returns where that crosses the edge.
-  double arrive_at_apex(Input_halfedge_index h, const Face_side& f, Vertex_index apex, const std::vector<Window>& batch,
-                        double equal)
-  {
-    double best = infinity, best_crossing = 0;
-    const Window* nearest = nullptr;
-    for(const Window& w : batch) {
-      const double c = w.crossing(f.x, f.y);
-      if(!(c > w.from - equal && c < w.to + equal))
-        continue;
-      const double through = w.distance(f.x, f.y);
-      if(through < best) {
-        best = through;
-        best_crossing = c;
-        nearest = &w;
-      }
-    }
-    if(nearest != nullptr && is_shorter(apex, best))
-      accept(apex, {best, *nearest, h, null_index, nearest->root, true, false, source_of(nearest->root)});
-    return best_crossing;
-  }
-
-  // Of a window the part before the ray to the apex, which crosses at c, goes on through the side at the tail, hp.
-  double enter_left(const Window& w, double c, double equal, const Face_side& f, Input_halfedge_index hp)
-  {
-    const double length = m_sides.known(hp).length;
-    Window child = turned(w, f.cosine, f.sine, (std::min)(c, w.to), c < w.to + equal, length);
-    if(!(child.y > 0))
-      return infinity;
-    child.mirror(length);
-    return open_beyond(hp, child);
-  }
-
-  // The part behind it through the side at the head: mirror images.
-  double enter_right(Window w, double c, double equal, const Face_side& f, const Face_side& fn)
-  {
-    w.mirror(f.length);
-    Window child =
-        turned(w, fn.cosine, fn.sine, (std::min)(f.length - c, w.to), f.length - c < w.to + equal, fn.length);
-    return child.y > 0 ? open_beyond(f.next, child) : infinity;
-  }
-
-  // The part of a window up to `to` in the frame of a side that starts at the same vertex, at an angle above.
-  static Window turned(const Window& w, double cosine, double sine, double to, bool is_to_end, double length)
-  {
-    Window result = w;
-    result.x = w.x * cosine - w.y * sine;
-    result.y = w.y * cosine + w.x * sine;
-    const double weight = w.weight();
-    const auto hit = [&](double b) {
-      const double fall = result.y - weight * b * sine;
-      return fall > 0 ? (std::min)((std::max)(b * w.y / fall, 0.0), length) : length;
+    const auto has_less_spare = [](const auto& a, const auto& b) { return a->inserter.spare() < b->inserter.spare(); };
+    const auto clear = [&](double, Index edge) {
+      (*std::min_element(m_workers.begin(), m_workers.end(), has_less_spare))->inserter.clear(m_windows, edge);
     };
-    result.from = hit(w.from);
-    result.to = is_to_end ? length : hit(to);
-    return result;
+    m_passing.take(std::nextafter(reach(), 0), m_step, clear);
   }
-
-  static constexpr double rounding = 1e-12; // of sums of angles, towards more windows
 
   const Triangulation& m_triangulation;
   bool m_keeps_windows;
@@ -470,9 +476,17 @@ private:
   Lazy_array<Edge_record> m_edges;
   Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
   std::vector<Source_part> m_parts;
-  Heap_of_four<Entry> m_queue;
-  std::array<std::vector<Window>, 2> m_batches; // being carried on, by the side that they enter
-  std::vector<Fan_face> m_fan;
+  Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by when the nearest window is due
+  Round_queue m_passing;                    // edges, by when the front has passed them
+  std::vector<std::unique_ptr<Worker>> m_workers;
+  // Of the round:
+  double m_step = 0; // how much later than the first what is due is taken, too
+  std::vector<Due<Vertex_index>> m_starting;
+  std::vector<Due<Index>> m_leaving;
+  std::vector<Vertex_opening> m_openings;
+  std::vector<Crossing_window> m_crossing_windows;
+  std::vector<Face_crossing> m_crossings; // two for each edge that is left
+  std::vector<Target> m_targets;
 };
 
 } // namespace internal

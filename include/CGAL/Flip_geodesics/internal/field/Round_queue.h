@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_ROUND_QUEUE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_ROUND_QUEUE_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * A priority queue of which all that is due up to some key is taken at once, in no order but one that depends on nothing
+ * but the calls. What is due soon is looked through each time, what is due later only when there is nothing else.
+ */
+class Round_queue
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  struct Entry
+  {
+    double key;
+    Index id;
+  };
+
+  bool empty() const { return m_soon.empty() && m_later.empty(); }
+
+  /* The smallest key; infinity if there is none. */
+  double least() const { return m_soon.empty() ? m_least_later : m_least_soon; }
+
+  void push(double key, Index id)
+  {
+    (key < m_horizon ? m_soon : m_later).push_back({key, id});
+    double& least = key < m_horizon ? m_least_soon : m_least_later;
+    least = (std::min)(least, key);
+  }
+
+  /* Calls `function(key, id)` for all whose keys are at most `last`, and takes them out. It must not push anything.
+   * \param step about how much greater `last` will be the next time */
+  template <class Function>
+  void take(double last, double step, const Function& function)
+  {
+    constexpr double steps = 16; // between two looks at what is due later
+    if(m_least_later <= last || m_soon.empty()) {
+      m_horizon = last + steps * step;
+      const double later = m_least_later;
+      m_least_later = infinity;
+      if(later <= m_horizon)
+        remove(m_later, m_least_later, m_horizon, [this](const Entry& e) {
+          m_soon.push_back(e);
+          m_least_soon = (std::min)(m_least_soon, e.key);
+        });
+      else
+        m_least_later = later;
+    }
+    remove(m_soon, m_least_soon, last, [&](const Entry& e) { function(e.key, e.id); });
+  }
+
+private:
+  // Takes out of a list the entries whose keys are at most `last`.
+  template <class Function>
+  static void remove(std::vector<Entry>& entries, double& least, double last, const Function& function)
+  {
+    least = infinity;
+    auto to = entries.begin();
+    for(const Entry& e : entries)
+      if(e.key <= last) {
+        function(e);
+      } else {
+        least = (std::min)(least, e.key);
+        *to++ = e;
+      }
+    entries.erase(to, entries.end());
+  }
+
+  std::vector<Entry> m_soon, m_later; // with keys up to the horizon, and greater ones
+  double m_horizon = 0, m_least_soon = infinity, m_least_later = infinity;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FIELD_ROUND_QUEUE_H
