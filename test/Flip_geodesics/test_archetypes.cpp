@@ -19,9 +19,11 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
+#include <CGAL/Flip_geodesics/Geodesic_mean.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
+#include <CGAL/Flip_geodesics/Located_curve.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Shortener.h>
@@ -563,10 +565,16 @@ private:
     const std::vector<FG::Surface_location> places = points(triangulation);
     const FG::Geodesic_logarithm<Triangulation> logarithm(triangulation, m_mesh, places.front());
     BOOST_TEST(std::abs(logarithm(places.back()).radius - logarithm.distance_field().distance(places.back())) < 1e-12);
-    const FG::Surface_direction carried =
-        FG::Parallel_transport<Triangulation>(triangulation)(std::vector<FG::Surface_location>{places.front()},
-                                                             {places.front().halfedge, 0.5});
+    const FG::Surface_direction carried = FG::Parallel_transport<Triangulation>(triangulation)(
+        std::vector<FG::Surface_location>{places.front()}, {places.front().halfedge, 0.5});
     BOOST_TEST(std::abs(carried.angle - 0.5) < 1e-15);
+    const FG::Surface_location middle = logarithm.between(places.back(), 0.5);
+    const std::vector<FG::Surface_location> one_place = {middle};
+    BOOST_TEST(FG::Located_curve<Triangulation>(triangulation, one_place).length() == 0);
+    BOOST_TEST(FG::angle_between(triangulation, places.front(), carried, carried) == 0);
+    FG::Surface_location mean = middle;
+    const FG::Geodesic_mean<Triangulation> find_mean(triangulation, m_mesh, one_place, {1});
+    BOOST_TEST((find_mean(mean).status == FG::Mean_status::CONVERGED));
   }
 
   void delaunay(Triangulation& triangulation)

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_LOGARITHM_H
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
+#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -17,13 +18,14 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 
 /*!
- * \ingroup PkgFlipGeodesicsTracing
+ * \ingroup PkgFlipGeodesicsTangents
  *
  * The logarithmic map of a place anywhere: for any other place how long the shortest path there is, and in which
  * direction it starts. It is the inverse of the exponential map, which `Geodesic_tracer` is:
@@ -108,11 +110,7 @@ public:
       return {};
     if(path->legs().empty())
       return {0, std::numeric_limits<double>::quiet_NaN()};
-    double radius = 0;
-    for(std::size_t i = path->legs().size(); i-- > 1;)
-      radius += std::abs(path->start(i).vector);
-    const auto start = path->start(0);
-    return {radius + std::abs(start.vector), m_frame.angle(start.position, m_halfedge)};
+    return {path_length(*path), m_frame.angle(path->start(0).position, m_halfedge)};
   }
 
   /// The same for a vertex of the input. \throws Vertex_out_of_range_error
@@ -132,6 +130,36 @@ public:
       return {0, 0};
     const double angle = m_frame.stretch() * p.angle;
     return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
+  }
+
+  /// The polar coordinates of a vector in that plane: the inverse of `in_plane()`.
+  Polar_coordinates from_plane(const std::array<double, 2>& vector) const
+  {
+    return {std::hypot(vector[0], vector[1]), std::atan2(vector[1], vector[0]) / m_frame.stretch()};
+  }
+
+  /*!
+   * A place on the shortest path to a location, at a part of its length: the midpoint for 1/2.
+   *
+   * \throws Invalid_location_error
+   * \throws Invalid_parameter_error if the part is not between 0 and 1
+   * \throws Disconnected_endpoints_error if there is no path, or none within the limits
+   */
+  Surface_location between(const Surface_location& location, double part) const
+  {
+    if(!(part >= 0 && part <= 1))
+      throw Invalid_parameter_error("the part of a path is not between 0 and 1");
+    const std::optional<Corridor> path = path_to(location);
+    if(!path)
+      throw_no_path(location);
+    double length = part * path_length(*path);
+    for(std::size_t i = 0; i < path->legs().size(); ++i) {
+      const auto start = path->start(i);
+      if(length <= std::abs(start.vector))
+        return traced(path->places()[i], path->frame(i), start.position, length);
+      length -= std::abs(start.vector);
+    }
+    return path->places().back();
   }
 
   /*!
@@ -158,6 +186,32 @@ public:
   }
 
 private:
+  static double path_length(const Corridor& path)
+  {
+    double length = 0;
+    for(std::size_t i = path.legs().size(); i-- > 0;)
+      length += std::abs(path.start(i).vector);
+    return length;
+  }
+
+  // On from the start of a leg, which is straight, along it.
+  Surface_location traced(const Surface_location& place, const internal::Place_frame<Triangulation>& frame,
+                          double position, double length) const
+  {
+    return Geodesic_tracer<Triangulation>(m_triangulation)
+        .trace(place, place.halfedge, frame.angle(position, place.halfedge), Trace_limits<>{length})
+        .location;
+  }
+
+  [[noreturn]] void throw_no_path(const Surface_location& location) const
+  {
+    const Vertex_index v = m_triangulation.input().tail(m_place.halfedge),
+                       w = m_triangulation.input().tail(location.halfedge);
+    throw Disconnected_endpoints_error("no path joins a point in a face of vertex " + std::to_string(v.idx()) +
+                                           " and one in a face of vertex " + std::to_string(w.idx()),
+                                       {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+  }
+
   // The shortest path, pulled tight.
   std::optional<Corridor> path_to(const Surface_location& location) const
   {

@@ -15,7 +15,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsTracing
+/// \ingroup PkgFlipGeodesicsTangents
 /// A direction in the surface at a location, as `Geodesic_tracer::trace()` takes it.
 struct Surface_direction
 {
@@ -24,7 +24,7 @@ struct Surface_direction
 };
 
 /*!
- * \ingroup PkgFlipGeodesicsTracing
+ * \ingroup PkgFlipGeodesicsTangents
  *
  * Carries tangent vectors along curves, so that they do not turn in the surface. Within a face a vector stays as it is,
  * and over an edge as it is when both faces are laid into one plane. At a vertex on the curve the vector keeps its angle

@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsTracing
+/// \ingroup PkgFlipGeodesicsTangents
 /// What `logarithmic_map()` of a place returns.
 template <class OutputIterator, class TriangleMesh>
 struct Logarithm_result
@@ -50,7 +50,7 @@ Polar_coordinates logarithm_of(const Geodesic_logarithm<Triangulation>& logarith
 } // namespace internal
 
 /*!
- * \ingroup PkgFlipGeodesicsTracing
+ * \ingroup PkgFlipGeodesicsTangents
  *
  * The logarithmic map of a place anywhere on the surface: for each target how long the shortest path from the source is,
  * and in which direction it starts. See `Geodesic_logarithm`. `trace_geodesic(mesh, source, std::pair(result.halfedge,
@@ -86,7 +86,7 @@ Logarithm_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMes
 }
 
 /*!
- * \ingroup PkgFlipGeodesicsTracing
+ * \ingroup PkgFlipGeodesicsTangents
  *
  * Carries a tangent vector along a curve, so that it does not turn in the surface. See `Parallel_transport`.
  *

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_CURVE_SAMPLES_H
+#define CGAL_FLIP_GEODESICS_CURVE_SAMPLES_H
+
+#include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Located_curve.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsTangents
+/// A place on a curve, with the frame of the curve and the surface there.
+template <class TriangleMesh, class Point>
+struct Curve_sample : Curve_point<TriangleMesh, Point>
+{
+  using Vector_3 = typename Curve_point<TriangleMesh, Point>::Vector_3; ///< of the kernel of `Point`
+
+  Vector_3 normal;   ///< of the face of `location`, of length one; zero if the face has no area
+  double length = 0; ///< of the curve up to here
+};
+
+namespace internal {
+
+/* Places on a curve as samples. */
+template <class Triangulation, class TriangleMesh>
+class Curve_sampler
+{
+  using Point = typename Triangulation::Metric::Point_3;
+  using Vector = std::array<double, 3>;
+
+public:
+  using Sample = Curve_sample<TriangleMesh, Point>;
+
+  Curve_sampler(const Triangulation& triangulation, const TriangleMesh& mesh, const Located_curve<Triangulation>& curve)
+    : m_triangulation(triangulation)
+    , m_mesh(mesh)
+    , m_curve(curve)
+  {
+  }
+
+  Sample operator()(double length) const
+  {
+    const Surface_location at = m_curve.location(length);
+    const Surface_point p = surface_point(m_triangulation, at);
+    Sample result;
+    result.location = face_location_of(m_triangulation, m_mesh, at);
+    if(kind(at) == Location_kind::EDGE)
+      result.halfedge = m_triangulation.input().halfedge(p.halfedge);
+    result.point = point_in_space(m_triangulation, p);
+    result.tangent = typename Sample::Vector_3(0, 0, 0);
+    if(m_curve.length() > 0) {
+      const std::size_t piece = m_curve.piece(length);
+      set_tangent(result, place(piece), place(piece + 1));
+    }
+    result.normal = normal(at.halfedge);
+    result.length = length;
+    return result;
+  }
+
+private:
+  Point place(std::size_t i) const
+  {
+    return point_in_space(m_triangulation, surface_point(m_triangulation, m_curve.locations()[i]));
+  }
+
+  Vector corner(Input_halfedge_index h) const
+  {
+    const auto& input = m_triangulation.input();
+    const Point p = m_triangulation.metric().point(input, input.uncontracted_tail(h));
+    return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+  }
+
+  // The sides are scaled before, so that no product underflows.
+  typename Sample::Vector_3 normal(Input_halfedge_index h) const
+  {
+    const auto& input = m_triangulation.input();
+    const Vector p = corner(h), q = corner(input.next(h)), r = corner(input.next(input.next(h)));
+    const auto unit = [](Vector v) {
+      const double length = std::hypot(v[0], v[1], v[2]);
+      for(double& x : v)
+        x = length > 0 ? x / length : 0;
+      return v;
+    };
+    const Vector a = unit({{q[0] - p[0], q[1] - p[1], q[2] - p[2]}}),
+                 b = unit({{r[0] - p[0], r[1] - p[1], r[2] - p[2]}});
+    const Vector n = unit({{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}});
+    return {n[0], n[1], n[2]};
+  }
+
+  const Triangulation& m_triangulation;
+  const TriangleMesh& m_mesh;
+  const Located_curve<Triangulation>& m_curve;
+};
+
+/* Are two canonical locations in one place, up to rounding of weights? */
+template <class Input_mesh>
+bool is_one_place(const Input_mesh& input, const Surface_location& p, const Surface_location& q)
+{
+  constexpr double rounding = 1e-9;
+  if(kind(p) != kind(q))
+    return false;
+  if(kind(p) == Location_kind::VERTEX)
+    return input.tail(p.halfedge) == input.tail(q.halfedge);
+  const double p_sum = p.weights[0] + p.weights[1] + p.weights[2], q_sum = q.weights[0] + q.weights[1] + q.weights[2];
+  for(std::size_t i = 0; i < 3; ++i)
+    if(std::abs(p.weights[i] / p_sum - q.weights[i] / q_sum) > rounding)
+      return false;
+  return p.halfedge == q.halfedge;
+}
+
+/* A curve given by places of whichever kind. */
+template <class Triangulation, class TriangleMesh, class PlaceRange>
+Located_curve<Triangulation> located_curve(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                           const PlaceRange& curve)
+{
+  std::vector<Surface_location> locations;
+  for(const auto& place : curve)
+    locations.push_back(trace_start(triangulation, mesh, place));
+  return {triangulation, locations};
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsTangents
+ *
+ * Writes points at equal lengths along a curve, with tangents and normals: the start, the end, and the others so that
+ * from each to the next the curve is equally long.
+ *
+ * \param mesh a triangle mesh
+ * \param curve a range of vertices, or of `CGAL::Polygon_mesh_processing::Face_location`s, each two in a row in one
+ *        face, as `geodesic_path()`, `trace_geodesic()` and `isolines()` write them
+ * \param number how many points, at least 2; of a closed curve the first and the last are the same
+ * \param out receives `Curve_sample`s
+ * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`; the metric has points
+ * \return the end of the output
+ * \throws Invalid_parameter_error if `number` is less than 2
+ * \throws Invalid_curve_error if there is no location, or no face has two in a row
+ * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
+ * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error for a face on the way
+ *
+ * Complexity: linear in the curve's locations, and for each point logarithmic in their number; meshes other than
+ * `Surface_mesh` are indexed, \f$O(n \log n)\f$.
+ */
+template <class TriangleMesh, class LocationRange, class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve, std::size_t number,
+                            OutputIterator out, const NamedParameters& np = parameters::default_values())
+{
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  static_assert(internal::Has_points<typename Triangulation::Metric>::value,
+                "the metric has no points in space: Located_curve gives the places alone");
+  if(number < 2)
+    throw Invalid_parameter_error("a curve is sampled at two points at least");
+  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const Located_curve<Triangulation> located = internal::located_curve(triangulation, mesh, curve);
+  const internal::Curve_sampler<Triangulation, TriangleMesh> sample(triangulation, mesh, located);
+  for(std::size_t i = 0; i < number; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(number - 1);
+    *out++ = sample(part * located.length());
+  }
+  return out;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsTangents
+ *
+ * The angle between two curves that start at the same place, counterclockwise from the first one to the second: from 0
+ * on, less than \f$2\pi\f$, at a vertex less than the sum of its angles. At a vertex of the border, where no angle goes
+ * all round, it is negative if the second one starts clockwise from the first.
+ *
+ * \param mesh a triangle mesh
+ * \param first, second as for `sample_curve()`; of curves that meet on their way give the parts from there on
+ * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`
+ * \throws Invalid_curve_error if they do not start at the same place, up to 1e-9 of weights, or one of them is a point
+ * \throws as `sample_curve()`
+ *
+ * Complexity: that of `sample_curve()`.
+ */
+template <class TriangleMesh, class LocationRange, class OtherLocationRange,
+          class NamedParameters = parameters::Default_named_parameters>
+double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first, const OtherLocationRange& second,
+                            const NamedParameters& np = parameters::default_values())
+{
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const Located_curve<Triangulation> a = internal::located_curve(triangulation, mesh, first),
+                                     b = internal::located_curve(triangulation, mesh, second);
+  const Surface_location& p = a.locations().front();
+  if(!internal::is_one_place(triangulation.input(), p, b.locations().front()))
+    throw Invalid_curve_error("two curves, between which there is to be an angle, start at different places");
+  return angle_between(triangulation, p, a.direction(0), b.direction(0));
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_CURVE_SAMPLES_H
