@@ -438,6 +438,30 @@ BOOST_AUTO_TEST_CASE(constrained_edges_and_limits_end_it)
   BOOST_TEST(distance(none.points.back(), Point(6, 6, 0)) < 1e-14);
 }
 
+BOOST_AUTO_TEST_CASE(out_of_the_surface_it_ends_at_once)
+{
+  const Surface mesh = grid_mesh();
+  const Vertex corner(grid_vertex(12, 0, 0));
+  const Halfedge rim = mesh.halfedge(corner, Vertex(grid_vertex(12, 1, 0)));
+  for(double angle : {2.0, -0.5}) {
+    const Traced t = trace(mesh, corner, std::make_pair(rim, angle), 1);
+    BOOST_TEST((t.result.end == Trace_end::BORDER));
+    BOOST_TEST(t.result.length == 0);
+    BOOST_TEST(distance(t.points.back(), Point(0, 0, 0)) == 0);
+    // Its direction is still the one that was given.
+    const auto [h, on] = t.result.direction;
+    const Vector along = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+    BOOST_TEST(std::abs(std::remainder(std::atan2(along.y(), along.x()) + on - angle, 2 * pi)) < 1e-14);
+  }
+  // On from the end of one that has run into a vertex of the border.
+  const Traced rim_met = trace_from_middle(mesh, Vector(0, -1, 0), 100);
+  BOOST_TEST((rim_met.result.end == Trace_end::BORDER));
+  const Traced on = trace(mesh, rim_met.result.location, rim_met.result.direction, 1);
+  BOOST_TEST((on.result.end == Trace_end::BORDER));
+  BOOST_TEST(on.result.length == 0);
+  BOOST_TEST(distance(on.points.back(), Point(6, 0, 0)) < 1e-14);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {
   const Surface mesh = grid_mesh();
@@ -455,9 +479,13 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
   BOOST_CHECK_THROW(trace(mesh, Face_location{Face(0), {0.2, 0.3, 0.5}}, std::make_pair(h, 0.0), 1),
                     FG::Invalid_parameter_error);
   const Halfedge rim = mesh.halfedge(corner, Vertex(grid_vertex(12, 1, 0)));
-  BOOST_CHECK_THROW(trace(mesh, corner, std::make_pair(rim, 2.0), 1), FG::Invalid_parameter_error);
-  BOOST_CHECK_THROW(trace(mesh, corner, std::make_pair(rim, -0.5), 1), FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(trace(mesh, Vertex(100000), std::make_pair(h, 0.0), 1), FG::Vertex_out_of_range_error);
+  // A vector says nothing of a face without area, or with a corner that is no point.
+  const Surface flat = to_mesh<Surface>({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}});
+  const Surface no_point = to_mesh<Surface>({{{0, 0, 0}, {2, 0, 0}, {1, nan, 0}}, {{0, 1, 2}}});
+  const Face_location inside = {Face(0), {0.25, 0.25, 0.5}};
+  BOOST_CHECK_THROW(trace(flat, inside, Vector(1, 0, 0), 1), FG::Degenerate_face_error);
+  BOOST_CHECK_THROW(trace(no_point, inside, Vector(1, 0, 0), 1), FG::Invalid_coordinate_error);
   // Along the border, to both sides.
   BOOST_TEST(distance(trace(mesh, corner, std::make_pair(rim, 0.0), 1).points.back(), Point(1, 0, 0)) < 1e-14);
   BOOST_TEST(distance(trace(mesh, corner, std::make_pair(rim, 0.5 * pi), 1).points.back(), Point(0, 1, 0)) < 1e-14);

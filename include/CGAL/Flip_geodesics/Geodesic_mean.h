@@ -211,11 +211,7 @@ private:
   Trace step_from(const State& here, double part) const
   {
     const Trace_limits<> limits = {part * here.residual};
-    try {
-      return m_tracer.trace(here.place, here.direction.halfedge, here.direction.angle, limits);
-    } catch(const Invalid_parameter_error&) { // at a vertex of the border
-      return {};
-    }
+    return m_tracer.trace(here.place, here.direction.halfedge, here.direction.angle, limits);
   }
 
   const Triangulation& m_triangulation;

@@ -28,7 +28,7 @@ namespace Flip_geodesics {
 enum class Trace_end {
   LENGTH,           ///< it has the length that was asked for
   VERTEX,           ///< it runs into a vertex, exactly, and was to stop there
-  BORDER,           ///< it meets the border, on an edge or at a vertex
+  BORDER,           ///< it meets the border, on an edge or at a vertex, or would leave the surface at its start there
   CONSTRAINED_EDGE, ///< it meets an edge that it may not cross, or a vertex of one
   CROSSING_LIMIT    ///< it has crossed as many edges as it may
 };
@@ -112,6 +112,11 @@ public:
   Trace operator()(Ray_start start)
   {
     m_visitor(surface_point(m_triangulation, start.place));
+    if(start.is_outward) {
+      end_at_corner(start.place.halfedge, start.angle);
+      m_trace.end = Trace_end::BORDER;
+      return m_trace;
+    }
     while(go_straight(start)) {
     }
     return m_trace;
@@ -270,8 +275,8 @@ public:
    * \param limits a `Trace_limits`
    * \param visitor called with a `Surface_point` for the start, each edge that is crossed, each vertex, and the end
    * \throws Invalid_location_error for a location that is none
-   * \throws Invalid_parameter_error if the direction is no finite number, `halfedge` is another, the direction leaves
-   *         the surface at a vertex of the border, or the length is negative or not finite
+   * \throws Invalid_parameter_error if the direction is no finite number, `halfedge` is another, or the length is negative
+   *         or not finite
    * \throws Degenerate_face_error for a face with a side of length zero, or a direction told in a face without area
    * \throws Invalid_coordinate_error if a coordinate is no finite number
    * \throws Invalid_mesh_error if a face is no triangle

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -87,6 +89,7 @@ public:
   {
     static_assert(Has_points<typename Triangulation::Metric>::value,
                   "the metric has no points in space: give the direction as a halfedge and an angle");
+    check_location(m_triangulation.input(), source);
     return Geodesic_tracer<Triangulation>(m_triangulation)
         .trace(source,
                in_face(source.halfedge, {{CGAL::to_double(direction.x()), CGAL::to_double(direction.y()),
@@ -101,8 +104,13 @@ private:
     const auto& input = m_triangulation.input();
     if(input.is_border(h))
       return {0, 0};
+    input_face_geometry(m_triangulation, h); // throws for corners that are no points
     const Vector a = side(h), c = side(input.next(input.next(h))), b = {{-c[0], -c[1], -c[2]}};
     const Vector normal = unit_of(cross(unit_of(a), unit_of(b))), direction = unit_of(v);
+    if(normal == Vector{{0, 0, 0}})
+      throw Degenerate_face_error("a direction is told in the face of halfedge " + std::to_string(h.idx()) +
+                                      ", which has no area",
+                                  {static_cast<std::size_t>(h.idx())});
     return {dot(cross(direction, b), normal), dot(cross(a, direction), normal)};
   }
 
@@ -236,7 +244,7 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  * \return a `Trace_result`. From its `location` in its `direction` it can be traced on
  * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
  * \throws Invalid_parameter_error for a length or a direction that is not finite, a negative length, a vector without
- *         length in the plane of its face, another halfedge, or a direction that leaves the surface at a vertex of the border
+ *         length in the plane of its face, or another halfedge
  * \throws Degenerate_face_error if it meets a face with a side of length zero, or starts into a face without area
  * \throws Invalid_coordinate_error, Invalid_mesh_error
  *

@@ -22,11 +22,14 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Where a ray starts: a place told from a halfedge of its first face, and a direction in that face. */
+/* Where a ray starts: a place told from a halfedge of its first face, and a direction in that face. Or a vertex of the
+ * border, and an angle from that halfedge out of the surface. */
 struct Ray_start
 {
   Surface_location place;
   Face_direction direction;
+  bool is_outward = false;
+  double angle = 0;
 };
 
 /* Turns angles and vectors in space into directions in faces. These are rounded; what follows from them is exact. */
@@ -42,7 +45,7 @@ public:
   /*
    * By an angle counterclockwise from a side of a face that has the location; at a vertex over all faces about it.
    *
-   * \throws Invalid_parameter_error if it is no such halfedge, or the direction leaves the surface
+   * \throws Invalid_parameter_error if it is no such halfedge
    */
   Ray_start by_angle(const Surface_location& location, Input_halfedge_index h, double angle) const
   {
@@ -69,12 +72,12 @@ public:
       throw Invalid_parameter_error("a direction has no length in its face, or is not finite");
     if(input().is_border(location.halfedge))
       throw Invalid_parameter_error("a direction is told in the face of a halfedge on the border");
-    Ray_start start = {location, normalized(direction)};
+    Ray_start start = {location, normalized(direction), false, 0};
     if(kind(location) != Location_kind::VERTEX)
       return start;
     while(start.place.weights[0] == 0)
       start = {rotated(input(), start.place),
-               normalized({start.direction[1], -start.direction[0] - start.direction[1]})};
+               normalized({start.direction[1], -start.direction[0] - start.direction[1]}), false, 0};
     if(start.direction[0] >= 0 && start.direction[1] >= 0)
       return start;
     const auto [length, third] = corners(start.place.halfedge);
@@ -90,14 +93,13 @@ public:
       position -= fan.total * std::floor(position / fan.total);
     const double allowed = 1e-12 * fan.total;
     if(!(position >= -allowed && position <= fan.total + allowed))
-      throw Invalid_parameter_error("a direction from vertex " + std::to_string(input().tail(h).idx()) +
-                                    " leaves the surface over the border");
+      return {{fan.first, {{1, 0, 0}}}, {0, 0}, true, position};
     Input_halfedge_index spoke = fan.first;
     for(;;) {
       const double here = corner(spoke);
       const Input_halfedge_index next = next_spoke(spoke);
       if(position < here || next == fan.first || input().is_border(next))
-        return {{spoke, {{1, 0, 0}}}, inside_corner(spoke, position, here)};
+        return {{spoke, {{1, 0, 0}}}, inside_corner(spoke, position, here), false, 0};
       position -= here;
       spoke = next;
     }
@@ -204,7 +206,8 @@ private:
         best_angle = angle;
       }
     }
-    return {{best, weights_in_face(input(), at, best)}, in_face(best, std::cos(best_angle), std::sin(best_angle))};
+    const Face_direction direction = in_face(best, std::cos(best_angle), std::sin(best_angle));
+    return {{best, weights_in_face(input(), at, best)}, direction, false, 0};
   }
 
   double length(Input_halfedge_index h) const { return m_triangulation.metric().length(input(), h); }
