@@ -158,7 +158,7 @@ private:
   double input_corners(Halfedge_index a, Halfedge_index b, Input_halfedge_index reference, bool is_along) const
   {
     const Index steps = m_triangulation.input_edges_in_wedge(a, b) + (is_along ? 1 : 0);
-    return internal::sum_of_input_corners(m_triangulation, reference, steps);
+    return internal::sum_of_input_corners(m_triangulation, reference, steps).value();
   }
 
   const Network& m_network;

@@ -127,7 +127,11 @@ std::optional<Plain::Face_geometry> laid_out(double at_tail, double at_head, dou
 {
   const double sum = at_tail + at_head, second = std::abs(std::sin(at_tail) / std::sin(sum)),
                third = std::abs(std::sin(at_head) / std::sin(sum));
-  return FI::laid_out_face(Plain(), {{{{1, 0}, {second, 0}, {third, 0}}}, {at_tail, error}, {at_head, error}}, 0);
+  return FI::laid_out_face(Plain(),
+                           {{{{1, 0}, {second, 0}, {third, 0}}},
+                            {{at_tail, error}, std::polar(1.0, at_tail)},
+                            {{at_head, error}, std::polar(1.0, at_head)}},
+                           0);
 }
 
 } // namespace
@@ -146,7 +150,11 @@ BOOST_AUTO_TEST_CASE(faces_with_corners_below_zero_or_above_pi_are_refused)
 BOOST_AUTO_TEST_CASE(corners_below_zero_by_their_error_are_zero)
 {
   for(double rounded : {-1e-9, 0.0}) {
-    const auto face = FI::laid_out_face(Plain(), {{{{1, 0}, {0.5, 0}, {0.5, 0}}}, {rounded, 1e-8}, {rounded, 1e-8}}, 0);
+    const auto face = FI::laid_out_face(Plain(),
+                                        {{{{1, 0}, {0.5, 0}, {0.5, 0}}},
+                                         {{rounded, 1e-8}, std::polar(1.0, rounded)},
+                                         {{rounded, 1e-8}, std::polar(1.0, rounded)}},
+                                        0);
     BOOST_TEST((*face)[2].y == 0);
     BOOST_TEST((*face)[2].x == -0.5);
     BOOST_TEST(std::abs((*face)[1].y) < 1e-15);

@@ -53,6 +53,14 @@ public:
             error};
   }
 
+  Wedge_rotation rotation() const
+  {
+    Double_double_vector rotation = {{1, 0}, {}};
+    double error = 0;
+    extend(rotation, error);
+    return {angle(), in_double(rotation)};
+  }
+
   /* Adds the wedge to a rotation, and to its relative error. */
   void extend(Double_double_vector& rotation, double& error) const
   {

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_ANGLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_WEDGE_ANGLE_H
 
+#include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
@@ -73,6 +74,12 @@ public:
 
   double value() const { return unfused(m_half_turns * boost::math::constants::pi<double>()) + std::atan2(m_y, m_x); }
 
+  /* The rotation by the sum, scaled. */
+  std::complex<double> rotation() const
+  {
+    return m_half_turns % 2 == 0 ? std::complex<double>(m_x, m_y) : std::complex<double>(-m_x, -m_y);
+  }
+
 private:
   double m_x = 1, m_y = 0; // with an angle of at least 0 and below pi
   int m_half_turns = 0;
@@ -80,7 +87,7 @@ private:
 
 /* The sum of so many input corners clockwise from input halfedge h about an input vertex. */
 template <class Triangulation>
-double sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index steps)
+Angle_sum sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index steps)
 {
   Angle_sum sum;
   for(Index i = 0; i < steps; ++i) {
@@ -88,7 +95,7 @@ double sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_i
     sum.add(input_corner_vector(triangulation, t));
     h = triangulation.input().next(t);
   }
-  return sum.value();
+  return sum;
 }
 
 /* The angle of an edge from its reference halfedge: between 0 and pi, up to rounding, which can turn pi into -pi. */
@@ -99,12 +106,19 @@ inline double angle_from_reference(const std::complex<double>& end)
   return angle < -pi / 2 ? angle + 2 * pi : angle;
 }
 
+/* An angle, and the rotation by it, of any length: by what IEEE 754 tells the last bit of. */
+struct Wedge_rotation
+{
+  Wedge_angle angle;
+  std::complex<double> rotation;
+};
+
 /*
  * The angle clockwise from halfedge a to halfedge b about an inserted point inside an input face: the directions are
  * told from one halfedge of the face, and how often they pass it is seen from edge to edge, in corners below pi.
  */
 template <class Triangulation>
-Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
   constexpr double pi = boost::math::constants::pi<double>();
   const auto strip = [&](Halfedge_index h) {
@@ -112,6 +126,7 @@ Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Halfedge
   };
   const Strip<Triangulation> from = strip(a);
   double sum = 0, error = from.relative_error(), direction = std::arg(from.end());
+  std::complex<double> end;
   Halfedge_index h = a;
   do {
     h = triangulation.clockwise(h);
@@ -120,10 +135,12 @@ Wedge_angle wedge_angle_inside_face(const Triangulation& triangulation, Halfedge
     sum += corner < -pi / 2 ? corner + 2 * pi : (corner > 3 * pi / 2 ? corner - 2 * pi : corner);
     error += 16 * std::numeric_limits<double>::epsilon();
     direction = next_direction;
-    if(h == b)
+    if(h == b) {
       error += to.relative_error();
+      end = to.end();
+    }
   } while(h != b);
-  return {sum, 1.6 * error};
+  return {{sum, 1.6 * error}, product(from.end(), std::conj(end))};
 }
 
 /* Two edges of one vertex by their words, and how many input corners lie between their references, clockwise. */
@@ -142,27 +159,44 @@ Wedge_words wedge_words(const Triangulation& triangulation, Halfedge_index from,
   return result;
 }
 
-/* The angle between two words, afresh from the input: the input corners between their reference halfedges, corrected by
+/* The wedge between two words, afresh from the input: the input corners between their reference halfedges, corrected by
  * their strips at both ends. \pre not about a point inside a face */
+template <class Triangulation>
+Wedge_rotation wedge_rotation(const Triangulation& triangulation, const Wedge_words& words)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const Strip<Triangulation> from(triangulation, words.from), to(triangulation, words.to);
+  const bool is_on_edge = triangulation.is_inserted(words.from.tail);
+  Angle_sum corners;
+  if(!is_on_edge)
+    corners = sum_of_input_corners(triangulation, from.reference(), words.steps);
+  const double between = is_on_edge ? words.steps * pi : corners.value();
+  const std::complex<double> half_turns = is_on_edge && words.steps % 2 != 0 ? -1 : 1;
+  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
+  const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
+  return {{sum, strip_error + static_cast<double>(words.steps + 4) * input_corner_error},
+          product(product(from.end(), std::conj(to.end())), half_turns * corners.rotation())};
+}
+
 template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, const Wedge_words& words)
 {
-  const Strip<Triangulation> from(triangulation, words.from), to(triangulation, words.to);
-  const double between = triangulation.is_inserted(words.from.tail)
-                             ? words.steps * boost::math::constants::pi<double>()
-                             : sum_of_input_corners(triangulation, from.reference(), words.steps);
-  const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
-  const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
-  return {sum, strip_error + static_cast<double>(words.steps + 4) * input_corner_error};
+  return wedge_rotation(triangulation, words).angle;
 }
 
-/* The angle clockwise from halfedge a to halfedge b of one vertex, afresh. a == b means all the way round. */
+/* The wedge clockwise from halfedge a to halfedge b of one vertex, afresh. a == b means all the way round. */
+template <class Triangulation>
+Wedge_rotation wedge_rotation(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+{
+  if(vertex_kind(triangulation, triangulation.tail(a)) == Location_kind::FACE)
+    return wedge_rotation_inside_face(triangulation, a, b);
+  return wedge_rotation(triangulation, wedge_words(triangulation, a, b));
+}
+
 template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
-  if(vertex_kind(triangulation, triangulation.tail(a)) == Location_kind::FACE)
-    return wedge_angle_inside_face(triangulation, a, b);
-  return wedge_angle(triangulation, wedge_words(triangulation, a, b));
+  return wedge_rotation(triangulation, a, b).angle;
 }
 
 } // namespace internal

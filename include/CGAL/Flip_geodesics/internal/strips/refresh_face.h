@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_REFRESH_FACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_REFRESH_FACE_H
 
+#include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_wedge.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
@@ -29,27 +30,35 @@ struct Face_measures
   };
 
   std::array<Length, 3> lengths;
-  Wedge_angle at_tail, at_head;
+  Wedge_rotation at_tail, at_head;
 };
+
+/* The direction of a rotation by an angle between 0 and pi, up to rounding. */
+inline std::complex<double> direction(const std::complex<double>& rotation)
+{
+  if(rotation.imag() <= 0)
+    return rotation.real() < 0 ? -1 : 1;
+  return rotation / well_rounded_length(rotation);
+}
 
 /*
  * Lays out a face. Nothing if its corners are not between 0 and pi, up to their error and a given one: then flips were
  * wrong.
  */
 template <class Traits>
-std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits, Face_measures face, double tolerance)
+std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits, const Face_measures& face,
+                                                            double tolerance)
 {
   constexpr double pi = boost::math::constants::pi<double>();
-  for(Wedge_angle* angle : {&face.at_tail, &face.at_head}) {
-    if(angle->value < -angle->error - tolerance || angle->value > pi + angle->error + tolerance)
+  for(const Wedge_angle& angle : {face.at_tail.angle, face.at_head.angle})
+    if(angle.value < -angle.error - tolerance || angle.value > pi + angle.error + tolerance)
       return {};
-    angle->value = (std::min)((std::max)(angle->value, 0.0), pi);
-  }
   const auto& [first, second, third] = face.lengths;
-  const std::complex<double> vn = std::polar(second.value, pi - face.at_head.value);
-  const std::complex<double> vp = -std::polar(third.value, face.at_tail.value);
-  const double error = (std::max)({first.error, second.error + face.at_head.error, third.error + face.at_tail.error}) +
-                       8 * std::numeric_limits<double>::epsilon();
+  const std::complex<double> vn = -second.value * std::conj(direction(face.at_head.rotation));
+  const std::complex<double> vp = -third.value * direction(face.at_tail.rotation);
+  const double error =
+      (std::max)({first.error, second.error + face.at_head.angle.error, third.error + face.at_tail.angle.error}) +
+      8 * std::numeric_limits<double>::epsilon();
   return traits.construct_face_2_object()({{{first.value, 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}, error);
 }
 
@@ -61,12 +70,12 @@ std::optional<typename Triangulation::Traits::Face_geometry> fresh_face(const Tr
   const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
   const auto edge = [&](Halfedge_index side) {
     const Strip<Triangulation> strip(triangulation, triangulation.crossing_word(side));
-    return Face_measures::Length{strip.length(), strip.relative_error()};
+    return Face_measures::Length{well_rounded_length(strip.end()), strip.relative_error()};
   };
   return laid_out_face(triangulation.traits(),
                        {{{edge(h), edge(hn), edge(hp)}},
-                        wedge_angle(triangulation, Triangulation::twin(hp), h),
-                        wedge_angle(triangulation, Triangulation::twin(h), hn)},
+                        wedge_rotation(triangulation, Triangulation::twin(hp), h),
+                        wedge_rotation(triangulation, Triangulation::twin(h), hn)},
                        tolerance);
 }
 
@@ -80,8 +89,8 @@ std::optional<typename Triangulation::Traits::Face_geometry> precise_face(const 
   const Precise_wedge<Triangulation> at_head(triangulation, Triangulation::twin(h), hn);
   const auto edge = [](const Precise_edge& e) { return Face_measures::Length{e.length, e.end_error}; };
   const Face_measures face = {
-      {{edge(at_tail.to()), edge(at_head.to()), edge(at_tail.from())}}, at_tail.angle(), at_head.angle()};
-  if(!(face.at_tail.error + face.at_head.error < 1)) // infinite if an edge has no bound
+      {{edge(at_tail.to()), edge(at_head.to()), edge(at_tail.from())}}, at_tail.rotation(), at_head.rotation()};
+  if(!(face.at_tail.angle.error + face.at_head.angle.error < 1)) // infinite if an edge has no bound
     return {};
   return laid_out_face(triangulation.traits(), face, 0);
 }
