@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -123,6 +122,10 @@ public:
     , m_propagation(triangulation, extent == Distance_field_extent::EVERYWHERE)
   {
   }
+  /// A temporary triangulation does not outlive the field.
+  Geodesic_distance_field(const Triangulation&&, const Triangle_mesh&, Distance_field_extent = {}) = delete;
+  /// Nor does a temporary mesh.
+  Geodesic_distance_field(const Triangulation&, const Triangle_mesh&&, Distance_field_extent = {}) = delete;
 
   /*!
    * Adds a vertex of the mesh as a source; returns its number. Constant time.
@@ -258,17 +261,21 @@ public:
   double reach() const { return m_reach; }
 
   /// The distance of a vertex of the input. Constant time. \throws Vertex_out_of_range_error
-  double distance(Vertex_index v) const { return answer(v).distance; }
+  double distance(Vertex_index v) const
+  {
+    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
+    return is_known(m_propagation.distance(v)) ? m_propagation.distance(v) : std::numeric_limits<double>::infinity();
+  }
 
   /// The distance of a location. See `answer()`.
   double distance(const Surface_location& location) const { return answer(location).distance; }
 
-  /// The distance of a vertex and the nearest source. Constant time. \throws Vertex_out_of_range_error
+  /// The distance of a vertex and the nearest source. Linear in the bends of the path. \throws Vertex_out_of_range_error
   Answer answer(Vertex_index v) const
   {
     internal::check_vertex(v, m_triangulation.input().number_of_vertices());
     const double distance = m_propagation.distance(v);
-    return is_known(distance) ? Answer{distance, m_propagation.vertex(v).source} : Answer();
+    return is_known(distance) ? Answer{distance, m_propagation.source(v.idx())} : Answer();
   }
 
   /*!
@@ -309,7 +316,7 @@ public:
     const Vertex_index v = m_triangulation.input().tail(at.halfedge);
     result.push_back(surface_point(m_triangulation, at));
     if(kind(at) != Location_kind::VERTEX)
-      query().path(arrival_at(at), at.halfedge, weights(at), std::back_inserter(result));
+      query().path(arrival_at(at), at.halfedge, internal::normalized(at.weights), std::back_inserter(result));
     else if(m_propagation.vertex(v).is_source)
       result.push_back(result.front());
     else
@@ -358,7 +365,7 @@ public:
     const auto arrival = arrival_at(location);
     if(kind(location) == Location_kind::VERTEX || !is_known(arrival.distance))
       return {{0, 0}};
-    const std::complex<double> result = query().direction(arrival, location.halfedge, weights(location));
+    const auto result = query().direction(arrival, location.halfedge, internal::normalized(location.weights));
     return {{result.real(), result.imag()}};
   }
 
@@ -416,16 +423,6 @@ private:
       m_propagation.add_part({face, {{first, last}}, offset, m_number_of_sources});
   }
 
-  static internal::Face_weights weights(const Surface_location& location)
-  {
-    internal::Face_weights result = location.weights;
-    const double largest = (std::max)({result[0], result[1], result[2]});
-    const double sum = result[0] / largest + result[1] / largest + result[2] / largest;
-    for(double& weight : result)
-      weight = weight / largest / sum;
-    return result;
-  }
-
   // The weights of a location in a face that has it, from halfedge `face` on.
   internal::Face_weights weights_in(Input_halfedge_index face, Surface_location at) const
   {
@@ -438,7 +435,7 @@ private:
         at.halfedge = input.tail(h) == input.tail(at.halfedge) ? h : at.halfedge;
     else if(!is_side(at.halfedge)) // on the edge, from the other side
       at = {internal::twin_index(at.halfedge), {{at.weights[1], at.weights[0], 0}}};
-    return query().turned(weights(at), at.halfedge, face);
+    return query().turned(internal::normalized(at.weights), at.halfedge, face);
   }
 
   void index_parts()
@@ -481,7 +478,7 @@ private:
   {
     if(m_extent != Distance_field_extent::EVERYWHERE)
       throw Invalid_parameter_error("a field of vertices only is asked for another place");
-    return query()(at.halfedge, weights(at));
+    return query()(at.halfedge, internal::normalized(at.weights));
   }
 
   Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }

@@ -99,6 +99,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), FG::Window_limit(1));
 #elif MISTAKE == 24
   FG::geodesic_distances(mesh, of_mesh, distances);
+#elif MISTAKE == 25
+  const FG::Geodesic_distance_field<Triangulation> of_temporary{Triangulation(mesh), mesh};
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));

@@ -50,12 +50,12 @@ public:
   }
 
   /* \pre h is not on the border; the weights sum to one */
-  Arrival operator()(Input_halfedge_index h, const Face_weights& weights) const { return arrival(h, weights, false); }
-
-  std::size_t source(const Arrival& a) const
+  Arrival operator()(Input_halfedge_index h, const Face_weights& weights) const
   {
-    return is_part(a.root) ? part(a.root).source : m_propagation.vertex(Vertex_index(a.root)).source;
+    return arrival(h, weights, false, [](Index) { return true; });
   }
+
+  std::size_t source(const Arrival& a) const { return m_propagation.source(a.root); }
 
   /* The point of the same face from which the path comes straight: where it enters, or the source; as weights from h. */
   Face_weights from(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
@@ -102,19 +102,21 @@ public:
 
   /*
    * The same for a point of a face. Where the path crosses an edge, it is asked anew how it comes there; so it is not
-   * lost where it passes a vertex within rounding. It has at most one point per edge and vertex.
+   * lost where it passes a vertex within rounding. It has at most one point per edge and vertex. Where another source is
+   * equally near, it goes on to that of the arrival.
    */
   template <class OutputIterator>
   OutputIterator path(Arrival a, Input_halfedge_index h, Face_weights weights, OutputIterator out) const
   {
     const Index most = m_triangulation.input().number_of_halfedges() + m_triangulation.input().number_of_vertices();
+    const std::size_t end = a.root == null_index ? 0 : source(a);
     for(Index i = 0; i < most && a.root != null_index; ++i) {
       if(a.through != null_index) {
         const double t = a.crossing / m_propagation.sides().copy(a.through).length;
         *out++ = surface_point_on_edge(m_triangulation, a.through, t);
         h = twin_index(a.through);
         weights = {{t, 1 - t, 0}};
-        a = arrival(h, weights, true);
+        a = arrival_on_edge(h, weights, end);
       } else if(is_part(a.root)) {
         *out++ = surface_point_in_face(h, from(a, h, weights));
         break;
@@ -140,8 +142,10 @@ public:
   }
 
 private:
-  static constexpr double near_edge = 1e-6; // points as close to the edge are told from by the ray
-  static constexpr double rounding = 1e-15; // of places, as a part of the face
+  static constexpr double near_edge = 1e-6;    // points as close to the edge are told from by the ray
+  static constexpr double rounding = 1e-15;    // of places, as a part of the face
+  static constexpr double tie = 1e-13;         // ways that differ by less count as equal, as a part of their length
+  static constexpr double same_length = 1e-12; // ways whose sources may be confused by rounding
 
   bool is_part(Index root) const { return root >= m_triangulation.input().number_of_vertices(); }
   const Source_part& part(Index root) const
@@ -155,7 +159,9 @@ private:
     return (std::min)({h, input.next(h), input.next(input.next(h))});
   }
 
-  void come_from_parts(Input_halfedge_index h, const Face_weights& weights, Arrival& best) const
+  template <class IsWanted>
+  void come_from_parts(Input_halfedge_index h, const Face_weights& weights, const IsWanted& is_wanted,
+                       Arrival& best) const
   {
     const Input_halfedge_index face = face_of(h);
     const auto before = [](const auto& entry, Input_halfedge_index f) { return entry.first < f; };
@@ -163,19 +169,22 @@ private:
     for(; i != m_parts_by_face.end() && i->first == face; ++i) {
       const Source_part& p = part(i->second);
       const double d = p.distance(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
-      if(d < best.distance)
+      if(d < best.distance && is_wanted(i->second))
         best = {d, i->second, null_index, 0, Window()};
     }
   }
 
-  void come_from_corner(const Face_side& f, const Face_weights& weights, Arrival& best) const
+  template <class IsWanted>
+  void come_from_corner(const Face_side& f, const Face_weights& weights, const IsWanted& is_wanted, Arrival& best) const
   {
     const double d = m_propagation.distance(f.tail) + std::abs(position(f, weights));
-    if(d < best.distance)
+    if(d < best.distance && is_wanted(f.tail.idx()))
       best = {d, f.tail.idx(), null_index, 0, Window()};
   }
 
-  void come_through(Input_halfedge_index h, const Face_side& f, const Face_weights& weights, Arrival& best) const
+  template <class IsWanted>
+  void come_through(Input_halfedge_index h, const Face_side& f, const Face_weights& weights, const IsWanted& is_wanted,
+                    Arrival& best) const
   {
     const Vector p = position(f, weights);
     for(Window w : m_propagation.windows().on_edge(h.idx() / 2)) {
@@ -186,7 +195,7 @@ private:
       const double crossing = w.crossing(p.real(), p.imag());
       const double b = (std::min)((std::max)(crossing, w.from), w.to);
       const double d = b == crossing ? w.distance(p.real(), p.imag()) : w.distance(b) + std::abs(p - b);
-      if(d < best.distance)
+      if(d < best.distance && is_wanted(w.root))
         best = {d, w.root, h, b, w};
     }
   }
@@ -198,18 +207,28 @@ private:
     return surface_point(m_triangulation, Surface_location{h, weights});
   }
 
-  // How the shortest path arrives at a point. One on side h may come from beyond; else, and then corners on the way are
-  // preferred.
-  Arrival arrival(Input_halfedge_index h, Face_weights weights, bool is_from_behind) const
+  // How the shortest path arrives at a point of an edge from beyond side h: that from a source, if no other is shorter.
+  Arrival arrival_on_edge(Input_halfedge_index h, const Face_weights& weights, std::size_t wanted) const
   {
-    constexpr double tie = 1e-13;
+    const Arrival result = arrival(h, weights, true, [](Index) { return true; });
+    if(result.root == null_index || source(result) == wanted)
+      return result;
+    const Arrival other = arrival(h, weights, true, [&](Index root) { return m_propagation.source(root) == wanted; });
+    return other.distance <= result.distance * (1 + same_length) ? other : result;
+  }
+
+  // How the shortest path arrives at a point, of those from roots that are wanted. One on side h may come from beyond; else,
+  // and then corners on the way are preferred.
+  template <class IsWanted>
+  Arrival arrival(Input_halfedge_index h, Face_weights weights, bool is_from_behind, const IsWanted& is_wanted) const
+  {
     Arrival best, corner;
-    come_from_parts(h, weights, best);
+    come_from_parts(h, weights, is_wanted, best);
     for(int i = 0; i < 3; ++i) {
       const Face_side f = m_propagation.sides().copy(h);
-      come_from_corner(f, weights, corner);
+      come_from_corner(f, weights, is_wanted, corner);
       if(i > 0 || !is_from_behind)
-        come_through(h, f, weights, best);
+        come_through(h, f, weights, is_wanted, best);
       h = f.next;
       weights = rotated(weights);
     }

@@ -22,6 +22,16 @@ using Face_weights = std::array<double, 3>;
 
 inline Face_weights rotated(const Face_weights& weights) { return {{weights[1], weights[2], weights[0]}}; }
 
+/* Weights of any sum. \pre they are not all 0 */
+inline Face_weights normalized(Face_weights weights)
+{
+  const double largest = (std::max)({weights[0], weights[1], weights[2]});
+  const double sum = weights[0] / largest + weights[1] / largest + weights[2] / largest;
+  for(double& weight : weights)
+    weight = weight / largest / sum;
+  return weights;
+}
+
 /* A point of a face in the frame of a side, from whose tail on its weights count. */
 inline std::complex<double> position(const Face_side& side, const Face_weights& weights)
 {

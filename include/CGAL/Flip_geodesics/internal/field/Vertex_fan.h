@@ -28,7 +28,7 @@ struct Vertex_record
   Input_halfedge_index along;   // the halfedge along which it arrives, or null
   Index root;                   // the vertex, or the part of a source, that it comes from
   bool is_reached, is_source;
-  std::size_t source;
+  std::size_t source; // its number if it is one
 };
 
 /* What goes on from a vertex: a path along a halfedge, and a window on the side opposite, in the frame of that. */

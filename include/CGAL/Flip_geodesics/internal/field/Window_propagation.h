@@ -75,7 +75,7 @@ public:
       const Vertex_index v = m_sides(h).tail;
       const double distance = part.distance(m_sides(part.halfedge), corner);
       if(is_shorter(v, distance))
-        accept(v, {distance, Window(), null_index, null_index, root, true, false, part.source});
+        accept(v, {distance, Window(), null_index, null_index, root, true, false, 0});
       Window w = Source_part::window(m_sides(h), ends[0], ends[1], part.offset);
       w.root = root;
       note_waiting(edge_of(h), w.from < w.to ? put_beyond(m_workers.front()->inserter, h, w) : infinity);
@@ -123,6 +123,14 @@ public:
       return {from, h, 0, m_triangulation.metric().length(m_triangulation.input(), record.along)};
     const Face_side& f = m_sides.known(record.through);
     return {from, h, -angle, std::hypot(f.x - record.window.x, f.y + record.window.y)};
+  }
+  /* The source from which paths come to a root, a vertex or a part of a source: the one at which they end. */
+  std::size_t source(Index root) const
+  {
+    const Index n = m_triangulation.input().number_of_vertices();
+    while(root < n && !m_vertices[Vertex_index(root)].is_source)
+      root = m_vertices[Vertex_index(root)].root;
+    return root < n ? m_vertices[Vertex_index(root)].source : m_parts[static_cast<std::size_t>(root - n)].source;
   }
   const std::vector<Source_part>& parts() const { return m_parts; }
   const Face_sides<Triangulation>& sides() const { return m_sides; }
@@ -189,12 +197,6 @@ private:
   static Index edge_of(Input_halfedge_index h) { return h.idx() / 2; }
   Edge_record& edge_record(Index edge) { return m_edges[static_cast<std::size_t>(edge)]; }
   bool is_shorter(Vertex_index v, double distance) const { return !is_reached(v) || distance < m_vertices[v].distance; }
-
-  std::size_t source_of(Index root) const
-  {
-    const Index n = m_triangulation.input().number_of_vertices();
-    return root < n ? m_vertices[Vertex_index(root)].source : m_parts[static_cast<std::size_t>(root - n)].source;
-  }
 
   void accept(Vertex_index v, const Vertex_record& record)
   {
@@ -346,7 +348,7 @@ private:
   {
     const Vertex_opening& o = m_openings[i];
     if(is_shorter(o.head, o.distance))
-      accept(o.head, {o.distance, Window(), null_index, o.along, v.idx(), true, false, m_vertices[v].source});
+      accept(o.head, {o.distance, Window(), null_index, o.along, v.idx(), true, false, 0});
     if(o.opposite != null_index)
       add_target(o.opposite, i, VERTEX);
   }
@@ -356,7 +358,7 @@ private:
     const Face_crossing& c = m_crossings[i];
     if(c.is_shorter && is_shorter(c.apex, c.distance)) {
       const Window& w = c.nearest->window;
-      accept(c.apex, {c.distance, w, c.halfedge, null_index, w.root, true, false, source_of(w.root)});
+      accept(c.apex, {c.distance, w, c.halfedge, null_index, w.root, true, false, 0});
     }
     add_target(c.previous, i, LEFT);
     add_target(c.next, i, RIGHT);
