@@ -80,6 +80,8 @@ public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
 
   /*!
+   * Constructs the problem, and computes nothing yet.
+   *
    * \param triangulation of the mesh; both must outlive the object
    * \param mesh the mesh
    * \param points any locations

@@ -33,6 +33,8 @@ class Located_curve
 {
 public:
   /*!
+   * Constructs the curve through the locations.
+   *
    * \param triangulation must outlive the curve
    * \param locations a range of `Surface_location`s, of which two in a row lie in one face or on its border; those in
    *        one place count once
