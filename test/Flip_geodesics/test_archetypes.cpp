@@ -42,6 +42,7 @@
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/shortest_loop.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
@@ -506,6 +507,8 @@ private:
     const FG::Loop_basis<Triangulation> basis(triangulation);
     for(FG::Index i = 0; i < basis.number_of_loops(); ++i)
       m_record.halfedges(basis.loop(i));
+    m_record.halfedges(FG::shortest_loop(triangulation));
+    m_record.halfedges(FG::shortest_loop(triangulation, Vertex(1), FG::Loop_kind::NOT_BOUNDING));
     std::vector<std::vector<FG::Halfedge_index>> borders;
     FG::border_loops(triangulation, std::back_inserter(borders));
     for(const auto& border : borders)

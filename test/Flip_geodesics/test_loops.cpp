@@ -5,120 +5,23 @@
 
 #define BOOST_TEST_MODULE loops
 
-#include "descriptors.h"
-#include "generated_curves.h"
-#include "generated_meshes.h"
-#include "mesh_soup.h"
+#include "test_loops/loop_setting.h"
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/Loop_basis.h>
-#include <CGAL/Flip_geodesics/cut_graph.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
-#include <CGAL/Flip_geodesics/subdivide.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace FG = CGAL::Flip_geodesics;
-using namespace Flip_geodesics_test;
-using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Triangulation = FG::Intrinsic_triangulation<Surface>;
-using Network = FG::Edge_path_network<Triangulation>;
-using Basis = FG::Loop_basis<Triangulation>;
-using Class = Basis::Homology_class;
-using Chain = std::vector<FG::Halfedge_index>;
-using Input_chain = std::vector<FG::Input_halfedge_index>;
-
 namespace {
-
-// A plate like `genus_3_plate()` with `genus` holes in a row.
-Mesh_soup plate(int genus, int n = 1)
-{
-  const auto is_filled = [](int i, int j, int) { return j != 1 || i % 2 == 0; };
-  return subdivided(scaled(voxel_surface(2 * genus + 1, 3, 1, is_filled), n), n);
-}
-
-// Without its first `n` triangles that share no vertex with others of them: as many borders.
-Mesh_soup punctured(Mesh_soup soup, int n)
-{
-  std::vector<char> is_near(soup.points.size(), 0);
-  for(std::size_t t = 0; n > 0 && t < soup.triangles.size();) {
-    const Corners c = soup.triangles[t];
-    if(is_near[c[0]] != 0 || is_near[c[1]] != 0 || is_near[c[2]] != 0) {
-      ++t;
-      continue;
-    }
-    is_near[c[0]] = is_near[c[1]] = is_near[c[2]] = 1;
-    soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(t));
-    --n;
-  }
-  BOOST_TEST_REQUIRE(n == 0);
-  return soup;
-}
-
-// A mesh with its triangulation and basis.
-struct Setting
-{
-  explicit Setting(const Surface& surface, const std::vector<FG::Vertex_index>& base_points = {})
-    : mesh(surface)
-    , triangulation(mesh)
-    , basis(triangulation, base_points)
-  {
-  }
-
-  explicit Setting(const Mesh_soup& soup, const std::vector<FG::Vertex_index>& base_points = {})
-    : Setting(to_mesh<Surface>(soup), base_points)
-  {
-  }
-
-  Class unit(FG::Index i, std::int64_t sign = 1) const
-  {
-    Class result(static_cast<std::size_t>(basis.number_of_loops()), 0);
-    result[static_cast<std::size_t>(i)] = sign;
-    return result;
-  }
-
-  Class zero() const { return Class(static_cast<std::size_t>(basis.number_of_loops()), 0); }
-
-  Input_chain through(const Vertex_sequence& vertices) const
-  {
-    return input_chain(FG::halfedges_through(triangulation, vertices, true));
-  }
-
-  static Input_chain input_chain(const Chain& chain)
-  {
-    Input_chain result;
-    for(FG::Halfedge_index h : chain)
-      result.emplace_back(h.idx());
-    return result;
-  }
-
-  double length(const Chain& chain) const
-  {
-    double sum = 0;
-    for(FG::Halfedge_index h : chain)
-      sum += triangulation.length(h);
-    return sum;
-  }
-
-  Surface mesh;
-  Triangulation triangulation;
-  Basis basis;
-};
 
 // A curve of the same homotopy class as before, with its first vertex held, by so many random moves over faces.
 Input_chain wandered(const Setting& s, Input_chain chain, FG::Vertex_index start, int moves, Random_numbers& random)
@@ -419,70 +322,6 @@ BOOST_AUTO_TEST_CASE(borders)
   const Setting closed(plate(2));
   FG::border_loops(closed.triangulation, std::back_inserter(borders));
   BOOST_TEST(borders.empty());
-}
-
-// Cut along the network, each component is a disk: of Euler characteristic 1 and with one border.
-void check_disks(const Network& network, const Surface& mesh, std::size_t components)
-{
-  const auto cut = FG::cut_along_curves(network, mesh);
-  const Setting pieces(cut.mesh());
-  BOOST_TEST(pieces.basis.components().size() == components);
-  for(const auto& piece : pieces.basis.components()) {
-    BOOST_TEST(piece.genus == 0);
-    BOOST_TEST(piece.number_of_borders == 1);
-    BOOST_TEST(piece.number_of_loops == 0);
-  }
-  const std::ptrdiff_t euler = std::ptrdiff_t(cut.mesh().number_of_vertices()) -
-                               std::ptrdiff_t(cut.mesh().number_of_edges()) +
-                               std::ptrdiff_t(cut.mesh().number_of_faces());
-  BOOST_TEST(euler == std::ptrdiff_t(components));
-}
-
-void check_cut(const Mesh_soup& soup, std::size_t components, const std::vector<FG::Vertex_index>& base_points = {})
-{
-  Setting s(soup);
-  Network network(s.triangulation);
-  const FG::Index curves = FG::add_cut_graph(network, base_points);
-  BOOST_TEST(curves == network.number_of_curves());
-  BOOST_TEST(network.is_valid());
-  check_disks(network, s.mesh, components);
-  const FG::Shortening_report report = FG::shorten(network);
-  for(const FG::Curve_report& curve : report.curves)
-    BOOST_TEST((curve.status == FG::Shortening_status::LOCALLY_SHORTEST));
-  check_disks(network, s.mesh, components);
-}
-
-BOOST_AUTO_TEST_CASE(cut_open_to_disks)
-{
-  check_cut(torus(12, 9, 3, 1), 1);
-  check_cut(torus(12, 9, 3, 1), 1, {50_v});
-  check_cut(plate(4, 2), 1);
-  check_cut(punctured(plate(3, 2), 1), 1);
-  check_cut(punctured(plate(3, 2), 6), 1);
-  check_cut(punctured(plate(3, 2), 6), 1, {11_v});
-  check_cut(grid_with_hole(5, 5, 2, 3, 2, 3), 1);
-  check_cut(cylinder(6, 4, 1, 3), 1);
-  check_cut(sphere(3), 1);
-  check_cut(tetrahedron(), 1);
-  check_cut(disjoint_union(disjoint_union(sphere(2), plate(2)), punctured(translated(sphere(2), 5, 9, 0), 3)), 3);
-}
-
-BOOST_AUTO_TEST_CASE(cuts_of_disks_annuli_and_spheres)
-{
-  for(const auto& [soup, curves] :
-      std::vector<std::pair<Mesh_soup, FG::Index>>{{single_triangle(), 0},
-                                                   {flat_grid(4, 3, Diagonal_rule::RISING), 0},
-                                                   {cylinder(6, 4, 1, 3), 1},
-                                                   {sphere(3), 1}})
-  {
-    Setting s(soup);
-    Network network(s.triangulation);
-    BOOST_TEST(FG::add_cut_graph(network) == curves);
-  }
-  Setting s(cylinder(6, 4, 1, 3)); // straight from one border to the other
-  Network network(s.triangulation);
-  FG::add_cut_graph(network);
-  BOOST_TEST(std::abs(network.length(0_c) - 3) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input)

@@ -63,6 +63,20 @@ public:
     return read.empty();
   }
 
+  /* Does each generator stand in a word as often as its inverse? */
+  static bool is_balanced(std::vector<Letter> word)
+  {
+    std::sort(word.begin(), word.end());
+    while(!word.empty()) {
+      const Letter inverse = word.back(), letter = inverse & ~1;
+      const auto count = [&](Letter l) { return std::count(word.begin(), word.end(), l); };
+      if(count(letter) != count(inverse_letter(letter)))
+        return false;
+      word.erase(std::lower_bound(word.begin(), word.end(), letter), word.end());
+    }
+    return true;
+  }
+
 private:
   // A letter, and how many up to it stand in a row in the relation, and in its inverse.
   struct Read_letter
@@ -96,20 +110,6 @@ private:
       letter = following(letter, is_inverse);
       unread.push_back(inverse_letter(letter)); // what was pushed last is read first
     }
-  }
-
-  // Does each generator stand there as often as its inverse?
-  static bool is_balanced(std::vector<Letter> word)
-  {
-    std::sort(word.begin(), word.end());
-    while(!word.empty()) {
-      const Letter inverse = word.back(), letter = inverse & ~1;
-      const auto count = [&](Letter l) { return std::count(word.begin(), word.end(), l); };
-      if(count(letter) != count(inverse_letter(letter)))
-        return false;
-      word.erase(std::lower_bound(word.begin(), word.end(), letter), word.end());
-    }
-    return true;
   }
 
   std::size_t m_size;                                    // of the relation

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Networks along which surfaces are cut open: what is left are disks, before and after the networks are pulled tight.
+
+#include "test_loops/loop_setting.h"
+
+#include <CGAL/Flip_geodesics/cut_graph.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/subdivide.h>
+
+#include <cmath>
+#include <utility>
+
+namespace {
+
+// Cut along the network, each component is a disk: of Euler characteristic 1 and with one border.
+void check_disks(const Network& network, const Surface& mesh, std::size_t components)
+{
+  const auto cut = FG::cut_along_curves(network, mesh);
+  const Setting pieces(cut.mesh());
+  BOOST_TEST(pieces.basis.components().size() == components);
+  for(const auto& piece : pieces.basis.components()) {
+    BOOST_TEST(piece.genus == 0);
+    BOOST_TEST(piece.number_of_borders == 1);
+    BOOST_TEST(piece.number_of_loops == 0);
+  }
+  const std::ptrdiff_t euler = std::ptrdiff_t(cut.mesh().number_of_vertices()) -
+                               std::ptrdiff_t(cut.mesh().number_of_edges()) +
+                               std::ptrdiff_t(cut.mesh().number_of_faces());
+  BOOST_TEST(euler == std::ptrdiff_t(components));
+}
+
+void check_cut(const Mesh_soup& soup, std::size_t components, const std::vector<FG::Vertex_index>& base_points = {})
+{
+  Setting s(soup);
+  Network network(s.triangulation);
+  const FG::Index curves = FG::add_cut_graph(network, base_points);
+  BOOST_TEST(curves == network.number_of_curves());
+  BOOST_TEST(network.is_valid());
+  check_disks(network, s.mesh, components);
+  const FG::Shortening_report report = FG::shorten(network);
+  for(const FG::Curve_report& curve : report.curves)
+    BOOST_TEST((curve.status == FG::Shortening_status::LOCALLY_SHORTEST));
+  check_disks(network, s.mesh, components);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(cut_open_to_disks)
+{
+  check_cut(torus(12, 9, 3, 1), 1);
+  check_cut(torus(12, 9, 3, 1), 1, {50_v});
+  check_cut(plate(4, 2), 1);
+  check_cut(punctured(plate(3, 2), 1), 1);
+  check_cut(punctured(plate(3, 2), 6), 1);
+  check_cut(punctured(plate(3, 2), 6), 1, {11_v});
+  check_cut(grid_with_hole(5, 5, 2, 3, 2, 3), 1);
+  check_cut(cylinder(6, 4, 1, 3), 1);
+  check_cut(sphere(3), 1);
+  check_cut(tetrahedron(), 1);
+  check_cut(disjoint_union(disjoint_union(sphere(2), plate(2)), punctured(translated(sphere(2), 5, 9, 0), 3)), 3);
+}
+
+BOOST_AUTO_TEST_CASE(cuts_of_disks_annuli_and_spheres)
+{
+  for(const auto& [soup, curves] :
+      std::vector<std::pair<Mesh_soup, FG::Index>>{{single_triangle(), 0},
+                                                   {flat_grid(4, 3, Diagonal_rule::RISING), 0},
+                                                   {cylinder(6, 4, 1, 3), 1},
+                                                   {sphere(3), 1}})
+  {
+    Setting s(soup);
+    Network network(s.triangulation);
+    BOOST_TEST(FG::add_cut_graph(network) == curves);
+  }
+  Setting s(cylinder(6, 4, 1, 3)); // straight from one border to the other
+  Network network(s.triangulation);
+  FG::add_cut_graph(network);
+  BOOST_TEST(std::abs(network.length(0_c) - 3) < 1e-12);
+}
