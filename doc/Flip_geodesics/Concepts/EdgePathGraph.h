@@ -55,9 +55,9 @@ public:
   /// \pre `next(joint.incoming)` is a segment
   /// @{
 
-  /// What stands in the wedge of a joint. `Wedge_state::FREE` if and only if the joint is not fixed, the second of its
-  /// ends is the next one clockwise after the first, without a border in between, and the angle from the first to the
-  /// second is below \f$\pi\f$. No corner need be looked at beyond that angle.
+  /// What stands in the wedge of a joint. `Wedge_state::FREE` if and only if the joint is not fixed, and two things
+  /// hold of its ends. The second is the next one clockwise after the first, without a border in between. And the angle
+  /// from the first to the second is below \f$\pi\f$. No corner need be looked at beyond that angle.
   Wedge wedge(const Joint& joint) const;
 
   /// @}
@@ -66,16 +66,16 @@ public:
 
   /// Takes away the two segments of a joint and puts segments along `arc` into their place in the curve.
   ///
-  /// `arc` is a chain of halfedges from the far node of the first end to the far node of the second, with the wedge on
-  /// its right; it is given in this direction for both sides. Each new segment comes to lie outermost on its edge on
-  /// the side of the wedge. An empty arc is given if and only if the joint turns back. A closed curve of these two
+  /// `arc` is a chain of halfedges from the far node of the first end to the far node of the second. It has the wedge
+  /// on its right, and is given in this direction for both sides. Each new segment comes to lie outermost on its edge
+  /// on the side of the wedge. An empty arc is given if and only if the joint turns back. A closed curve of these two
   /// segments and an empty arc has contracted.
   ///
   /// Appends to `affected` both sides of each joint of which a new segment is a part, or which is new because an empty
-  /// arc has joined its two segments; and each joint whose two ends have become adjacent about a vertex because ends
-  /// between them have gone. It may name more; wedges that are not free are dropped. It may leave out a side of which
-  /// it is known that the angle is at least \f$\pi\f$: the wedge's side between two new segments, and the other side
-  /// where the arc begins or ends, if the angle was so large before, since it has grown.
+  /// arc has joined its two segments. It also appends each joint whose two ends have become adjacent about a vertex
+  /// because ends between them have gone. It may name more; wedges that are not free are dropped. It may leave out a
+  /// side of which it is known that the angle is at least \f$\pi\f$: the wedge's side between two new segments, and the
+  /// other side where the arc begins or ends, if the angle was so large before, since it has grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if there is none
   /// \pre the two segments differ, no end stands in the wedge, and the arc bounds its faces; no angle on its right is

@@ -6,13 +6,13 @@
  *
  * A predicate that ends a shortening early. `shorten()` keeps a reference to it and calls it from one thread.
  *
- * It is asked when the outcome of a step is known and before the curve is changed, so that a limit on the length is
- * never overrun, not even by a step in which a curve collapses. If it objects, the flips of the step are taken back.
+ * It is asked when the outcome of a step is known and before the curve is changed. So a limit on the length is never
+ * overrun, not even by a step in which a curve collapses. If it objects, the flips of the step are taken back.
  *
  * A predicate that remembers something, as `Time_stop_predicate` does the time, may have a const member function
- * `restarted()`, which returns one of the same type that has forgotten it. What pulls several curves tight, one after
- * the other or in several threads, then asks another one for each, made when the curve's turn comes:
- * `geodesic_paths()`, `geodesics_through()`, `geodesic_path_through()`.
+ * `restarted()`, which returns one of the same type that has forgotten it. Three functions pull several curves tight,
+ * one after the other or in several threads: `geodesic_paths()`, `geodesics_through()` and `geodesic_path_through()`.
+ * They then ask another predicate for each curve, made when its turn comes.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Never_stop_predicate}

@@ -12,7 +12,7 @@
  * they come from, and have no state of their own that matters: the library asks for one, calls it and throws it away.
  *
  * Throughout, the halfedges of a face are named `h`, `hn`, `hp`: a halfedge, the next and the previous one around the
- * face, counterclockwise. The geometry of a halfedge is given in a frame of its own face; only quantities of one face
+ * face, counterclockwise. The geometry of a halfedge is given in a frame of its own face. Only quantities of one face
  * are ever combined, except in `Flip`, which has both faces of an edge.
  *
  * \cgalHasModelsBegin

@@ -25,9 +25,9 @@ namespace Flip_geodesics {
  * defines, its coordinates or edge lengths taken as the doubles they are.
  *
  * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. A sign that lies
- * within the bound is left to the triangulation, which unfolds the input faces: in double with an a-priori bound; then
- * by exact predicates of points where the faces lie in one plane; then with 50 digits and a bound; then by exact
- * arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
+ * within the bound is left to the triangulation, which unfolds the input faces. It does so in double with an a-priori
+ * bound, and by exact predicates of points where the faces lie in one plane. Then it takes 50 digits and a bound, and
+ * at last exact arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
  *
  * A zero among more than 12 independent roots for which no proof is found is taken for one by its residue modulo a
  * random prime, and counted in `Decision_statistics::unproven_zeros`: `certify()` says `PROBABLE`.

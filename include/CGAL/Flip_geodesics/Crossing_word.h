@@ -19,9 +19,9 @@ namespace Flip_geodesics {
  * The input edges that an intrinsic edge crosses, from its tail to its head. With its ends, it determines the edge: the
  * straight line in the unfolded faces.
  *
- * One of three: the edge lies along the input halfedge `along`, or along a part of it, and crosses nothing; or it
- * crosses nothing and lies inside the input face of the halfedge `face`; or `crossed` lists input halfedges, each as a
- * side of the face that is left through it, and `along` and `face` are `null_index`. Edges inside a face end at an
+ * There are three cases. The edge lies along the input halfedge `along`, or along a part of it, and crosses nothing. Or
+ * it crosses nothing and lies inside the input face of the halfedge `face`. Or `crossed` lists input halfedges, each as
+ * a side of the face that is left through it. Then `along` and `face` are `null_index`. Edges inside a face end at an
  * inserted vertex.
  */
 struct Crossing_word

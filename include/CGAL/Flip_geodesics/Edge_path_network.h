@@ -41,9 +41,9 @@ using Network_place = internal::Network_place;
  * right as seen along its first halfedge. Around a vertex the ends of segments have a cyclic order: by spoke clockwise,
  * and on a spoke by the stack from left to right as seen from the vertex.
  *
- * The invariant: curves are chains, stacks hold exactly the segments on their edge, and around each vertex the ends
- * joined by joints that are not fixed form a non-crossing matching with all other ends, and the border, in one of its
- * regions (`is_valid()`).
+ * The invariant (`is_valid()`): curves are chains, and stacks hold exactly the segments on their edge. Around each
+ * vertex the ends joined by joints that are not fixed form a non-crossing matching. All other ends, and the border, are
+ * in one of its regions.
  *
  * Segment ids are given once and never again, so that an id in a queue cannot come to mean something else.
  *

@@ -350,8 +350,8 @@ public:
   }
 
   /*!
-   * The gradient of the distance at a location, a unit vector in the face of `location.halfedge`, in the frame in which
-   * that halfedge runs along the x-axis and the face lies above; away from the source. Zero at a source, where the
+   * The gradient of the distance at a location, a unit vector in the face of `location.halfedge` that points away from
+   * the source. In its frame that halfedge runs along the x-axis and the face lies above. Zero at a source, where the
    * distance is infinite, and at vertices. Where several shortest paths end, it is that of one of them.
    *
    * Complexity: as `answer()`.

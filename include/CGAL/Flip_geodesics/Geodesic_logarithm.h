@@ -38,7 +38,7 @@ namespace Flip_geodesics {
  *
  * comes to the target, unless the shortest path bends at a vertex, which straightest geodesics do not do. A
  * `Geodesic_distance_field` finds the edges that a path crosses. These are laid out in a plane from the source on, and
- * the target's place there is the result; so its errors are those of some roundings per edge, not those of distances.
+ * the target's place there is the result. So its errors are those of some roundings per edge, not those of distances.
  *
  * The map tears where shortest paths arrive from two sides. Which of them counts there is left to roundings.
  *

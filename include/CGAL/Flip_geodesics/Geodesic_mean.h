@@ -65,9 +65,9 @@ struct Mean_limits
 /*!
  * \ingroup PkgFlipGeodesicsTangents
  *
- * Finds Karcher means: places with the least weighted sum of squared distances from points. From a place it goes on by
- * the weighted mean of the vectors to the points, which the logarithmic map gives, along a straightest geodesic; by half
- * of it, and half again, where the sum gets larger. In the plane one step is enough.
+ * Finds Karcher means: places with the least weighted sum of squared distances from points. The logarithmic map gives
+ * the vectors from a place to the points. From the place it goes on by their weighted mean, along a straightest
+ * geodesic. Where the sum gets larger, it goes on by half of it, and half again. In the plane one step is enough.
  *
  * What it finds is a local minimum. If the points lie close together, as compared with the curvature, there is one only.
  *

@@ -27,10 +27,11 @@ namespace Flip_geodesics {
  * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008].
  *
  * A curve of a network is the control polygon: its fixed nodes are the control points, and the geodesics between them
- * its *legs*. To divide a piece of the chain at its middle, the middles of its legs become vertices, the control points
- * between them are freed, so that the legs of the next level pull straight, and so on, until one leg is left, whose
- * middle is a point of the curve. All pieces are divided at once. The legs of both halves are then the control polygons
- * of the halves. In the plane the points of the curve are exactly those of the B&eacute;zier curve, up to rounding.
+ * its *legs*. A piece of the chain is divided at its middle. For that, the middles of its legs become vertices, and the
+ * control points between them are freed. So the legs of the next level pull straight, and so on, until one leg is left.
+ * Its middle is a point of the curve. All pieces are divided at once. The legs of both halves are then the control
+ * polygons of the halves. In the plane the points of the curve are exactly those of the B&eacute;zier curve, up to
+ * rounding.
  *
  * Legs are pulled straight from where the control polygon was, not searched anew: the curve stays in the polygon's
  * isotopy class. The triangulation conforms to it at all times.

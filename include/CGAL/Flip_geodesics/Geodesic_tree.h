@@ -33,8 +33,8 @@ struct Geodesic_tree_report
   std::size_t flips = 0;     ///< edge flips
   std::size_t flip_outs = 0; ///< wedges flipped out [SC20, Algorithm 1]
   std::size_t reopened = 0;  ///< vertices that were reached, and then reached by a shorter path
-  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input; infinite where
-  /// there is none, and with traits without drift, whose decisions need no measuring.
+  /// The smallest angle, in radians, at a side of a vertex that a path passes, measured from the input. It is infinite
+  /// where there is none, and with traits without drift, whose decisions need no measuring.
   double smallest_angle = std::numeric_limits<double>::infinity();
 };
 
@@ -45,10 +45,10 @@ struct Geodesic_tree_report
  * of one intrinsic triangulation [SC20, section 6.5].
  *
  * It is grown as Dijkstra's algorithm grows a tree, in the triangulation as it is at the moment. A vertex is accepted
- * only if the path to it is straight where it leaves the tree, or has at least \f$\pi\f$ on either side; otherwise that
+ * only if the path to it is straight where it leaves the tree, or has at least \f$\pi\f$ on either side. Otherwise that
  * wedge is flipped out, which makes room for a shorter path, and the search goes on. No edge of the tree is ever in
  * such a wedge, since the paths through its apex are straight. Departing from [SC20], an accepted vertex is opened
- * again if a new edge leads to it by a shorter way, so that the finished tree is a shortest path tree of the finished
+ * again if a new edge leads to it by a shorter way. So the finished tree is a shortest path tree of the finished
  * triangulation's edges.
  *
  * The paths are locally shortest, and most are shortest; `make_shortest()` replaces the others.

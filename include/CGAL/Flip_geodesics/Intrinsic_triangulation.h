@@ -198,7 +198,7 @@ public:
    * edge that is not can be flipped, and is locally Delaunay afterwards.
    *
    * Exact where the traits are. Otherwise four points count as cocircular up to the traits' tolerance, and Delaunay
-   * then; so flipping what is not Delaunay, in any order, ends as long as drift stays below the tolerance.
+   * then. So flipping what is not Delaunay, in any order, ends as long as drift stays below the tolerance.
    */
   bool is_locally_delaunay(Halfedge_index h) const
   {

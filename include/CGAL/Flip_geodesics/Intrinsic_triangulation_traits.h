@@ -287,8 +287,8 @@ public:
 
   /*!
    * Are the angles opposite to the edge of `h` and `t` together at most \f$\pi\f$, up to `angle_tolerance()`? A flip
-   * turns the sum into \f$2 \pi\f$ less the sum; so an edge that is not Delaunay is flipped into one that is, by the
-   * tolerance as well, and Lawson's algorithm ends as long as drift stays below the tolerance.
+   * turns the sum into \f$2 \pi\f$ less the sum. So an edge that is not Delaunay is flipped into one that is, by the
+   * tolerance as well. Lawson's algorithm ends as long as drift stays below the tolerance.
    */
   class Is_locally_delaunay
   {

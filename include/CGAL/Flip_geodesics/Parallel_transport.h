@@ -27,10 +27,10 @@ struct Surface_direction
  * \ingroup PkgFlipGeodesicsTangents
  *
  * Carries tangent vectors along curves, so that they do not turn in the surface. Within a face a vector stays as it is,
- * and over an edge as it is when both faces are laid into one plane. At a vertex on the curve the vector keeps its angle
- * to the curve, where the angles about the vertex are stretched evenly to \f$2\pi\f$ [PS98]; on the border they are
- * not. So the tangent of a straightest geodesic is carried to its tangent. Along a loop that meets no vertex a vector
- * turns by the sum of the angle defects of the vertices in the loop.
+ * and over an edge as it is when both faces are laid into one plane. At a vertex on the curve the vector keeps its
+ * angle to the curve. There the angles about the vertex are stretched evenly to \f$2\pi\f$ [PS98], but not on the
+ * border. So the tangent of a straightest geodesic is carried to its tangent. Along a loop that meets no vertex a
+ * vector turns by the sum of the angle defects of the vertices in the loop.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
  */

@@ -43,10 +43,10 @@ struct Subdivision_vertex
  * Made by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
  *
  * Each face lies in one face of the input. Vertices are those of the triangulation, in its order, then crossings of
- * intrinsic with input edges, then middles of edges of curves that were split, see `cut_along_curves()`; after a cut,
- * also copies of vertices. Connectivity is exact, whatever the rounding of positions; the mesh is oriented and manifold,
- * with the components, borders and genus of the input unless it is cut open. Positions are rounded, and faces that are
- * thinner than rounding may be degenerate in them.
+ * intrinsic with input edges. Then come middles of edges of curves that were split, see `cut_along_curves()`, and after
+ * a cut also copies of vertices. Connectivity is exact, whatever the rounding of positions. The mesh is oriented and
+ * manifold, with the components, borders and genus of the input unless it is cut open. Positions are rounded, and faces
+ * that are thinner than rounding may be degenerate in them.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and not be flipped
  *         meanwhile

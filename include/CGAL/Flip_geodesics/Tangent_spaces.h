@@ -19,7 +19,7 @@ namespace Flip_geodesics {
  *
  * Directions at the vertices of an intrinsic triangulation: the angle of each halfedge counterclockwise from the
  * reference direction at its tail, in radians. About a vertex inside the surface the angles are scaled to sum up to
- * \f$2\pi\f$ [KCPS13]; at the border they are left as they are, and the reference is the first halfedge
+ * \f$2\pi\f$ [KCPS13]. At the border they are left as they are, and the reference is the first halfedge
  * counterclockwise from the border. A snapshot: flips of the triangulation do not reach it. Linear in the mesh.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`

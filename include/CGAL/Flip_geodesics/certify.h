@@ -139,10 +139,10 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsProving
  *
- * Proves from the input alone that the curves of a network are locally shortest, whatever traits computed them: each
- * segment's word of crossed input edges unfolds to a strip that contains the straight line between its ends, and each
- * side of a joint that is not blocked has an angle of at least \f$\pi\f$. The comparisons are those of exact real
- * numbers, filtered by error bounds.
+ * Proves from the input alone that the curves of a network are locally shortest, whatever traits computed them. Each
+ * segment's word of crossed input edges unfolds to a strip that contains the straight line between its ends. Each side
+ * of a joint that is not blocked has an angle of at least \f$\pi\f$. The comparisons are those of exact real numbers,
+ * filtered by error bounds.
  *
  * A curve that has contracted is proven. Linear in the crossed input edges, where doubles suffice.
  *

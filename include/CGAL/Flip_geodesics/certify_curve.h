@@ -263,10 +263,9 @@ private:
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Proves that a curve that was made elsewhere is locally shortest: each segment, from one end or passed vertex to the
- * next, is the straight line across its edges, and on each side of a passed vertex that has no border in between the
- * angle is at least \f$\pi\f$. Ends and edges determine the segments; so places on crossed edges are not believed, but
- * told.
+ * Proves that a curve that was made elsewhere is locally shortest. Each segment, from one end or passed vertex to the
+ * next, is the straight line across its edges. On each side of a passed vertex that has no border in between, the angle
+ * is at least \f$\pi\f$. Ends and edges determine the segments. So places on crossed edges are not believed, but told.
  *
  * An end inside a face or on an edge is exactly the point with the given weights, over their sum; on an edge these are
  * 1 - t, rounded, and t. They are not snapped. Nothing is asked of the ends of a curve that is not closed.

@@ -132,8 +132,8 @@ Vertex_index vertex_on_surface(const Triangulation& triangulation, Vertex_index 
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * The chain of halfedges of a triangulation along edges of its mesh. Where edges of length zero were contracted, it may
- * run to and fro along an edge, and nothing is left of a curve whose vertices all lie in one place; else it is that of
- * `halfedges_through()`.
+ * run to and fro along an edge. Nothing is left of a curve whose vertices all lie in one place. Without such edges, it
+ * is that of `halfedges_through()`.
  *
  * \param vertices a range of indices in `vertices(mesh)`; a closed curve does not repeat the first
  * \throws Degenerate_face_error if the curve leaves the surface that is left, along faces without area

@@ -44,10 +44,10 @@ inline std::size_t default_maximum_of_flips(Index number_of_edges)
  *
  * Edges that are tied, since four points lie on one circle, are Delaunay both ways and are not flipped. With exact
  * traits the process ends on every input: each flip lowers a function of the triangulation, of which there are finitely
- * many below a given value. With `Intrinsic_triangulation_traits` ties have the width of its tolerance, and faces whose
- * edges are flipped again and again are laid out afresh from the input, so that errors do not add up; `maximum_flips`
- * is a guard. How many flips are needed depends on the shapes of faces: about one an edge on ordinary meshes, as many
- * as the aspect ratio where a long thin cylinder is twisted.
+ * many below a given value. With `Intrinsic_triangulation_traits` ties have the width of its tolerance. Faces whose
+ * edges are flipped again and again are laid out afresh from the input; so errors do not add up. `maximum_flips` is a
+ * guard. How many flips are needed depends on the shapes of faces: about one an edge on ordinary meshes, as many as the
+ * aspect ratio where a long thin cylinder is twisted.
  *
  * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of its network are constrained, and stay
  * \param edges a range of edge indices

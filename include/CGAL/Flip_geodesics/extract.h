@@ -59,8 +59,8 @@ OutputIterator edge_surface_points(const Triangulation& triangulation, Halfedge_
  * Reads curves of a network off on the input mesh, by unfolding the words of their segments: which edges are crossed,
  * and in which order, is exact; where they are crossed is rounded to double.
  *
- * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space;
- * the edges then tell on which side the curve passes, and `Surface_point::t` is not zero.
+ * Where a curve passes a vertex within rounding, consecutive points on the vertex's edges may coincide there in space.
+ * The edges then tell on which side the curve passes, and `Surface_point::t` is not zero.
  *
  * \tparam Network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
  */

@@ -160,8 +160,8 @@ Shortest_tree_report write_field_distances(const Triangulation& triangulation,
  * \ingroup PkgFlipGeodesicsDistances
  *
  * Computes the distances on the surface of all vertices from one, or from the nearest of several, by a
- * `Geodesic_distance_field`. For one source, where that is given up, or meets a face so flat that it is unsure, a tree
- * of geodesics is grown (`Geodesic_tree::grow()`), and those that are not shortest are replaced as far as shorter ones
+ * `Geodesic_distance_field`. That can be given up, or meet a face so flat that it is unsure. For one source, a tree of
+ * geodesics is then grown (`Geodesic_tree::grow()`). Those that are not shortest are replaced as far as shorter ones
  * are found (`make_shortest()`).
  *
  * \param mesh a triangle mesh

@@ -65,11 +65,11 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * than the level and the tolerance is on its right: so no component is lost that reaches that deep or that high. Those
  * that do not may be.
  *
- * Faces are divided where a level may be, by the bounds that follow from distances being 1-Lipschitz, until their
- * parts are as small as the tolerance; an isoline is straight in each part, and its points on edges are computed once.
- * A level that is the distance of a vertex, or of a whole area, is no special case: what is at the level is counted to
- * the farther side. Where the field becomes infinite inside the surface, as one does that is limited, what is beyond
- * is farther. A face that has infinite distances at all three vertices is taken to have no others.
+ * Faces are divided where a level may be, until their parts are as small as the tolerance. The bounds follow from
+ * distances being 1-Lipschitz. An isoline is straight in each part, and its points on edges are computed once. A level
+ * that is the distance of a vertex, or of a whole area, is no special case: what is at the level is counted to the
+ * farther side. Where the field becomes infinite inside the surface, as one does that is limited, what is beyond is
+ * farther. A face that has infinite distances at all three vertices is taken to have no others.
  *
  * \param mesh a triangle mesh; its distances are those of its points in space
  * \param field a model of `GeodesicDistanceField`

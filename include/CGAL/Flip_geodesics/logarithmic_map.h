@@ -60,15 +60,15 @@ struct Logarithmic_map
  * \f$[0, \mathtt{total\_angle})\f$; measured from the input's coordinates, so that errors do not add up over flips.
  *
  * Where paths pass a vertex with more than \f$2\pi\f$, all vertices in its shadow have the angle of that path. So the
- * map is continuous but for the places that shortest paths reach from two sides, the cut locus; and for paths of the
- * tree that are not shortest, which `make_shortest()` replaces.
+ * map is continuous but for the places that shortest paths reach from two sides, the cut locus. It also tears at paths
+ * of the tree that are not shortest, which `make_shortest()` replaces.
  *
  * Linear in the reached vertices and in the crossings of the edges at the source; and \f$O(n)\f$ for the result.
  *
  * \param tree a tree that has been grown
  * \param zero the input halfedge whose direction is 0; it starts at the source. By default that of the input's first
- *        halfedge of the vertex; ignored on the border, where the angles start at the border,
- *        and at an inserted vertex, where they start at the direction of its `location()`'s halfedge.
+ *        halfedge of the vertex. It is ignored on the border, where the angles start at the border. So it is at an
+ *        inserted vertex, where they start at the direction of its `location()`'s halfedge.
  * \throws Invalid_location_error if `zero` is another halfedge
  */
 template <class Triangulation>

@@ -84,9 +84,9 @@ double longest_wanted(const Tree& tree)
  * \ingroup PkgFlipGeodesicsTree
  *
  * Finds the paths of a tree that are not globally shortest, and replaces them. The distances on the input are computed
- * as by `Geodesic_distance_field`, exact up to rounding; then the longer paths are taken out of the tree, and
- * shortest ones inserted by flips, the nearest first. They do not cross what is there, since shortest paths from one
- * vertex never cross. Vertices within the tree's limit that it did not find are added.
+ * as by `Geodesic_distance_field`, exact up to rounding. Then the longer paths are taken out of the tree, and shortest
+ * ones inserted by flips, the nearest first. They do not cross what is there, since shortest paths from one vertex
+ * never cross. Vertices within the tree's limit that it did not find are added.
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and for each path that is replaced the degree of its end and
  * the edges that its last leg crosses.

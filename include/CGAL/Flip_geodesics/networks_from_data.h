@@ -142,9 +142,9 @@ private:
  *
  * With fixed junctions, there is one curve between each two vertices where other than two such edges meet, and a closed
  * one where there is no such vertex, as by `add_marked_edges()`. With free junctions, each edge carries two strands,
- * one for each region, that region on the left: closed curves, and paths from border to border. Then junctions move,
- * and between the curves of three regions that have met at one vertex, a gap opens, which belongs to none of them;
- * regions still do not overlap, and every curve keeps its isotopy class among the others.
+ * one for each region, that region on the left: closed curves, and paths from border to border. Then junctions move.
+ * Between the curves of three regions that have met at one vertex, a gap opens, which belongs to none of them. Regions
+ * still do not overlap, and every curve keeps its isotopy class among the others.
  *
  * Linear in the mesh.
  *

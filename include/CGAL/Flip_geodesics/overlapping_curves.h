@@ -48,22 +48,22 @@ void check_crossings(const Network& network)
  * which they come.
  *
  * Two strands that share a run of edges are ordered by where they part, at either end of it. Where a path ends, or has
- * a fixed node, the order is left open, but that all such ends at a vertex, and the border, must be on one side of each
+ * a fixed node, the order is left open. But all such ends at a vertex, and the border, must be on one side of each
  * curve that passes. What is left open at both ends follows from the order of others on the same edges, or else is
- * chosen: the strand that was added first is on the left, as seen along it, or if its curve has turned back an odd
- * number of times before, as seen against it. So copies of a curve that does not turn back lie to its right.
+ * chosen. The strand that was added first is then on the left, as seen along it. It is seen against it if its curve has
+ * turned back an odd number of times before. So copies of a curve that does not turn back lie to its right.
  *
- * The answer depends on the connectivity only, and is exact: if there is an order, it is found; if there is none, the
- * curves cross however they lie, as two do that part on opposite sides at the ends of a run, or one that goes around an
- * annulus twice before it closes. Only where long paths turn back on each other again and again, and their choices
- * interlock, may the search be given up.
+ * The answer depends on the connectivity only, and is exact. If there is an order, it is found. If there is none, the
+ * curves cross however they lie. Two do that part on opposite sides at the ends of a run, and so does one that goes
+ * around an annulus twice before it closes. Only where long paths turn back on each other again and again, and their
+ * choices interlock, may the search be given up.
  *
  * If it throws, the curves are unchanged, but the order along the edges may not be.
  *
  * Complexity: for \f$n\f$ segments, \f$O(n \log n)\f$ and the degrees of the vertices they pass. If edges have several,
- * there are \f$p\f$ pairs of segments on one edge besides, which take \f$O(p \log p)\f$ time, half a second per
- * million, and \f$O(p)\f$ memory; and where the choices above do not fit together, \f$p\f$ times the most segments on
- * one edge.
+ * there are \f$p\f$ pairs of segments on one edge besides. They take \f$O(p \log p)\f$ time, half a second per million,
+ * and \f$O(p)\f$ memory. Where the choices above do not fit together, it is \f$p\f$ times the most segments on one
+ * edge.
  *
  * \param network an `Edge_path_network`
  * \throws Crossing_curves_error with a vertex at which curves cross; where only several vertices together make it

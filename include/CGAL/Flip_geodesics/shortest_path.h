@@ -221,8 +221,8 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a shortest path between two vertices to an empty network: a shortest edge path is pulled tight, a sweep from the
- * target bounds from below what is left of a way that crosses an edge, and windows of straight rays are carried over the
+ * Adds a shortest path between two vertices to an empty network. A shortest edge path is pulled tight. A sweep from the
+ * target bounds from below what is left of a way that crosses an edge. Windows of straight rays are carried over the
  * mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one, in another homotopy class, that one is
  * inserted instead, by flipping the edges that it crosses.
  *

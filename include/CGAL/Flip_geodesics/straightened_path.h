@@ -64,9 +64,9 @@ std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_stra
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Adds an edge path to an empty network, but straightened beforehand, so that `shorten()` finds little left to do. The
- * path is unfolded with a strip of faces along it, pulled taut there, and the strip led round the other side of the
- * vertices that it bends about [XW07], all in double and without any flip; then the straight legs are inserted by
- * flipping the edges that they cross.
+ * path is unfolded with a strip of faces along it, and pulled taut there. The strip is led round the other side of the
+ * vertices that the path bends about [XW07]. All this is in double and without any flip. Then the straight legs are
+ * inserted by flipping the edges that they cross.
  *
  * It is never longer than the path. The curve may pass vertices on its way, no other topology changes; it is up to
  * `shorten()` to decide what is straight. Where anything is in doubt (faces without area, legs that are in each other's

@@ -48,8 +48,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  *
  * Faces are divided where the nearest source changes until their parts are as small as the tolerance. A field does not
  * say how far the second source is, so no bound excludes that a region reaches between places with one nearest source.
- * Therefore all of the surface is divided until parts have no side longer than the square root of tolerance times size,
- * where the size is the square root of the area; and the surroundings of sources with distance zero as finely as the
+ * Therefore all of the surface is divided until parts have no side longer than the square root of tolerance times size.
+ * The size is the square root of the area. The surroundings of sources with distance zero are divided as finely as the
  * tolerance. So a region, or a finger of one, is found unless it is narrower than that square root and free of such
  * sources.
  *
@@ -66,8 +66,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is no triangle
  * \throws Invalid_coordinate_error if a coordinate is no finite number
  *
- * Complexity: the field is asked about fifty times for each piece of boundary as long as the tolerance, and a few times
- * for each piece of a curve as long as the size; and once per vertex.
+ * Complexity: the field is asked about fifty times for each piece of boundary as long as the tolerance. It is asked a
+ * few times for each piece of a curve as long as the size, and once per vertex.
  */
 template <class TriangleMesh, class Field, class OutputIterator, class Tolerance,
           class NamedParameters = parameters::Default_named_parameters>
