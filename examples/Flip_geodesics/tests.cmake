@@ -63,6 +63,7 @@ flip_geodesics_test_example(shortest_path_example torus.off 6 150)
 flip_geodesics_test_example(trace_geodesic_example torus.off 2 7)
 flip_geodesics_test_example(parallel_transport_example torus.off 7 1)
 flip_geodesics_test_example(means_example torus.off 0 5 60)
+flip_geodesics_test_example(decal_example torus.off 7 1.5 scan.png)
 flip_geodesics_test_example(write_files_example torus.off)
 
 # On one process and on several, from the beginning and from the middle, with the same results.
@@ -76,7 +77,7 @@ if(TARGET distributed_paths_example)
 endif()
 
 # A word where a number belongs.
-foreach(case "edge_length_metric_example two" "geodesic_path_example 0 two" "means_example two" "network_early_stop_example two"
+foreach(case "decal_example 7 two" "edge_length_metric_example two" "geodesic_path_example 0 two" "means_example two" "network_early_stop_example two"
              "parallel_transport_example 7 two" "shortest_path_example two 0" "trace_geodesic_example two")
   string(REPLACE " " ";" case "${case}")
   list(POP_FRONT case name)

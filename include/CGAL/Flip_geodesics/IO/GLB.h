@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <locale>
 #include <ostream>
@@ -33,9 +34,14 @@ class Glb_writer
 {
 public:
   Glb_writer(const Figure& figure, const Number_format&)
+    : m_picture(figure.picture())
   {
     for(const Shape& shape : figure.shapes())
-      add(shape);
+      if(shape.for_each_texture) {
+        check_finite(shape); // where vertices have their own numbers
+        add(m_divided.emplace_back(divided_at_corners(shape)));
+      } else
+        add(shape);
     if(m_pieces.empty())
       throw File_write_error("there is nothing to write: no face, no curve with a point, and no point");
     check_size(m_size);
@@ -75,6 +81,31 @@ private:
   static std::uint64_t point_bytes(const Shape& shape) { return std::uint64_t(12) * shape.number_of_points; }
   static std::uint64_t corner_bytes(const Shape& shape) { return std::uint64_t(12) * shape.number_of_triangles; }
 
+  static std::uint64_t texture_bytes(const Shape& shape)
+  {
+    return shape.for_each_texture ? std::uint64_t(8) * shape.number_of_points : 0;
+  }
+
+  // With three points of its own for each triangle, since texture coordinates belong to points here.
+  static Shape divided_at_corners(const Shape& shape)
+  {
+    Shape result = shape;
+    result.number_of_points = 3 * shape.number_of_triangles;
+    result.for_each_point = [&shape](const Sink<Figure_point>& sink) {
+      std::vector<Figure_point> points;
+      shape.for_each_point([&](const Figure_point& p) { points.push_back(p); });
+      shape.for_each_triangle([&](const Figure_triangle& t) {
+        for(std::size_t corner : t)
+          sink(points[corner]);
+      });
+    };
+    result.for_each_triangle = [count = shape.number_of_triangles](const Sink<Figure_triangle>& sink) {
+      for(std::size_t i = 0; i < count; ++i)
+        sink({3 * i, 3 * i + 1, 3 * i + 2});
+    };
+    return result;
+  }
+
   static bool has_corners(const Shape& shape) { return shape.kind == Shape::Kind::TRIANGLES; }
 
   void add(const Shape& shape)
@@ -82,8 +113,8 @@ private:
     if(has_corners(shape) && shape.number_of_triangles == 0)
       return;
     m_pieces.push_back({&shape, m_number_of_views, m_size, {}, {}});
-    m_number_of_views += has_corners(shape) ? 2 : 1;
-    m_size += point_bytes(shape) + corner_bytes(shape);
+    m_number_of_views += (has_corners(shape) ? 2 : 1) + (shape.for_each_texture ? 1 : 0);
+    m_size += point_bytes(shape) + corner_bytes(shape) + texture_bytes(shape);
   }
 
   // Of the file's header, of those of both chunks, and of what is in them.
@@ -155,6 +186,13 @@ private:
         for(std::size_t corner : t)
           write_bytes(out, static_cast<std::uint32_t>(corner));
       });
+    if(shape.for_each_texture)
+      shape.for_each_texture([&](const Texture_corners& corners) {
+        for(const auto& [u, v] : corners) { // the second coordinate goes down in a picture of glTF
+          write_bytes(out, is_textured(corners) ? static_cast<float>(u) : -1.0F);
+          write_bytes(out, is_textured(corners) ? static_cast<float>(1 - v) : -1.0F);
+        }
+      });
   }
 
   // Three numbers of a JSON list.
@@ -190,10 +228,13 @@ private:
 
   static std::string name(const Piece& piece) { return "{\"name\":\"" + piece.shape->name() + '"'; }
 
-  static std::string material(const Piece& piece)
+  std::string material(const Piece& piece) const
   {
-    return name(piece) + ",\"doubleSided\":true,\"pbrMetallicRoughness\":{\"baseColorFactor\":[" +
-           three(color(*piece.shape)) + ",1],\"metallicFactor\":0,\"roughnessFactor\":0.8}}";
+    const bool has_picture = piece.shape->for_each_texture && !m_picture.empty();
+    const Figure_point white = {1, 1, 1};
+    return name(piece) + ",\"doubleSided\":true,\"pbrMetallicRoughness\":{" +
+           (has_picture ? "\"baseColorTexture\":{\"index\":0}," : "") + "\"baseColorFactor\":[" +
+           three(has_picture ? white : color(*piece.shape)) + ",1],\"metallicFactor\":0,\"roughnessFactor\":0.8}}";
   }
 
   static std::string view(std::uint64_t offset, std::uint64_t length, const char* target)
@@ -206,8 +247,12 @@ private:
   {
     const std::uint64_t end = piece.offset + point_bytes(*piece.shape);
     const std::string points = view(piece.offset, point_bytes(*piece.shape), "34962"); // an array of vertices
-    return has_corners(*piece.shape) ? points + ',' + view(end, corner_bytes(*piece.shape), "34963")
-                                     : points; // of indices
+    if(!has_corners(*piece.shape))
+      return points;
+    const std::string corners = points + ',' + view(end, corner_bytes(*piece.shape), "34963"); // of indices
+    if(!piece.shape->for_each_texture)
+      return corners;
+    return corners + ',' + view(end + corner_bytes(*piece.shape), texture_bytes(*piece.shape), "34962");
   }
 
   static std::string accessors(const Piece& piece)
@@ -219,9 +264,13 @@ private:
                                "]}"; // 5126: floats
     if(!has_corners(*piece.shape))
       return points;
-    return points + ",{\"bufferView\":" + std::to_string(piece.view + 1) +
-           ",\"componentType\":5125,\"count\":" + std::to_string(3 * shape.number_of_triangles) +
-           ",\"type\":\"SCALAR\"}"; // 5125: unsigned integers
+    const std::string corners = points + ",{\"bufferView\":" + std::to_string(piece.view + 1) +
+                                ",\"componentType\":5125,\"count\":" + std::to_string(3 * shape.number_of_triangles) +
+                                ",\"type\":\"SCALAR\"}"; // 5125: unsigned integers
+    if(!shape.for_each_texture)
+      return corners;
+    return corners + ",{\"bufferView\":" + std::to_string(piece.view + 2) +
+           ",\"componentType\":5126,\"count\":" + std::to_string(shape.number_of_points) + ",\"type\":\"VEC2\"}";
   }
 
   static const char* mode(const Shape& shape)
@@ -241,8 +290,27 @@ private:
   {
     const std::string indices =
         has_corners(*piece.shape) ? ",\"indices\":" + std::to_string(piece.view + 1) : std::string();
-    return name(piece) + ",\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(piece.view) + '}' +
-           indices + ",\"mode\":" + mode(*piece.shape) + ",\"material\":" + std::to_string(number(piece)) + "}]}";
+    const std::string texture =
+        piece.shape->for_each_texture ? ",\"TEXCOORD_0\":" + std::to_string(piece.view + 2) : std::string();
+    return name(piece) + ",\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(piece.view) + texture +
+           '}' + indices + ",\"mode\":" + mode(*piece.shape) + ",\"material\":" + std::to_string(number(piece)) + "}]}";
+  }
+
+  // The picture is a file beside this one; beyond its sides its last pixels go on.
+  std::string textures() const
+  {
+    if(m_picture.empty())
+      return {};
+    std::string name;
+    for(char c : m_picture) {
+      if(c == '"' || c == '\\')
+        name += '\\';
+      if(static_cast<unsigned char>(c) < 0x20)
+        throw File_write_error("the name of a picture has a character that is not written");
+      name += c;
+    }
+    return ",\"images\":[{\"uri\":\"" + name +
+           "\"}],\"samplers\":[{\"wrapS\":33071,\"wrapT\":33071}],\"textures\":[{\"source\":0,\"sampler\":0}]";
   }
 
   std::string header() const
@@ -255,11 +323,14 @@ private:
         ",{\"name\":\"all\",\"children\":" + children + ",\"translation\":[" + three(m_center) + "]}";
     return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"flip_geodesics\"},\"scene\":0,\"scenes\":[{\"nodes\":[" +
            std::to_string(m_pieces.size()) + "]}],\"nodes\":" + list(node, root) +
-           ",\"meshes\":" + list([&](const Piece& piece) { return mesh(piece); }) + ",\"materials\":" + list(material) +
+           ",\"meshes\":" + list([&](const Piece& piece) { return mesh(piece); }) +
+           ",\"materials\":" + list([&](const Piece& piece) { return material(piece); }) + textures() +
            ",\"accessors\":" + list(accessors) + ",\"bufferViews\":" + list(views) +
            ",\"buffers\":[{\"byteLength\":" + std::to_string(m_size) + "}]}";
   }
 
+  std::deque<Shape> m_divided; // those with a texture
+  std::string m_picture;
   std::vector<Piece> m_pieces;
   std::size_t m_number_of_views = 0;
   std::uint64_t m_size = 0; // of all arrays together
@@ -276,7 +347,7 @@ namespace IO {
  *
  * Writes surfaces, curves and points in binary glTF 2.0, which browsers and programs for animation show: a node
  * `surface`, a node `curve_N` for each curve, and a node `points`. Coordinates are floats, relative to the center of
- * the surface.
+ * the surface. With an `IO::Texture` each face has three vertices of its own, with `TEXCOORD_0`.
  *
  * \param parts as for `write_VTP()`; of the named parameters, `use_binary_mode` and `stream_precision` are not looked
  *        at. A mesh without faces is left out.

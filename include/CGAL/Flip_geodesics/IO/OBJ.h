@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -26,15 +27,48 @@ public:
   void write(std::ostream& out) const
   {
     m_figure.for_each_point([&](const Figure_point& p) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; });
-    std::size_t first = 1;
+    for(const Shape& shape : m_figure.shapes())
+      write_texture(out, shape);
+    std::size_t first = 1, first_texture = 1;
     for(const Shape& shape : m_figure.shapes()) {
       out << "o " << shape.name() << '\n';
-      write_elements(out, shape, first);
+      if(shape.for_each_texture)
+        write_textured(out, shape, first, first_texture);
+      else
+        write_elements(out, shape, first);
       first += shape.number_of_points;
     }
   }
 
 private:
+  // Three lines for each triangle that has them.
+  static void write_texture(std::ostream& out, const Shape& shape)
+  {
+    if(shape.for_each_texture)
+      shape.for_each_texture([&](const Texture_corners& corners) {
+        if(is_textured(corners))
+          for(const auto& [u, v] : corners)
+            out << "vt " << u << ' ' << v << '\n';
+      });
+  }
+
+  static void write_textured(std::ostream& out, const Shape& shape, std::size_t first, std::size_t& first_texture)
+  {
+    std::vector<bool> has_texture;
+    shape.for_each_texture([&](const Texture_corners& corners) { has_texture.push_back(is_textured(corners)); });
+    std::size_t number = 0;
+    shape.for_each_triangle([&](const Figure_triangle& t) {
+      out << 'f';
+      for(std::size_t corner : t) {
+        out << ' ' << corner + first;
+        if(has_texture[number])
+          out << '/' << first_texture++;
+      }
+      out << '\n';
+      ++number;
+    });
+  }
+
   static void write_elements(std::ostream& out, const Shape& shape, std::size_t first)
   {
     switch(shape.kind) {
@@ -69,7 +103,7 @@ namespace IO {
  * Writes surfaces, curves and points in the OBJ format, as text: an object `surface`, an object `curve_N` for each
  * curve, with one element `l`, and an object `points`. All vertices come first, in the order of what is written. A
  * curve of one point is an element `p`. `CGAL::IO::read_OBJ()` does not know the element `l`: it reads surfaces, tubes
- * and points.
+ * and points. With an `IO::Texture` the corners of faces have texture coordinates, `vt`, where there are any.
  *
  * \param parts as for `write_VTP()`; of the named parameters, `use_binary_mode` is not looked at
  *

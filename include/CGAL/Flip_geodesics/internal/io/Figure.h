@@ -21,6 +21,7 @@ namespace internal {
 
 using Figure_point = std::array<double, 3>;
 using Figure_triangle = std::array<std::size_t, 3>;
+using Texture_corners = std::array<std::array<double, 2>, 3>;
 
 /* Takes one element after the other. */
 template <class T>
@@ -40,6 +41,7 @@ struct Shape
   std::size_t number_of_points = 0, number_of_triangles = 0;
   std::function<void(const Sink<Figure_point>&)> for_each_point;
   std::function<void(const Sink<Figure_triangle>&)> for_each_triangle; // of TRIANGLES only
+  std::function<void(const Sink<Texture_corners>&)> for_each_texture;  // where the corners lie in a picture, if they do
 
   std::string name() const
   {
@@ -91,8 +93,13 @@ public:
     }
   }
 
+  /* The name of the file with the picture on surfaces; empty if there is none. */
+  const std::string& picture() const { return m_picture; }
+  void set_picture(const std::string& name) { m_picture = name; }
+
 private:
   std::vector<Shape> m_shapes;
+  std::string m_picture;
   std::size_t m_number_of_points = 0;
 };
 
@@ -116,6 +123,13 @@ inline void check_finite(const Shape& shape)
       throw_unusable_point(shape, i, " has a coordinate that is not a finite number");
     ++i;
   });
+}
+
+/* Has a triangle a place in the picture? */
+inline bool is_textured(const Texture_corners& corners)
+{
+  return std::all_of(corners.begin(), corners.end(),
+                     [](const auto& t) { return std::isfinite(t[0]) && std::isfinite(t[1]); });
 }
 
 /* What text and numbers of 64 bits can hold: something, and all of it finite. */

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_IO_FIGURE_OF_PARTS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_IO_FIGURE_OF_PARTS_H
 
+#include <CGAL/Flip_geodesics/IO/Texture.h>
 #include <CGAL/Flip_geodesics/IO/Tubes.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
@@ -28,6 +29,16 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+template <class T>
+struct Is_texture : std::false_type
+{
+};
+
+template <class CornerMap>
+struct Is_texture<IO::Texture<CornerMap>> : std::true_type
+{
+};
 
 template <class T, class = void>
 struct Has_coordinates : std::false_type
@@ -126,6 +137,24 @@ Shape surface_shape(const FaceGraph& mesh, const NamedParameters& np)
   return shape;
 }
 
+/* Lets a surface know where the corners of its faces lie in a picture. */
+template <class FaceGraph, class CornerMap>
+void add_texture(Shape& shape, const FaceGraph& mesh, const IO::Texture<CornerMap>& texture)
+{
+  shape.for_each_texture = [&mesh, map = texture.map](const Sink<Texture_corners>& sink) {
+    for(const auto& f : faces(mesh)) {
+      Texture_corners corners;
+      auto h = graph_halfedge(f, mesh);
+      for(auto& corner : corners) {
+        const auto t = get(map, h);
+        corner = {CGAL::to_double(t[0]), CGAL::to_double(t[1])};
+        h = graph_next(h, mesh);
+      }
+      sink(corners);
+    }
+  };
+}
+
 /* A line that has no length stays what it is. */
 inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
 {
@@ -155,17 +184,22 @@ inline Shape tube_shape(const Shape& line, const IO::Tubes& tubes)
 class Figure_builder
 {
 public:
-  template <class Part, class NamedParameters>
-  void add(const Part& part, const NamedParameters& np)
+  template <class Part, class NamedParameters, class Texture>
+  void add(const Part& part, const NamedParameters& np, const Texture& texture)
   {
     if constexpr(Is_range_of_points<Part>::value)
       m_figure.add(shape_of_points(Shape::Kind::POINTS, [&part]() -> decltype(auto) { return (part); }));
     else if constexpr(Is_range_of_polylines<Part>::value)
       add_curves(part);
-    else if constexpr(Has_faces<Part>::value)
-      m_figure.add(surface_shape(part, np));
-    else
-      static_assert(std::is_same<Part, IO::Tubes>::value || Is_named_parameters<Part>::value,
+    else if constexpr(Has_faces<Part>::value) {
+      Shape shape = surface_shape(part, np);
+      if constexpr(Is_texture<Texture>::value) {
+        add_texture(shape, part, texture);
+        m_figure.set_picture(texture.picture);
+      }
+      m_figure.add(std::move(shape));
+    } else
+      static_assert(std::is_same<Part, IO::Tubes>::value || Is_texture<Part>::value || Is_named_parameters<Part>::value,
                     "what is written is a face graph, a range of points or a range of polylines");
   }
 
@@ -211,12 +245,29 @@ decltype(auto) named_parameters_of(const Parts&... parts)
     return std::get<sizeof...(Parts) - 1>(std::tie(parts...));
 }
 
+struct No_texture
+{
+};
+
+/* The texture among the parts. */
+inline No_texture texture_of() { return {}; }
+
+template <class Part, class... Parts>
+decltype(auto) texture_of(const Part& part, const Parts&... parts)
+{
+  if constexpr(Is_texture<Part>::value)
+    return (part);
+  else
+    return texture_of(parts...);
+}
+
 template <class NamedParameters, class... Parts>
 Figure figure_of_parts(const NamedParameters& np, const Parts&... parts)
 {
   Figure_builder builder;
   (builder.find_tubes(parts), ...);
-  (builder.add(parts, np), ...);
+  const auto& texture = texture_of(parts...);
+  (builder.add(parts, np, texture), ...);
   return std::move(builder.figure());
 }
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A picture laid on a mesh like a decal, about the middle of a face.
+//
+//   decal_example MESH FACE SIZE [PICTURE]
+//
+// Writes decal.obj with texture coordinates, and decal.glb for browsers and Blender, which shows the file PICTURE, PNG or
+// JPEG, where it lies beside it.
+
+#include <CGAL/Flip_geodesics/IO/GLB.h>
+#include <CGAL/Flip_geodesics/IO/OBJ.h>
+#include <CGAL/Flip_geodesics/texture_coordinates.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <array>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace FG = CGAL::Flip_geodesics;
+
+using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+using Texture_map = Mesh::Property_map<Mesh::Halfedge_index, std::array<double, 2>>;
+
+template <class Number>
+Number number(const std::string& text)
+{
+  std::istringstream in(text);
+  Number result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
+int main(int argc, char** argv)
+try {
+  Mesh mesh;
+  if(argc < 4 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
+    throw std::invalid_argument("give the file of a triangle mesh, a face, and the length of the picture's sides");
+  const Mesh::Face_index face(number<Mesh::size_type>(argv[2]));
+  if(face >= mesh.number_of_faces())
+    throw std::invalid_argument("the mesh has no such face");
+
+  // A corner is named by the halfedge that arrives at it. The picture's right side is along the face's halfedge.
+  const Texture_map corners = mesh.add_property_map<Mesh::Halfedge_index, std::array<double, 2>>("h:texture").first;
+  const std::pair middle(face, std::array<double, 3>{1.0 / 3, 1.0 / 3, 1.0 / 3});
+  const std::pair right(mesh.halfedge(face), 0.0);
+  const FG::Texture_report report = FG::texture_coordinates(mesh, middle, right, number<double>(argv[3]), corners);
+  std::cout << report.faces << " faces have texture coordinates, of which " << report.torn
+            << " are laid out by themselves\n";
+
+  FG::IO::write_OBJ("decal.obj", mesh, FG::IO::Texture<Texture_map>(corners));
+  FG::IO::write_GLB("decal.glb", mesh, FG::IO::Texture<Texture_map>(corners, argc > 4 ? argv[4] : ""));
+  return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+} catch(const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return EXIT_FAILURE;
+}

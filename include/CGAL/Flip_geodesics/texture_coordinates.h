@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H
+#define CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H
+
+#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
+#include <CGAL/Flip_geodesics/Located_curve.h>
+#include <CGAL/Flip_geodesics/Parallel_transport.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsTangents
+/// What `texture_coordinates()` did.
+struct Texture_report
+{
+  std::size_t faces = 0; ///< how many faces have coordinates
+  std::size_t torn = 0;  ///< how many of these are laid out by themselves, since the map tears at a corner or side
+};
+
+namespace internal {
+
+/* Lays the faces out in the tangent plane of a source, in which a direction there is the first axis. */
+template <class Triangulation>
+class Tangent_plane_layout
+{
+public:
+  using Vector = std::complex<double>;
+  using Corners = std::array<Vector, 3>;
+
+  Tangent_plane_layout(const Triangulation& triangulation, const Geodesic_logarithm<Triangulation>& logarithm,
+                       const Vector& axis)
+    : m_triangulation(triangulation)
+    , m_logarithm(logarithm)
+    , m_axis(axis)
+  {
+    for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices()))
+      m_vertices.push_back(in_plane(logarithm(v)));
+  }
+
+  /* The corners of the face of h, from its tail on; not finite if one is too far. `is_torn` is set if they are not where
+   * the vertices are. */
+  Corners operator()(Input_halfedge_index h, bool& is_torn) const
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index hn = input.next(h);
+    const Corners corners = {m_vertices[input.tail(h)], m_vertices[input.tail(hn)],
+                             m_vertices[input.tail(input.next(hn))]};
+    const auto sides = input_face_geometry(m_triangulation, h);
+    const Corners vectors = {Vector(sides[0].x, sides[0].y), Vector(sides[1].x, sides[1].y),
+                             Vector(sides[2].x, sides[2].y)};
+    is_torn = false;
+    if(is_whole(corners, vectors) || !std::isfinite(std::abs(corners[0] + corners[1] + corners[2])))
+      return corners;
+    is_torn = true;
+    return about_center(h, vectors, corners);
+  }
+
+private:
+  static constexpr double most_stretch = 2; // of a side; curvature stretches less over one face
+
+  Vector in_plane(const Polar_coordinates& p) const
+  {
+    if(p.radius == std::numeric_limits<double>::infinity())
+      return {p.radius, p.radius};
+    const auto [x, y] = m_logarithm.in_plane(p);
+    return Vector(x, y) / m_axis;
+  }
+
+  // Does the map keep a face together, and its side up?
+  static bool is_whole(const Corners& corners, const Corners& sides)
+  {
+    Corners in_map;
+    for(std::size_t i = 0; i < 3; ++i) {
+      in_map[i] = corners[(i + 1) % 3] - corners[i];
+      if(!(std::abs(in_map[i]) <= most_stretch * std::abs(sides[i])))
+        return false;
+    }
+    return std::imag(std::conj(in_map[0]) * in_map[1]) > 0;
+  }
+
+  // Laid out from where the shortest path to its center arrives, but for corners that are near their vertices.
+  Corners about_center(Input_halfedge_index h, const Corners& sides, const Corners& vertices) const
+  {
+    const Surface_location center = {h, {{1, 1, 1}}};
+    const Polar_coordinates p = m_logarithm(center);
+    const Vector place = in_plane(p);
+    if(p.radius == 0 || !(p.radius < std::numeric_limits<double>::infinity()))
+      return vertices;
+    const Vector turn = place / p.radius * std::polar(1.0, -m_logarithm.transported(center, p.angle).angle);
+    Corners result = {place + turn * (sides[2] - sides[0]) / 3.0, place + turn * (sides[0] - sides[1]) / 3.0,
+                      place + turn * (sides[1] - sides[2]) / 3.0};
+    const double near = (std::max)({std::abs(sides[0]), std::abs(sides[1]), std::abs(sides[2])}) / 2;
+    for(std::size_t i = 0; i < 3; ++i)
+      if(std::abs(result[i] - vertices[i]) <= near)
+        result[i] = vertices[i];
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+  const Geodesic_logarithm<Triangulation>& m_logarithm;
+  Vector m_axis;
+  Indexed_by<Vertex_index, std::vector<Vector>> m_vertices;
+};
+
+template <class Triangulation>
+double longest_side(const Triangulation& triangulation)
+{
+  double longest = 0;
+  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(triangulation.input().number_of_halfedges()))
+    if(is_first_side(h))
+      longest = (std::max)(longest, triangulation.metric().length(triangulation.input(), h));
+  return longest;
+}
+
+/* A place in a picture as a map has it. */
+template <class Value>
+Value picture_place(double x, double y)
+{
+  if constexpr(std::is_constructible<Value, double, double>::value)
+    return Value(x, y);
+  else
+    return Value{{x, y}};
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsTangents
+ *
+ * Lays a picture on the surface like a decal: gives the corners of faces texture coordinates by the logarithmic map of a
+ * place, which gets the middle of the picture. The picture is the unit square. Along each ray from its middle it has its
+ * true size; curvature stretches or squeezes it across.
+ *
+ * The map tears where shortest paths arrive from two sides. A face there is laid out by itself, as the shortest path to
+ * its center arrives; its corners have other coordinates than in the faces beside it. So a face is never drawn
+ * across the picture.
+ *
+ * \param mesh a triangle mesh
+ * \param source the middle: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
+ * \param right the direction of the picture's right side there: a halfedge and an angle, as for `trace_geodesic()`
+ * \param size the length of the picture's sides on the surface
+ * \param corners a model of `WritablePropertyMap` with the mesh's halfedges as keys, which stand for the corners at
+ *        their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces beyond the picture, or out of
+ *        reach, receive NaN. Halfedges on the border receive nothing
+ * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`
+ * \throws Invalid_parameter_error if the size is not positive and finite, the angle is no finite number, or the halfedge
+ *         no side of a face of the source
+ * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
+ * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ *
+ * Complexity: a `Geodesic_distance_field` as far as the corners of the picture and the longest side of the mesh, and a
+ * `Geodesic_logarithm` for each vertex there.
+ */
+template <class TriangleMesh, class Source, class CornerMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Texture_report texture_coordinates(
+    const TriangleMesh& mesh, const Source& source,
+    const std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>& right, double size,
+    CornerMap corners, const NamedParameters& np = parameters::default_values())
+{
+  static_assert(internal::is_property_map<CornerMap>());
+  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  using Value = typename boost::property_traits<CornerMap>::value_type;
+  if(!(size > 0 && std::isfinite(size)))
+    throw Invalid_parameter_error("the size of a picture on a surface is not positive, or no finite number");
+  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const auto& input = triangulation.input();
+  const Surface_location middle = internal::trace_start(triangulation, mesh, source);
+  Distance_field_limits limits;
+  limits.radius = std::sqrt(0.5) * size + internal::longest_side(triangulation);
+  const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, middle, limits);
+  const double angle =
+      angle_between(triangulation, middle, {logarithm.halfedge(), 0}, {input.index(right.first), right.second});
+  const auto [x, y] = logarithm.in_plane({1, angle});
+  const internal::Tangent_plane_layout<Triangulation> layout(triangulation, logarithm, {x, y});
+
+  Texture_report report;
+  for(const auto& f : faces(mesh)) {
+    Input_halfedge_index h = input.index(internal::graph_halfedge(f, mesh));
+    bool is_torn = false;
+    const auto places = layout(h, is_torn);
+    const bool is_known = std::isfinite(std::abs(places[0] + places[1] + places[2]));
+    report.faces += is_known ? 1 : 0;
+    report.torn += is_known && is_torn ? 1 : 0;
+    for(const std::complex<double>& place : places) { // of the tail, which the halfedge before arrives at
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      const Value value = is_known
+                              ? internal::picture_place<Value>(0.5 + place.real() / size, 0.5 + place.imag() / size)
+                              : internal::picture_place<Value>(nan, nan);
+      put(corners, input.halfedge(input.next(input.next(h))), value);
+      h = input.next(h);
+    }
+  }
+  return report;
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H
