@@ -57,6 +57,7 @@ flip_geodesics_test_example(distance_field_example torus.off)
 flip_geodesics_test_example(isolines_example torus.off 0 100 200)
 flip_geodesics_test_example(network_early_stop_example torus.off)
 flip_geodesics_test_example(own_mesh_and_kernel_example torus.off)
+flip_geodesics_test_example(loop_basis_example torus.off 0 4 8)
 flip_geodesics_test_example(poisson_example torus.off 0 150)
 flip_geodesics_test_example(save_network_example torus.off)
 flip_geodesics_test_example(shortest_path_example torus.off 6 150)
@@ -77,7 +78,7 @@ if(TARGET distributed_paths_example)
 endif()
 
 # A word where a number belongs.
-foreach(case "decal_example 7 two" "edge_length_metric_example two" "geodesic_path_example 0 two" "means_example two" "network_early_stop_example two"
+foreach(case "decal_example 7 two" "edge_length_metric_example two" "geodesic_path_example 0 two" "loop_basis_example 0 two" "means_example two" "network_early_stop_example two"
              "parallel_transport_example 7 two" "shortest_path_example two 0" "trace_geodesic_example two")
   string(REPLACE " " ";" case "${case}")
   list(POP_FRONT case name)

@@ -7,6 +7,7 @@
 
 #include "test_loops/loop_setting.h"
 
+#include <CGAL/Flip_geodesics/geodesic_loop_basis.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
@@ -284,6 +285,35 @@ BOOST_AUTO_TEST_CASE(all_loops_in_one_network)
       BOOST_TEST(s.basis.homology_class(network, FG::Curve_index(i)) == s.unit(i));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(geodesic_loops_in_one_call)
+{
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  const Setting s(punctured(plate(2, 3), 3));
+  std::vector<std::vector<Point>> loops;
+  const auto result = FG::geodesic_loop_basis(s.mesh, std::back_inserter(loops));
+  BOOST_TEST_REQUIRE(loops.size() == 6u);
+  BOOST_TEST_REQUIRE(result.report.curves.size() == 6u);
+  std::size_t flips = 0;
+  for(std::size_t i = 0; i < loops.size(); ++i) {
+    double length = 0;
+    for(std::size_t k = 1; k < loops[i].size(); ++k)
+      length += std::sqrt(CGAL::squared_distance(loops[i][k - 1], loops[i][k]));
+    BOOST_TEST((loops[i].front() == loops[i].back()));
+    BOOST_TEST(std::abs(length - result.report.curves[i].length) < 1e-9 * length);
+    BOOST_TEST(length <= s.basis.length(static_cast<FG::Index>(i)) * (1 + 1e-12));
+    BOOST_TEST((result.report.curves[i].status == FG::Shortening_status::LOCALLY_SHORTEST));
+    flips += result.report.curves[i].flips;
+  }
+  BOOST_TEST(result.report.flips == flips);
+  BOOST_TEST(result.report.flip_outs > 0u);
+  // stopped before the first step
+  const auto stopped = FG::geodesic_loop_basis(s.mesh, loops.begin(), FG::Iteration_stop_predicate(0));
+  BOOST_TEST(stopped.report.flip_outs == 0u);
+  BOOST_TEST((stopped.out == loops.end()));
+  const Surface ball = to_mesh<Surface>(sphere(2));
+  BOOST_TEST(FG::geodesic_loop_basis(ball, loops.begin()).report.curves.empty());
 }
 
 // A curve that contracts, and one that is pulled to another side of inserted points.

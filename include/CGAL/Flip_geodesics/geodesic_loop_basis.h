@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_GEODESIC_LOOP_BASIS_H
+#define CGAL_FLIP_GEODESICS_GEODESIC_LOOP_BASIS_H
+
+#include <CGAL/Flip_geodesics/Loop_basis.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+/* Adds what shortening one curve of a network did to the report of many. */
+inline void append_report(const Shortening_report& report, Shortening_report& sum)
+{
+  sum.curves.insert(sum.curves.end(), report.curves.begin(), report.curves.end());
+  sum.flips += report.flips;
+  sum.flip_outs += report.flip_outs;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Computes closed geodesics around the handles and holes of a surface: pulls each loop of a `Loop_basis` tight, by
+ * itself. Two of them may cross. There are none on a sphere and on a disk.
+ *
+ * \param mesh a triangle mesh
+ * \param out receives one `std::vector` per loop, in the order of the basis, of what `geodesic_path()` writes
+ * \param stop, np as for `geodesic_path()`; the predicate is asked about each loop by itself
+ * \return the end of the output, and the report, with one entry per loop
+ * \throws Invalid_mesh_error, Degenerate_face_error, Invalid_coordinate_error
+ *
+ * Complexity: \f$O(n \log n)\f$ and that of `shorten()` for each loop.
+ */
+template <class TriangleMesh, class OutputIterator, class StopPredicate, class NamedParameters>
+Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, OutputIterator out,
+                                                     const StopPredicate& stop, const NamedParameters& np)
+{
+  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator, internal::Vector_of>;
+  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    const Loop_basis<typename Types::Triangulation> basis(triangulation);
+    std::vector<std::vector<Form>> loops(static_cast<std::size_t>(basis.number_of_loops()));
+    Shortening_report report;
+    for(Index i = 0; i < basis.number_of_loops(); ++i) {
+      {
+        typename Types::Network network(triangulation);
+        const Curve_index curve = network.add_curve(basis.cycle(i), true);
+        internal::append_report(internal::shorten_with_visitor(network, np, stop), report);
+        internal::write_curve<Form>(network, mesh, curve, std::back_inserter(loops[static_cast<std::size_t>(i)]));
+      }
+      triangulation.rollback();
+    }
+    internal::note_contraction(triangulation, report);
+    return Geodesics_result<OutputIterator>{std::move(loops.begin(), loops.end(), out), report};
+  });
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a stop predicate or named parameters, or neither.
+template <class TriangleMesh, class OutputIterator, class Options = parameters::Default_named_parameters>
+Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, OutputIterator out,
+                                                     const Options& options = parameters::default_values())
+{
+  return internal::with_options(options, [&](const auto& stop, const auto& np) {
+    return Flip_geodesics::geodesic_loop_basis(mesh, out, stop, np);
+  });
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_GEODESIC_LOOP_BASIS_H
