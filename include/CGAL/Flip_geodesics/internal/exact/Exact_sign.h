@@ -32,6 +32,7 @@ class Exact_sign
 {
   // Arithmetic with r independent roots costs 2^r integers a number.
   static constexpr std::size_t few_roots = 3, most_roots = 12;
+  static constexpr unsigned few_bits = 512;
 
 public:
   explicit Exact_sign(Decision_statistics& statistics)
@@ -54,6 +55,10 @@ public:
     m_statistics.most_roots = (std::max)(m_statistics.most_roots, roots);
     if(roots <= few_roots)
       return sign_by_roots(base, chains);
+    // A number that is not zero, but below 50 digits, takes less time so than until it is known not to be zero.
+    const Uncertain<Sign> sign = sign_by_precision(Fixed_point_ring(few_bits), chains);
+    if(sign.is_certain())
+      return sign.make_certain();
     if(Vanishing_proof(chains, base)())
       return zero_by_roots();
     if(!has_residue_zero(base, chains))
@@ -86,7 +91,7 @@ private:
 
   Sign sign_of_non_zero(const std::vector<Unfolding_chain>& chains) const
   {
-    for(unsigned bits = 512;; bits *= 2) {
+    for(unsigned bits = 2 * few_bits;; bits *= 2) {
       const Uncertain<Sign> sign = sign_by_precision(Fixed_point_ring(bits), chains);
       if(sign.is_certain())
         return sign.make_certain();

@@ -84,6 +84,21 @@ public:
   BOOST_NOINLINE int sign() const { return m_number.sign(); }
   BOOST_NOINLINE void swap(Integer& n) noexcept { m_number.swap(n.m_number); }
 
+  /* What is left modulo a number below 2^32, not negative. */
+  BOOST_NOINLINE std::uint64_t residue(std::uint64_t modulus) const
+  {
+    constexpr bool has_long_limbs = sizeof(boost::multiprecision::limb_type) > 4;
+    const auto& parts = m_number.backend();
+    std::uint64_t result = 0;
+    for(std::size_t i = parts.size(); i-- > 0;) {
+      const std::uint64_t limb = parts.limbs()[i];
+      if(has_long_limbs)
+        result = ((result << 32) | (limb >> 32)) % modulus;
+      result = ((result << 32) | (limb & 0xffffffff)) % modulus;
+    }
+    return sign() < 0 && result != 0 ? modulus - result : result;
+  }
+
   /* The number of the highest bit, and of the lowest one that is set. \pre not zero */
   BOOST_NOINLINE unsigned highest_bit() const
   {

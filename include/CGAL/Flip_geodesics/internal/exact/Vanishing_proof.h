@@ -269,12 +269,6 @@ private:
     return false;
   }
 
-  static Residue reduced(const Integer& n, Residue p)
-  {
-    const Integer r = n % p;
-    return static_cast<Residue>(r < 0 ? Integer(r + p) : r);
-  }
-
   bool vanishes_modulo(Residue p)
   {
     m_p = p;
@@ -298,12 +292,12 @@ private:
 
   Residues residues_of(const Step& step) const
   {
-    const Residue square = step.variable == none ? 1 : reduced(m_squares[step.variable], m_p);
+    const Residue square = step.variable == none ? 1 : m_squares[step.variable].residue(m_p);
     Residues result;
     for(int i = 0; i < 2; ++i)
       for(int k = 0; k < 2; ++k) {
-        const Residue factor = reduced(step.matrix[i][k].root_factor, m_p);
-        result.matrix[i][k] = {reduced(step.matrix[i][k].number, m_p), factor, factor * square % m_p};
+        const Residue factor = step.matrix[i][k].root_factor.residue(m_p);
+        result.matrix[i][k] = {step.matrix[i][k].number.residue(m_p), factor, factor * square % m_p};
       }
     return result;
   }
@@ -321,22 +315,25 @@ private:
           for(int from = 0; from < 2; ++from)
             add_product(r.matrix[to][from], operation.variable_bit, v, ends[from], ends[to], result);
       }
+    for(Residue& x : result)
+      x %= m_p;
     return result;
   }
 
   // Adds an entry of a step times entry `from` of v to entry `to` of the result; the root moves it on to another one.
+  // So each entry becomes the sum of four products at most, which is below 2^64.
   void add_product(const Residues::Entry& entry, std::size_t variable_bit, const Vector& v, std::size_t from,
                    std::size_t to, Vector& result) const
   {
     const Residue re = v[2 * from], im = v[2 * from + 1];
-    result[2 * to] = (result[2 * to] + entry.number * re) % m_p;
-    result[2 * to + 1] = (result[2 * to + 1] + entry.number * im) % m_p;
+    result[2 * to] += entry.number * re;
+    result[2 * to + 1] += entry.number * im;
     const Residue root = (from & variable_bit) != 0 ? entry.squared_factor : entry.root_factor;
     if(root == 0)
       return;
     const std::size_t moved = 2 * (to ^ variable_bit);
-    result[moved] = (result[moved] + root * (m_p - im)) % m_p;
-    result[moved + 1] = (result[moved + 1] + root * re) % m_p;
+    result[moved] += root * (m_p - im);
+    result[moved + 1] += root * re;
   }
 
   // Splits each vector in its coefficients of 1 and of the variable, and keeps a basis of what they span: no vector, if
