@@ -17,6 +17,7 @@ kernels.csv     single operations, plain and certified                          
 exact.csv       continuous Dijkstra and the heat method                         compare_distance_methods
 fields.csv      exact distances of all vertices                                 compare_distance_fields
 pairs.csv       shortest paths between random vertices                          shortest_pairs
+certified.csv   queries with certified and with plain traits, full of ties      certified_queries
 rays.csv        straightest geodesics over ten edges                            trace_rays
 machine.txt     processor, compiler, load at the start
 """
@@ -128,6 +129,7 @@ def main():
               *real[2:3], *(real[:1] if arguments.all else []))
         table("fields.csv", "compare_distance_fields", 3, int(arguments.all), "torus:16000", *real)
         table("pairs.csv", "shortest_pairs", 100 if arguments.all else 20, "torus:16000", *real)
+        table("certified.csv", "certified_queries", "--limit", 1000)
         table("rays.csv", "trace_rays", 1000000, 10, "torus:16000", "terrain:256000", *real)
         if (arguments.programs / "kernels").exists():
             table("kernels.csv", "kernels", "--benchmark_format=csv", "--benchmark_repetitions=5",
