@@ -23,6 +23,7 @@ namespace IO {
 template <class CornerMap>
 struct Texture
 {
+  /// Constructs it from the places and the name.
   /// \param map the places of corners
   /// \param picture the name of a file beside the one that is written, PNG or JPEG, for `write_GLB()`; none by default
   explicit Texture(CornerMap map, std::string picture = {})
