@@ -90,12 +90,13 @@ public:
   /// the first to the second.
   std::pair<Strand_end, Strand_end> ends(const Joint& joint) const;
 
-  /// The next end of a segment clockwise about the same vertex, maybe after a whole turn the end itself;
+  /// The next end of a segment clockwise about the same vertex, maybe after a whole turn the end itself. It is
   /// `Strand_end::is_none()` if the border of the surface comes first.
   Strand_end next_clockwise(const Strand_end& end) const;
 
   /// Do the two ends lie side by side on one edge, with no face between them on the joint's side? The wedge of such a
-  /// joint has the angle zero, unlike the one with the same edge on both sides that goes all the way round the vertex.
+  /// joint has the angle zero. The one that goes all the way round the vertex has the same edge on both sides, too, but
+  /// not that angle.
   bool is_turning_back(const Joint& joint) const;
 
   /// @}

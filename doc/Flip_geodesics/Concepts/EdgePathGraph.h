@@ -10,8 +10,8 @@
  * A model never gives the index of a segment a second time, since indices wait in a queue while segments come and go.
  * It sets the label of an edge in the triangulation to another number than 0 if and only if a segment lies there.
  *
- * The angle in a wedge does not change while its joint lives, since `shorten()` flips no occupied edge; whether other
- * ends stand in the wedge does change. Therefore `shorten()` queues each free wedge once, by its angle, and when its
+ * The angle in a wedge does not change while its joint lives, since `shorten()` flips no occupied edge. But other ends
+ * can come into the wedge, or leave it. Therefore `shorten()` queues each free wedge once, by its angle, and when its
  * turn comes asks again whether its two ends are still adjacent. It relies on `replace_joint()` to name all wedges that
  * may have become free.
  *
@@ -74,8 +74,8 @@ public:
   /// Appends to `affected` both sides of each joint of which a new segment is a part, or which is new because an empty
   /// arc has joined its two segments. It also appends each joint whose two ends have become adjacent about a vertex
   /// because ends between them have gone. It may name more; wedges that are not free are dropped. It may leave out a
-  /// side of which it is known that the angle is at least \f$\pi\f$: the wedge's side between two new segments, and the
-  /// other side where the arc begins or ends, if the angle was so large before, since it has grown.
+  /// side of which it is known that the angle is at least \f$\pi\f$. One is the wedge's side between two new segments.
+  /// The other is the other side where the arc begins or ends, if the angle was so large before, since it has grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if there is none
   /// \pre the two segments differ, no end stands in the wedge, and the arc bounds its faces; no angle on its right is

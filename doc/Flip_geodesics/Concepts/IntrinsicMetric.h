@@ -50,9 +50,8 @@ public:
   /// The place of vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const;
 
-  /// A lower bound of the length of all edge paths between two vertices, for the search of a shortest one. It is 0
-  /// from a vertex to itself, and from the two ends of an edge to one vertex it differs by no more than the edge's
-  /// weight.
+  /// A lower bound of the length of all edge paths between two vertices, for the search of a shortest one. It is 0 from
+  /// a vertex to itself. From the two ends of an edge to one vertex it differs by no more than the edge's weight.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
   /// The type of points, only where vertices have points in space; points are written as this, see `point_in_space()`.
@@ -73,9 +72,9 @@ public:
   /// \pre `h` is not on the border
   unspecified_type exact_face(const Mesh& mesh, Input_halfedge_index h) const;
 
-  /// The sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to that of
-  /// word `b`, exactly, if the faces involved lie unfolded in one plane of space, or in two with a right angle in each.
-  /// `flat_edges` keeps from call to call which edges lie between faces in one plane.
+  /// The exact sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to
+  /// that of word `b`. The faces involved must lie unfolded in one plane of space, or in two with a right angle in
+  /// each. `flat_edges` keeps from call to call which edges lie between faces in one plane.
   /// \return do they? If not, `sine` says nothing; a metric without points answers `false`
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
                      unspecified_type& flat_edges, Sign& sine) const;

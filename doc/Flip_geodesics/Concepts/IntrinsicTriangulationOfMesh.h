@@ -5,11 +5,11 @@
  * \cgalConcept
  *
  * An intrinsic triangulation that knows how it lies on the mesh that it comes from: which input edges each edge crosses
- * and in which order, and where vertices are that were inserted. It is what certificates, measuring, extraction,
- * subdivision, searches, drawing, splines, refinement, `logarithmic_map()` and saving ask for, and `shorten()` if
+ * and in which order, and where vertices are that were inserted. Certificates, measuring, extraction, subdivision,
+ * searches, drawing, splines, refinement, `logarithmic_map()` and saving ask for it. So does `shorten()` if
  * `Traits::Has_drift` is `CGAL::Tag_true`.
  *
- * The words of crossed edges are exact. An edge runs straight through the faces that its word names, and so is known
+ * The words of crossed edges are exact. An edge runs straight through the faces that its word names. So it is known
  * from the word and the input alone, whatever the numbers of the triangulation do.
  *
  * \cgalRefines{IntrinsicTriangulation}

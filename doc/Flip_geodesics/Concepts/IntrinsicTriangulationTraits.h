@@ -88,10 +88,10 @@ public:
 
   /// `Uncertain<Comparison_result> operator()(const Turn& turn) const`: the angle of `turn` compared with \f$\pi\f$.
   /// What is not `SMALLER` counts as straight: it is neither shortened nor flipped. If the answer is uncertain and
-  /// `Has_drift` is `CGAL::Tag_false`, then the triangulation decides by exact arithmetic on the input; otherwise
+  /// `Has_drift` is `CGAL::Tag_false`, then the triangulation decides by exact arithmetic on the input. Otherwise
   /// `CGAL::Uncertain_conversion_exception` is thrown; a model may also throw it itself. A turn is asked after each
-  /// corner and never extended once it is not smaller, so that angles above \f$2\pi\f$ need not be told apart from
-  /// small ones.
+  /// corner and never extended once it is not smaller. So angles above \f$2\pi\f$ need not be told apart from small
+  /// ones.
   typedef unspecified_type Compare_turn_with_straight;
 
   /// `double operator()(const Turn& turn) const`: a key that grows with the angle of a turn below \f$\pi\f$, 0 for the
@@ -106,8 +106,8 @@ public:
 
   /// `Flipped_geometry operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: the geometry
   /// after the flip of the edge between the faces `(h, hn, hp)` and `(t, tn, tp)`. Afterwards the faces are
-  /// `(h, hp, tn)` and `(t, tp, hn)`; the geometry of `hn` and `hp` stays what it is, so that the new faces have the
-  /// frame of the old face of `h`. \pre the quad is convex, its angles at both ends of the old edge below \f$\pi\f$
+  /// `(h, hp, tn)` and `(t, tp, hn)`; the geometry of `hn` and `hp` stays what it is. So the new faces have the frame
+  /// of the old face of `h`. \pre the quad is convex, its angles at both ends of the old edge below \f$\pi\f$
   typedef unspecified_type Flip;
 
   /// `Uncertain<bool> operator()(h, hn, hp, t, tn, tp) const`, all of type `const Halfedge_geometry&`: are the angles
