@@ -73,8 +73,8 @@ public:
   unspecified_type exact_face(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The exact sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to
-  /// that of word `b`. The faces involved must lie unfolded in one plane of space, or in two with a right angle in
-  /// each. `flat_edges` keeps from call to call which edges lie between faces in one plane.
+  /// that of word `b`. This is for faces that lie unfolded in one plane of space, or in two with a right angle in each.
+  /// `flat_edges` keeps from call to call which edges lie between faces in one plane.
   /// \return do they? If not, `sine` says nothing; a metric without points answers `false`
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
                      unspecified_type& flat_edges, Sign& sine) const;
