@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
+#include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -285,6 +286,7 @@ BOOST_AUTO_TEST_CASE(curved_meshes)
 BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
 {
   using Triangulation = Double_tree_setting::Triangulation;
+  using Straightness = FG::internal::Tree_straightness<Double_tree_setting::Tree>;
   int found = 0, along = 0, all = 0, vertices = 0;
   for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), genus_3_plate(2), saddle_disk(12, 5, 9),
                                cone_disk(10, 6, 4.5), grid_with_hole(9, 9, 3, 6, 3, 6), random_convex_polyhedron(60, 2),
@@ -295,7 +297,8 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
     Double_tree_setting setting(soup);
     const Triangulation& t = setting.triangulation;
     setting.tree.grow(17_v);
-    FG::internal::Tree_straightness<Double_tree_setting::Tree> straightness(setting.tree);
+    Straightness::Measured_legs measured(static_cast<std::size_t>(t.number_of_vertices()));
+    Straightness straightness(setting.tree, measured);
     std::vector<std::pair<Vertex_index, FG::internal::Spoke_place>> open = {{17_v, {}}};
     while(!open.empty()) {
       const auto [u, arrival] = open.back();
@@ -325,6 +328,39 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
   }
   BOOST_TEST(along > 100);
   BOOST_TEST(found + along > 0.98 * all);
+}
+
+// What has been measured is measured again only where the tree has other edges: as if it were from the beginning.
+BOOST_AUTO_TEST_CASE(measurements_are_remembered)
+{
+  using Straightness = FG::internal::Tree_straightness<Double_tree_setting::Tree>;
+  int remembered = 0, replaced = 0;
+  for(const Mesh_soup& soup : {bumpy_sphere(10, 0.5, 1), genus_3_plate(2), torus(24, 12, 3, 1)}) {
+    Double_tree_setting setting(soup);
+    const auto n = static_cast<std::size_t>(setting.triangulation.number_of_vertices());
+    setting.tree.grow(17_v);
+    Straightness::Measured_legs measured(n), afresh(n);
+    std::vector<Vertex_index> bent;
+    Straightness(setting.tree, measured)(std::back_inserter(bent));
+    std::vector<FG::Halfedge_index> before;
+    for(Vertex_index v : setting.vertices()) {
+      before.push_back(setting.tree.incoming(v));
+      measured[v].arrival.angle += 1e-13; // so that it can be told from what is measured again
+    }
+    FG::make_shortest(setting.tree);
+    const double smallest = Straightness(setting.tree, measured)(std::back_inserter(bent));
+    BOOST_TEST(std::abs(smallest - Straightness(setting.tree, afresh)(std::back_inserter(bent))) < 1e-12);
+    for(Vertex_index v : setting.vertices()) {
+      if(v == 17_v)
+        continue;
+      BOOST_TEST((measured[v].last == setting.tree.incoming(v)));
+      BOOST_TEST((measured[v].angle == afresh[v].angle || std::abs(measured[v].angle - afresh[v].angle) < 1e-12));
+      remembered += measured[v].arrival.angle != afresh[v].arrival.angle ? 1 : 0;
+      replaced += before[static_cast<std::size_t>(v.idx())] != setting.tree.incoming(v) ? 1 : 0;
+    }
+  }
+  BOOST_TEST(remembered > 300);
+  BOOST_TEST(replaced > 10);
 }
 
 // Decided exactly, ties and all.

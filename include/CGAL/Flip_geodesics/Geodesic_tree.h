@@ -199,10 +199,12 @@ public:
 
 private:
   using Walker = typename Triangulation::Walker;
+  using Straightness = internal::Tree_straightness<Geodesic_tree>;
 
   void start(Vertex_index source, double max_distance)
   {
     m_labels.start(static_cast<std::size_t>(m_triangulation->number_of_vertices())); // some may have been inserted
+    m_measured = typename Straightness::Measured_legs();
     m_source = source;
     m_max_distance = max_distance;
     m_report = Geodesic_tree_report();
@@ -402,7 +404,8 @@ private:
   void measure(Visitor& visitor)
   {
     constexpr int most_rounds = 50;
-    internal::Tree_straightness<Geodesic_tree> straightness(*this);
+    m_measured.resize(static_cast<std::size_t>(m_triangulation->number_of_vertices()));
+    Straightness straightness(*this, m_measured);
     for(int round = 0;; ++round) {
       std::vector<Vertex_index> bent;
       m_report.smallest_angle = straightness(std::back_inserter(bent));
@@ -420,7 +423,7 @@ private:
     }
   }
 
-  bool refresh(Vertex_index v, internal::Tree_straightness<Geodesic_tree>& straightness)
+  bool refresh(Vertex_index v, Straightness& straightness)
   {
     if(!straightness.refresh(v))
       return false;
@@ -439,6 +442,7 @@ private:
   std::size_t m_lengthened = 0; // wedges flipped out for arcs that are no shorter
   double m_max_distance = std::numeric_limits<double>::infinity();
   Geodesic_tree_report m_report;
+  typename Straightness::Measured_legs m_measured; // of the paths, where they have been
   std::vector<Halfedge_index> m_arc, m_flipped;
   std::vector<Vertex_index> m_orphans;
   std::vector<Walker> m_spokes;

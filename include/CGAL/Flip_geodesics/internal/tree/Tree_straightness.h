@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_TREE_STRAIGHTNESS_H
 
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
@@ -22,9 +23,20 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* The last edge of a path of a tree, and the one before, as they were measured. */
+struct Measured_leg
+{
+  double angle;        // between the two
+  Spoke_place arrival; // of the path, backward
+  Halfedge_index last, before;
+  Index last_version, before_version; // by which an edge is told from one that has been flipped in between
+  bool is_measured, is_bent;
+};
+
 /*
  * Measures the paths of a geodesic tree afresh from the input, as `Straightness_meter` measures the curves of a
  * network: the edges that go on from each vertex all at once (`Leg_fan`), and those that are not found so by their words.
+ * What has been measured is remembered, and measured again only where edges have been replaced.
  */
 template <class Tree>
 class Tree_straightness
@@ -33,9 +45,13 @@ class Tree_straightness
   using Directions = Vertex_directions<Triangulation>;
 
 public:
-  explicit Tree_straightness(const Tree& tree)
+  using Measured_legs = Indexed_by<Vertex_index, Lazy_array<Measured_leg>>;
+
+  /* \param measured for each vertex; of an earlier measurement, or nothing */
+  Tree_straightness(const Tree& tree, Measured_legs& measured)
     : m_tree(tree)
     , m_triangulation(tree.triangulation())
+    , m_measured(measured)
     , m_places(tree.triangulation())
     , m_fan(tree.triangulation())
   {
@@ -120,6 +136,8 @@ private:
     const std::vector<Halfedge_index> around = spokes(m_triangulation, u);
     if(std::none_of(around.begin(), around.end(), [this](Halfedge_index h) { return is_leg(h); }))
       return infinity;
+    if(std::all_of(around.begin(), around.end(), [this](Halfedge_index h) { return !is_leg(h) || is_measured(h); }))
+      return remember(around);
     const Directions directions(m_triangulation, u);
     legs(around, directions, arrival);
     const Halfedge_index before = m_tree.incoming(u);
@@ -127,17 +145,44 @@ private:
     const double back = is_arrival_known       ? directions.of_input(arrival.reference) + arrival.angle
                         : before != null_index ? directions(Triangulation::twin(before))
                                                : 0;
-    double smallest = infinity;
     for(Fan_leg& leg : m_legs) {
       const double bend = leg.is_found ? 0 : measure_by_word(leg, directions);
       const double direction = leg.reference == null_index ? leg.angle : directions.of_input(leg.reference) + leg.angle;
       const double angle = before == null_index ? infinity : directions.smaller_wedge(back, direction);
-      smallest = (std::min)(smallest, angle);
-      if(angle < Straightness::straight_angle() || bend > Straightness::tolerance())
-        m_bent.emplace_back(u, leg.head);
-      m_open.push_back({leg.head, leg.arrival});
+      const bool is_bent = angle < Straightness::straight_angle() || bend > Straightness::tolerance();
+      m_measured[leg.head] = {angle,           leg.arrival, leg.halfedge, before, version(leg.halfedge),
+                              version(before), true,        is_bent};
+    }
+    return remember(around);
+  }
+
+  // The smallest angle where paths go on along some halfedges, that have been measured; opens their ends.
+  double remember(const std::vector<Halfedge_index>& around)
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    for(Halfedge_index h : around) {
+      if(!is_leg(h))
+        continue;
+      const Measured_leg& leg = m_measured[m_triangulation.head(h)];
+      smallest = (std::min)(smallest, leg.angle);
+      if(leg.is_bent)
+        m_bent.emplace_back(m_triangulation.tail(h), m_triangulation.head(h));
+      m_open.push_back({m_triangulation.head(h), leg.arrival});
     }
     return smallest;
+  }
+
+  Index version(Halfedge_index h) const
+  {
+    return h == null_index ? 0 : m_triangulation.version(Triangulation::edge(h));
+  }
+
+  bool is_measured(Halfedge_index h) const
+  {
+    const Measured_leg& leg = m_measured[m_triangulation.head(h)];
+    const Halfedge_index before = m_tree.incoming(m_triangulation.tail(h));
+    return leg.is_measured && leg.last == h && leg.before == before && leg.last_version == version(h) &&
+           leg.before_version == version(before);
   }
 
   bool is_leg(Halfedge_index h) const { return m_tree.incoming(m_triangulation.head(h)) == h; }
@@ -197,6 +242,7 @@ private:
 
   const Tree& m_tree;
   Triangulation& m_triangulation;
+  Measured_legs& m_measured;
   Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
   std::vector<Fan_leg> m_legs;
