@@ -104,8 +104,8 @@ private:
   FG::Edge_path_network<Triangulation> m_network;
 };
 
-using Plain = FG::Intrinsic_triangulation<Mesh>;
-using Certified = FG::Intrinsic_triangulation<Mesh, FG::Certified_intrinsic_triangulation_traits<Kernel>>;
+using Plain = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>>;
+using Certified = FG::Intrinsic_triangulation<Mesh>;
 
 struct Row
 {

@@ -367,7 +367,7 @@ def parse_arguments():
     parser.add_argument("--sampler", help="sample_points, for --curves points and splines")
     parser.add_argument("--pairs", type=int, default=10, help="random curves a mesh (default %(default)s)")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--kernel", default="double")
+    parser.add_argument("--kernel", choices=["certified", "double"], default="certified")
     parser.add_argument("--out", metavar="DIR", help="the folder of the results")
     parser.add_argument("--shard", type=parse_shard, default=(0, 1), metavar="i/n")
     parser.add_argument("--timeout", type=float, default=300, metavar="S", help="seconds a mesh (default %(default)s)")

@@ -39,7 +39,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 struct Options
 {
   std::vector<std::string> paths;
-  std::string kernel = "double";
+  std::string kernel = "certified";
   int curves = 4;
   unsigned seed = 1;
   std::size_t most_crossings = 5000000, most_insertions = 20000;
@@ -269,10 +269,10 @@ int run(const std::string& file, const Options& options)
     Mesh mesh;
     if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
       rows.refuse("not read as an oriented manifold triangle mesh");
-    else if(options.kernel == "certified")
-      Task<FG::Certified_intrinsic_triangulation_traits<Kernel>>(mesh, options, rows).run();
-    else
+    else if(options.kernel == "double")
       Task<FG::Intrinsic_triangulation_traits<Kernel>>(mesh, options, rows).run();
+    else
+      Task<FG::Certified_intrinsic_triangulation_traits<Kernel>>(mesh, options, rows).run();
   } catch(const FG::Error& error) {
     rows.refuse(error.what());
   }
@@ -286,7 +286,7 @@ int main(int argc, char** argv)
   CLI::App app{"Delaunay triangulations, subdivisions and cuts of many meshes"};
   Options options;
   app.add_option("paths", options.paths, "Meshes, and folders of meshes")->required();
-  app.add_option("--kernel", options.kernel, "double or certified")
+  app.add_option("--kernel", options.kernel, "certified or double")
       ->check(CLI::IsMember({"double", "certified"}))
       ->capture_default_str();
   app.add_option("--curves", options.curves, "Paths on each mesh, less those that cross")->capture_default_str();

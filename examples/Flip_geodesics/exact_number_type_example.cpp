@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Exact_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
@@ -48,10 +47,10 @@ try {
   Network network(triangulation);
   const FG::Vertex_index source(0), target(triangulation.number_of_vertices() - 1);
   const FG::Curve_index curve = network.add_curve(search(source, target), false);
-  FG::shorten(network);
+  const FG::Shortening_report report = FG::shorten(network);
   for(FG::Halfedge_index h : network.halfedges(curve))
     std::cout << "A straight piece whose squared length is " << triangulation.squared_length(h) << ".\n";
-  std::cout << "The certificate says " << to_string(FG::certify(network).curves.front().verdict) << ".\n";
+  std::cout << "The certificate says " << to_string(report.curves.front().verdict) << ".\n";
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -142,8 +142,8 @@ private:
   void add_arithmetic()
   {
     m_group = "How curves are computed";
-    add("--kernel", "NAME", m_options.kernel, "Arithmetic: double, or certified, which decides and proves exactly")
-        ->capture_default_str();
+    add("--kernel", "NAME", m_options.kernel,
+        "Arithmetic: certified, which decides and proves exactly, or double; certified if not given");
     add("--search", "NAME", m_options.search,
         "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
         ->capture_default_str();

@@ -98,9 +98,10 @@ void check_field_options(const Options& options)
   if(!options.is_field_wanted() && options.sources.size() > 1)
     throw Bad_input("--source takes one vertex for a tree; several go with --isolines and --voronoi");
   if(options.is_field_wanted() && (options.is_shortest || !options.results.map.empty() || options.mollify ||
-                                   options.kernel == "certified" || options.meshes.is_any_wanted()))
-    throw Bad_input("--isolines and --voronoi are no curves of a triangulation: --shortest, --map, --mollify, --kernel "
-                    "certified, --delaunay, --refine, --subdivision, --insert and --cut do not go with them");
+                                   options.kernel || options.meshes.is_any_wanted()))
+    throw Bad_input(
+        "--isolines and --voronoi are no curves of a triangulation: --shortest, --map, --mollify, --kernel, "
+        "--delaunay, --refine, --subdivision, --insert and --cut do not go with them");
 }
 
 void check_options(const Options& options)
@@ -131,8 +132,8 @@ void check_options(const Options& options)
     throw Bad_input("--random " + std::to_string(*options.random) + ": give 1 to " + std::to_string(most_at_random));
   if(options.seed < 0)
     throw Bad_input("--seed " + std::to_string(options.seed) + ": give 0 or more");
-  if(options.kernel != "double" && options.kernel != "certified")
-    throw Bad_input("--kernel " + printable(options.kernel) + ": not known; use double or certified");
+  if(options.kernel && options.kernel != "double" && options.kernel != "certified")
+    throw Bad_input("--kernel " + printable(*options.kernel) + ": not known; use certified or double");
   if(options.mollify && !(*options.mollify > 0 && *options.mollify < 1))
     throw Bad_input("--mollify must lie between 0 and 1");
   if(options.rounds && (*options.rounds < 0 || *options.rounds > 16))
@@ -177,13 +178,17 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();
   progress.expect_curves(number_of_curves);
-  const bool is_certified = options.kernel == "certified";
-  const Run_options run_options = {
-      search_method(options.search), is_certified,       options.stop_length, options.is_shortest,
-      options.rounds.value_or(5),    options.is_snapped, options.are_zero_edges_refused, options.meshes,
-      most_memory(options)};
+  const Run_options run_options = {search_method(options.search),
+                                   options.stop_length,
+                                   options.is_shortest,
+                                   options.rounds.value_or(5),
+                                   options.is_snapped,
+                                   options.are_zero_edges_refused,
+                                   options.meshes,
+                                   most_memory(options)};
   const auto make_engine = [&] {
-    return (is_certified ? make_certified_engine : make_double_engine)(mesh, metric, run_options, progress);
+    return (options.kernel == "double" ? make_double_engine : make_certified_engine)(mesh, metric, run_options,
+                                                                                     progress);
   };
   const std::unique_ptr<Curve_engine> engine = make_engine();
   for(const Network_request& request : requests)

@@ -44,7 +44,8 @@ struct Options
   std::optional<double> tolerance;
   std::optional<long long> random;
   long long seed = 1;
-  std::string kernel = "double", search = "lookback";
+  std::optional<std::string> kernel; ///< "certified" if it is not given
+  std::string search = "lookback";
   std::optional<double> stop_length, mollify, most_memory;
   bool are_zero_edges_refused = false;
   int threads = 1;

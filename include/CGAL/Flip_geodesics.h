@@ -12,6 +12,7 @@
  * includes packages of CGAL under the GPL.
  */
 
+#include <CGAL/Flip_geodesics/Certificate_verdict.h>
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Curve_point.h>

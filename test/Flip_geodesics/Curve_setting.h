@@ -3,6 +3,7 @@
 #ifndef FLIP_GEODESICS_TEST_CURVE_SETTING_H
 #define FLIP_GEODESICS_TEST_CURVE_SETTING_H
 
+#include "Double_triangulation.h"
 #include "generated_curves.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
@@ -24,8 +25,7 @@
 namespace Flip_geodesics_test {
 
 using Surface = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Length_map =
-    boost::associative_property_map<std::map<boost::graph_traits<Surface>::edge_descriptor, double>>;
+using Length_map = boost::associative_property_map<std::map<boost::graph_traits<Surface>::edge_descriptor, double>>;
 using Length_metric = CGAL::Flip_geodesics::Edge_length_metric<Surface, Length_map>;
 using Length_triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<
     Surface, CGAL::Flip_geodesics::Intrinsic_triangulation_traits<Length_metric::Kernel>, Length_metric>;
@@ -106,7 +106,7 @@ private:
   }
 };
 
-using Curve_setting = Basic_curve_setting<CGAL::Flip_geodesics::Intrinsic_triangulation<Surface>>;
+using Curve_setting = Basic_curve_setting<Double_triangulation<Surface>>;
 
 } // namespace Flip_geodesics_test
 

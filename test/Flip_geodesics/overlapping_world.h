@@ -3,6 +3,7 @@
 #ifndef FLIP_GEODESICS_TEST_OVERLAPPING_WORLD_H
 #define FLIP_GEODESICS_TEST_OVERLAPPING_WORLD_H
 
+#include "Double_triangulation.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
 
@@ -27,7 +28,7 @@ using CGAL::Flip_geodesics::Index;
 using CGAL::Flip_geodesics::Segment_index;
 using CGAL::Flip_geodesics::Vertex_index;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh>;
+using Triangulation = Double_triangulation<Mesh>;
 using Network = CGAL::Flip_geodesics::Edge_path_network<Triangulation>;
 using Curve_list = std::vector<Curve_index>;
 using Segment_list = std::vector<Segment_index>;

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_TEST_ROLLED_OUT_SURFACES_H
 #define CGAL_FLIP_GEODESICS_TEST_ROLLED_OUT_SURFACES_H
 
+#include "Double_triangulation.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -24,7 +25,7 @@ namespace Flip_geodesics_test {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh>;
+using Triangulation = Double_triangulation<Mesh>;
 using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using Flat_point = std::array<double, 2>;
 

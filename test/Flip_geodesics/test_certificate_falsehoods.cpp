@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE certificate_falsehoods
 
 #include "Curve_setting.h"
+#include "Double_triangulation.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 
@@ -38,9 +39,9 @@ using FG::Vertex_index;
 namespace {
 
 // A triangulation that can be made to lie about its words.
-class Planted_triangulation : public FG::Intrinsic_triangulation<Surface>
+class Planted_triangulation : public Double_triangulation<Surface>
 {
-  using Base = FG::Intrinsic_triangulation<Surface>;
+  using Base = Double_triangulation<Surface>;
 
 public:
   using Base::Base;

@@ -2,6 +2,7 @@
 //
 // Flattening along cuts: developable surfaces come out with their lengths, curved ones with their angle sums.
 
+#include "Double_triangulation.h"
 #include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
@@ -39,7 +40,7 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Triangulation = Double_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Flattening = FG::Conformal_flattening<Triangulation>;
 

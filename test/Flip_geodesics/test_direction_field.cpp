@@ -2,6 +2,7 @@
 //
 // The smoothest direction field: Poincare-Hopf, constant fields in the plane, alignment to curves.
 
+#include "Double_triangulation.h"
 #include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
@@ -35,7 +36,7 @@ namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Triangulation = Double_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Field = FG::Direction_field<Triangulation>;
 

@@ -2,6 +2,7 @@
 
 #define BOOST_TEST_MODULE edge_path_graph
 
+#include "Double_triangulation.h"
 #include "Edge_path_graph_archetype.h"
 #include "descriptors.h"
 #include "generated_curves.h"
@@ -31,7 +32,7 @@ namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Triangulation = Guarded_triangulation<FG::Intrinsic_triangulation<Mesh>>;
+using Triangulation = Guarded_triangulation<Double_triangulation<Mesh>>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Archetype = Edge_path_graph_archetype<Network>;
 

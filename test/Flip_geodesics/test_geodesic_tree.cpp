@@ -3,6 +3,7 @@
 #define BOOST_TEST_MODULE geodesic_tree
 
 #include "Curve_setting.h"
+#include "Double_triangulation.h"
 #include "closed_forms.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
@@ -533,7 +534,7 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
   constexpr int n = 8;
   const Mesh_soup soup = jittered_grid(n, n, Diagonal_rule::RANDOM, 0.2, 5);
   const Surface mesh = to_mesh<Surface>(soup);
-  const FG::Intrinsic_triangulation<Surface> plain(mesh);
+  const Double_triangulation<Surface> plain(mesh);
   FG::Input_halfedge_index inner = 70_input_h, border = 0_input_h;
   while(plain.input().is_border(inner) || plain.input().is_border(twin_index(inner)))
     ++inner;

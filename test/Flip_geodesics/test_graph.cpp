@@ -3,6 +3,7 @@
 // An intrinsic triangulation as a graph of BGL's and CGAL's: their generic algorithms on it, before and after flips.
 
 #include "Curve_setting.h"
+#include "Double_triangulation.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 
@@ -44,7 +45,7 @@ using namespace Flip_geodesics_test;
 
 namespace {
 
-using Triangulation = FG::Intrinsic_triangulation<Surface>;
+using Triangulation = Double_triangulation<Surface>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Graph = boost::graph_traits<Triangulation>;
 

@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <type_traits>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -29,6 +31,7 @@ std::vector<Point> path_on_tetrahedron()
   std::vector<Point> points;
   const auto result = FG::geodesic_path(mesh, source, target, std::back_inserter(points));
   BOOST_CHECK(result.report.is_complete());
+  BOOST_CHECK(result.verdict() == FG::Certificate_verdict::PROVEN);
   BOOST_CHECK_CLOSE_FRACTION(result.report.curves.front().length, std::sqrt(8.0), 1e-15);
   return points;
 }
@@ -48,4 +51,34 @@ BOOST_AUTO_TEST_CASE(points_of_an_exact_kernel)
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   const std::vector<Kernel::Point_3> points = path_on_tetrahedron<CGAL::Polyhedron_3<Kernel>, Kernel::Point_3>();
   BOOST_REQUIRE_EQUAL(points.size(), 2u);
+}
+
+BOOST_AUTO_TEST_CASE(points_of_a_kernel_of_floats)
+{
+  using Point = CGAL::Simple_cartesian<float>::Point_3;
+  BOOST_TEST((path_on_tetrahedron<CGAL::Surface_mesh<Point>, Point>().size() == 2u));
+}
+
+// A metric of one's own may lack what exact decisions need.
+template <class Metric>
+struct Metric_without_exact_faces
+{
+  using Mesh = typename Metric::Mesh;
+  using Kernel = typename Metric::Kernel;
+};
+
+BOOST_AUTO_TEST_CASE(decisions_are_exact_where_they_can_be)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  using Metric = FG::Intrinsic_triangulation<Mesh>::Metric;
+  using Lengths = FG::Edge_length_metric<Mesh, Mesh::Property_map<Mesh::Edge_index, double>>;
+  using FG::internal::Default_traits;
+  using std::is_same_v;
+  using Exact = FG::Certified_intrinsic_triangulation_traits<Kernel>;
+  static_assert(is_same_v<FG::Intrinsic_triangulation<Mesh>::Traits, Exact>);
+  static_assert(is_same_v<Default_traits<FG::Mollified_metric<Metric>>, Exact>);
+  static_assert(is_same_v<Default_traits<Lengths>, FG::Certified_intrinsic_triangulation_traits<Lengths::Kernel>>);
+  static_assert(
+      is_same_v<Default_traits<Metric_without_exact_faces<Metric>>, FG::Intrinsic_triangulation_traits<Kernel>>);
 }

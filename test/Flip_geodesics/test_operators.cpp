@@ -4,8 +4,9 @@
 // each also after random flips, which must not change what the operators mean. Without Eigen there is nothing to test.
 
 #include "Curve_network_archetype.h"
-#include "Edge_path_graph_archetype.h"
+#include "Double_triangulation.h"
 #include "Plain_triangulation.h"
+#include "Edge_path_graph_archetype.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 #include "mesh_soup.h"
@@ -43,7 +44,7 @@ namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Triangulation = Double_triangulation<Mesh>;
 using Operators = FG::Operators<Triangulation>;
 using Vector = Eigen::VectorXd;
 using Function = std::function<double(const Point&)>;

@@ -208,21 +208,22 @@ BOOST_AUTO_TEST_CASE(faces_without_area)
 
 BOOST_AUTO_TEST_CASE(verdicts)
 {
-  using Certified = Setting::Triangulation::Traits;
-  using Double = FG::Intrinsic_triangulation_traits<Length_metric::Kernel>;
+  using Verdict = FG::Certificate_verdict;
   FG::Shortest_path_report report;
   report.length = 2;
-  const auto verdict = [&](auto traits, double bound) {
-    report.lower_bound = 2 * bound;
-    return FG::internal::verdict_of<decltype(traits)>(report);
-  };
-  BOOST_CHECK(verdict(Certified(), 1 - 0.9e-12) == FG::Shortest_path_verdict::PROVEN_SHORTEST);
-  BOOST_CHECK(verdict(Certified(), 1 - 1.1e-12) == FG::Shortest_path_verdict::CONFIRMED);
-  BOOST_CHECK(verdict(Certified(), 1 - 0.9e-10) == FG::Shortest_path_verdict::CONFIRMED);
-  BOOST_CHECK(verdict(Certified(), 1 - 1.1e-10) == FG::Shortest_path_verdict::UNCONFIRMED);
-  BOOST_CHECK(verdict(Double(), 1) == FG::Shortest_path_verdict::CONFIRMED);
-  BOOST_TEST(FG::to_string(FG::Shortest_path_verdict::UNCONFIRMED) == "UNCONFIRMED");
   report.shortening.curves.emplace_back();
-  report.shortening.curves.back().status = FG::Shortening_status::STOPPED_BY_VISITOR;
-  BOOST_CHECK(verdict(Certified(), 1) == FG::Shortest_path_verdict::UNCONFIRMED);
+  const auto verdict = [&](Verdict of_curve, double bound) {
+    report.shortening.curves[0].verdict = of_curve;
+    report.lower_bound = 2 * bound;
+    return FG::internal::verdict_of(report);
+  };
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 0.9e-12) == FG::Shortest_path_verdict::PROVEN_SHORTEST);
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 1.1e-12) == FG::Shortest_path_verdict::CONFIRMED);
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 0.9e-10) == FG::Shortest_path_verdict::CONFIRMED);
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 1.1e-10) == FG::Shortest_path_verdict::UNCONFIRMED);
+  for(Verdict other : {Verdict::PROBABLE, Verdict::BENT_SEGMENT, Verdict::BENT_JOINT, Verdict::NOT_CERTIFIED})
+    BOOST_CHECK(verdict(other, 1) == FG::Shortest_path_verdict::CONFIRMED);
+  BOOST_TEST(FG::to_string(FG::Shortest_path_verdict::UNCONFIRMED) == "UNCONFIRMED");
+  report.shortening.curves[0].status = FG::Shortening_status::STOPPED_BY_VISITOR;
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1) == FG::Shortest_path_verdict::UNCONFIRMED);
 }

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(curves_through_points)
                            const FG::Free_legs legs = FG::geodesics_through(s.triangulation, locations);
                            summary.add(legs.legs);
                            summary.add(legs.report);
-                           summary.statuses.add(static_cast<long long>(legs.certificate.verdict));
+                           summary.statuses.add(static_cast<long long>(legs.report.curves[0].verdict));
                          });
                          Setting<Certified>::Network network(s.triangulation);
                          summary.attempt([&] {
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(free_splines)
         summary.lengths.add(spline.length());
         summary.add(spline.finish());
         summary.add(spline.report());
-        summary.statuses.add(static_cast<long long>(spline.certificate().verdict));
+        summary.statuses.add(static_cast<long long>(spline.report().curves[0].verdict));
       });
     }
   });
@@ -206,16 +206,10 @@ BOOST_AUTO_TEST_CASE(trees_of_refined_meshes)
 BOOST_AUTO_TEST_CASE(hostile_paths) { compare_among_lies("hostile_paths", Add_paths{8}); }
 
 #ifndef _GLIBCXX_DEBUG // containers that check are larger, so that a limit of memory stops elsewhere
-BOOST_AUTO_TEST_CASE(hostile_stopped_paths)
-{
-  compare_among_lies("hostile_stopped_paths", Add_stopped_curves());
-}
+BOOST_AUTO_TEST_CASE(hostile_stopped_paths) { compare_among_lies("hostile_stopped_paths", Add_stopped_curves()); }
 #endif
 
-BOOST_AUTO_TEST_CASE(hostile_shortest_paths)
-{
-  compare_among_lies("hostile_shortest_paths", Add_shortest_paths{6});
-}
+BOOST_AUTO_TEST_CASE(hostile_shortest_paths) { compare_among_lies("hostile_shortest_paths", Add_shortest_paths{6}); }
 
 BOOST_AUTO_TEST_CASE(hostile_networks) { compare_among_lies("hostile_networks", Add_networks{2}); }
 

@@ -4,6 +4,7 @@
 
 #define BOOST_TEST_MODULE Straightening_opponents
 
+#include "Double_triangulation.h"
 #include "edge_dijkstra.h"
 #include "generated_meshes.h"
 #include "iterative_relaxation.h"
@@ -31,7 +32,7 @@ using namespace Flip_geodesics_test;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Path = opponents::Gate_path<Mesh>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Triangulation = Double_triangulation<Mesh>;
 using Search = FG::Shortest_edge_path<Triangulation>;
 
 double length(const Mesh& mesh, const Path& path)

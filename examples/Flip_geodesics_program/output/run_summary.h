@@ -21,6 +21,8 @@ public:
   void add(std::size_t curve, const Curve_result& result, bool shares_run)
   {
     ++m_counts[result.status];
+    if(result.certificate != "none")
+      ++m_verdicts[result.certificate];
     if(m_lines.size() < most_lines)
       m_lines.push_back(line(curve, result));
     ++m_number_of_curves;
@@ -40,14 +42,14 @@ public:
   void print(std::ostream& out) const
   {
     if(m_number_of_curves <= most_lines) {
-      out << "curve    source    target  segments     edge path      geodesic     flips  status               ms\n";
+      out << "curve    source    target  segments     edge path      geodesic     flips  status               ms  "
+             "certificate\n";
       for(const std::string& line : m_lines)
         out << line;
     }
-    out << m_number_of_curves << " curves:";
-    for(const auto& [status, count] : m_counts)
-      out << ' ' << count << ' ' << status;
-    out << '\n';
+    print_counts(out << m_number_of_curves << " curves:", m_counts);
+    if(!m_verdicts.empty())
+      print_counts(out << "certificates:", m_verdicts);
     if(m_number_on_contracted > 0)
       out << m_number_on_contracted << " met edges of length zero, which were contracted for them\n";
     if(m_length > 0)
@@ -72,9 +74,16 @@ private:
 
   static std::string line(std::size_t curve, const Curve_result& r)
   {
-    return format("%5zu %9d %9d %9zu %13.6g %13.6g %9zu  %-16s %8.3f\n", curve, static_cast<int>(r.source.idx()),
+    return format("%5zu %9d %9d %9zu %13.6g %13.6g %9zu  %-16s %8.3f  %s\n", curve, static_cast<int>(r.source.idx()),
                   static_cast<int>(r.target.idx()), r.initial_segments, r.initial_length, r.length, r.flips,
-                  r.status.c_str(), 1e3 * (r.search_s + r.shorten_s + r.extract_s));
+                  r.status.c_str(), 1e3 * (r.search_s + r.shorten_s + r.extract_s), r.certificate.c_str());
+  }
+
+  static void print_counts(std::ostream& out, const std::map<std::string, std::size_t>& counts)
+  {
+    for(const auto& [name, count] : counts)
+      out << ' ' << count << ' ' << name;
+    out << '\n';
   }
 
   static void print_sums(std::ostream& out, const char* name, std::vector<double> values, double scale,
@@ -89,7 +98,7 @@ private:
     out << format("%s %.6g%s, median %.4g%s\n", name, scale * sum, unit, scale * values[values.size() / 2], unit);
   }
 
-  std::map<std::string, std::size_t> m_counts;
+  std::map<std::string, std::size_t> m_counts, m_verdicts;
   std::vector<std::string> m_lines;
   std::size_t m_number_of_curves = 0, m_number_on_contracted = 0;
   double m_initial_length = 0, m_length = 0;

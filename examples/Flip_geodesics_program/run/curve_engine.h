@@ -44,7 +44,7 @@ struct Curve_result
   std::size_t flips = 0, flip_outs = 0; ///< of the whole run if it is a network
   double smallest_angle = std::numeric_limits<double>::quiet_NaN();
   std::string status = "ERROR";
-  std::string certificate = "none"; ///< the verdict of `certify()`, if it was asked for
+  std::string certificate = "none"; ///< the verdict, if the arithmetic is certified
   bool is_closed = false, is_of_tree = false;
   bool are_zero_edges_contracted = false;            ///< since it met an edge of length zero
   double search_s = 0, shorten_s = 0, extract_s = 0; ///< the first two of the whole run if it is a network
@@ -57,7 +57,6 @@ struct Curve_result
 struct Run_options
 {
   CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
-  bool is_certifying = false;
   std::optional<double> stop_length;   ///< stop at this share of the initial length; of the total one of a network
   bool is_shortest = false;            ///< replace paths of a tree that are not globally shortest
   int rounds = 5;                      ///< how often the pieces of splines are halved

@@ -187,7 +187,7 @@ private:
     for(std::size_t c = 0; c < request.curves.size(); ++c) {
       if(left.places[c]) {
         results.push_back(make_result(request.curves[c]));
-        make_point(m_triangulation, *left.places[c], m_options.is_certifying, results.back());
+        make_point(m_triangulation, *left.places[c], results.back());
       } else {
         results.push_back(std::move(computed[next++]));
       }
@@ -259,6 +259,7 @@ private:
     Recorder recorder;
     if(request.tree_source) {
       grow(network, *request.tree_source, results);
+      certify(network, results);
     } else {
       try {
         build(network, request, results);
@@ -275,7 +276,6 @@ private:
       else
         shorten(network, results, recorder);
     }
-    certify(network, results);
     extract(network, results);
     m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
     record(network, recorder);
@@ -305,7 +305,6 @@ private:
         spline.refine();
       path.legs = spline.finish();
       path.report = spline.report();
-      path.certificate = spline.certificate();
       m_progress.add_flips(path.report.flips);
     } else {
       m_progress.enter("shortening", "steps");
@@ -315,8 +314,6 @@ private:
     note(path.report, path.report.curves.front(), result);
     result.initial_segments = path.legs.size();
     result.shorten_s = stopwatch.seconds();
-    if(m_options.is_certifying)
-      result.certificate = to_string(path.certificate.verdict);
     for(const std::vector<FG::Surface_location>& leg : path.legs)
       for(std::size_t i = &leg == &path.legs.front() ? 0 : 1; i < leg.size(); ++i) { // a leg starts where one ends
         const FG::Surface_point p = FG::surface_point(m_triangulation, leg[i]);
@@ -334,8 +331,11 @@ private:
     result.flip_outs = run.flip_outs;
     result.smallest_angle = curve.smallest_angle;
     result.status = to_string(curve.status);
+    if(curve.verdict != CGAL::Flip_geodesics::Certificate_verdict::NOT_CERTIFIED)
+      result.certificate = to_string(curve.verdict);
     if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
-      result.error = "it is not pulled tight to its end, as its flips take too much memory; give more with --most-memory";
+      result.error =
+          "it is not pulled tight to its end, as its flips take too much memory; give more with --most-memory";
   }
 
   // Draws a polyline, whose length is the initial one, and frees it. \pre the network has no curve
@@ -494,10 +494,10 @@ private:
     }
   }
 
-  // Proves the finished curves from the input alone.
+  // Proves the paths of a tree from the input alone; what was shortened has its verdict in the report.
   void certify(Network& network, std::vector<Curve_result>& results)
   {
-    if(!m_options.is_certifying)
+    if(Triangulation::Traits::Has_drift::value)
       return;
     m_progress.enter("certifying");
     //! [Certify]

@@ -94,14 +94,13 @@ Surface_request surface_request(const Triangulation& triangulation, const Networ
 
 /// A curve that has shrunk to a point.
 template <class Triangulation>
-void make_point(const Triangulation& triangulation, const CGAL::Flip_geodesics::Surface_point& p, bool is_certifying,
-                Curve_result& result)
+void make_point(const Triangulation& triangulation, const CGAL::Flip_geodesics::Surface_point& p, Curve_result& result)
 {
   namespace FG = CGAL::Flip_geodesics;
   result.status = to_string(FG::Shortening_status::CONTRACTED);
   result.initial_length = result.length = 0;
   result.smallest_angle = std::numeric_limits<double>::infinity();
-  if(is_certifying)
+  if(!Triangulation::Traits::Has_drift::value)
     result.certificate = to_string(FG::Certificate_verdict::PROVEN);
   if(!result.is_closed)
     result.points.assign(2, {p, FG::point_in_space(triangulation, p), true});

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
@@ -147,11 +146,9 @@ public:
     return sum;
   }
 
-  /// What `finish()` has done, with the flips of all before; the initial length is that of the first control polygon.
+  /// What `finish()` has done, with the flips of all before. Its initial length is that of the first control polygon,
+  /// its verdict that of all geodesics together.
   const Shortening_report& report() const { return m_report; }
-
-  /// The certificate of what `finish()` has done, for traits that decide exactly. Legs within a face are straight.
-  const Curve_certificate& certificate() const { return m_straightener.certificate(); }
 
 private:
   struct Leg

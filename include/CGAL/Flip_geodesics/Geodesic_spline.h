@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
@@ -259,13 +258,10 @@ private:
 
   void check_exactly()
   {
-    if constexpr(!Triangulation::Traits::Has_drift::value) {
-      const Network_certificate certificate = certify(m_network);
-      for(std::size_t c = 0; c < m_report.curves.size(); ++c)
-        if(m_report.curves[c].status == Shortening_status::LOCALLY_SHORTEST &&
-           !certificate.curves[c].is_locally_shortest())
-          m_report.curves[c].status = Shortening_status::PRECISION_LIMIT;
-    }
+    for(Curve_report& curve : m_report.curves)
+      if(curve.status == Shortening_status::LOCALLY_SHORTEST && !Triangulation::Traits::Has_drift::value &&
+         !is_locally_shortest(curve.verdict))
+        curve.status = Shortening_status::PRECISION_LIMIT;
   }
 
   // Divides the working legs, and joins halves of neighbours within a piece to the legs of the next level. Are there

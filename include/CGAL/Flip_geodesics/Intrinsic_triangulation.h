@@ -6,14 +6,13 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Flip_record.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_elements.h>
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/metric/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/store/Flip_log.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
@@ -39,6 +38,14 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+namespace internal {
+
+template <class TriangleMesh>
+using Default_metric =
+    Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
+
+} // namespace internal
 
 /// \ingroup PkgFlipGeodesicsCurves
 /// What a triangulation makes of edges of length zero.
@@ -72,11 +79,12 @@ enum class Zero_length_edges {
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`, triangulated, oriented and manifold; a
  *         `Surface_mesh` without removed vertices or edges
- * \tparam Traits_ a model of `IntrinsicTriangulationTraits`
+ * \tparam Traits_ a model of `IntrinsicTriangulationTraits`; by default `Certified_intrinsic_triangulation_traits` of
+ *         the points' kernel, whatever kernel that is
  * \tparam Metric_ a model of `IntrinsicMetric`
  */
-template <class TriangleMesh, class Traits_ = internal::Default_traits<TriangleMesh>,
-          class Metric_ = Embedded_metric<TriangleMesh, internal::Default_point_map<TriangleMesh>>>
+template <class TriangleMesh, class Traits_ = internal::Default_traits<internal::Default_metric<TriangleMesh>>,
+          class Metric_ = internal::Default_metric<TriangleMesh>>
 class Intrinsic_triangulation : public Intrinsic_triangulation_elements<TriangleMesh, Traits_, Metric_>
 {
   using Elements = Intrinsic_triangulation_elements<TriangleMesh, Traits_, Metric_>;

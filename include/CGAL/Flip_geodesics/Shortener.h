@@ -3,9 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTENER_H
 #define CGAL_FLIP_GEODESICS_SHORTENER_H
 
+#include <CGAL/Flip_geodesics/Certificate_verdict.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -42,6 +44,7 @@ class Shortener
                 "decisions that can err are measured from the input, with which the triangulation does not correspond");
 
   using Traits = typename Network_::Triangulation::Traits;
+  using Verdicts = internal::Indexed_by<Curve_index, std::vector<Certificate_verdict>>;
   using Straightnesses = internal::Indexed_by<Curve_index, std::vector<Straightness>>;
 
 public:
@@ -99,17 +102,18 @@ public:
   /// A curve's length, as above.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
-  /// What has become of the curves so far, measured afresh from the input if the triangulation corresponds with one.
-  /// Linear in the network and in the input edges that it crosses.
+  /// What has become of the curves so far, measured afresh from the input if the triangulation corresponds with one, and
+  /// certified if the traits decide exactly. Linear in the network and in the input edges that it crosses.
   Shortening_report report() const
   {
-    const Straightnesses straightness = m_straightness.empty() ? measured() : m_straightness;
+    Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Certificate_verdict::NOT_CERTIFIED);
+    const Straightnesses straightness = m_straightness.empty() ? measured(verdicts) : m_straightness;
     Shortening_report report;
     report.flips = m_state.flips;
     report.flip_outs = m_state.steps;
     for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
       report.curves.push_back({status(c, straightness[c]), m_network.initial_length(c), m_network.length(c),
-                               straightness[c].smallest_angle, m_state.curves[c].flips});
+                               straightness[c].smallest_angle, m_state.curves[c].flips, verdicts[c]});
     return report;
   }
 
@@ -136,11 +140,16 @@ private:
     return found;
   }
 
-  Straightnesses measured() const
+  // What decides exactly has verdicts, too.
+  Straightnesses measured([[maybe_unused]] Verdicts& verdicts) const
   {
     Straightnesses result(static_cast<std::size_t>(m_network.number_of_curves()));
-    if constexpr(internal::Has_words<typename Network::Triangulation>::value)
-      measure(result);
+    if constexpr(internal::Has_words<typename Network::Triangulation>::value) {
+      if constexpr(Traits::Has_drift::value)
+        measure(result);
+      else
+        certify(result, verdicts);
+    }
     return result;
   }
 
@@ -151,6 +160,14 @@ private:
       straightness[c] = meter(c);
   }
 
+  void certify(Straightnesses& straightness, Verdicts& verdicts) const
+  {
+    Decision_statistics statistics;
+    internal::Certifier<Network> certifier(m_network, statistics);
+    for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
+      verdicts[c] = certifier(c, straightness[c]).verdict;
+  }
+
   // Measures the curves, and goes on until they are as straight as the input says, or fresh vectors no longer help.
   template <class Engine>
   void go_on_where_drift_hid_it(Engine& flip_out)
@@ -158,7 +175,8 @@ private:
     constexpr int most_rounds = 50;
     m_straightness.clear();
     for(int round = 0; !flip_out.has_ended(); ++round) {
-      m_straightness = measured();
+      m_straightness = Straightnesses(static_cast<std::size_t>(m_network.number_of_curves()));
+      measure(m_straightness);
       bool has_refreshed = false;
       for(Curve_index c(0); c.idx() < m_network.number_of_curves() && round < most_rounds; ++c)
         if(m_state.curves[c].status == Shortening_status::LOCALLY_SHORTEST && !m_straightness[c].is_locally_shortest())

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTENING_REPORT_H
 #define CGAL_FLIP_GEODESICS_SHORTENING_REPORT_H
 
+#include <CGAL/Flip_geodesics/Certificate_verdict.h>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -57,6 +59,9 @@ struct Curve_report
   /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< edge flips for this curve, those of steps that were taken back included
+  /// Is it proven from the input to be locally shortest, as `certify()` does it? `NOT_CERTIFIED` with traits of which
+  /// `Has_drift` is `CGAL::Tag_true`.
+  Certificate_verdict verdict = Certificate_verdict::NOT_CERTIFIED;
   /// Did it meet an edge of length zero, so that such edges were contracted? Set by the one-call functions.
   bool are_zero_edges_contracted = false;
 };

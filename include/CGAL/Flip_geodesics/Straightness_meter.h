@@ -5,17 +5,14 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Joint.h>
-#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+#include <CGAL/Flip_geodesics/internal/measuring/Curve_measurement.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -33,6 +30,11 @@ struct Straightness
   static constexpr double tolerance() { return 1e-8; }
   /// The angle, in radians, from which on a side of a joint counts as straight: \f$\pi\f$ less `tolerance()`.
   static constexpr double straight_angle() { return boost::math::constants::pi<double>() - tolerance(); }
+
+  /// Takes the bend of a segment into account.
+  void note_bend(double bend) { largest_bend = (std::max)(largest_bend, bend); }
+  /// Takes the angle at a side of a joint into account.
+  void note_angle(double angle) { smallest_angle = (std::min)(smallest_angle, angle); }
 
   /// Is the curve locally shortest up to `tolerance()`?
   bool is_locally_shortest() const { return largest_bend <= tolerance() && smallest_angle >= straight_angle(); }
@@ -54,13 +56,13 @@ template <class Network>
 class Straightness_meter
 {
   using Triangulation = typename Network::Triangulation;
-  using Strip = internal::Strip<Triangulation>;
 
 public:
   /// Measures curves of a network, which must outlive the meter.
   explicit Straightness_meter(const Network& network)
     : m_network(network)
     , m_triangulation(network.triangulation())
+    , m_measurement(network)
   {
   }
 
@@ -68,29 +70,15 @@ public:
   Straightness operator()(Curve_index curve)
   {
     Straightness result;
-    m_segments.clear();
-    m_network.for_each_segment(curve, [&](Segment_index s) {
-      const Crossing_word word = m_triangulation.crossing_word(m_network.halfedge(s));
-      const Strip strip(m_triangulation, word);
-      result.largest_bend = (std::max)(result.largest_bend, strip.bend());
-      m_segments.push_back({s, word.along != null_index, strip.reference(), strip.arrival_reference(),
-                            internal::angle_from_reference(strip.end()),
-                            internal::angle_from_reference(strip.arrival())});
-    });
-    for(std::size_t i = 0; i < m_segments.size(); ++i) {
-      const Measured_segment &x = m_segments[i], &y = m_segments[(i + 1) % m_segments.size()];
-      if(m_network.next(x.segment) == y.segment)
-        result.smallest_angle = (std::min)({result.smallest_angle, angle_left(x, y), angle_right(x, y)});
-    }
+    m_measurement(
+        curve, [](Segment_index, const Crossing_word&) { return true; },
+        [&](Segment_index, const Crossing_word&, const auto& strip) { result.note_bend(strip.bend()); },
+        [&](const Joint&, const internal::Wedge_angle& angle) { result.note_angle(angle.value); });
     return result;
   }
 
   /// The angle at a side of a joint, in radians; infinite if the side is blocked, fixed or holds the border.
-  double angle(const Joint& joint) const
-  {
-    return angle_if_free(
-        joint, [&](Halfedge_index a, Halfedge_index b) { return internal::wedge_angle(m_triangulation, a, b).value; });
-  }
+  double angle(const Joint& joint) const { return m_measurement.angle(joint).value; }
 
   /*!
    * Lays out the faces in the wedge at a side of a joint afresh, so that the triangulation's angles agree with the
@@ -113,57 +101,9 @@ public:
   }
 
 private:
-  struct Measured_segment
-  {
-    Segment_index segment;
-    bool is_along;
-    Input_halfedge_index at_tail, at_head; // the references of both directions
-    double angle_at_tail, angle_at_head;
-
-    bool has_both_ends() const { return at_tail != null_index && at_head != null_index; }
-  };
-
-  template <class Function>
-  double angle_if_free(const Joint& joint, const Function& angle_clockwise) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if(m_network.is_head_fixed(joint.incoming))
-      return infinity;
-    const auto [a, b] = m_network.ends(joint);
-    if(m_network.next_clockwise(a) != b)
-      return infinity;
-    return m_network.is_turning_back(joint) ? 0 : angle_clockwise(a.halfedge, b.halfedge);
-  }
-
-  // The angle from the head of x clockwise to the tail of y, as wedge_angle() has it, from what has been measured.
-  double angle_left(const Measured_segment& x, const Measured_segment& y) const
-  {
-    if(!x.has_both_ends() || !y.has_both_ends()) // beside an inserted vertex
-      return angle({x.segment, Side::LEFT});
-    return angle_if_free({x.segment, Side::LEFT}, [&](Halfedge_index a, Halfedge_index b) {
-      return x.angle_at_head - y.angle_at_tail + input_corners(a, b, x.at_head, x.is_along);
-    });
-  }
-
-  double angle_right(const Measured_segment& x, const Measured_segment& y) const
-  {
-    if(!x.has_both_ends() || !y.has_both_ends())
-      return angle({x.segment, Side::RIGHT});
-    return angle_if_free({x.segment, Side::RIGHT}, [&](Halfedge_index a, Halfedge_index b) {
-      return y.angle_at_tail - x.angle_at_head + input_corners(a, b, y.at_tail, y.is_along);
-    });
-  }
-
-  // The input corners between the references of halfedges a and b, clockwise; that of a is given.
-  double input_corners(Halfedge_index a, Halfedge_index b, Input_halfedge_index reference, bool is_along) const
-  {
-    const Index steps = m_triangulation.input_edges_in_wedge(a, b) + (is_along ? 1 : 0);
-    return internal::sum_of_input_corners(m_triangulation, reference, steps).value();
-  }
-
   const Network& m_network;
   const Triangulation& m_triangulation;
-  std::vector<Measured_segment> m_segments;
+  internal::Curve_measurement<Network> m_measurement;
 };
 
 } // namespace Flip_geodesics

@@ -3,46 +3,22 @@
 #ifndef CGAL_FLIP_GEODESICS_CERTIFY_H
 #define CGAL_FLIP_GEODESICS_CERTIFY_H
 
+#include <CGAL/Flip_geodesics/Certificate_verdict.h>
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/internal/measuring/Curve_measurement.h>
 #include <CGAL/Flip_geodesics/internal/strips/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
 
 #include <CGAL/enum.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-/// \ingroup PkgFlipGeodesicsProving
-/// What a certificate says of a curve.
-enum class Certificate_verdict {
-  PROVEN,       ///< the curve is locally shortest, exactly
-  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ with a probability of error below
-                ///< \f$2^{-100}\f$ each, see `Decision_statistics::unproven_zeros`
-  BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces, or its word is no such strip; or
-                ///< it touches a vertex, as happens along faces without area, whose angles sum up to less than
-                ///< \f$2\pi\f$
-  BENT_JOINT    ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
-};
-
-/// The name of a verdict, as the enumerator is spelled.
-inline const char* to_string(Certificate_verdict verdict)
-{
-  switch(verdict) {
-  case Certificate_verdict::PROVEN:
-    return "PROVEN";
-  case Certificate_verdict::PROBABLE:
-    return "PROBABLE";
-  case Certificate_verdict::BENT_SEGMENT:
-    return "BENT_SEGMENT";
-  case Certificate_verdict::BENT_JOINT:
-    return "BENT_JOINT";
-  }
-  return "";
-}
 
 /// \ingroup PkgFlipGeodesicsProving
 /// The verdict on one curve; if it is bent, where.
@@ -53,10 +29,7 @@ struct Curve_certificate
   Side side = Side::LEFT;             ///< the side of the bent joint
 
   /// Is the curve locally shortest, `PROVEN` or `PROBABLE`?
-  bool is_locally_shortest() const
-  {
-    return verdict == Certificate_verdict::PROVEN || verdict == Certificate_verdict::PROBABLE;
-  }
+  bool is_locally_shortest() const { return Flip_geodesics::is_locally_shortest(verdict); }
 };
 
 /// \ingroup PkgFlipGeodesicsProving
@@ -88,50 +61,56 @@ public:
     : m_network(network)
     , m_triangulation(network.triangulation())
     , m_statistics(statistics)
+    , m_measurement(network)
   {
   }
 
-  Curve_certificate operator()(Curve_index curve)
+  /* Measures the curve, too: what doubles with a bound of their error tell is not decided again. */
+  Curve_certificate operator()(Curve_index curve, Straightness& straightness)
   {
     Curve_certificate result;
     const std::size_t unproven = m_statistics.unproven_zeros;
-    m_network.for_each_segment(curve, [&](Segment_index s) {
-      if(result.is_locally_shortest() && !is_straight(s))
+    const Straight_strip<Triangulation> is_straight(m_triangulation, m_statistics);
+    const auto is_strip = [&](Segment_index s, const Crossing_word& word) {
+      const bool is_one = is_straight.is_strip(m_network.halfedge(s), word);
+      if(result.is_locally_shortest() && !is_one)
         result = {Certificate_verdict::BENT_SEGMENT, s, Side::LEFT};
-    });
-    // The angle of a joint is that between its segments' words, which are known to be true now.
-    m_network.for_each_segment(curve, [&](Segment_index s) {
-      for(Side side : {Side::LEFT, Side::RIGHT})
-        if(result.is_locally_shortest() && is_bent({s, side}))
-          result = {Certificate_verdict::BENT_JOINT, s, side};
-    });
+      return is_one;
+    };
+    const auto on_segment = [&](Segment_index s, const Crossing_word& word, const auto& strip) {
+      straightness.note_bend(strip.bend());
+      if(result.is_locally_shortest() && !is_straight(word, strip))
+        result = {Certificate_verdict::BENT_SEGMENT, s, Side::LEFT};
+    };
+    // The angle of a joint is that between its segments' words, which are known to be true then.
+    const auto on_joint = [&](const Joint& joint, const Wedge_angle& angle) {
+      straightness.note_angle(angle.value);
+      if(result.is_locally_shortest() && is_bent(joint, angle))
+        result = {Certificate_verdict::BENT_JOINT, joint.incoming, joint.side};
+    };
+    m_measurement(curve, is_strip, on_segment, on_joint);
     if(result.is_locally_shortest() && m_statistics.unproven_zeros > unproven)
       result.verdict = Certificate_verdict::PROBABLE;
     return result;
   }
 
 private:
-  bool is_straight(Segment_index s)
-  {
-    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(m_network.halfedge(s));
-  }
-
   // Below pi, with nothing in the way?
-  bool is_bent(const Joint& joint) const
+  bool is_bent(const Joint& joint, const Wedge_angle& angle) const
   {
-    if(m_network.is_head_fixed(joint.incoming))
-      return false;
+    const Comparison_result quick = angle.compare_with_straight();
+    if(quick != EQUAL) {
+      m_statistics.by_strip += std::isfinite(angle.value) ? 1 : 0;
+      return quick == SMALLER;
+    }
     const auto [a, b] = m_network.ends(joint);
-    if(m_network.next_clockwise(a) != b)
-      return false;
-    if(m_network.is_turning_back(joint))
-      return true;
     return Wedge_comparison<Triangulation>(m_triangulation, m_statistics)(a.halfedge, b.halfedge) == SMALLER;
   }
 
   const Network& m_network;
   const Triangulation& m_triangulation;
   Decision_statistics& m_statistics;
+  Curve_measurement<Network> m_measurement;
 };
 
 } // namespace internal
@@ -152,9 +131,10 @@ template <class Network>
 Network_certificate certify(const Network& network)
 {
   Network_certificate result;
+  Straightness straightness;
   internal::Certifier<Network> certifier(network, result.statistics);
   for(Curve_index c : internal::descriptors<Curve_index>(network.number_of_curves()))
-    result.curves.push_back(certifier(c));
+    result.curves.push_back(certifier(c, straightness));
   return result;
 }
 

@@ -66,7 +66,6 @@ struct Free_legs
 {
   std::vector<std::vector<Surface_location>> legs; ///< the points of each: its ends, and where it crosses edges
   Shortening_report report;                        ///< of all legs together, as one curve
-  Curve_certificate certificate;                   ///< the same, for traits that decide exactly
 };
 
 /*!
@@ -99,7 +98,6 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
     result.legs.push_back(straightener.shortest(points[i], points[i + 1], tighten));
   }
   result.report = straightener.report();
-  result.certificate = straightener.certificate();
   return result;
 }
 

@@ -40,8 +40,9 @@ struct Geodesic_result
   OutputIterator out;       ///< the end of the output
   Shortening_report report; ///< what became of the curve
 
-  double length() const { return report.curves.front().length; }            ///< the length of the curve
-  Shortening_status status() const { return report.curves.front().status; } ///< whether the curve is a geodesic
+  double length() const { return report.curves.front().length; }                ///< the length of the curve
+  Shortening_status status() const { return report.curves.front().status; }     ///< whether the curve is a geodesic
+  Certificate_verdict verdict() const { return report.curves.front().verdict; } ///< whether it is proven to be one
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -222,8 +223,9 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  * \param np named parameters: `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
  *        points as values, by default `get(CGAL::vertex_point, mesh)`; or `with_metric()`, a model of `IntrinsicMetric`,
  *        by default that of the points; `geom_traits`, a model of `IntrinsicTriangulationTraits`, by default
- *        `Intrinsic_triangulation_traits` of the points' kernel; `visitor`, a model of `FlipOutVisitor`, which is copied
- *        unless it is given by `std::ref()`, by default none
+ *        `Certified_intrinsic_triangulation_traits` of the metric's kernel, whatever kernel that is, or, for a metric of
+ *        one's own without `exact_face()`, `Intrinsic_triangulation_traits`; `visitor`, a model of `FlipOutVisitor`,
+ *        which is copied unless it is given by `std::ref()`, by default none
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_curve_error if `source == target`,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error

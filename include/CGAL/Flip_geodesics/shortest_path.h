@@ -27,7 +27,7 @@ namespace Flip_geodesics {
 enum class Shortest_path_verdict {
   UNCONFIRMED, ///< there may be a shorter one
   CONFIRMED,   ///< none is shorter by more than `Shortest_path_report::tolerance()`
-  /// The same with `Shortest_path_report::proof_tolerance()`, and all decisions on the way to the path were exact.
+  /// The same with `Shortest_path_report::proof_tolerance()`, and the path is `Certificate_verdict::PROVEN`.
   PROVEN_SHORTEST
 };
 
@@ -196,14 +196,13 @@ std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
   return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Halfedge_index>();
 }
 
-/* What the gap says of a path that was made with some traits. */
-template <class Traits>
-Shortest_path_verdict verdict_of(const Shortest_path_report& report)
+/* What the gap and the certificate say of a path. */
+inline Shortest_path_verdict verdict_of(const Shortest_path_report& report)
 {
   if(!report.shortening.is_complete() || report.gap() > Shortest_path_report::tolerance() * report.length)
     return Shortest_path_verdict::UNCONFIRMED;
-  const bool is_proven =
-      !Traits::Has_drift::value && report.gap() <= Shortest_path_report::proof_tolerance() * report.length;
+  const bool is_proven = report.shortening.curves.front().verdict == Certificate_verdict::PROVEN &&
+                         report.gap() <= Shortest_path_report::proof_tolerance() * report.length;
   return is_proven ? Shortest_path_verdict::PROVEN_SHORTEST : Shortest_path_verdict::CONFIRMED;
 }
 
@@ -227,7 +226,7 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
  * inserted instead, by flipping the edges that it crosses.
  *
  * The search is rounded outward: `Shortest_path_report::lower_bound` holds for the mesh as its numbers say, to the last
- * digit, and is mostly within 1e-13 of the length. If the traits decide exactly, then the path is
+ * digit, and is mostly within 1e-13 of the length. If the path is `Certificate_verdict::PROVEN`, then it is
  * `Shortest_path_verdict::PROVEN_SHORTEST` where it is within `Shortest_path_report::proof_tolerance()`. The search
  * cannot confirm where it meets an edge of length zero, and where it is given up.
  *
@@ -298,7 +297,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   if(is_sound && !triangulation.input().has_split_point())
     report.lower_bound = (std::max)(report.lower_bound,
                                     (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
-  report.verdict = internal::verdict_of<typename Triangulation::Traits>(report);
+  report.verdict = internal::verdict_of(report);
   report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
   return report;
 }

@@ -5,6 +5,7 @@
 #ifndef FLIP_GEODESICS_TEST_INTRINSIC_TRIANGULATION_SNAPSHOTS_H
 #define FLIP_GEODESICS_TEST_INTRINSIC_TRIANGULATION_SNAPSHOTS_H
 
+#include "Double_triangulation.h"
 #include "descriptors.h"
 #include "generated_curves.h"
 #include "generated_meshes.h"
@@ -51,7 +52,7 @@ using FG::internal::twin_index;
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Triangulation = Double_triangulation<Mesh>;
 using Edge = boost::graph_traits<Mesh>::edge_descriptor;
 using Length_map = boost::associative_property_map<std::map<Edge, double>>;
 using Length_metric = FG::Edge_length_metric<Mesh, Length_map>;

@@ -5,6 +5,7 @@
 #ifndef FLIP_GEODESICS_TEST_SURFACE_POINTS_INSERTED_POINTS_H
 #define FLIP_GEODESICS_TEST_SURFACE_POINTS_INSERTED_POINTS_H
 
+#include "Double_triangulation.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 #include "random_curves.h"
@@ -47,7 +48,7 @@ using FG::internal::twin_index;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Plain = FG::Intrinsic_triangulation<Mesh>;
+using Plain = Double_triangulation<Mesh>;
 using Certified = FG::Intrinsic_triangulation<Mesh, FG::Certified_intrinsic_triangulation_traits<Kernel>>;
 
 inline std::vector<Mesh_soup> soups()

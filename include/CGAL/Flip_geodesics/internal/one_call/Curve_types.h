@@ -5,9 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/metric/Default_traits.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/with_metric.h>
@@ -86,9 +86,8 @@ struct Curve_types
 
   using Metric = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
                                     is_given<NamedParameters, internal_np::vertex_point_t>>::type;
-  using Traits =
-      typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
-                                                   Intrinsic_triangulation_traits<typename Metric::Kernel>>::type;
+  using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                              Default_traits<Metric>>::type;
   using Triangulation = Intrinsic_triangulation<TriangleMesh, Traits, Metric>;
   using Network = Edge_path_network<Triangulation>;
 };

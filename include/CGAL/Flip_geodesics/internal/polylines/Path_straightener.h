@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
@@ -71,14 +70,7 @@ public:
 
   /* What became of all paths together, as if they were one curve. */
   const Shortening_report& report() const { return m_report; }
-  void clear_report()
-  {
-    m_report.curves.assign(1, {});
-    m_certificate = {};
-  }
-
-  /* The certificates of all paths together, with traits that decide exactly. */
-  const Curve_certificate& certificate() const { return m_certificate; }
+  void clear_report() { m_report.curves.assign(1, report_of_nothing()); }
 
 private:
   [[noreturn]] static void throw_disconnected(Vertex_index v, Vertex_index w)
@@ -103,7 +95,7 @@ private:
       } else {
         network.add_curve(path, false);
         order_overlapping_curves(network);
-        note(tighten(network), network);
+        note(tighten(network));
         for(const Surface_point& point : Curve_extractor<Network>(network).surface_points(Curve_index(0)))
           result.push_back(canonical_location(m_triangulation.input(), surface_location(m_triangulation, point)));
         if(result.empty()) // contracted to its ends
@@ -118,7 +110,7 @@ private:
     return result;
   }
 
-  void note(const Shortening_report& report, const Network& network)
+  void note(const Shortening_report& report)
   {
     Curve_report& all = m_report.curves.front();
     const Curve_report& one = report.curves.front();
@@ -129,11 +121,16 @@ private:
     all.smallest_angle = (std::min)(all.smallest_angle, one.smallest_angle);
     if(one.status != Shortening_status::LOCALLY_SHORTEST && one.status != Shortening_status::CONTRACTED)
       all.status = one.status;
-    if constexpr(!Triangulation::Traits::Has_drift::value) {
-      const Curve_certificate certificate = certify(network).curves.front();
-      if(m_certificate.verdict < certificate.verdict)
-        m_certificate.verdict = certificate.verdict;
-    }
+    all.verdict = (std::max)(all.verdict, one.verdict);
+  }
+
+  // Legs within a face are straight.
+  static Curve_report report_of_nothing()
+  {
+    Curve_report report;
+    report.verdict =
+        Triangulation::Traits::Has_drift::value ? Certificate_verdict::NOT_CERTIFIED : Certificate_verdict::PROVEN;
+    return report;
   }
 
   bool is_in_one_face(const Surface_polyline& path) const
@@ -174,8 +171,7 @@ private:
   }
 
   Triangulation& m_triangulation;
-  Shortening_report m_report = {{{}}, 0, 0};
-  Curve_certificate m_certificate;
+  Shortening_report m_report = {{report_of_nothing()}, 0, 0};
 };
 
 } // namespace internal

@@ -43,11 +43,17 @@ public:
   {
   }
 
-  /* Is the segment of halfedge h? */
-  bool operator()(Halfedge_index h) const
+  /* Is what is said to be the word of halfedge h one of a strip from its tail to its head? */
+  bool is_strip(Halfedge_index h, const Crossing_word& word) const
   {
-    const Crossing_word word = m_triangulation.crossing_word(h);
-    return word.tail == m_triangulation.tail(h) && word.head == m_triangulation.head(h) && (*this)(word);
+    return word.tail == m_triangulation.tail(h) && word.head == m_triangulation.head(h) && is_strip(word);
+  }
+
+  /* Is the line of a word of a strip, which is at hand in double? */
+  bool operator()(const Crossing_word& word, const Strip_in_double& strip) const
+  {
+    Strip_obstacle obstacle;
+    return is_inside_face(word) || is_straight(word, strip, obstacle);
   }
 
   /* Is the line of a word, which need not be that of an edge of the triangulation? */
@@ -62,9 +68,14 @@ public:
   {
     if(!is_strip(word))
       return false;
-    if(word.along == null_index && word.crossed.empty())
-      return true;
-    const Strip_in_double strip(m_triangulation, word);
+    return is_inside_face(word) || is_straight(word, Strip_in_double(m_triangulation, word), obstacle);
+  }
+
+private:
+  static bool is_inside_face(const Crossing_word& word) { return word.along == null_index && word.crossed.empty(); }
+
+  bool is_straight(const Crossing_word& word, const Strip_in_double& strip, Strip_obstacle& obstacle) const
+  {
     Touched touched(m_triangulation, word.tail, word.head, strip.length(), m_statistics);
     if(word.along != null_index)
       add_edge_along(word, touched);
@@ -73,7 +84,6 @@ public:
     return touched.are_passed_straight(obstacle);
   }
 
-private:
   /* On which sides of the line do the ends of a gate lie? POSITIVE is the right side. */
   struct Gate_sides
   {

@@ -115,6 +115,9 @@ public:
 
   double length() const { return std::abs(m_end); }
 
+  /* A bound of the error of arrival(), relative to its length: that of end(), and of the last face's turn. */
+  double arrival_error() const { return relative_error() + static_cast<double>(m_gates.size() + 3) * ratio_error; }
+
   /* A bound of the error of end(), relative to its length; infinite if that is all error. */
   double relative_error() const
   {

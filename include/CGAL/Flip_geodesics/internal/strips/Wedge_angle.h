@@ -159,6 +159,12 @@ Wedge_words wedge_words(const Triangulation& triangulation, Halfedge_index from,
   return result;
 }
 
+/* From those of the strips at both ends, relative to their lengths, and of so many corners in between. */
+inline double error_of_wedge_angle(double from, double to, Index steps)
+{
+  return 1.6 * (from + to) + static_cast<double>(steps + 4) * input_corner_error; // of the arc sine as well
+}
+
 /* The wedge between two words, afresh from the input: the input corners between their reference halfedges, corrected by
  * their strips at both ends. \pre not about a point inside a face */
 template <class Triangulation>
@@ -173,8 +179,7 @@ Wedge_rotation wedge_rotation(const Triangulation& triangulation, const Wedge_wo
   const double between = is_on_edge ? words.steps * pi : corners.value();
   const std::complex<double> half_turns = is_on_edge && words.steps % 2 != 0 ? -1 : 1;
   const double sum = angle_from_reference(from.end()) - angle_from_reference(to.end()) + between;
-  const double strip_error = 1.6 * (from.relative_error() + to.relative_error()); // of the arc sine as well
-  return {{sum, strip_error + static_cast<double>(words.steps + 4) * input_corner_error},
+  return {{sum, error_of_wedge_angle(from.relative_error(), to.relative_error(), words.steps)},
           product(product(from.end(), std::conj(to.end())), half_turns * corners.rotation())};
 }
 
