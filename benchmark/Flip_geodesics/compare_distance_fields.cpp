@@ -5,9 +5,11 @@
 // vertex is nearer to; and the continuous Dijkstra method of Surface_mesh_shortest_path, where it is not left out. Writes
 // a line per source, with a header:
 //
-//   mesh,triangles,source,field_s,field_windows,everywhere_s,question_s,search_s,search_windows,exact_s,difference
+//   mesh,triangles,source,field_s,field_windows,everywhere_s,question_s,search_s,search_windows,exact_s,difference,
+//   one_thread_s,threads_s
 //
-// `question_s` is for one distance inside a face; `difference` the largest one of the field to another method, as a part
+// Seconds are of processor time, but those of the last two columns of a clock: the field of vertices only, by one thread
+// and by all, the least of five runs each. `question_s` is for one distance inside a face; `difference` the largest one of the field to another method, as a part
 // of the distance.
 //
 // Usage: compare_distance_fields SOURCES EXACT MESH...   EXACT is 0 or 1
@@ -25,6 +27,7 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -41,6 +44,28 @@ using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Field = FG::Geodesic_distance_field<Triangulation>;
 using Search = FG::internal::Window_search<Triangulation>;
 using Shortest_path = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;
+
+#ifdef CGAL_LINKED_WITH_TBB
+using Threads = CGAL::Parallel_tag;
+#else
+using Threads = CGAL::Sequential_tag;
+#endif
+
+// The least of several runs, by the clock.
+template <class ConcurrencyTag>
+double clock_seconds(const Triangulation& triangulation, const Mesh& mesh, FG::Vertex_index source)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(int i = 0; i < 5; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    Field field(triangulation, mesh, FG::Distance_field_extent::VERTICES_ONLY);
+    field.add_source(source);
+    field.compute<ConcurrencyTag>();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    result = (std::min)(result, seconds.count());
+  }
+  return result;
+}
 
 double seconds_of_question(const Field& field, const Mesh& mesh)
 {
@@ -93,7 +118,9 @@ void compare(const Mesh& mesh, const std::string& name, FG::Vertex_index source,
   }
   std::cout << name << ',' << mesh.number_of_faces() << ',' << source.idx() << ',' << field_s << ',' << report.windows
             << ',' << everywhere_s << ',' << seconds_of_question(field, mesh) << ',' << search_s << ','
-            << search.number_of_windows() << ',' << exact_s << ',' << difference << std::endl;
+            << search.number_of_windows() << ',' << exact_s << ',' << difference << ','
+            << clock_seconds<CGAL::Sequential_tag>(triangulation, mesh, source) << ','
+            << clock_seconds<Threads>(triangulation, mesh, source) << std::endl;
 }
 
 } // namespace
@@ -104,7 +131,7 @@ int main(int argc, char** argv)
     if(argc < 4)
       throw std::runtime_error("usage: compare_distance_fields SOURCES EXACT MESH...");
     std::cout << "mesh,triangles,source,field_s,field_windows,everywhere_s,question_s,search_s,search_windows,exact_s,"
-                 "difference\n";
+                 "difference,one_thread_s,threads_s\n";
     for(int i = 3; i < argc; ++i) {
       Mesh mesh;
       CGAL::copy_face_graph(benchmark_meshes::make_mesh(argv[i]), mesh);
