@@ -258,6 +258,22 @@ def loops(tools):
     return panels
 
 
+@figure(1000, 440)
+def loop_basis(tools):
+    """Closed geodesics around the handles of two surfaces, found from the surfaces alone."""
+    panels = []
+    for name, view in (('elephant.off', (0.8, 0.45, -1)), ('eight.off', (0.3, -0.5, 1))):
+        mesh = tools.mesh(name)
+        points, faces = read_off(mesh)
+        tools.run('loop_basis_example', mesh)
+        panel = Panel(size_of(points))
+        panel.surface(points, faces)
+        panel.tubes(read_vtp(tools.folder / 'loop_basis.vtp'), BLUE, 0.007)
+        panel.look(view)
+        panels.append(panel)
+    return panels
+
+
 def staircase(loop, along):
     """Fills in the vertices between places of a torus that are more than an edge apart along the tube."""
     result = []
