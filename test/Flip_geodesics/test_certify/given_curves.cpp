@@ -239,8 +239,12 @@ BOOST_AUTO_TEST_CASE(ends_on_one_edge_and_in_one_face)
   BOOST_TEST(certified(mesh, {crossing(h), place(2)}).is_locally_shortest());
   BOOST_TEST(certified(mesh, {place(1), place(2)}).is_locally_shortest());
   BOOST_TEST(certified(mesh, {crossing(h, 1), crossing(spoke(mesh, 2), 1)}).is_locally_shortest()); // vertices
-  const auto in_face = [&](double a) { return Place(std::make_pair(mesh.face(h), std::array<double, 3>{{1, 1, a}})); };
-  BOOST_TEST(certified(mesh, {in_face(1), in_face(2)}).is_locally_shortest());
+  for(std::size_t i = 0; i < 3; ++i) {
+    std::array<double, 3> weights = {1, 1, 1};
+    const Place centre = std::make_pair(mesh.face(h), weights);
+    weights[i] = 2;
+    BOOST_TEST(certified(mesh, {centre, std::make_pair(mesh.face(h), weights)}).is_locally_shortest());
+  }
   const auto bent = certified(mesh, {crossing(h), place(0), crossing(spoke(mesh, 2))});
   check_bend(bent, Verdict::BENT_JOINT, 2 * pi / 3, 0, 1, FG::Side::RIGHT);
 }
@@ -256,6 +260,9 @@ BOOST_AUTO_TEST_CASE(the_bend_of_a_segment_is_told)
   Places round = {place(1), crossing(mesh.opposite(spoke(mesh, 2))), crossing(spoke(mesh, 3)), crossing(spoke(mesh, 4)),
                   place(5)};
   check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, pi / 3, 0, 1, FG::Side::LEFT);
+  Places with_joint = round; // of joints nothing is said where segments are bent
+  with_joint.insert(with_joint.end(), {place(4), place(5)});
+  check_bend(certified(mesh, with_joint), Verdict::BENT_SEGMENT, pi / 3, 0, 1, FG::Side::LEFT);
   round.back() = crossing(spoke(mesh, 5));
   round.push_back(place(6));
   check_bend(certified(mesh, round), Verdict::BENT_SEGMENT, 2 * pi / 3, 0, 1, FG::Side::LEFT);

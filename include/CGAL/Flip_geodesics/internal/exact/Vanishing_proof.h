@@ -50,7 +50,7 @@ public:
     for(Residue p = (Residue(1) << (digits + 1)) - 1; primes > 0; p -= 2) {
       if(!is_prime(p))
         continue;
-      if(!vanishes_modulo(p) || m_work * primes > most_work)
+      if(!vanishes_modulo(p, most_work / primes))
         return false;
       m_work = 0;
       --primes;
@@ -62,7 +62,7 @@ private:
   using Residue = std::uint64_t;
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1), digits = 30;
-  static constexpr std::size_t most_open = 4;
+  static constexpr std::size_t most_open = 6;
   static constexpr std::uint64_t most_work = std::uint64_t(1) << 32; // multiplications: some ten seconds
 
   /* number + i root_factor variable */
@@ -269,7 +269,8 @@ private:
     return false;
   }
 
-  bool vanishes_modulo(Residue p)
+  // Gives up after so many multiplications.
+  bool vanishes_modulo(Residue p, std::uint64_t most_work_now)
   {
     m_p = p;
     m_vectors = {Vector(std::size_t(2) << m_slots, 0)};
@@ -283,7 +284,7 @@ private:
         v = applied(operation, residues, v);
       if(operation.closes)
         close(operation.variable_bit);
-      if(m_work > most_work)
+      if(m_work > most_work_now)
         return false;
     }
     const auto is_real = [this](const Vector& v) { return v[2 * m_read + 1] == 0; };
