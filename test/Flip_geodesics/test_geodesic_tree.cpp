@@ -15,6 +15,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -351,14 +352,26 @@ BOOST_AUTO_TEST_CASE(measurements_are_remembered)
     FG::make_shortest(setting.tree);
     const double smallest = Straightness(setting.tree, measured)(std::back_inserter(bent));
     BOOST_TEST(std::abs(smallest - Straightness(setting.tree, afresh)(std::back_inserter(bent))) < 1e-12);
+    double least = std::numeric_limits<double>::infinity();
     for(Vertex_index v : setting.vertices()) {
       if(v == 17_v)
         continue;
+      least = (std::min)(least, afresh[v].angle);
       BOOST_TEST((measured[v].last == setting.tree.incoming(v)));
       BOOST_TEST((measured[v].angle == afresh[v].angle || std::abs(measured[v].angle - afresh[v].angle) < 1e-12));
       remembered += measured[v].arrival.angle != afresh[v].arrival.angle ? 1 : 0;
       replaced += before[static_cast<std::size_t>(v.idx())] != setting.tree.incoming(v) ? 1 : 0;
+      // If it were of other edges.
+      const auto leg = afresh[v];
+      FG::Index& version = v.idx() % 2 == 0 ? afresh[v].last_version : afresh[v].before_version;
+      version += v.idx() % 3 == 0 ? 0 : 1;
+      afresh[v].before = v.idx() % 3 == 0 ? leg.last : leg.before;
+      afresh[v].angle = 7;
+      Straightness(setting.tree, afresh)(std::back_inserter(bent));
+      BOOST_TEST((afresh[v].angle == leg.angle || std::abs(afresh[v].angle - leg.angle) < 1e-12));
     }
+    BOOST_TEST(std::abs(smallest - least) < 1e-12);
+    BOOST_TEST(bent.empty());
   }
   BOOST_TEST(remembered > 300);
   BOOST_TEST(replaced > 10);
