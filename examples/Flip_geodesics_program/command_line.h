@@ -96,6 +96,9 @@ private:
     add("--pairs", "FILE", m_options.pairs, "A geodesic per line `source target`; # starts a comment");
     add("--random", "NUMBER", m_options.random, "So many geodesics between random vertices of a component");
     add("--seed", "NUMBER", m_options.seed, "Seed of --random")->capture_default_str();
+    add("--trace", "VERTEX,ANGLE,LENGTH", m_options.traces,
+        "A straightest geodesic from a vertex: its direction, in radians as in --map, and its length; may be repeated")
+        ->allow_extra_args(false);
   }
 
   void add_curves_from_files()

@@ -18,6 +18,7 @@
 #include "run/machine_memory.h"
 #include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
 #include "run/progress.h"
+#include "run/traced_curves.h"
 #include "run/watcher.h"
 
 #include <CGAL/assertions_behaviour.h>
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
+#include <locale>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -110,15 +112,20 @@ void check_options(const Options& options)
                    (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
                    (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
                    (options.has_seams ? 1 : 0) + (options.sources.empty() ? 0 : 1) + (options.points.empty() ? 0 : 1) +
-                   (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1);
+                   (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1) +
+                   (options.traces.empty() ? 0 : 1);
   if(options.sources.empty() && (options.is_shortest || !options.results.map.empty() || options.is_field_wanted()))
     throw Bad_input("--shortest, --map, --isolines and --voronoi belong to --source; give a source");
   if(jobs != 1)
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
-                    "--points, --bezier, --draw, --segmentation, --seams, --source");
+                    "--points, --bezier, --draw, --segmentation, --seams, --source, --trace");
   if(!options.is_repaired && !options.results.repaired.empty())
     throw Bad_input("--repaired belongs to --repair; give both");
   check_field_options(options);
+  if(!options.traces.empty() && (options.mollify || options.kernel || options.stop_length ||
+                                 options.meshes.is_any_wanted()))
+    throw Bad_input("--trace gives no curves of a triangulation: --mollify, --kernel, --stop-length, "
+                    "--delaunay, --refine, --subdivision, --insert and --cut do not go with it");
   if(!options.sources.empty() && options.stop_length)
     throw Bad_input("--stop-length is of no use with --source; leave one of them out");
   if(options.is_snapped && options.draw.empty())
@@ -223,22 +230,54 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   return outputs->has_failed() ? incomplete : success;
 }
 
-int run_field(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+// Curves that `compute()` gives at once, of no triangulation.
+template <class Compute>
+int run_at_once(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress,
+                const Compute& compute)
 {
-  Field_request request = {{}, options.isolines, options.has_voronoi, options.tolerance.value_or(0)};
-  for(long long source : options.sources)
-    request.sources.push_back(input.vertex(source, "--source"));
   const std::unique_ptr<Outputs> outputs = make_outputs(options);
   if(!options.is_quiet)
     for(const std::string& remark : input.remarks())
       std::cerr << "flip_geodesics: " << remark << '\n';
-  const std::vector<Curve_result> results = field_curves(input, request, progress);
+  const std::vector<Curve_result> results = compute();
   progress.enter("writing");
   outputs->write(results, std::nullopt);
   outputs->close(input);
   if(!options.is_quiet)
     outputs->print_summary(std::cout << title);
   return outputs->has_failed() ? incomplete : success;
+}
+
+int run_field(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+{
+  Field_request request = {{}, options.isolines, options.has_voronoi, options.tolerance.value_or(0)};
+  for(long long source : options.sources)
+    request.sources.push_back(input.vertex(source, "--source"));
+  return run_at_once(options, input, title, progress, [&] { return field_curves(input, request, progress); });
+}
+
+Trace_request trace_request(const std::string& text, const Input_mesh& input)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  long long source = 0;
+  Trace_request result = {Vertex_index(), 0, 0};
+  char first = 0, second = 0;
+  if(!(in >> source >> first >> result.angle >> second >> result.length && first == ',' && second == ',' &&
+       in.peek() == std::istringstream::traits_type::eof()))
+    throw Bad_input("--trace " + printable(text) + ": give a vertex, an angle and a length as VERTEX,ANGLE,LENGTH");
+  if(!(result.length >= 0))
+    throw Bad_input("--trace " + printable(text) + ": the length must not be negative");
+  result.source = input.vertex(source, "--trace");
+  return result;
+}
+
+int run_traces(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+{
+  std::vector<Trace_request> requests;
+  for(const std::string& text : options.traces)
+    requests.push_back(trace_request(text, input));
+  return run_at_once(options, input, title, progress, [&] { return traced_curves(input, requests, progress); });
 }
 
 int run(const Options& options)
@@ -256,6 +295,8 @@ int run(const Options& options)
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";
+  if(!options.traces.empty())
+    return run_traces(options, input, title.str(), progress);
   return options.is_field_wanted() ? run_field(options, input, title.str(), progress)
                                    : run(options, input, metric, title.str(), progress);
 }

@@ -39,6 +39,7 @@ struct Options
   std::optional<int> rounds;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
   std::vector<long long> sources;
+  std::vector<std::string> traces; ///< each three numbers
   std::vector<double> isolines;
   bool has_voronoi = false;
   std::optional<double> tolerance;

@@ -180,6 +180,16 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
   flip_geodesics_add_program_test(isolines 0 "9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200 --isolines
                                   0.3,0.6 --voronoi --mesh isolines.vtp --polylines isolines.txt --tolerance 0.01)
+  flip_geodesics_add_program_test(trace 0 "2 curves: 2 LENGTH" torus.off --trace 0,0.5,2 --trace 7,-1e-1,3 --polylines
+                                  traces.txt --stats traces.csv --mesh traces.vtp)
+  flip_geodesics_add_program_test(trace_without_length 2 "give a vertex, an angle and a length" torus.off --trace 0,1)
+  flip_geodesics_add_program_test(trace_no_number 2 "give a vertex, an angle and a length" torus.off --trace 0,a,1)
+  flip_geodesics_add_program_test(trace_too_much 2 "give a vertex, an angle and a length" torus.off --trace 0,1,2,3)
+  flip_geodesics_add_program_test(trace_negative 2 "must not be negative" torus.off --trace 0,1,-2)
+  flip_geodesics_add_program_test(trace_of_no_vertex 2 "--trace: vertex 288 does not exist" torus.off --trace 288,0,1)
+  flip_geodesics_add_program_test(trace_and_random 2 "give the curves by one of" torus.off --trace 0,0,1 --random 3)
+  flip_geodesics_add_program_test(trace_certified 2 "--trace gives no curves of a triangulation" torus.off --trace 0,0,1
+                                  --kernel certified)
   flip_geodesics_add_program_test(far_isoline 0 "0 curves" torus.off --source 0 --isolines 99)
   flip_geodesics_add_program_test(isoline_no_number 2 "level 1 is nan" torus.off --source 0 --isolines 1,nan --mesh
                                   no_isolines.vtp)
