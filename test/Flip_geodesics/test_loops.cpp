@@ -7,17 +7,22 @@
 
 #include "test_loops/loop_setting.h"
 
+#include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/geodesic_loop_basis.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
+#include <CGAL/boost/graph/iterator.h>
+
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -79,6 +84,9 @@ void check_basis(const Setting& s, FG::Index genus, FG::Index borders)
     BOOST_TEST(s.triangulation.tail(loop.front()) == component.base_point);
     BOOST_TEST(std::abs(s.length(loop) - s.basis.length(i)) < 1e-12 * s.basis.length(i));
     BOOST_TEST(cycle.size() <= loop.size());
+    std::set<FG::Vertex_index> passed;
+    for(FG::Halfedge_index h : cycle)
+      BOOST_TEST(passed.insert(s.triangulation.tail(h)).second);
     BOOST_TEST((i == 0 || s.basis.length(i - 1) <= s.basis.length(i)));
     BOOST_TEST(s.basis.homology_class(Setting::input_chain(loop)) == s.unit(i));
     BOOST_TEST(s.basis.homology_class(Setting::input_chain(cycle)) == s.unit(i));
@@ -287,6 +295,76 @@ BOOST_AUTO_TEST_CASE(all_loops_in_one_network)
   }
 }
 
+// Curves that hardly run along edges: from points of edges into faces on either side, and on to vertices.
+BOOST_AUTO_TEST_CASE(classes_of_curves_through_inserted_points)
+{
+  for(const Mesh_soup& soup : {genus_3_plate(2), punctured(plate(2, 3), 3), torus(12, 9, 3, 1)}) {
+    Setting s(soup);
+    const auto& input = s.triangulation.input();
+    for(FG::Index i = 0; i < s.basis.number_of_loops(); ++i)
+      for(bool is_right : {false, true}) {
+        std::vector<FG::Surface_location> polyline;
+        for(const FG::Input_halfedge_index h : Setting::input_chain(s.basis.cycle(i))) {
+          const FG::Input_halfedge_index g = is_right ? input.twin(h) : h;
+          const double start = is_right ? 0.25 : 0.75;
+          if(!input.is_border(g)) {
+            polyline.push_back({g, {{start, 1 - start, 0}}});
+            polyline.push_back({g, {{0.25, 0.25, 0.5}}});
+          }
+          polyline.push_back({g, is_right ? std::array<double, 3>{{1, 0, 0}} : std::array<double, 3>{{0, 1, 0}}});
+        }
+        Network network(s.triangulation);
+        const FG::Curve_index c = FG::draw_polyline(network, polyline, true);
+        BOOST_TEST(s.basis.homology_class(network, c) == s.unit(i));
+        network.clear();
+        s.triangulation.rollback();
+      }
+    // open, though its end and the corner that counts for it are one vertex
+    Network network(s.triangulation);
+    const FG::Input_halfedge_index h = input.is_border(0_input_h) ? 1_input_h : 0_input_h;
+    const FG::Surface_location inside = {h, {{1, 1, 1}}};
+    for(const std::array<double, 3>& corner : {std::array<double, 3>{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}) {
+      FG::draw_polyline(network, {inside, FG::Surface_location{h, corner}});
+      BOOST_CHECK_THROW(s.basis.homology_class(network, 0_c), FG::Invalid_curve_error);
+      network.clear();
+      s.triangulation.rollback();
+    }
+  }
+}
+
+// Words of a closed surface of genus 2, with the relation [a, b] [c, d], and of a torus.
+BOOST_AUTO_TEST_CASE(words_of_fundamental_groups)
+{
+  using Word = std::vector<FG::internal::Letter>;
+  const Word relation = {0, 2, 1, 3, 4, 6, 5, 7};
+  const FG::internal::Surface_group group(relation);
+  Random_numbers random(5);
+  const auto with_relations = [&](Word word, int number) {
+    for(; number > 0; --number) {
+      const int first = random.below(8);
+      const bool is_inverse = random.below(2) == 1;
+      Word inserted;
+      for(int i = 0; i < 8; ++i)
+        inserted.push_back(is_inverse ? FG::internal::inverse_letter(relation[(first + 8 - i) % 8])
+                                      : relation[(first + i) % 8]);
+      word.insert(word.begin() + random.below(static_cast<int>(word.size()) + 1), inserted.begin(), inserted.end());
+    }
+    return word;
+  };
+  for(int i = 0; i < 200; ++i) {
+    BOOST_TEST(group.is_neutral(with_relations({}, i % 20)));
+    BOOST_TEST(!group.is_neutral(with_relations({0, 2, 1, 3}, i % 20)));       // [a, b]
+    BOOST_TEST(!group.is_neutral(with_relations({0, 0, 4, 1, 1, 5}, i % 20))); // [a a, c]
+    BOOST_TEST(!group.is_neutral(with_relations({0, 2, 5}, i % 20)));
+  }
+  const FG::internal::Surface_group torus_group(Word{0, 2, 1, 3});
+  BOOST_TEST(torus_group.is_neutral({0, 0, 2, 2, 1, 1, 3, 3}));
+  BOOST_TEST(!torus_group.is_neutral({0, 0, 2, 2, 1, 1, 3}));
+  const FG::internal::Surface_group free_group(Word{});
+  BOOST_TEST(free_group.is_neutral({0, 2, 3, 1}));
+  BOOST_TEST(!free_group.is_neutral({0, 2, 1, 3}));
+}
+
 BOOST_AUTO_TEST_CASE(geodesic_loops_in_one_call)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -365,6 +443,8 @@ BOOST_AUTO_TEST_CASE(bad_input)
   BOOST_CHECK_THROW(s.basis.homology_class(Input_chain{120_input_h}), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(s.basis.is_contractible(Input_chain{FG::null_index}), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(s.basis.is_contractible(Input_chain{0_input_h, 0_input_h}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(s.basis.is_contractible(Input_chain{0_input_h, s.triangulation.input().previous(0_input_h)}),
+                    FG::Invalid_curve_error);
   Network network(s.triangulation);
   network.add_curve(Chain{0_h}, false);
   BOOST_CHECK_THROW(s.basis.homology_class(network, 0_c), FG::Invalid_curve_error);
@@ -372,6 +452,14 @@ BOOST_AUTO_TEST_CASE(bad_input)
   // two triangles that share a vertex; a quadrilateral; a length that is no number
   const Mesh_soup bow_tie = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
   BOOST_CHECK_THROW(Setting{bow_tie}, FG::Invalid_mesh_error);
+  // two tetrahedra that share a vertex: no border tells it
+  Surface closed = to_mesh<Surface>(disjoint_union(tetrahedron(), tetrahedron()));
+  const auto around = CGAL::halfedges_around_target(closed.halfedge(Surface::Vertex_index(4)), closed);
+  for(Surface::Halfedge_index h : std::vector<Surface::Halfedge_index>(around.begin(), around.end()))
+    closed.set_target(h, Surface::Vertex_index(0));
+  closed.set_halfedge(Surface::Vertex_index(4), Surface::null_halfedge());
+  const Triangulation of_closed(closed);
+  BOOST_CHECK_THROW(Basis{of_closed}, FG::Invalid_mesh_error);
   Surface square;
   const auto a = square.add_vertex({0, 0, 0}), b = square.add_vertex({1, 0, 0});
   square.add_face(a, b, square.add_vertex({1, 1, 0}), square.add_vertex({0, 1, 0}));

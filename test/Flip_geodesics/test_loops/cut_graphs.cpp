@@ -8,7 +8,10 @@
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 namespace {
@@ -73,6 +76,26 @@ BOOST_AUTO_TEST_CASE(cuts_of_disks_annuli_and_spheres)
     Network network(s.triangulation);
     BOOST_TEST(FG::add_cut_graph(network) == curves);
   }
+  // the shortest way from one border to another, not by way of the first vertex
+  Mesh_soup holes = sphere(4);
+  holes.triangles.erase(holes.triangles.begin() + 100);
+  holes.triangles.erase(holes.triangles.begin() + 40);
+  Setting t(holes);
+  std::vector<Chain> borders;
+  FG::border_loops(t.triangulation, std::back_inserter(borders));
+  BOOST_TEST_REQUIRE(borders.size() == 2u);
+  double shortest = std::numeric_limits<double>::infinity();
+  for(FG::Halfedge_index h : borders[0]) {
+    BOOST_TEST(t.triangulation.tail(h) != 0_v);
+    const FG::internal::Edge_forest forest(
+        t.triangulation.input(), std::vector<FG::Vertex_index>{t.triangulation.tail(h)},
+        [&](FG::Input_halfedge_index g) { return t.triangulation.metric().weight(t.triangulation.input(), g); });
+    for(FG::Halfedge_index g : borders[1])
+      shortest = std::min(shortest, forest.distance(t.triangulation.tail(g)));
+  }
+  Network across(t.triangulation);
+  BOOST_TEST(FG::add_cut_graph(across) == 1);
+  BOOST_TEST(std::abs(across.length(0_c) - shortest) < 1e-12);
   Setting s(cylinder(6, 4, 1, 3)); // straight from one border to the other
   Network network(s.triangulation);
   FG::add_cut_graph(network);

@@ -33,7 +33,7 @@ public:
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input().number_of_halfedges()))
       if(input().is_border(h))
         m_is_on_border[input().tail(h)] = 1;
-    const auto weight = [this](Input_halfedge_index h) { return this->weight(h); };
+    const auto weight = [this](Input_halfedge_index h) { return m_triangulation.metric().weight(input(), h); };
     const auto is_joined = [this](Input_halfedge_index h) { return is_border_edge(h); };
     const Edge_forest components(input(), base_points, weight, is_joined);
     const Edge_forest forest(input(), with_roots_on_borders(components, base_points), weight, is_joined);
@@ -50,11 +50,6 @@ private:
   const auto& input() const { return m_triangulation.input(); }
 
   bool is_border_edge(Input_halfedge_index h) const { return input().is_border(h) || input().is_border(twin_index(h)); }
-
-  double weight(Input_halfedge_index h) const
-  {
-    return is_border_edge(h) ? 0 : m_triangulation.metric().weight(input(), h);
-  }
 
   // The given base points, and a vertex of the border in each other component that has one.
   template <class VertexRange>
