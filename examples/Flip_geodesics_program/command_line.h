@@ -169,6 +169,8 @@ private:
         "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
     add("--page", "FILE", m_options.results.page,
         "Write a page for a browser: surface, curves, and the flips step by step");
+    add("--live", "FILE", m_options.results.live,
+        "Write a page that computes: curves through points that are dragged on this mesh; needs no curves here");
     add("--polylines", "FILE", m_options.results.polylines,
         "Write a line per point, `curve a b t x y z`: (1-t) a + t b");
     add("--stats", "FILE", m_options.results.stats, "Write a line per curve, comma-separated, with a header");

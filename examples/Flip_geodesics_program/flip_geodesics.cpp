@@ -57,9 +57,10 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
 void check_names_of_results(const Options& options)
 {
   std::vector<std::string> results;
-  for(const std::string& name : {options.results.polylines, options.results.stats, options.results.viewer,
-                                 options.results.page, options.results.map, options.results.repaired,
-                                 options.meshes.subdivision, options.meshes.insertion, options.meshes.cut})
+  for(const std::string& name :
+      {options.results.polylines, options.results.stats, options.results.viewer, options.results.page,
+       options.results.live, options.results.map, options.results.repaired, options.meshes.subdivision,
+       options.meshes.insertion, options.meshes.cut})
   {
     if(name.empty())
       continue;
@@ -106,17 +107,30 @@ void check_field_options(const Options& options)
         "--delaunay, --refine, --subdivision, --insert and --cut do not go with them");
 }
 
+// The live page needs no curves; what else is written does.
+bool is_only_live_page_wanted(const Options& options)
+{
+  const Result_names& names = options.results;
+  return !names.live.empty() && names.polylines.empty() && names.stats.empty() && names.viewer.empty() &&
+         names.page.empty() && names.map.empty() && !options.meshes.is_any_wanted();
+}
+
+// How many of the options that give curves there are.
+int number_of_jobs(const Options& options)
+{
+  return (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
+         (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) + (options.network.empty() ? 0 : 1) +
+         (options.segmentation.empty() ? 0 : 1) + (options.has_seams ? 1 : 0) + (options.sources.empty() ? 0 : 1) +
+         (options.points.empty() ? 0 : 1) + (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1) +
+         (options.traces.empty() ? 0 : 1);
+}
+
 void check_options(const Options& options)
 {
-  const int jobs = (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
-                   (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) +
-                   (options.network.empty() ? 0 : 1) + (options.segmentation.empty() ? 0 : 1) +
-                   (options.has_seams ? 1 : 0) + (options.sources.empty() ? 0 : 1) + (options.points.empty() ? 0 : 1) +
-                   (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1) +
-                   (options.traces.empty() ? 0 : 1);
+  const int jobs = number_of_jobs(options);
   if(options.sources.empty() && (options.is_shortest || !options.results.map.empty() || options.is_field_wanted()))
     throw Bad_input("--shortest, --map, --isolines and --voronoi belong to --source; give a source");
-  if(jobs != 1)
+  if(jobs > 1 || (jobs == 0 && !is_only_live_page_wanted(options)))
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --draw, --segmentation, --seams, --source, --trace");
   if(!options.is_repaired && !options.results.repaired.empty())
@@ -280,6 +294,19 @@ int run_traces(const Options& options, const Input_mesh& input, const std::strin
   return run_at_once(options, input, title, progress, [&] { return traced_curves(input, requests, progress); });
 }
 
+// The live page alone, for which no curves are given.
+int run_without_curves(const Options& options, const Input_mesh& input, const std::string& title)
+{
+  const std::unique_ptr<Outputs> outputs = make_outputs(options);
+  outputs->close(input);
+  if(!options.is_quiet) {
+    for(const std::string& remark : input.remarks())
+      std::cerr << "flip_geodesics: " << remark << '\n';
+    std::cout << title;
+  }
+  return outputs->has_failed() ? incomplete : success;
+}
+
 int run(const Options& options)
 {
   check_options(options);
@@ -297,6 +324,8 @@ int run(const Options& options)
     title << metric.added_length() << " added to the length of every edge\n";
   if(!options.traces.empty())
     return run_traces(options, input, title.str(), progress);
+  if(number_of_jobs(options) == 0)
+    return run_without_curves(options, input, title.str());
   return options.is_field_wanted() ? run_field(options, input, title.str(), progress)
                                    : run(options, input, metric, title.str(), progress);
 }

@@ -26,7 +26,7 @@ struct Mesh_result_options
 /// The names of the other files that are written; empty for those that are not wanted.
 struct Result_names
 {
-  std::string polylines, stats, viewer, page, map, repaired;
+  std::string polylines, stats, viewer, page, live, map, repaired;
 };
 
 struct Options

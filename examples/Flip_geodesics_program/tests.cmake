@@ -317,9 +317,19 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
         $<TARGET_FILE:flip_geodesics> --mesh torus.off --chromium ${FLIP_GEODESICS_CHROMIUM} -- --random 3
       WORKING_DIRECTORY ${program_dir})
     set_tests_properties(page_in_browser PROPERTIES FIXTURES_REQUIRED program_input)
+    add_test(
+      NAME live_page_in_browser
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_live_page.py --program
+              $<TARGET_FILE:flip_geodesics> --mesh torus.off --chromium ${FLIP_GEODESICS_CHROMIUM}
+      WORKING_DIRECTORY ${program_dir})
+    set_tests_properties(live_page_in_browser PROPERTIES FIXTURES_REQUIRED program_input)
   endif()
   add_test(NAME page_is_built COMMAND ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_SOURCE_DIR}/page/check_sources.cmake)
 
+  # The engine needs Emscripten, so it may be older than the library.
+  set_tests_properties(page_is_built PROPERTIES SKIP_REGULAR_EXPRESSION "The engine of live_page.html is older than")
+  flip_geodesics_add_program_test(live 0 "torus.off: 288 vertices" torus.off --live live.html)
+  flip_geodesics_add_program_test(live_and_stats 2 "give the curves by one of" torus.off --live live.html --stats x.csv)
   flip_geodesics_add_program_test(unknown_option 2 "--wrong" torus.off --wrong)
   flip_geodesics_add_program_test(no_curves 2 "--random" torus.off)
   flip_geodesics_add_program_test(two_sets_of_curves 2 "one of" torus.off --random 2 --pairs pairs.txt)

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -88,7 +87,7 @@ private:
   {
     const std::size_t sign = word.substr(0, 1) == "+" ? 1 : 0;
     double ignored = 0;
-    const auto [end, error] = std::from_chars(word.data() + sign, word.data() + word.size(), ignored);
+    const auto [end, error] = from_chars(word.data() + sign, word.data() + word.size(), ignored);
     return error == std::errc::invalid_argument ? 0 : static_cast<std::size_t>(end - word.data());
   }
 

@@ -3,10 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_TEXT_SCANNER_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_TEXT_SCANNER_H
 
+#include "decimal_numbers.h"
 #include "input/input_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <locale>
@@ -41,7 +41,7 @@ const char* parse_number(std::string_view word, T& value)
   std::string_view digits = word;
   if(digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
     digits.remove_prefix(1);
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const auto [end, error] = from_chars(digits.data(), digits.data() + digits.size(), value);
   if(error == std::errc::invalid_argument || end != digits.data() + digits.size())
     return std::is_integral<T>::value ? "is no whole number" : "is no number";
   if constexpr(std::is_floating_point<T>::value) {

@@ -3,16 +3,16 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_JSON_TEXT_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_JSON_TEXT_H
 
+#include "decimal_numbers.h"
+
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <boost/endian/conversion.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,14 +39,7 @@ inline std::string json_string(const std::string& text)
 }
 
 /// A JSON number with all digits, whatever the locale; `null` if it is none.
-inline std::string json_number(double x)
-{
-  if(!std::isfinite(x))
-    return "null";
-  char text[32];
-  constexpr int digits = std::numeric_limits<double>::max_digits10;
-  return std::string(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
-}
+inline std::string json_number(double x) { return std::isfinite(x) ? decimal_text(x) : "null"; }
 
 /// Appends a number of four bytes, the lowest first.
 template <class Number>
@@ -72,18 +65,23 @@ std::string to_bytes(const std::vector<Number>& numbers)
   return bytes;
 }
 
-/// An array as a JSON string in base 64.
-template <class Number>
-std::string json_base64(const std::vector<Number>& numbers)
+/// Bytes as a JSON string in base 64.
+inline std::string json_base64(std::string bytes)
 {
   using namespace boost::archive::iterators;
   using Encoder = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string bytes = to_bytes(numbers);
   const std::size_t missing = (3 - bytes.size() % 3) % 3;
   bytes.append(missing, '\0');
   std::string text(Encoder(bytes.cbegin()), Encoder(bytes.cend()));
   text.replace(text.size() - missing, missing, missing, '=');
   return '"' + text + '"';
+}
+
+/// An array as a JSON string in base 64.
+template <class Number>
+std::string json_base64(const std::vector<Number>& numbers)
+{
+  return json_base64(to_bytes(numbers));
 }
 
 } // namespace program

@@ -2,6 +2,7 @@
 
 #include "output/program_output.h"
 
+#include "output/live_file.h"
 #include "output/mesh_file.h"
 #include "output/page_file.h"
 #include "output/result_files.h"
@@ -24,6 +25,7 @@ public:
     , m_stats(options.results.stats)
     , m_viewer(options.results.viewer)
     , m_page(options.results.page)
+    , m_live(options.results.live)
     , m_map(options.results.map)
     , m_subdivision(options.meshes.subdivision)
     , m_insertion(options.meshes.insertion)
@@ -74,6 +76,7 @@ public:
     }
     m_viewer.write(mesh, m_scene);
     m_page.write(mesh, m_scene);
+    m_live.write(mesh, m_scene.title);
   }
 
   void print_summary(std::ostream& out) const override { m_summary.print(out); }
@@ -103,6 +106,7 @@ private:
   Stats_file m_stats;
   Viewer_file m_viewer;
   Page_file m_page;
+  Live_file m_live;
   Map_file m_map;
   Mesh_file m_subdivision, m_insertion, m_cut, m_repaired;
   Scene m_scene;

@@ -1,60 +1,90 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-//   npm ci && npm run build     writes viewer_page.html from source/, with the libraries in it
-//   npm run check               fails if viewer_page.html is not what build would write
+//   npm ci && npm run build     writes viewer_page.html and live_page.html, with the libraries in them
+//   npm run check               fails if they are not what build would write
+//   npm run build-engine        compiles the engine of live_page.html first, with Emscripten
 //
-// The program is built with viewer_page.html, so that only who changes the page needs Node.js. The page has the hashes
-// of its sources in it, which a test compares.
+// The program is built with the pages, so that only who changes them needs Node.js and Emscripten. The pages have the
+// hashes of their sources in them, which a test compares. Without build-engine the engine in live_page.html stays.
 
 import { createHash } from 'node:crypto';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
+import { deflateSync } from 'node:zlib';
 
-const target = new URL('viewer_page.html', import.meta.url);
+const folder = new URL('.', import.meta.url).pathname;
 const read = (name) => readFileSync(new URL(name, import.meta.url), 'utf8');
+const hashOf = (name) => `${name} ${createHash('sha256').update(readFileSync(new URL(name, import.meta.url))).digest('hex')}`;
 
-const bundle = await build({
-  absWorkingDir: new URL('.', import.meta.url).pathname,
-  entryPoints: ['source/main.js'],
-  bundle: true,
-  minify: true,
-  format: 'iife',
-  target: 'es2020',
-  legalComments: 'none',
-  charset: 'ascii',
-  write: false,
-});
-const style = await build({
-  absWorkingDir: new URL('.', import.meta.url).pathname,
-  entryPoints: ['source/style.css'],
-  minify: true,
-  charset: 'ascii',
-  write: false,
-});
+async function bundle(entry, define = {}) {
+  const { outputFiles } = await build({
+    absWorkingDir: folder,
+    entryPoints: [entry],
+    bundle: true,
+    minify: true,
+    format: 'iife',
+    target: 'es2020',
+    legalComments: 'none',
+    charset: 'ascii',
+    define,
+    write: false,
+  });
+  return outputFiles[0].text.trim();
+}
 
 const { version } = JSON.parse(read('node_modules/three/package.json'));
 const licence = `three.js ${version}\n\n${read('node_modules/three/LICENSE').trim().replaceAll('\u00a9', '(c)')}`;
-const sources = ['data.js', 'main.js', 'page.html', 'playback.js', 'stage.js', 'style.css'].map((name) => {
-  const hash = createHash('sha256').update(readFileSync(new URL(`source/${name}`, import.meta.url))).digest('hex');
-  return `source/${name} ${hash}`;
-});
-const pieces = {
-  '@SOURCES@': sources.join('\n'),
-  '@LICENCE@': licence,
-  '@STYLE@': style.outputFiles[0].text.trim(),
-  '@SCRIPT@': bundle.outputFiles[0].text.trim(),
-};
-let page = read('source/page.html');
-for (const [mark, text] of Object.entries(pieces)) {
-  if (page.split(mark).length !== 2) throw new Error(`source/page.html does not have ${mark} once`);
-  page = page.replace(mark, () => text);
-}
-if (page.split('@SCENE@').length !== 2) throw new Error('the page does not have @SCENE@ once');
-if (/[^\x00-\x7f]/.test(page)) throw new Error('the page is not ASCII');
 
-if (process.argv.includes('--check')) {
-  if (read('viewer_page.html') !== page) throw new Error('viewer_page.html is out of date: npm run build');
-} else {
-  writeFileSync(target, page);
-  console.log(`viewer_page.html: ${page.length} bytes`);
+function fill(template, pieces) {
+  let page = read(template);
+  for (const [mark, text] of Object.entries({ '@LICENCE@': licence, ...pieces })) {
+    if (page.split(mark).length !== 2) throw new Error(`${template} does not have ${mark} once`);
+    page = page.replace(mark, () => text);
+  }
+  if (page.split('@SCENE@').length !== 2) throw new Error('the page does not have @SCENE@ once');
+  if (/[^\x00-\x7f]/.test(page)) throw new Error('the page is not ASCII');
+  return page;
+}
+
+const sourcesIn = (name) => readdirSync(new URL(name, import.meta.url)).sort().map((file) => `${name}/${file}`);
+
+async function viewerPage() {
+  return fill('source/page.html', {
+    '@SOURCES@': sourcesIn('source').map(hashOf).join('\n'),
+    '@STYLE@': await bundle('source/style.css'),
+    '@SCRIPT@': await bundle('source/main.js'),
+  });
+}
+
+// The engine, packed, and the hashes of what it was made of: a new one, or that of the page as it is.
+function engine() {
+  const file = new URL('engine.wasm', import.meta.url);
+  if (existsSync(file))
+    return { code: deflateSync(readFileSync(file), { level: 9 }).toString('base64'), sources: read('engine.wasm.sources').trim() };
+  const page = read('live_page.html');
+  const [, code] = /<script type="text\/plain" id="engine">(.*?)<\/script>/s.exec(page);
+  const [, sources] = /\nThose of the engine:\n(.*?)\n-->/s.exec(page);
+  return { code, sources };
+}
+
+async function livePage() {
+  const { code, sources } = engine();
+  const shared = ['source/data.js', 'source/playback.js', 'source/stage.js', 'source/style.css', 'source/words.js'];
+  const worker = await bundle('source_live/engine_worker.js');
+  return fill('source_live/page.html', {
+    '@SOURCES@': `${[...shared, ...sourcesIn('source_live')].map(hashOf).join('\n')}\nThose of the engine:\n${sources}`,
+    '@STYLE@': `${await bundle('source/style.css')}${await bundle('source_live/live.css')}`,
+    '@ENGINE@': code,
+    '@SCRIPT@': await bundle('source_live/main.js', { ENGINE_WORKER: JSON.stringify(worker) }),
+  });
+}
+
+const pages = { 'viewer_page.html': await viewerPage(), 'live_page.html': await livePage() };
+for (const [name, page] of Object.entries(pages)) {
+  if (!process.argv.includes('--check')) {
+    writeFileSync(new URL(name, import.meta.url), page);
+    console.log(`${name}: ${page.length} bytes`);
+  } else if (read(name) !== page) {
+    throw new Error(`${name} is out of date: npm run build`);
+  }
 }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# flip_geodesics_embed_page(page header): writes a C++ header with the text of `page` in pieces that every compiler
-# takes, the mark @SCENE@ as one of its own.
+# flip_geodesics_embed_page(page header name): writes a C++ header with the text of `page` in pieces that every compiler
+# takes, the mark @SCENE@ as one of its own, as the array `name`.
 
-function(flip_geodesics_embed_page page header)
+function(flip_geodesics_embed_page page header name)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
   file(READ "${page}" text)
   string(FIND "${text}" "@SCENE@" mark)
@@ -16,7 +16,7 @@ function(flip_geodesics_embed_page page header)
   set(code "// Generated from ${page}\n#include <string_view>\n\nnamespace program {\n\n")
   # With its length, which clang++ would not count so far at compile time.
   string(APPEND code "using std::string_view_literals::operator\"\"sv;\n\n")
-  string(APPEND code "inline constexpr std::string_view page_template[] = {\n")
+  string(APPEND code "inline constexpr std::string_view ${name}[] = {\n")
   foreach(part IN ITEMS before mark behind)
     if(part STREQUAL "mark")
       string(APPEND code "\"@SCENE@\"sv,\n")

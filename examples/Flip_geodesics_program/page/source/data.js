@@ -52,14 +52,19 @@ function readRun(run) {
   };
 }
 
-export function readScene(text) {
-  const scene = JSON.parse(text);
+function decodeMesh(mesh) {
+  return { ...mesh, positions: floats(mesh.positions), corners: integers(mesh.corners) };
+}
+
+function decodeResults(results) {
   return {
-    ...scene,
-    positions: floats(scene.positions),
-    corners: integers(scene.corners),
-    curvePoints: floats(scene.curvePoints),
-    curveStarts: integers(scene.curveStarts),
-    runs: scene.runs.map(readRun),
+    ...results,
+    curvePoints: floats(results.curvePoints),
+    curveStarts: integers(results.curveStarts),
+    runs: results.runs.map(readRun),
   };
 }
+
+export const readMesh = (text) => decodeMesh(JSON.parse(text));
+export const readResults = (text) => decodeResults(JSON.parse(text));
+export const readScene = (text) => decodeResults(decodeMesh(JSON.parse(text)));

@@ -6,10 +6,12 @@ import { Color } from 'three';
 import { readScene } from './data.js';
 import { Playback } from './playback.js';
 import { Stage } from './stage.js';
+import { statusText, verdictText } from './words.js';
 
+// Near the set of Okabe and Ito, which the colour-blind can tell apart.
 const palettes = {
-  light: ['#c2121b', '#0b4fb3', '#0a7a3d', '#b35900', '#7a1fa2', '#00788a', '#a8136f', '#5b5f00'],
-  dark: ['#ff6b6b', '#6fb1ff', '#5fd38d', '#ffb057', '#c792ea', '#4dd0e1', '#ff7ac6', '#d4d45a'],
+  light: ['#0064a0', '#c44f00', '#00785a', '#a8437f', '#6e5600', '#1c2127'],
+  dark: ['#56b4e9', '#ff9a4d', '#2fd0a5', '#f0a3cf', '#f0e442', '#ffffff'],
 };
 const mostRows = 300; // of the legend
 const mostEnds = 300; // more curves than this are drawn without disks at their ends
@@ -17,11 +19,13 @@ const at = (id) => document.getElementById(id);
 const format = (x) => (x === null ? '?' : Number(x).toPrecision(6));
 const plural = (n, word) => `${n.toLocaleString('en')} ${word}${n === 1 ? '' : 's'}`;
 
+const hasWebGL = () => document.createElement('canvas').getContext('webgl2') !== null;
+const emptyStage = new Proxy({}, { get: () => () => 0 }); // that draws nothing
+
 class Page {
   constructor(scene) {
     this.scene = scene;
-    this.stage = new Stage(at('view'), scene);
-    this.stage.controls.addEventListener('start', () => (this.stage.isMoved = true));
+    this.stage = hasWebGL() ? new Stage(at('view'), scene) : emptyStage;
     this.shown = scene.curves.map(() => true);
     this.chooseTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
     at('title').textContent = scene.title;
@@ -31,14 +35,22 @@ class Page {
     this.stage.setShowsHidden(at('show-hidden').checked);
     at('smooth').checked = this.stage.isSmooth();
     this.stage.setSmooth(at('smooth').checked);
-    this.chooseRun(scene.curves.length > 0 ? scene.curves[0].run : 0, 0);
+    const first = this.firstCurve();
+    this.chooseRun(scene.curves.length > 0 ? scene.curves[first].run : 0, first);
     this.stage.findHome();
     this.listen();
     this.obeyAddress();
   }
 
+  // The curve whose run has the most steps, as that is worth seeing.
+  firstCurve() {
+    const steps = this.scene.curves.map(({ run }) => this.scene.runs[run]?.steps.length ?? 0);
+    return Math.max(0, steps.indexOf(Math.max(...steps)));
+  }
+
   // The address may end in, for example, #curve=2&step=10&edges=1&theme=dark.
   obeyAddress() {
+    if (location.hash === '') return;
     const wish = new URLSearchParams(location.hash.slice(1));
     if (wish.get('theme') in palettes && wish.get('theme') !== this.theme) this.switchTheme();
     const curve = Number(wish.get('curve') ?? 0);
@@ -86,7 +98,7 @@ class Page {
     numbers.className = 'numbers';
     const share = curve.initialLength > 0 && !curve.tree ? `${((100 * curve.length) / curve.initialLength).toFixed(2)} % of its edge path, ` : '';
     const status = document.createElement('span');
-    status.textContent = curve.status + (curve.certificate === 'none' ? '' : `, ${curve.certificate}`);
+    status.textContent = [statusText(curve.status), verdictText(curve.certificate)].filter(Boolean).join(', ');
     if (curve.status !== 'LOCALLY_SHORTEST') status.className = 'other';
     numbers.append(share, status);
     const length = document.createElement('span');
@@ -113,6 +125,7 @@ class Page {
     this.curve = curve;
     at('run-name').textContent = together ? 'the curves were' : `curve ${this.scene.curves[curve]?.number ?? ''}`;
     at('player').hidden = !this.playback || this.playback.length === 0;
+    at('no-record').hidden = this.playback !== null || this.run === undefined || this.scene.curves[curve]?.tree;
     at('show-intrinsic').disabled = !this.playback;
     at('step').max = this.playback ? this.playback.length : 0;
     this.goTo(this.playback ? this.playback.length : 0);
@@ -230,8 +243,30 @@ class Page {
     at('show-mesh').addEventListener('change', () => this.stage.showMeshEdges(at('show-mesh').checked));
     at('show-hidden').addEventListener('change', () => this.stage.setShowsHidden(at('show-hidden').checked));
     at('smooth').addEventListener('change', () => this.stage.setSmooth(at('smooth').checked));
+    this.listenToClicks(at('view'));
     addEventListener('keydown', (event) => this.onKey(event));
     addEventListener('hashchange', () => this.obeyAddress());
+  }
+
+  // A click on a curve picks it, as one on its line in the legend does.
+  listenToClicks(canvas) {
+    let pressed = [0, 0];
+    canvas.addEventListener('pointerdown', (event) => (pressed = [event.clientX, event.clientY]));
+    canvas.addEventListener('click', ({ clientX, clientY }) => {
+      if (Math.hypot(clientX - pressed[0], clientY - pressed[1]) > 4) return;
+      const i = this.curveAt(clientX, clientY);
+      if (i >= 0) this.chooseRun(this.scene.curves[i].run, i);
+    });
+  }
+
+  // The curve that is drawn within some pixels of a point of the window, or -1.
+  curveAt(x, y) {
+    let [nearest, least] = [-1, 8];
+    this.scene.curves.forEach((_, i) => {
+      const distance = this.shown[i] ? this.stage.distanceTo(x, y, this.curvePieces(i)) : Infinity;
+      if (distance < least) [nearest, least] = [i, distance];
+    });
+    return nearest;
   }
 
   switchTheme() {
@@ -269,12 +304,12 @@ function start() {
   try {
     const page = new Page(readScene(at('scene').textContent));
     at('scene').textContent = ''; // free the text of large meshes
-    at('message').textContent = '';
+    at('message').textContent = hasWebGL() ? '' : 'This browser has no WebGL 2, so the surface and the curves are not drawn.';
     page.stage.draw();
     document.documentElement.dataset.state = 'ready';
   } catch (error) {
     document.documentElement.dataset.state = 'failed';
-    at('message').textContent = `This page needs WebGL 2, and something went wrong: ${error.message}`;
+    at('message').textContent = `The page cannot be shown: ${error.message}`;
   }
 }
 

@@ -89,6 +89,7 @@ export class Stage {
     this.controls.minDistance = 0.02;
     this.controls.maxDistance = 20;
     this.controls.addEventListener('change', () => this.requestFrame());
+    this.controls.addEventListener('start', () => (this.isMoved = true));
     for (const event of ['pointermove', 'pointerdown', 'pointerup', 'wheel'])
       canvas.addEventListener(event, () => requestAnimationFrame(() => this.controls.update()), { passive: true });
     this.resize();
@@ -335,6 +336,7 @@ export class Stage {
   // The direction from which most of the curves is seen, of a few; tried out in a small picture.
   findHome() {
     const candidates = [
+      ...this.outside(),
       [0.45, 0.35, 1], [-0.45, 0.35, 1], [1, 0.35, 0.45], [-1, 0.35, -0.45], [0.45, 0.35, -1], [0.3, 1, 0.6],
       [1, 0.35, -0.6], [-1, 0.35, 0.6], [0.3, -1, 0.6],
     ].map((v) => new Vector3(...v).normalize());
@@ -366,6 +368,41 @@ export class Stage {
     let count = 0;
     for (let i = 0; i < pixels.length; i += 4) count += pixels[i] > 127 ? 1 : 0;
     return count;
+  }
+
+  // How far a point of the window is from pieces as they are drawn, in pixels.
+  distanceTo(x, y, pieces) {
+    const box = this.canvas.getBoundingClientRect();
+    const [a, b] = [new Vector3(), new Vector3()];
+    const onScreen = (p) => {
+      p.project(this.camera);
+      p.set(box.left + ((p.x + 1) * box.width) / 2, box.top + ((1 - p.y) * box.height) / 2, 0);
+    };
+    let least = Infinity;
+    for (let i = 0; i < pieces.length; i += 6) {
+      onScreen(a.fromArray(pieces, i));
+      onScreen(b.fromArray(pieces, i + 3));
+      const [dx, dy] = [b.x - a.x, b.y - a.y];
+      const square = dx * dx + dy * dy;
+      const t = square > 0 ? Math.max(0, Math.min(1, ((x - a.x) * dx + (y - a.y) * dy) / square)) : 0;
+      least = Math.min(least, Math.hypot(a.x + t * dx - x, a.y + t * dy - y));
+    }
+    return least;
+  }
+
+  // The mean normal, if most of the surface faces one side: an open one is looked at from outside.
+  outside() {
+    const { corners } = this.data;
+    const [a, b, c, sum] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+    let area = 0;
+    for (let i = 0; i < corners.length; i += 3) {
+      a.fromBufferAttribute(this.positions, corners[i]);
+      b.fromBufferAttribute(this.positions, corners[i + 1]).sub(a);
+      c.fromBufferAttribute(this.positions, corners[i + 2]).sub(a);
+      sum.add(b.cross(c));
+      area += b.length();
+    }
+    return sum.length() > 0.2 * area ? [sum.normalize().toArray()] : [];
   }
 
   // Goes close to some points, in the direction of now.

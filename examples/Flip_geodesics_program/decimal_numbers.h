@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_DECIMAL_NUMBERS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_DECIMAL_NUMBERS_H
+
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <type_traits>
+#include <version>
+
+// Numbers as text, whatever the locale. Some standard libraries do not have that for floating point numbers: those are
+// used where the locale is that of C.
+namespace program {
+
+#if defined(__cpp_lib_to_chars)
+
+using std::from_chars;
+
+/// A number with all digits.
+inline std::string decimal_text(double x)
+{
+  char text[32];
+  constexpr int digits = std::numeric_limits<double>::max_digits10;
+  return std::string(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
+}
+
+#else
+
+/// As the standard has it: no blanks, no plus sign, no hexadecimal numbers.
+template <class Float>
+std::from_chars_result float_from_chars(const char* first, const char* last, Float& value)
+{
+  std::string text(first, last);
+  const std::size_t sign = text.substr(0, 1) == "-" ? 1 : 0;
+  if(text.size() == sign || std::string(" \t\n\v\f\r+-").find(text[sign]) != std::string::npos)
+    return {first, std::errc::invalid_argument};
+  if(const std::size_t x = text.find_first_of("xX"); x != std::string::npos)
+    text.resize(x); // of a hexadecimal number the zero is taken
+  errno = 0;
+  char* end = nullptr;
+  const Float x = std::is_same<Float, float>::value ? std::strtof(text.c_str(), &end)
+                                                    : static_cast<Float>(std::strtod(text.c_str(), &end));
+  const std::ptrdiff_t length = end - text.c_str();
+  if(length == 0)
+    return {first, std::errc::invalid_argument};
+  if(errno == ERANGE)
+    return {first + length, std::errc::result_out_of_range};
+  value = x;
+  return {first + length, std::errc()};
+}
+
+template <class Number>
+std::from_chars_result from_chars(const char* first, const char* last, Number& value)
+{
+  if constexpr(std::is_floating_point<Number>::value)
+    return float_from_chars(first, last, value);
+  else
+    return std::from_chars(first, last, value);
+}
+
+/// A number with all digits.
+inline std::string decimal_text(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<double>::max_digits10, x);
+  return text;
+}
+
+#endif
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_DECIMAL_NUMBERS_H

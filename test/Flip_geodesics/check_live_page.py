@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Drags a point on the live page in a browser, and compares the lengths with those of the program.
+
+    check_live_page.py --program flip_geodesics --mesh FILE.off --chromium BROWSER
+
+The page is loaded from a file, as it was written; a script that is put behind it moves the pointer and posts what it
+sees to this program, so that nothing depends on how long the browser takes.
+"""
+
+import argparse
+import csv
+import http.server
+import json
+import queue
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+# A step at a time: waits until the engine has answered, does something with the pointer, and waits again.
+SCRIPT = '''
+<script>
+const data = document.documentElement.dataset;
+const post = (value) => fetch('http://127.0.0.1:PORT/', { method: 'POST', mode: 'no-cors', body: JSON.stringify(value) });
+addEventListener('error', (event) => post({ failure: event.message }));
+addEventListener('unhandledrejection', (event) => post({ failure: String(event.reason) }));
+const until = async (isTrue) => { while (!isTrue()) await new Promise((next) => setTimeout(next, 20)); };
+const settle = async (action) => {
+  const before = data.revision;
+  action();
+  await until(() => data.revision !== before);
+  return { ...data };
+};
+const point = (x, y) => {
+  const box = document.getElementById('view').getBoundingClientRect();
+  return { clientX: box.left + x * box.width, clientY: box.top + y * box.height, pointerId: 1, button: 0, bubbles: true };
+};
+const send = (kind, at) => document.getElementById('view').dispatchEvent(new PointerEvent(kind, at));
+const click = (x, y) => settle(() => { send('pointerdown', point(x, y)); send('pointerup', point(x, y)); });
+// From a place to another one, in steps.
+const drag = async (from, to) => {
+  send('pointerdown', point(...from));
+  const states = [];
+  for (const t of [0.25, 0.5, 0.75, 1])
+    states.push(await settle(() => send('pointermove', point(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])))));
+  send('pointerup', point(...to));
+  return states;
+};
+const press = (id) => settle(() => document.getElementById(id).click());
+const choose = (tool) => settle(() => document.querySelector(`[data-tool=${tool}]`).click());
+const drop = async (name, text) => {
+  const files = new DataTransfer();
+  files.items.add(new File([text], name));
+  dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
+};
+(async () => {
+  await until(() => data.state && (data.revision || data.state === 'failed'));
+  if (data.state === 'failed') return post({ failure: document.getElementById('message').textContent });
+  const seen = {};
+  await press('clear');
+  const spot = PLACES;
+  await click(...spot[0]);
+  seen.path = await click(...spot[1]);
+  seen.drag = await drag(spot[1], spot[2]);
+  seen.flips = await press('show-intrinsic');
+  seen.through = await click(...spot[3]);
+  await press('show-intrinsic');
+  seen.spline = await choose('spline');
+  seen.loop = await choose('loop');
+  seen.distances = await choose('distances');
+  await drop('bad.off', 'OFF nothing');
+  await until(() => data.error);
+  seen.bad = { ...data, title: document.getElementById('title').textContent };
+  return post(seen);
+})();
+</script>
+'''
+
+
+def check(condition, message):
+    if not condition:
+        raise SystemExit(f'check_live_page: {message}')
+
+
+class Answers(http.server.BaseHTTPRequestHandler):
+    def do_POST(self):
+        body = self.rfile.read(int(self.headers['Content-Length']))
+        self.send_response(204)
+        self.end_headers()
+        self.server.answers.put(json.loads(body))
+
+    def log_message(self, *_):
+        pass
+
+
+def run_in_browser(browser, page, script, folder):
+    """What the script posts, or nothing if the browser has not come so far in two minutes."""
+    server = http.server.HTTPServer(('127.0.0.1', 0), Answers)
+    server.answers = queue.Queue()
+    server.timeout = 120
+    text = page.read_text() + script.replace('PORT', str(server.server_address[1]))
+    (folder / 'scripted.html').write_text(text)
+    command = [browser, '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+               '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+               '--window-size=1200,800', '--remote-debugging-port=0', f'--user-data-dir={folder / "profile"}',
+               (folder / 'scripted.html').resolve().as_uri()]
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        server.handle_request()
+    finally:
+        process.terminate()
+        process.wait()
+        server.server_close()
+    check(not server.answers.empty(), 'the page does not answer')
+    return server.answers.get()
+
+
+def native_length(options, folder, option, line):
+    (folder / 'points.txt').write_text(line + '\n')
+    subprocess.run([options.program, options.mesh, '--quiet', option, folder / 'points.txt', '--kernel', 'certified',
+                    '--stats', folder / 'stats.csv'], check=True)
+    with open(folder / 'stats.csv', encoding='ascii') as file:
+        return float(next(csv.DictReader(file))['length'])
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--program', required=True)
+    parser.add_argument('--mesh', type=Path, required=True)
+    parser.add_argument('--chromium', required=True)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        folder = Path(folder)
+        subprocess.run([options.program, options.mesh, '--quiet', '--live', folder / 'live.html'], check=True)
+        script = SCRIPT.replace('PLACES', json.dumps([[0.3, 0.5], [0.7, 0.5], [0.66, 0.62], [0.5, 0.3]]))
+        seen = run_in_browser(options.chromium, folder / 'live.html', script, folder)
+        check('failure' not in seen, f'the page fails: {seen}')
+        compared = 0
+        lines = set()
+        for name, option in [('path', '--points'), ('drag', '--points'), ('flips', '--points'),
+                             ('through', '--points'), ('spline', '--bezier'), ('loop', '--draw')]:
+            for state in seen[name] if isinstance(seen[name], list) else [seen[name]]:
+                length = native_length(options, folder, option, state['line'])
+                check(length > 0, f'{name}: a curve of length {length}')
+                check(abs(float(state['length']) - length) <= 1e-12 * length,
+                      f'{name}, {state["line"]}: length {state["length"]} on the page, {length} by the program')
+                check(state['certificate'] == 'PROVEN', f'{name}: {state}')
+                lines.add(state['line'])
+                compared += 1
+        check(len(lines) >= 7, f'the drags have not moved the point: {lines}')
+        check(int(seen['distances']['curves']) >= 2, f'isolines: {seen["distances"]}')
+        check(seen['bad']['error'].startswith('bad.off'), f'a bad file: {seen["bad"]}')
+        check(seen['bad']['title'] == options.mesh.name and seen['bad']['curves'] == seen['distances']['curves'],
+              f'a bad file replaces the mesh: {seen["bad"]}')
+        print(f'{compared} curves of the page have the lengths that the program computes')
+
+
+if __name__ == '__main__':
+    sys.exit(main())
