@@ -387,16 +387,16 @@ private:
     });
     for(const Target& t : m_targets)
       note_waiting(t.edge, t.due);
-    double length = 0;
+    double inverse_lengths = 0;
     for(const Due<Index>& l : m_leaving) {
       const Input_halfedge_index h(2 * l.place), t = twin_index(h);
       const double edge_length = m_sides.known(m_triangulation.input().is_border(h) ? t : h).length;
-      length += edge_length;
+      inverse_lengths += 1 / edge_length;
       if(!m_keeps_windows)
         note_passing(l.place, edge_length);
     }
     if(!m_leaving.empty())
-      m_step = length / static_cast<double>(m_leaving.size()) / 2; // longer ones waste windows
+      m_step = static_cast<double>(m_leaving.size()) / inverse_lengths / 4; // longer ones waste windows
   }
 
   void enter(Window_inserter& inserter, Target& target)
