@@ -140,7 +140,8 @@ public:
   Comparison_result operator()(Halfedge_index from, Halfedge_index to) const
   {
     Flip_geodesics_test::Decision_observer& observer = m_triangulation.traits().observer();
-    const std::optional<Comparison_result> filtered = observer.filtered;
+    // A certificate asks without the filter, of which something may be left that memory has answered.
+    const std::optional<Comparison_result> filtered = m_is_filtered ? observer.filtered : std::nullopt;
     observer.filtered.reset();
     const Comparison_result result =
         filtered ? *filtered : Wedge_comparison<View>(View(m_triangulation), m_statistics, m_is_filtered)(from, to);
