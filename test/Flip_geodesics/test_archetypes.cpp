@@ -17,6 +17,7 @@
 #include "random_curves.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Geodesic_mean.h>
@@ -528,6 +529,9 @@ private:
     spline.refine();
     for(const auto& piece : spline.finish())
       m_record.polyline(piece);
+    const FG::Curve_editor<Triangulation> editor(triangulation, points(triangulation));
+    for(const auto& leg : editor.legs())
+      m_record.polyline(leg);
   }
 
   void trees(Triangulation& triangulation)

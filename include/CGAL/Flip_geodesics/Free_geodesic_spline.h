@@ -66,11 +66,34 @@ public:
       throw Invalid_curve_error("a spline needs at least two control points, a closed one three");
     for(std::size_t i = 0; i + (is_closed ? 0 : 1) < control_points.size(); ++i)
       m_legs.push_back({m_straightener.shortest(control_points[i], control_points[(i + 1) % control_points.size()])});
-    if(kind == Spline_kind::BEZIER)
-      m_legs.back().ends_piece = true;
-    else
-      make_cubic(is_closed);
-    m_control_length = length();
+    start(kind);
+  }
+
+  /*!
+   * The spline with a control polygon whose legs are geodesics already, such as those of a `Curve_editor`: so the curve
+   * stays in the polygon's class when control points are dragged.
+   *
+   * \param triangulation as above
+   * \param legs each from where the one before ends, each two places in a row in one face; of a closed spline, the last
+   *        ends where the first starts
+   * \throws Invalid_curve_error for fewer than one leg, of a closed spline three, and for legs of one place
+   * \throws Invalid_location_error, Insertion_error, and as `refine()`
+   */
+  Free_geodesic_spline(Triangulation& triangulation, const std::vector<std::vector<Surface_location>>& legs,
+                       Spline_kind kind)
+    : m_straightener(triangulation)
+    , m_measure(triangulation)
+  {
+    if(legs.size() < (kind == Spline_kind::CLOSED_CUBIC_B_SPLINE ? 3u : 1u))
+      throw Invalid_curve_error("a spline needs at least one leg, a closed one three");
+    for(const std::vector<Surface_location>& leg : legs) {
+      if(leg.size() < 2)
+        throw Invalid_curve_error("a leg of a spline has two ends");
+      m_legs.emplace_back();
+      for(const Surface_location& p : leg)
+        m_legs.back().path.push_back(internal::canonical_location(triangulation.input(), p));
+    }
+    start(kind);
   }
 
   /*!
@@ -197,6 +220,16 @@ private:
     result.back().ends_piece = true;
     result.insert(result.end(), rest.rbegin(), rest.rend());
     result.back().ends_piece = true;
+  }
+
+  // From the legs of the control polygon.
+  void start(Spline_kind kind)
+  {
+    if(kind == Spline_kind::BEZIER)
+      m_legs.back().ends_piece = true;
+    else
+      make_cubic(kind == Spline_kind::CLOSED_CUBIC_B_SPLINE);
+    m_control_length = length();
   }
 
   // Legs are divided into thirds, and the lines that cut the corners off at their middles [Farin].

@@ -58,14 +58,20 @@ public:
     return shortest(p, q, [](Network& network) { return shorten(network); });
   }
 
-  /* The geodesic with the polyline's ends in its class. */
-  Surface_polyline straightened(const Surface_polyline& path)
+  /* The geodesic with the polyline's ends in its class, pulled tight by `tighten(network)`, unless all of it lies in one
+   * face. */
+  template <class Tighten>
+  Surface_polyline straightened(const Surface_polyline& path, const Tighten& tighten)
   {
     if(is_in_one_face(path))
       return {path.front(), path.back()};
     return pull(
-        path.front(), path.back(), [&](Vertex_index v, Vertex_index w) { return snapped(path, v, w); },
-        [](Network& network) { return shorten(network); });
+        path.front(), path.back(), [&](Vertex_index v, Vertex_index w) { return snapped(path, v, w); }, tighten);
+  }
+
+  Surface_polyline straightened(const Surface_polyline& path)
+  {
+    return straightened(path, [](Network& network) { return shorten(network); });
   }
 
   /* What became of all paths together, as if they were one curve. */

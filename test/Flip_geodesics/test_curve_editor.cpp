@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Curves whose points are dragged: against closed forms where a class has one geodesic, against flips elsewhere.
+
+#define BOOST_TEST_MODULE Curve_editor
+
+#include "Curve_setting.h"
+#include "descriptors.h"
+#include "generated_meshes.h"
+#include "rolled_out_surfaces.h"
+
+#include <CGAL/Flip_geodesics/Curve_editor.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/draw_polylines.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+using FG::Surface_location;
+using Editor = FG::Curve_editor<Triangulation>;
+using Polyline = std::vector<Surface_location>;
+
+bool is_geodesic(FG::Certificate_verdict verdict)
+{
+  return verdict == FG::Certificate_verdict::PROVEN || verdict == FG::Certificate_verdict::PROBABLE;
+}
+
+bool is_same(const Surface_location& p, const Surface_location& q)
+{
+  return p.halfedge == q.halfedge && p.weights == q.weights;
+}
+
+bool is_same(const Polyline& a, const Polyline& b)
+{
+  bool result = a.size() == b.size();
+  for(std::size_t i = 0; result && i < a.size(); ++i)
+    result = is_same(a[i], b[i]);
+  return result;
+}
+
+// ---------------------------------------------------------------- the flat torus, and its plane
+
+// The plane rolled up: cells of side 1 with rising diagonals, `n` by `m` of them.
+struct Flat_torus
+{
+  static constexpr int n = 7, m = 5;
+
+  Flat_torus()
+    : mesh(to_mesh<Surface>(torus(n, m, 3, 1)))
+    , triangulation(mesh, Length_metric(mesh, Length_map(set_lengths())))
+  {
+  }
+
+  static int vertex(int i, int j) { return (i % n + n) % n + n * ((j % m + m) % m); }
+
+  Surface_location location(const Flat_point& p) const
+  {
+    const double x = std::floor(p[0]), y = std::floor(p[1]), u = p[0] - x, v = p[1] - y;
+    const int i = static_cast<int>(x), j = static_cast<int>(y);
+    const bool is_upper = v > u; // on the left of the diagonal
+    const int a = vertex(i, j), c = vertex(i + 1, j + 1);
+    const auto h = is_upper ? halfedge(a, c) : halfedge(c, a);
+    if(is_upper) // a, c, and the corner above a
+      return {h, {{1 - v, u, v - u}}};
+    return {h, {{v, 1 - u, u - v}}};
+  }
+
+  FG::Input_halfedge_index halfedge(int v, int w) const
+  {
+    using Vertex = Surface::Vertex_index;
+    return triangulation.input().index(
+        CGAL::halfedge(Vertex(static_cast<unsigned>(v)), Vertex(static_cast<unsigned>(w)), mesh).first);
+  }
+
+  std::map<Surface::Edge_index, double>& set_lengths()
+  {
+    for(Surface::Edge_index e : mesh.edges()) {
+      const int v = static_cast<int>(mesh.vertex(e, 0).idx()), w = static_cast<int>(mesh.vertex(e, 1).idx());
+      lengths[e] = v % n != w % n && v / n != w / n ? std::sqrt(2.0) : 1;
+    }
+    return lengths;
+  }
+
+  Surface mesh;
+  std::map<Surface::Edge_index, double> lengths;
+  Length_triangulation triangulation;
+};
+
+// Somewhere, on an edge, or at a vertex, at most 0.7 away along either axis.
+Flat_point moved(const Flat_point& p, Random_numbers& random)
+{
+  Flat_point result = {p[0] + random.uniform(-0.7, 0.7), p[1] + random.uniform(-0.7, 0.7)};
+  const int what = random.below(4);
+  for(int k = 0; k < 2; ++k)
+    if(what == k || what == 2)
+      result[k] = std::round(result[k]);
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(legs_on_a_flat_torus_are_the_segments_of_its_plane)
+{
+  Flat_torus torus;
+  Random_numbers random(1);
+  std::vector<Flat_point> points = {{0.3, 0.2}, {2.6, 1.1}, {3.2, 2.7}};
+  std::vector<Surface_location> places;
+  for(const Flat_point& p : points)
+    places.push_back(torus.location(p));
+  FG::Curve_editor<Length_triangulation> editor(torus.triangulation, places);
+  for(std::size_t i = 0; i < 2; ++i) // the first ones are shortest: their class is told by their lengths
+    BOOST_REQUIRE(std::abs(editor.leg_length(i) - distance(points[i], points[i + 1])) < 1e-12);
+  std::size_t vertices = 0;
+  for(int move = 0; move < 600; ++move) {
+    const auto i = static_cast<std::size_t>(random.below(3));
+    Flat_point to = moved(points[i], random);
+    if(move % 100 < 30)
+      to[0] += 0.4; // so that points get round
+    if((i > 0 && distance(to, points[i - 1]) < 0.1) || (i < 2 && distance(to, points[i + 1]) < 0.1))
+      continue;
+    const Flat_point middle = {points[i][0] + (to[0] - points[i][0]) / 2, points[i][1] + (to[1] - points[i][1]) / 2};
+    const FG::Move_report report = editor.move(i, torus.location(middle));
+    BOOST_TEST(report.legs == (i == 1 ? 2u : 1u));
+    editor.move(i, torus.location(to));
+    points[i] = to;
+    for(std::size_t l = 0; l < 2; ++l) {
+      BOOST_TEST(std::abs(editor.leg_length(l) - distance(points[l], points[l + 1])) < 1e-11);
+      BOOST_TEST(is_geodesic(editor.verdict(l)));
+      BOOST_TEST(is_same(editor.leg(l).front(), editor.point(l)));
+      BOOST_TEST(is_same(editor.leg(l).back(), editor.point(l + 1)));
+    }
+    vertices += kind(editor.point(i)) == FG::Location_kind::VERTEX ? 1 : 0;
+    BOOST_TEST(torus.triangulation.log_position() == 0u);
+  }
+  BOOST_TEST(vertices > 50u);
+  BOOST_TEST(distance(points[0], points[1]) > Flat_torus::n); // once round, and more
+}
+
+namespace {
+
+// The plane grid less a cell in its middle, and places on it.
+struct Annulus
+{
+  Annulus()
+    : mesh(to_mesh<Surface>(grid_with_hole(9, 9, 4, 5, 4, 5)))
+    , triangulation(mesh)
+  {
+  }
+
+  Surface_location location(const Flat_point& p) const
+  {
+    return FG::surface_location(triangulation, mesh, location_on_grid(mesh, mesh, p));
+  }
+
+  Surface mesh;
+  Triangulation triangulation;
+};
+
+// From the lower end of a circle about the hole once round it, counterclockwise or back, in steps of a quarter cell.
+void drag_round_hole(const Annulus& annulus, Editor& editor, int direction)
+{
+  constexpr int steps = 64;
+  for(int i = 1; i <= steps; ++i) {
+    const double angle = direction * 2 * pi * i / steps - pi / 2;
+    const bool is_end = i == steps;
+    editor.move(1, annulus.location(is_end ? Flat_point{4.5, 2}
+                                           : Flat_point{4.5 + 2.5 * std::cos(angle), 4.5 + 2.5 * std::sin(angle)}));
+    BOOST_TEST(is_geodesic(editor.verdict(0)));
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_drag_round_a_hole_changes_the_class_and_back_again)
+{
+  Annulus annulus;
+  Editor editor(annulus.triangulation, {annulus.location({4.5, 1}), annulus.location({4.5, 2})});
+  const Polyline before = editor.leg(0);
+  const Surface_location end = editor.point(1);
+  BOOST_TEST(std::abs(editor.length() - 1) < 1e-14);
+  for(int direction : {1, -1}) {
+    for(int rounds = 1; rounds <= 3; ++rounds) { // from the second on, the path crosses itself
+      drag_round_hole(annulus, editor, direction);
+      const double tangents = std::hypot(0.5, 3) + std::hypot(0.5, 2), sides = 3 + 4 * (rounds - 1);
+      BOOST_TEST(std::abs(editor.length() - tangents - sides) < 1e-12);
+    }
+    for(int rounds = 3; rounds > 0; --rounds)
+      drag_round_hole(annulus, editor, -direction);
+    BOOST_TEST(is_same(editor.leg(0), before));
+  }
+  BOOST_TEST(editor.number_of_moves() == 2 * 6 * 64u);
+  drag_round_hole(annulus, editor, 1);
+  const Polyline after = editor.leg(0);
+  drag_round_hole(annulus, editor, 1);
+  for(int i = 0; i < 64; ++i)
+    BOOST_REQUIRE(editor.undo());
+  BOOST_TEST(is_same(editor.leg(0), after));
+  while(editor.undo()) {
+  }
+  BOOST_TEST(is_same(editor.leg(0), before));
+  BOOST_TEST(is_same(editor.point(1), end));
+}
+
+BOOST_AUTO_TEST_CASE(way_points_on_developable_surfaces)
+{
+  for(const Bent_surface& surface : surfaces())
+    for(bool is_closed : {false, true}) {
+      Random_numbers random(7);
+      Triangulation t(surface.bent);
+      std::vector<Flat_point> points = {{1.2, 1.1}, {6.3, 1.8}, {6.9, 6.4}, {1.3, 7.1}};
+      Editor editor(t, locations(t, surface, points), is_closed);
+      BOOST_TEST(editor.number_of_legs() == (is_closed ? 4u : 3u));
+      for(int move = 0; move < 60; ++move) {
+        const auto i = static_cast<std::size_t>(random.below(4));
+        Flat_point& p = points[i];
+        p = {std::min(std::max(p[0] + random.uniform(-1, 1), 0.1), 7.9),
+             std::min(std::max(p[1] + random.uniform(-1, 1), 0.1), 7.9)};
+        if(random.below(3) == 0)
+          p = {std::round(p[0]), std::round(p[1])};
+        std::vector<Polyline> before = editor.legs();
+        const double length = editor.length();
+        const FG::Move_report report = editor.move(i, locations(t, surface, {p}).front());
+        BOOST_TEST(is_geodesic(report.verdict));
+        double sum = 0;
+        for(std::size_t l = 0; l < editor.number_of_legs(); ++l) {
+          const double expected =
+              distance(rolled_out(surface.flat, editor.point(l)), rolled_out(surface.flat, editor.point((l + 1) % 4)));
+          BOOST_TEST(std::abs(editor.leg_length(l) - expected) < 1e-12);
+          sum += expected;
+          if(l != i && (l + 1) % 4 != i)
+            BOOST_TEST(is_same(editor.leg(l), before[l]));
+        }
+        BOOST_TEST(std::abs(editor.length() - sum) < 1e-11);
+        const std::vector<Polyline> after = editor.legs();
+        BOOST_TEST(editor.undo());
+        for(std::size_t l = 0; l < before.size(); ++l)
+          BOOST_TEST(is_same(editor.leg(l), before[l]));
+        BOOST_TEST(editor.length() == length);
+        editor.move(i, locations(t, surface, {p}).front());
+        for(std::size_t l = 0; l < before.size(); ++l)
+          BOOST_TEST(is_same(editor.leg(l), after[l]));
+      }
+      // Made at once, it is the same.
+      std::vector<Surface_location> places;
+      for(std::size_t i = 0; i < 4; ++i)
+        places.push_back(editor.point(i));
+      const Editor fresh(t, places, is_closed);
+      for(std::size_t l = 0; l < fresh.number_of_legs(); ++l)
+        BOOST_TEST(std::abs(fresh.leg_length(l) - editor.leg_length(l)) < 1e-12);
+    }
+}
+
+namespace {
+
+// A random place of a random kind.
+Surface_location random_place(const Triangulation& t, Random_numbers& random)
+{
+  for(;;) {
+    const FG::Input_halfedge_index h(random.below(t.number_of_halfedges()));
+    if(t.input().is_border(h))
+      continue;
+    const int what = random.below(4);
+    const double a = random.uniform(0.05, 1), b = random.uniform(0.05, 1), c = random.uniform(0.05, 1);
+    return {h, {{a, what == 0 ? 0 : b, what <= 1 ? 0 : c}}};
+  }
+}
+
+// A few faces further on.
+Surface_location place_near(const Triangulation& t, const Surface_location& from, Random_numbers& random)
+{
+  FG::Input_halfedge_index h = from.halfedge;
+  for(int step = 0; step < 4; ++step) {
+    for(int turns = random.below(3); turns > 0; --turns)
+      h = t.input().next(h);
+    const FG::Input_halfedge_index other = FG::internal::twin_index(h);
+    h = t.input().is_border(other) ? h : other;
+  }
+  Surface_location result = random_place(t, random);
+  result.halfedge = h;
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(legs_are_geodesics_on_any_surface)
+{
+  const std::vector<Mesh_soup> soups = {bumpy_sphere(5, 0.15, 3),  genus_3_plate(2), cube(4),
+                                        saddle_disk(8, 5, 4 * pi), tetrahedron(4),   sphere(4),
+                                        torus(9, 6, 3, 1),         lantern(9, 4)};
+  std::size_t moves = 0, flips = 0, unproven = 0;
+  for(const Mesh_soup& soup : soups) {
+    const Surface mesh = to_mesh<Surface>(soup);
+    Triangulation t(mesh);
+    Random_numbers random(11);
+    Editor editor(t, {random_place(t, random), random_place(t, random), random_place(t, random)});
+    FG::internal::Polyline_measure<Triangulation> measure(t);
+    for(int move = 0; move < 150; ++move) {
+      const auto i = static_cast<std::size_t>(random.below(3));
+      const Surface_location to = place_near(t, editor.point(i), random);
+      const double before = editor.length();
+      FG::Move_report report;
+      try {
+        report = editor.move(i, to);
+      } catch(const FG::Invalid_curve_error&) { // onto another point
+        BOOST_TEST(editor.length() == before);
+        continue;
+      }
+      ++moves;
+      flips += report.legs_by_flips;
+      unproven += is_geodesic(report.verdict) ? 0 : 1;
+      for(std::size_t l = 0; l < 2; ++l)
+        BOOST_TEST(std::abs(measure.length(editor.leg(l)) - editor.leg_length(l)) < 1e-9);
+      BOOST_TEST(t.log_position() == 0u);
+    }
+  }
+  BOOST_TEST(moves > 1000u);
+  BOOST_TEST(flips <= 5u); // along rays of the saddle, whose vertices are flat but for the last bit
+  BOOST_TEST(unproven <= 5u); // bent by less than doubles tell, and said to be
+}
+
+BOOST_AUTO_TEST_CASE(no_move_after_bad_input)
+{
+  Mesh_soup two = flat_grid(4, 4, Diagonal_rule::RISING);
+  const int n = static_cast<int>(two.points.size());
+  for(const Coordinates& p : flat_grid(2, 2, Diagonal_rule::RISING).points)
+    two.points.push_back({p[0] + 10, p[1], p[2]});
+  for(const Corners& c : flat_grid(2, 2, Diagonal_rule::RISING).triangles)
+    two.triangles.push_back({c[0] + n, c[1] + n, c[2] + n});
+  const Surface mesh = to_mesh<Surface>(two);
+  Triangulation t(mesh);
+  const auto at = [&](double x, double y) {
+    return FG::surface_location(t, mesh, location_on_grid(mesh, mesh, {x, y}));
+  };
+  Editor editor(t, {at(0.4, 0.3), at(2.1, 1.7), at(3.6, 3.2)});
+  const std::vector<Polyline> before = editor.legs();
+  const auto is_unchanged = [&] {
+    bool result = editor.number_of_moves() == 0 && t.log_position() == 0;
+    for(std::size_t l = 0; l < before.size(); ++l)
+      result = result && is_same(editor.leg(l), before[l]);
+    return result;
+  };
+  const auto spoiled = [&](double weight) {
+    Surface_location result = at(1.4, 1.2);
+    result.weights[1] = weight;
+    return result;
+  };
+  BOOST_CHECK_THROW(editor.move(2, at(11.2, 1.3)), FG::Disconnected_endpoints_error);
+  BOOST_CHECK_THROW(editor.move(2, spoiled(std::numeric_limits<double>::quiet_NaN())), FG::Invalid_location_error);
+  BOOST_CHECK_THROW(editor.move(1, spoiled(-1)), FG::Invalid_location_error);
+  BOOST_CHECK_THROW(editor.move(2, {FG::Input_halfedge_index(100000), {{1, 1, 1}}}), FG::Invalid_location_error);
+  BOOST_CHECK_THROW(editor.move(2, editor.point(1)), FG::Invalid_curve_error);
+  Surface_location twice = editor.point(1); // the same ratio
+  for(double& weight : twice.weights)
+    weight *= 2;
+  BOOST_CHECK_THROW(editor.move(0, twice), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(editor.move_along(0, {}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(editor.move_along(0, {at(1.4, 1.2), at(1.4, 1.3)}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(editor.move_along(0, {editor.point(0), at(3.4, 1.3)}), FG::Invalid_curve_error);
+  BOOST_TEST(is_unchanged());
+  BOOST_TEST(editor.move_along(0, {editor.point(0)}).legs == 0u);
+  BOOST_TEST(is_unchanged());
+  {
+    FG::Edge_path_network<Triangulation> network(t);
+    network.add_curve(std::vector<FG::Halfedge_index>{0_h}, false);
+    BOOST_CHECK_THROW(editor.move(2, at(3.4, 3.3)), FG::Occupied_triangulation_error);
+    BOOST_CHECK_THROW(Editor(t, {at(0.4, 0.3), at(2.1, 1.7)}), FG::Occupied_triangulation_error);
+    BOOST_TEST(is_unchanged());
+  }
+  BOOST_CHECK_THROW(Editor(t, {at(0.4, 0.3)}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(Editor(t, {at(0.4, 0.3), at(0.4, 0.3)}), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(Editor(t, {at(0.4, 0.3), at(11.2, 1.3)}), FG::Disconnected_endpoints_error);
+  BOOST_TEST(!editor.undo());
+  editor.move(2, at(3.4, 3.3));
+  editor.forget_moves();
+  BOOST_TEST(!editor.undo());
+}
+
+BOOST_AUTO_TEST_CASE(a_way_says_in_which_class_a_leg_goes_on)
+{
+  Annulus annulus;
+  Editor editor(annulus.triangulation, {annulus.location({4.5, 1}), annulus.location({3.5, 3.6})});
+  Polyline way = {editor.point(1)};
+  for(int i = 1; i <= 40; ++i) // up on the left, over the hole, and down on the right
+    way.push_back(annulus.location({i <= 30 ? 3.5 + std::max(0, i - 20) * 0.2 : 5.5,
+                                    i <= 20 ? 3.6 + i * 0.1 : (i <= 30 ? 5.6 : 5.6 - (i - 30) * 0.2)}));
+  const auto crossings = FG::complete_polyline(annulus.triangulation, way);
+  editor.move_along(1, crossings);
+  const double expected = std::hypot(0.5, 3) + 1 + 1 + std::hypot(0.5, 1.4);
+  BOOST_TEST(std::abs(editor.length() - expected) < 1e-12);
+  editor.undo();
+  editor.move(1, way.back()); // the short way
+  BOOST_TEST(editor.length() < 3.5);
+}
+
+BOOST_AUTO_TEST_CASE(a_spline_of_dragged_legs_is_that_of_the_plane)
+{
+  const Bent_surface surface = surfaces().back();
+  Triangulation t(surface.bent);
+  std::vector<Flat_point> polygon = {{0.7, 3.1}, {2.2, 6.4}, {4, 1.5}, {5.3, 7}};
+  Editor editor(t, locations(t, surface, polygon));
+  polygon[2] = {6.1, 2.4};
+  editor.move(2, locations(t, surface, {polygon[2]}).front());
+  FG::Free_geodesic_spline<Triangulation> spline(t, editor.legs(), FG::Spline_kind::BEZIER);
+  spline.refine();
+  const auto pieces = spline.finish();
+  BOOST_REQUIRE_EQUAL(pieces.size(), 2u);
+  BOOST_TEST(distance(rolled_out(surface.flat, pieces[0].back()), de_casteljau(polygon, 0.5)) < 1e-11);
+  BOOST_CHECK_THROW(FG::Free_geodesic_spline<Triangulation>(t, std::vector<Polyline>{}, FG::Spline_kind::BEZIER),
+                    FG::Invalid_curve_error);
+  const std::vector<Polyline> short_leg = {{editor.point(0)}};
+  BOOST_CHECK_THROW(FG::Free_geodesic_spline<Triangulation>(t, short_leg, FG::Spline_kind::BEZIER),
+                    FG::Invalid_curve_error);
+}
