@@ -44,13 +44,13 @@ try {
   const Mesh::Vertex_index source(argc > 3 ? number(argv[2]) : 0);
   const Mesh::Vertex_index target(argc > 3 ? number(argv[3]) : mesh.number_of_vertices() / 2);
 
+  //! [One call]
   std::vector<Kernel::Point_3> points;
-  //! [Verdict]
   const auto result = FG::geodesic_path(mesh, source, target, std::back_inserter(points));
   std::cout << "A curve of " << points.size() << " points, " << result.length() << " long, after "
             << result.report.flips << " flips: " << to_string(result.status()) << ", " << to_string(result.verdict())
             << ".\n";
-  //! [Verdict]
+  //! [One call]
   FG::IO::write_VTP("geodesic_path.vtp", std::vector<std::vector<Kernel::Point_3>>{points});
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {

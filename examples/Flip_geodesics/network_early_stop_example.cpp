@@ -65,11 +65,13 @@ try {
     regions[f] = (p.x() > 0.1 ? 1 : 0) + (p.y() > 0.1 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
   }
 
+  //! [Early stop]
   Counting_visitor visitor;
   Triangulation triangulation(mesh);
   Network network(triangulation);
   FG::add_region_boundaries(network, mesh, regions);
   FG::shorten(network, FG::Curve_length_ratio_stop_predicate(ratio), visitor);
+  //! [Early stop]
   std::cout << network.number_of_curves() << " curves after " << visitor.steps << " steps.\n";
 
   std::vector<std::vector<Kernel::Point_3>> curves;

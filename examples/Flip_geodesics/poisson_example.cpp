@@ -44,12 +44,15 @@ try {
   if(std::error_code absent; std::filesystem::equivalent(argv[1], "poisson.ply", absent))
     throw std::invalid_argument("the result would replace the mesh; rename it");
 
+  //! [Steps]
   Triangulation triangulation(mesh);
   const FG::Vertex_index source(std::stoi(argv[2])), target(std::stoi(argv[3]));
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
   const FG::Curve_index curve = network.add_curve(search(source, target), false);
   FG::shorten(network);
+  //! [Steps]
+  //! [Solve]
   FG::flip_to_delaunay(triangulation); // all edges but those of the curve
 
   std::vector<FG::Vertex_index> cold = {source};
@@ -58,6 +61,7 @@ try {
   const FG::Dirichlet_problem<Operators> problem(Operators(triangulation), cold);
   const Eigen::VectorXd heat = Eigen::VectorXd::Ones(triangulation.number_of_vertices());
   const Eigen::VectorXd u = problem.solve(heat, Eigen::VectorXd::Zero(triangulation.number_of_vertices()));
+  //! [Solve]
   std::cout << "Kept at 0 at " << cold.size() << " vertices on the curve; largest value " << u.maxCoeff() << ".\n";
 
   auto temperature = mesh.add_property_map<Mesh::Vertex_index, double>("v:u", 0).first;
