@@ -13,6 +13,7 @@
 #include "output/run_files.h"
 #include "printable.h"
 #include "program_options.h"
+#include "readable.h"
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
 #include "run/machine_memory.h"
@@ -239,7 +240,7 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   outputs->close(mesh);
   if(!options.is_quiet) {
     outputs->print_summary(std::cout << title);
-    std::cout << engine->mesh_results();
+    std::cout << engine->tree_results() << engine->mesh_results();
   }
   return outputs->has_failed() ? incomplete : success;
 }
@@ -317,8 +318,8 @@ int run(const Options& options)
   const Input_mesh input = read_input_mesh(options);
   const Mesh& mesh = input;
   std::ostringstream title;
-  title << printable(options.mesh) << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
-        << " triangles, read in " << stopwatch.seconds() << " s\n";
+  title << printable(options.mesh) << ": " << readable(mesh.number_of_vertices()) << " vertices, "
+        << readable(mesh.number_of_faces()) << " triangles, read in " << readable_time(stopwatch.seconds()) << '\n';
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";

@@ -174,9 +174,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(no_seams 2 "no seam" no_seam.obj --seams)
   flip_geodesics_add_program_test(untextured_face 2 "line 9: face 1 has a corner" half_textured.obj --seams)
   flip_geodesics_add_program_test(seams_of_off 2 "obj file" torus.off --seams)
-  flip_geodesics_add_program_test(tree 0 "287 LOCALLY_SHORTEST" torus.off --source 5 --map map.csv --mesh tree.ply)
-  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST" torus.off --source 5 --shortest --kernel
-                                  certified)
+  flip_geodesics_add_program_test(tree 0 "287 LOCALLY_SHORTEST.*paths +287 from vertex 5, the longest to vertex"
+                                  torus.off --source 5 --map map.csv --mesh tree.ply)
+  flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST.*shortest 287 of them, confirmed" torus.off
+                                  --source 5 --shortest --kernel certified)
   flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
   flip_geodesics_add_program_test(isolines 0 "9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200 --isolines
                                   0.3,0.6 --voronoi --mesh isolines.vtp --polylines isolines.txt --tolerance 0.01)

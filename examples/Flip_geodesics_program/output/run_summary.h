@@ -3,11 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_RUN_SUMMARY_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_RUN_SUMMARY_H
 
+#include "readable.h"
 #include "run/curve_engine.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,6 +28,7 @@ public:
     if(m_lines.size() < most_lines)
       m_lines.push_back(line(curve, result));
     ++m_number_of_curves;
+    m_is_tree |= result.is_of_tree;
     m_number_on_contracted += result.are_zero_edges_contracted ? 1 : 0;
     if(result.is_error())
       return;
@@ -35,7 +38,7 @@ public:
     m_extract.push_back(result.extract_s);
     if(shares_run) // the run is counted with its first curve
       return;
-    m_flips.push_back(static_cast<double>(result.flips));
+    m_flips.push_back(result.flips);
     m_shorten.push_back(result.shorten_s);
   }
 
@@ -47,18 +50,21 @@ public:
       for(const std::string& line : m_lines)
         out << line;
     }
-    print_counts(out << m_number_of_curves << " curves:", m_counts);
+    print_counts(out << readable(m_number_of_curves) << " curves:", m_counts);
     if(!m_verdicts.empty())
       print_counts(out << "certificates:", m_verdicts);
     if(m_number_on_contracted > 0)
-      out << m_number_on_contracted << " met edges of length zero, which were contracted for them\n";
-    if(m_length > 0)
+      out << readable(m_number_on_contracted) << " met edges of length zero, which were contracted for them\n";
+    if(m_length > 0 && m_length == m_initial_length && !m_is_tree)
+      out << format("length   %.6g\n", m_length);
+    else if(m_length > 0 && !m_is_tree)
       out << format("length   %.6g of %.6g along edges (%.2f %%)\n", m_length, m_initial_length,
                     100 * m_length / m_initial_length);
-    print_sums(out, "flips   ", m_flips, 1, "");
-    print_sums(out, "search  ", m_search, 1e3, " ms");
-    print_sums(out, "shorten ", m_shorten, 1e3, " ms");
-    print_sums(out, "extract ", m_extract, 1e3, " ms");
+    if(!m_is_tree)
+      print_sums(out, "flips   ", m_flips, readable);
+    print_sums(out, "search  ", m_search, readable_time);
+    print_sums(out, "shorten ", m_shorten, readable_time);
+    print_sums(out, "extract ", m_extract, readable_time);
   }
 
 private:
@@ -72,10 +78,12 @@ private:
     return text;
   }
 
+  static std::string vertex(Vertex_index v) { return v.is_valid() ? std::to_string(v.idx()) : "-"; }
+
   static std::string line(std::size_t curve, const Curve_result& r)
   {
-    return format("%5zu %9d %9d %9zu %13.6g %13.6g %9zu  %-16s %8.3f  %s\n", curve, static_cast<int>(r.source.idx()),
-                  static_cast<int>(r.target.idx()), r.initial_segments, r.initial_length, r.length, r.flips,
+    return format("%5zu %9s %9s %9zu %13.6g %13.6g %9zu  %-16s %8.3f  %s\n", curve, vertex(r.source).c_str(),
+                  vertex(r.target).c_str(), r.initial_segments, r.initial_length, r.length, r.flips,
                   r.status.c_str(), 1e3 * (r.search_s + r.shorten_s + r.extract_s), r.certificate.c_str());
   }
 
@@ -86,23 +94,27 @@ private:
     out << '\n';
   }
 
-  static void print_sums(std::ostream& out, const char* name, std::vector<double> values, double scale,
-                         const char* unit)
+  // The sum, and the median where there is more than one. Nothing for what did not take place.
+  template <class Number, class Readable>
+  static void print_sums(std::ostream& out, const char* name, std::vector<Number> values, const Readable& text)
   {
-    if(values.empty())
+    const Number sum = std::accumulate(values.begin(), values.end(), Number(0));
+    if(sum == 0)
       return;
-    double sum = 0;
-    for(double value : values)
-      sum += value;
+    out << name << ' ' << text(sum);
     std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    out << format("%s %.6g%s, median %.4g%s\n", name, scale * sum, unit, scale * values[values.size() / 2], unit);
+    if(values.size() > 1)
+      out << ", median " << text(values[values.size() / 2]);
+    out << '\n';
   }
 
   std::map<std::string, std::size_t> m_counts, m_verdicts;
   std::vector<std::string> m_lines;
   std::size_t m_number_of_curves = 0, m_number_on_contracted = 0;
   double m_initial_length = 0, m_length = 0;
-  std::vector<double> m_flips, m_search, m_shorten, m_extract;
+  std::vector<std::size_t> m_flips;
+  std::vector<double> m_search, m_shorten, m_extract;
+  bool m_is_tree = false; // then the engine says what matters
 };
 
 } // namespace program

@@ -103,12 +103,15 @@ public:
   /// What was done to the triangulation of the last run, for people.
   const std::string& mesh_results() const { return m_mesh_results; }
 
+  /// What the tree of the last run is like, for people; empty if it had none.
+  const std::string& tree_results() const { return m_tree_results; }
+
 protected:
   std::size_t m_most_recorded_points = 0;
   std::optional<Shortening_record> m_record;
   std::optional<CGAL::Flip_geodesics::Logarithmic_map> m_map;
   Result_meshes m_meshes;
-  std::string m_mesh_results;
+  std::string m_mesh_results, m_tree_results;
 };
 
 /// An engine that computes in doubles.

@@ -9,6 +9,7 @@
 #include "run/progress.h"
 #include "run/shortening_recorder.h"
 #include "run/surface_request.h"
+#include "run/tree_results.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
@@ -202,6 +203,7 @@ private:
     m_map = std::move(other.m_map);
     m_meshes = std::move(other.m_meshes);
     m_mesh_results = std::move(other.m_mesh_results);
+    m_tree_results = std::move(other.m_tree_results);
   }
 
   void forget_last_run()
@@ -210,6 +212,7 @@ private:
     m_map.reset();
     m_meshes = Result_meshes();
     m_mesh_results.clear();
+    m_tree_results.clear();
   }
 
   void build(Network& network, const Network_request& request, std::vector<Curve_result>& results)
@@ -376,6 +379,9 @@ private:
       m_progress.add_flips(shortest.flips);
     }
     m_map = FG::logarithmic_map(tree);
+    m_tree_results = describe_tree(*m_map, source, report.flips + shortest.flips);
+    if(m_options.is_shortest)
+      m_tree_results += describe_shortest_paths(shortest);
     Curve_result common;
     common.flips = report.flips + shortest.flips;
     common.flip_outs = report.flip_outs;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_PROGRAM_TREE_RESULTS_H
+#define CGAL_FLIP_GEODESICS_PROGRAM_TREE_RESULTS_H
+
+#include "program_mesh.h"
+#include "readable.h"
+
+#include <CGAL/Flip_geodesics/logarithmic_map.h>
+#include <CGAL/Flip_geodesics/make_shortest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+namespace program {
+
+/// Where the paths of a tree lead, in lines for people.
+inline std::string describe_tree(const CGAL::Flip_geodesics::Logarithmic_map& map, Vertex_index source,
+                                 std::size_t flips)
+{
+  Vertex_index farthest = source;
+  std::size_t number_of_paths = 0;
+  for(Vertex_index v(0); static_cast<std::size_t>(v.idx()) < map.vertices.size(); ++v) {
+    const double distance = map.vertices[v].radius;
+    if(v == source || !std::isfinite(distance))
+      continue;
+    ++number_of_paths;
+    if(distance > map.vertices[farthest].radius)
+      farthest = v;
+  }
+  std::ostringstream out;
+  out << "paths    " << readable(number_of_paths) << " from vertex " << source.idx() << ", the longest to vertex "
+      << farthest.idx() << ", " << map.vertices[farthest].radius << " long\nflips    " << readable(flips) << '\n';
+  return out.str();
+}
+
+/// What was done to make the paths of a tree shortest, in a line for people.
+inline std::string describe_shortest_paths(const CGAL::Flip_geodesics::Shortest_tree_report& report)
+{
+  if(!report.is_confirmed)
+    return "shortest not confirmed: the search for shorter paths was given up, or met faces without area\n";
+  std::ostringstream out;
+  out << "shortest " << readable(report.vertices - report.longer) << " of them, confirmed; "
+      << readable(report.longer_before) << " were longer at first, by up to " << 100 * report.largest_excess_before
+      << " %\n";
+  return out.str();
+}
+
+} // namespace program
+
+#endif // CGAL_FLIP_GEODESICS_PROGRAM_TREE_RESULTS_H
