@@ -22,6 +22,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,6 +46,15 @@ Kernel::Vector_3 direction(const Mesh& mesh, const Triangulation& triangulation,
   return (std::cos(field.angle(i)) * x + std::sin(field.angle(i)) * y) / std::sqrt(x.squared_length());
 }
 
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
@@ -53,7 +63,7 @@ try {
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   FG::Edge_path_network<Triangulation> network(triangulation);
-  network.add_curve(search(FG::Vertex_index(std::stoi(argv[2])), FG::Vertex_index(std::stoi(argv[3]))), false);
+  network.add_curve(search(FG::Vertex_index(number(argv[2])), FG::Vertex_index(number(argv[3]))), false);
   FG::shorten(network);
   FG::flip_to_delaunay(triangulation); // all edges but those of the path
   Field field(triangulation);

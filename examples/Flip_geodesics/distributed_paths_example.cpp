@@ -35,6 +35,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -148,9 +149,35 @@ constexpr std::size_t PATHS_AT_ONCE = 8;
 constexpr int ASK = 0, HAND_OUT = 1, RESULT = 2;
 using Handful = std::pair<std::size_t, Lines>; // the index of the first, and the lines
 
+// A send that does not wait for its receiver, but for the one before it.
+class Sender
+{
+public:
+  Sender() = default;
+  Sender(const Sender&) = delete;
+  Sender& operator=(const Sender&) = delete;
+  ~Sender() { finish(); }
+
+  void operator()(const mpi::communicator& world, int rank, int tag, const Handful& handful)
+  {
+    finish();
+    m_request = world.isend(rank, tag, handful);
+  }
+
+private:
+  void finish()
+  {
+    if(m_request)
+      m_request->wait();
+  }
+
+  std::optional<mpi::request> m_request;
+};
+
 void work(const mpi::communicator& world)
 {
   std::unique_ptr<Surface> surface;
+  Sender send_results;
   world.send(0, ASK);
   for(Handful handful;;) {
     world.recv(0, HAND_OUT, handful);
@@ -159,7 +186,7 @@ void work(const mpi::communicator& world)
     world.send(0, ASK);
     for(std::string& line : handful.second)
       line = solve(line, surface);
-    world.send(0, RESULT, handful);
+    send_results(world, 0, RESULT, handful);
   }
 }
 
@@ -203,7 +230,8 @@ private:
     }
     m_world.recv(message.source(), ASK);
     const std::size_t end = std::min(m_next + PATHS_AT_ONCE, m_paths.size());
-    m_world.send(message.source(), HAND_OUT, Handful(m_next, Lines(m_paths.begin() + m_next, m_paths.begin() + end)));
+    m_hand_out[message.source()](m_world, message.source(), HAND_OUT,
+                                 {m_next, Lines(m_paths.begin() + m_next, m_paths.begin() + end)});
     m_dismissed += m_next == end;
     m_next = end;
   }
@@ -229,6 +257,7 @@ private:
   std::size_t m_written; // results in the file
   std::size_t m_next;    // the first path that has not been handed out
   std::ofstream m_file;
+  std::map<int, Sender> m_hand_out; // by rank
   std::map<std::size_t, Lines> m_waiting;
   std::unique_ptr<Surface> m_surface;
   std::size_t m_errors = 0;

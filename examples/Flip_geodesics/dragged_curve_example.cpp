@@ -21,6 +21,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,10 +38,11 @@ try {
   if(argc < 5 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh))
     throw std::invalid_argument("give the file of a triangle mesh, and three vertices");
   Triangulation triangulation(mesh);
-  const auto vertex = [&](const char* number) {
-    const auto v = std::stoul(number);
-    if(v >= mesh.number_of_vertices() || mesh.is_isolated(Mesh::Vertex_index(static_cast<unsigned>(v))))
-      throw std::invalid_argument("the mesh has no such vertex");
+  const auto vertex = [&](const std::string& text) {
+    std::istringstream in(text);
+    Mesh::size_type v = 0;
+    if(!(in >> v && in.eof()) || v >= mesh.number_of_vertices() || mesh.is_isolated(Mesh::Vertex_index(v)))
+      throw std::invalid_argument("the mesh has no vertex " + text);
     return FG::Vertex_index(static_cast<FG::Index>(v));
   };
   const FG::Vertex_index target = vertex(argv[3]), new_target = vertex(argv[4]);

@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -32,6 +33,15 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
+
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
 
 int main(int argc, char** argv)
 try {
@@ -45,7 +55,7 @@ try {
   Triangulation triangulation(mesh);
   std::vector<FG::Vertex_index> way;
   for(int i = 2; i < argc; ++i)
-    way.emplace_back(std::stoi(argv[i]));
+    way.emplace_back(number(argv[i]));
   Network network(triangulation);
   if(way.empty()) {
     FG::add_cut_graph(network);

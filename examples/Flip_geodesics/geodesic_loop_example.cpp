@@ -20,6 +20,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +30,15 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
@@ -36,7 +46,7 @@ try {
     throw std::invalid_argument("give the file of a triangle mesh");
   std::vector<FG::Vertex_index> way_points;
   for(int i = 2; i < argc; ++i)
-    way_points.emplace_back(std::stoi(argv[i]));
+    way_points.emplace_back(number(argv[i]));
 
   const Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);

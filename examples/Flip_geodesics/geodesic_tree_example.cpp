@@ -22,6 +22,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -30,6 +31,15 @@ namespace FG = CGAL::Flip_geodesics;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
 
 int main(int argc, char** argv)
 try {
@@ -41,7 +51,7 @@ try {
 
   Triangulation triangulation(mesh);
   FG::Geodesic_tree<Triangulation> tree(triangulation);
-  const FG::Geodesic_tree_report report = tree.grow(FG::Vertex_index(argc > 2 ? std::stoi(argv[2]) : 0));
+  const FG::Geodesic_tree_report report = tree.grow(FG::Vertex_index(argc > 2 ? number(argv[2]) : 0));
   std::cout << report.flips << " flips; the paths are " << to_string(report.status) << '\n';
   const FG::Logarithmic_map map = FG::logarithmic_map(tree);
 

@@ -25,6 +25,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -46,6 +47,15 @@ double area(const Triangulation& triangulation, FG::Face_index f)
   return std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c)))) / 4;
 }
 
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
@@ -54,7 +64,7 @@ try {
   const auto n = static_cast<FG::Index>(mesh.number_of_vertices());
   std::array<FG::Vertex_index, 3> corners = {FG::Vertex_index(0), FG::Vertex_index(n / 12), FG::Vertex_index(n / 23)};
   for(int i = 0; i < 3 && argc > 4; ++i)
-    corners[i] = FG::Vertex_index(std::stoi(argv[2 + i]));
+    corners[i] = FG::Vertex_index(number(argv[2 + i]));
 
   Triangulation triangulation(mesh);
   Network network(triangulation);

@@ -22,6 +22,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,6 +34,15 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Polylines = std::vector<std::vector<Point_3>>;
 
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
@@ -42,7 +52,7 @@ try {
   const Triangulation triangulation(mesh);
   FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
   for(int i = 2; i < argc; ++i)
-    field.add_source(FG::Vertex_index(std::stoi(argv[i])));
+    field.add_source(FG::Vertex_index(number(argv[i])));
   if(argc < 3)
     field.add_source(FG::Vertex_index(0));
   field.compute();

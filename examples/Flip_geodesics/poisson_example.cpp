@@ -24,6 +24,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -36,6 +37,15 @@ using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 using Operators = FG::Operators<Triangulation>;
 
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
@@ -46,7 +56,7 @@ try {
 
   //! [Steps]
   Triangulation triangulation(mesh);
-  const FG::Vertex_index source(std::stoi(argv[2])), target(std::stoi(argv[3]));
+  const FG::Vertex_index source(number(argv[2])), target(number(argv[3]));
   FG::Shortest_edge_path<Triangulation> search(triangulation);
   Network network(triangulation);
   const FG::Curve_index curve = network.add_curve(search(source, target), false);

@@ -21,6 +21,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -30,13 +31,22 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
 
+FG::Index number(const std::string& text)
+{
+  std::istringstream in(text);
+  FG::Index result = 0;
+  if(!(in >> result && in.eof()))
+    throw std::invalid_argument(text + " is no number");
+  return result;
+}
+
 int main(int argc, char** argv)
 try {
   Mesh mesh;
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
-  const FG::Vertex_index source(argc > 3 ? std::stoi(argv[2]) : 0);
-  const FG::Vertex_index target(argc > 3 ? std::stoi(argv[3]) : static_cast<int>(mesh.number_of_vertices() / 2));
+  const FG::Vertex_index source(argc > 3 ? number(argv[2]) : 0);
+  const FG::Vertex_index target(argc > 3 ? number(argv[3]) : static_cast<int>(mesh.number_of_vertices() / 2));
 
   Triangulation triangulation(mesh);
   FG::Shortest_edge_path<Triangulation> search(triangulation);

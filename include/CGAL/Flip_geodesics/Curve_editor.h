@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsRef
+/// \ingroup PkgFlipGeodesicsBuilders
 /// What a move of a `Curve_editor` did.
 struct Move_report
 {
@@ -32,7 +32,7 @@ struct Move_report
 };
 
 /*!
- * \ingroup PkgFlipGeodesicsRef
+ * \ingroup PkgFlipGeodesicsBuilders
  *
  * A curve through points of the surface that can be moved: its ends, way points, control points. Each leg, from one
  * point to the next, is a geodesic by itself, as with `geodesics_through()`; so legs may cross. When a point moves, each

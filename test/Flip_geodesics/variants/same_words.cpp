@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The flips of certified traits are a function of the input alone: the words of crossed edges and the flipped halfedges
-// of paths and networks on small meshes, and the words of the shortest paths of a tree, as hashes that a build for any processor, with any options, has to meet. Needs
-// nothing but headers. Prints what it has computed where that is something else; that is what to record if a change is
-// meant.
+// The flips of certified traits are a function of the input alone. Here are the words of crossed edges and the flipped
+// halfedges of paths and networks on small meshes, and the words of the shortest paths of a tree: as hashes that a build
+// for any processor, with any options, has to meet. Needs nothing but headers. Prints what it has computed where that is
+// something else; that is what to record if a change is meant.
 
 #include "Integer_hash.h"
 #include "generated_meshes.h"
@@ -59,7 +59,7 @@ std::vector<Input> inputs()
       {"saddle", saddle_disk(12, 8, 9), "5b997baf6ed386fc", "bd5f348f01c1fe47"},
       {"lantern", lantern(10, 40), "3a9f024bedb6d136", "57d90174b880bdc9"},
       {"torus", torus(26, 14, 3, 1), "f1587442fc2cdafa", "cf657860470452fc"},
-      {"sphere", sphere(9), "ce715cdfcd137786", "db47f14161e51f6e"},
+      {"sphere", sphere(9), "ce715cdfcd137786", "b154d42343fa8902"},
       {"bumpy_sphere", bumpy_sphere(8, 0.3, 1), "b6225accb16e3c20", "36168c97958c6ede"},
       {"shaken_plate", shaken(genus_3_plate(2), 0.3, 4), "b9249145821f7602", "02987b86c4654cc0"}};
 }
