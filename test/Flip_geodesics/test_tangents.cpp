@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Tangent vectors: the logarithmic map of places anywhere, against the plane and as the inverse of tracing; and parallel
-// transport, against the angle defects that curves go round.
+// Tangent vectors: the logarithmic map of places anywhere, against the plane and as the inverse of tracing; and
+// parallel transport, against the angle defects that curves go round.
 
 #define BOOST_TEST_MODULE tangents
 
@@ -145,6 +145,27 @@ BOOST_AUTO_TEST_CASE(tracing_is_the_inverse_of_the_logarithm)
     }
     BOOST_TEST(straight > all / (c.is_without_bends ? 2 : 8));
   }
+}
+
+// From each side that a vertex or a place on the border can be told by, and from inside.
+BOOST_AUTO_TEST_CASE(the_plane_of_a_place_and_its_polar_coordinates_are_inverse)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::ALTERNATING));
+  const Triangulation t(mesh);
+  for(const std::array<double, 3>& weights :
+      {std::array<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.25, 0.25, 0.5}})
+    for(const Mesh::Face_index f : mesh.faces()) {
+      const FG::Geodesic_logarithm<Triangulation> logarithm(
+          t, mesh, FG::Surface_location{t.input().index(mesh.halfedge(f)), weights});
+      for(const Mesh::Vertex_index v : mesh.vertices()) {
+        const FG::Polar_coordinates p = logarithm(t.index(v));
+        if(p.radius == 0)
+          continue;
+        const FG::Polar_coordinates again = logarithm.from_plane(logarithm.in_plane(p));
+        BOOST_TEST(std::abs(again.radius - p.radius) < 1e-12);
+        BOOST_TEST(std::abs(std::remainder(again.angle - p.angle, logarithm.is_on_border() ? 100 : 2 * pi)) < 1e-12);
+      }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(behind_a_saddle_everything_has_the_direction_of_the_saddle)

@@ -35,13 +35,13 @@ struct Move_report
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * A curve through points of the surface that can be moved: its ends, way points, control points. Each leg, from one
- * point to the next, is a geodesic by itself, as with `geodesics_through()`; so legs may cross. When a point moves, each
- * leg at it goes on in its homotopy class: it is the geodesic that the leg, and the way of the move behind it, are pulled
- * tight to. The other legs stay, bit for bit, and `undo()` takes moves back.
+ * point to the next, is a geodesic by itself, as with `geodesics_through()`; so legs may cross. When a point moves,
+ * each leg at it goes on in its homotopy class: it is the geodesic that the leg, and the way of the move behind it, are
+ * pulled tight to. The other legs stay, bit for bit, and `undo()` takes moves back.
  *
  * A leg is kept as the sequence of edges that it crosses. So a move takes time for the legs at the point, however many
- * there have been: about as much as reading them off, times the rows of vertices that they sweep. The leg is unfolded and
- * pulled taut like a string, and proven a geodesic in the manner of `certify()`, whatever the traits. Only where that
+ * there have been: about as much as reading them off, times the rows of vertices that they sweep. The leg is unfolded
+ * and pulled taut like a string, and proven a geodesic in the manner of `certify()`, whatever the traits. Only where that
  * fails, edges are flipped, as by `shorten()`, and flipped back.
  *
  * What a leg is depends on its ends and on the edges that it crosses, bit for bit, not on the moves that led to it.
@@ -106,6 +106,8 @@ public:
   /// The number of legs; leg `i` leads from point `i` to the next one.
   std::size_t number_of_legs() const { return m_points.size() - (m_is_closed ? 0 : 1); }
   /// The points of a leg: its ends, and where it crosses edges and passes vertices. Each two in a row lie in one face.
+  /// Where a leg runs along a face without area, a crossing can be told at another place of its edge, so that points go
+  /// to and fro; length and verdict are those of the leg all the same.
   const std::vector<Surface_location>& leg(std::size_t i) const { return m_legs[i].points; }
   /// The points of all legs, one after the other.
   std::vector<std::vector<Surface_location>> legs() const

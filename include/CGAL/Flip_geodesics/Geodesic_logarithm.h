@@ -96,8 +96,8 @@ public:
    * The length of the shortest path to a location, and the angle of its direction at the source, counterclockwise from
    * `halfedge()`. The radius is infinite where there is no path, or none within the limits.
    *
-   * Where the path bends at a vertex, the angle is that of the way to the first such vertex: all places in the shadow of
-   * a vertex have one angle.
+   * Where the path bends at a vertex, the angle is that of the way to the first such vertex: all places in the shadow
+   * of a vertex have one angle.
    *
    * Complexity: linear in the edges that the path crosses, each with the windows on it.
    *
@@ -132,10 +132,12 @@ public:
     return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
   }
 
-  /// The polar coordinates of a vector in that plane: the inverse of `in_plane()`.
+  /// The polar coordinates of a vector in that plane: the inverse of `in_plane()`. At a vertex of the border with
+  /// angles of more than \f$2\pi\f$, of those of one vector the ones nearest to the middle of the surface.
   Polar_coordinates from_plane(const std::array<double, 2>& vector) const
   {
-    return {std::hypot(vector[0], vector[1]), std::atan2(vector[1], vector[0]) / m_frame.stretch()};
+    const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
+    return {std::hypot(vector[0], vector[1]), m_frame.same_direction(angle, m_halfedge)};
   }
 
   /*!

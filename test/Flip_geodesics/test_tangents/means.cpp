@@ -238,6 +238,27 @@ BOOST_AUTO_TEST_CASE(where_the_surface_rolls_out_a_mean_is_a_weighted_sum)
   }
 }
 
+// Which side of its face a corner is told by does not matter.
+BOOST_AUTO_TEST_CASE(means_with_corners_of_the_border)
+{
+  const Mesh mesh = to_mesh<Mesh>({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+  const Triangulation t(mesh);
+  for(const Mesh::Face_index f : mesh.faces())
+    for(std::size_t corner = 0; corner < 3; ++corner) {
+      Face_location vertex(f, {{0, 0, 0}});
+      vertex.second[corner] = 1;
+      for(const Mesh::Face_index g : mesh.faces()) {
+        const Face_location inside(g, {{0.6, 0.1, 0.3}});
+        const auto result =
+            FG::geodesic_mean(mesh, std::vector<Face_location>{vertex, inside}, std::vector<double>{2, 1});
+        BOOST_TEST((result.report.status == FG::Mean_status::CONVERGED));
+        const std::complex<double> mean =
+            (2. * in_plane(t, located(t, mesh, vertex)) + in_plane(t, located(t, mesh, inside))) / 3.;
+        BOOST_TEST(std::abs(in_plane(t, located(t, mesh, result.location)) - mean) < 1e-10);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(means_by_symmetry)
 {
   const Mesh mesh = to_mesh<Mesh>(octahedron(1)); // the vertices of one face

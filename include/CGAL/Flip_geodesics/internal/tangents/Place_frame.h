@@ -111,11 +111,17 @@ public:
   double angle(double position, Input_halfedge_index from) const
   {
     const double result = position - this->position(from);
-    if(!has_whole_turns())
-      return result;
-    const double turn = m_vertex ? total() : boost::math::constants::two_pi<double>();
-    const double turned = result - turn * std::floor(result / turn);
-    return turned < turn ? turned : 0;
+    return has_whole_turns() ? reduced(result) : result;
+  }
+
+  /* Of the angles of a direction, which differ by whole turns, the one that `angle()` tells: at vertices of the border
+   * that nearest to the middle of the surface, where another one leads out of it. */
+  double same_direction(double angle, Input_halfedge_index from) const
+  {
+    if(has_whole_turns())
+      return reduced(angle);
+    constexpr double turn = boost::math::constants::two_pi<double>();
+    return angle + turn * std::round((total() / 2 - position(from) - angle) / turn);
   }
 
   /* A halfedge that directions at a location can be told from: its own, or else that of the place. */
@@ -140,6 +146,13 @@ private:
   {
     throw Invalid_parameter_error("a direction is told from halfedge " + std::to_string(h.idx()) +
                                   ", which is no side of a face of the location");
+  }
+
+  double reduced(double angle) const
+  {
+    const double turn = m_vertex ? total() : boost::math::constants::two_pi<double>();
+    const double result = angle - turn * std::floor(angle / turn);
+    return result < turn ? result : 0;
   }
 
   double position_at_vertex(Input_halfedge_index h) const
