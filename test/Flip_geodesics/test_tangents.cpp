@@ -168,6 +168,23 @@ BOOST_AUTO_TEST_CASE(the_plane_of_a_place_and_its_polar_coordinates_are_inverse)
     }
 }
 
+// About a vertex with half or twice the angle of the plane, directions are stretched to that of the plane.
+BOOST_AUTO_TEST_CASE(angles_about_a_vertex_are_stretched_to_a_whole_turn)
+{
+  const int k = 8;
+  for(const Mesh& mesh : {to_mesh<Mesh>(cone_disk(k, 2, pi)), to_mesh<Mesh>(saddle_disk(k, 2, 4 * pi))}) {
+    const Triangulation t(mesh);
+    const FG::Geodesic_logarithm<Triangulation> logarithm(t, mesh, t.location(FG::Vertex_index(0)));
+    for(int j = 0; j < k; ++j) {
+      const FG::Polar_coordinates p = logarithm(FG::Vertex_index(disk_vertex(k, 1, j)));
+      const auto a = logarithm.in_plane(p),
+                 opposite = logarithm.in_plane(logarithm(FG::Vertex_index(disk_vertex(k, 1, (j + k / 2) % k))));
+      BOOST_TEST(std::hypot(a[0] + opposite[0], a[1] + opposite[1]) < 1e-12);
+      BOOST_TEST(std::abs(std::remainder(logarithm.from_plane(a).angle - p.angle, logarithm.total_angle())) < 1e-12);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(behind_a_saddle_everything_has_the_direction_of_the_saddle)
 {
   const int k = 16;
