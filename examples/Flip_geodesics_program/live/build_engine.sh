@@ -24,7 +24,8 @@ done
 
 # WebAssembly rounds to nearest only, which is enough for the library; CGAL's intervals are told.
 flags=(-std=c++17 -Oz -fwasm-exceptions -DNDEBUG -DCGAL_NDEBUG -DCGAL_DISABLE_GMP -DCGAL_DISABLE_MPFR
-  -DCGAL_ALWAYS_ROUND_TO_NEAREST -DBOOST_ALL_NO_LIB "-I$root/include" "-I$program" -isystem "$work/include" -isystem "$work/include/eigen3")
+  -DCGAL_ALWAYS_ROUND_TO_NEAREST -DBOOST_ALL_NO_LIB "-I$root/include" "-I$program" -isystem "$work/include" -isystem "$work/include/eigen3"
+  "-ffile-prefix-map=$work/=" "-ffile-prefix-map=$root/=") # what is thrown names files, but not those of one machine
 objects=()
 for source in live/engine.cpp run/engine_certified.cpp run/field_curves.cpp; do
   object=$work/$(basename "$source").o
