@@ -3,11 +3,17 @@
 
 import math
 
+import numpy as np
 import vtk
-from PIL import Image
+from figure_light import Stage, light, points_of, unit
+from PIL import Image, features
+from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
-BLUE, RED, GREEN, ORANGE = '#0b4fb3', '#c2121b', '#0a7a3d', '#d97700'
-SURFACE, INK, WHITE = '#d8dce3', '#3a434d', '#ffffff'
+# One meaning for each color, from a set that the colour-blind can tell apart [Okabe and Ito]: where curves start (with
+# dashes), what comes out, what stays fixed, and a second result beside the first.
+START, RESULT, FIXED, SECOND = '#e08a00', '#0067b0', '#c8102e', '#00855f'
+SURFACE, INK, WHITE = '#e9e6df', '#4a4f57', '#ffffff'
+OVERSAMPLING = 2
 
 
 def color(name):
@@ -17,16 +23,13 @@ def color(name):
 
 def poly_data(points, faces=(), lines=()):
     data, places = vtk.vtkPolyData(), vtk.vtkPoints()
-    places.SetDataTypeToDouble()
-    for p in points:
-        places.InsertNextPoint(p)
+    places.SetData(numpy_to_vtk(np.array(points, float).reshape(-1, 3), deep=True))
     data.SetPoints(places)
     for cells, use in ((faces, data.SetPolys), (lines, data.SetLines)):
+        ends = np.cumsum([0, *map(len, cells)])
+        corners = np.fromiter((i for cell in cells for i in cell), np.int64, ends[-1])
         array = vtk.vtkCellArray()
-        for cell in cells:
-            array.InsertNextCell(len(cell))
-            for i in cell:
-                array.InsertCellPoint(i)
+        array.SetData(numpy_to_vtkIdTypeArray(ends, deep=True), numpy_to_vtkIdTypeArray(corners, deep=True))
         use(array)
     return data
 
@@ -39,11 +42,41 @@ def polyline_data(polylines):
     return poly_data(points, lines=lines)
 
 
+def texture_of(picture):
+    """An image as VTK takes it, with its border going on beyond it."""
+    pixels = np.ascontiguousarray(np.asarray(picture)[::-1])
+    data = vtk.vtkImageData()
+    data.SetDimensions(picture.width, picture.height, 1)
+    data.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, 3), deep=True))
+    texture = vtk.vtkTexture()
+    texture.SetInputData(data)
+    texture.RepeatOff()
+    texture.EdgeClampOn()
+    texture.InterpolateOn()
+    texture.MipmapOn()
+    return texture
+
+
+def cut_into_dashes(line, length):
+    """Pieces of a polyline of about this length with gaps of half of it, from the first point to the last."""
+    line = [np.array(p, float) for p in line]
+    ends = np.concatenate(([0], np.cumsum([np.linalg.norm(b - a) for a, b in zip(line, line[1:])])))
+    count = max(1, round(ends[-1] / length / 1.5))
+    period = ends[-1] / (count + 2 / 3)
+
+    def at(d):
+        return tuple(np.interp(d, ends, [p[i] for p in line]) for i in range(3))
+
+    spans = [(k * period, (k + 2 / 3) * period) for k in range(count + 1)]
+    return [[at(a), *(tuple(p) for p, d in zip(line, ends) if a < d < b), at(b)] for a, b in spans]
+
+
 class Panel:
     """A part of a picture with a camera of its own. Widths and radii are parts of the size of what is drawn."""
 
     def __init__(self, size):
         self.size = size
+        self.actors = []
         self.renderer = vtk.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
 
@@ -57,7 +90,10 @@ class Panel:
         actor = vtk.vtkActor()
         actor.SetMapper(mapper)
         actor.GetProperty().SetColor(color(name))
-        self.renderer.AddActor(actor)
+        mapper.Update()
+        if mapper.GetInput().GetNumberOfPoints():
+            self.renderer.AddActor(actor)
+            self.actors.append(actor)
         return actor
 
     def surface(self, points, faces, name=SURFACE, is_smooth=True):
@@ -71,17 +107,12 @@ class Panel:
             normals.SetFeatureAngle(40)
             normals.ConsistencyOff()
             actor = self._add(normals, name)
-        actor.GetProperty().SetAmbient(0.25)
-        actor.GetProperty().SetDiffuse(0.75)
         return actor
 
     def colored_surface(self, points, faces, values, colors):
         """A smooth surface with a number per point. `colors`: pairs of a number and a color, in order."""
         data = poly_data(points, faces)
-        array = vtk.vtkDoubleArray()
-        for value in values:
-            array.InsertNextValue(value)
-        data.GetPointData().SetScalars(array)
+        data.GetPointData().SetScalars(numpy_to_vtk(np.array(values, float), deep=True))
         normals = vtk.vtkPolyDataNormals()
         normals.SetInputData(data)
         normals.SetFeatureAngle(40)
@@ -92,28 +123,45 @@ class Panel:
         actor.GetMapper().ScalarVisibilityOn()
         actor.GetMapper().SetLookupTable(ramp)
         actor.GetMapper().InterpolateScalarsBeforeMappingOn()
-        actor.GetProperty().SetAmbient(0.25)
-        actor.GetProperty().SetDiffuse(0.75)
         return actor
+
+    def textured_surface(self, points, faces, corners, plane, picture):
+        """A smooth surface with an image on the faces of which `corners` tells the places of their corners in it."""
+        normals = vtk.vtkPolyDataNormals()
+        normals.SetInputData(poly_data(points, faces))
+        normals.SplittingOff()
+        normals.ConsistencyOff()
+        normals.Update()
+        bends = vtk_to_numpy(normals.GetOutput().GetPointData().GetNormals())
+        bare = [f for f, places in zip(faces, corners) if not places]
+        laid = [f for f, places in zip(faces, corners) if places]
+        for data, ends in ((poly_data(points, bare), np.arange(len(points))),
+                           (poly_data([points[v] for f in laid for v in f], np.arange(3 * len(laid)).reshape(-1, 3)),
+                            np.array(laid).ravel())):
+            data.GetPointData().SetNormals(numpy_to_vtk(bends[ends], deep=True))
+            actor = self._add(data, SURFACE, is_port=False)
+        places = np.array([plane[i] for triple in corners for i in triple], float)
+        data.GetPointData().SetTCoords(numpy_to_vtk(places, deep=True))
+        actor.GetProperty().SetColor(color(WHITE))
+        actor.SetTexture(texture_of(picture))
 
     def tubes(self, polylines, name, width):
         tubes = vtk.vtkTubeFilter()
         tubes.SetInputData(polyline_data([line for line in polylines if len(line) > 1]))
         tubes.SetRadius(width / 2 * self.size)
-        tubes.SetNumberOfSides(10)
+        tubes.SetNumberOfSides(6 if width < 0.005 else 12)
         tubes.CappingOn()
         actor = self._add(tubes, name)
-        actor.GetProperty().SetAmbient(0.45)
-        actor.GetProperty().SetDiffuse(0.6)
         return actor
+
+    def dashes(self, polylines, name, width):
+        """Tubes with gaps, for what is no result."""
+        self.tubes([dash for line in polylines for dash in cut_into_dashes(line, 4 * width * self.size)], name, width)
 
     def contours(self, points, faces, values, levels, name, width):
         """The lines on a surface where a number per point has certain levels, as tubes."""
         data = poly_data(points, faces)
-        array = vtk.vtkDoubleArray()
-        for value in values:
-            array.InsertNextValue(value)
-        data.GetPointData().SetScalars(array)
+        data.GetPointData().SetScalars(numpy_to_vtk(np.array(values, float), deep=True))
         contours = vtk.vtkContourFilter()
         contours.SetInputData(data)
         for i, level in enumerate(levels):
@@ -124,10 +172,8 @@ class Panel:
         tubes = vtk.vtkTubeFilter()
         tubes.SetInputConnection(strips.GetOutputPort())
         tubes.SetRadius(width / 2 * self.size)
-        tubes.SetNumberOfSides(8)
+        tubes.SetNumberOfSides(6)
         actor = self._add(tubes, name)
-        actor.GetProperty().SetAmbient(0.45)
-        actor.GetProperty().SetDiffuse(0.6)
         return actor
 
     def edges(self, points, faces, name=INK, width=0.0012):
@@ -138,115 +184,67 @@ class Panel:
     def balls(self, points, name, width):
         ball = vtk.vtkSphereSource()
         ball.SetRadius(width / 2 * self.size)
-        ball.SetThetaResolution(24)
-        ball.SetPhiResolution(24)
+        ball.SetThetaResolution(20)
+        ball.SetPhiResolution(20)
         glyphs = vtk.vtkGlyph3D()
         glyphs.SetInputData(poly_data(points))
         glyphs.SetSourceConnection(ball.GetOutputPort())
         glyphs.ScalingOff()
         actor = self._add(glyphs, name)
-        actor.GetProperty().SetAmbient(0.45)
-        actor.GetProperty().SetDiffuse(0.6)
         return actor
 
-    def look(self, direction, up=(0, 1, 0), target=None, zoom=1.0):
-        """Looks from `direction` at everything, or at `target` so much closer than that."""
-        camera = self.renderer.GetActiveCamera()
+    def look(self, direction, up=(0, 1, 0), target=None, zoom=1.0, has_ground=True):
+        """Looks from `direction` at everything, or at `target` so much closer than that. The surface stands on a white
+        ground, `up` being the direction from it."""
+        self.direction, self.up, self.target, self.zoom, self.has_ground = direction, up, target, zoom, has_ground
+
+    def _fitted_camera(self, aspect):
+        """A camera from which what is drawn just fits into a panel of this width over height."""
+        towards, up = unit(self.direction), unit(self.up)
+        right = unit(np.cross(up, towards))
+        axes = np.array([right, np.cross(towards, right), towards])
+        seen = np.concatenate([points_of(actor) for actor in self.actors]) @ axes.T
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        focus = axes.T @ ((low + high) / 2) if self.target is None else np.array(self.target)
+        half = max((high[1] - low[1]) / 2, (high[0] - low[0]) / 2 / aspect)
+        camera = vtk.vtkCamera()
         camera.ParallelProjectionOn()
-        camera.SetFocalPoint(0, 0, 0)
-        away = 3 * self.size / math.hypot(*direction)  # outside of everything
-        camera.SetPosition(*(away * x for x in direction))
-        camera.SetViewUp(*up)
-        self.target, self.zoom = target, zoom
-
-    def fit(self, aspect):
-        """Moves the camera so that what is drawn just fits into a panel of this width over height."""
-        camera = self.renderer.GetActiveCamera()
-        to_view = camera.GetViewTransformMatrix()
-        seen = [[math.inf, -math.inf] for _ in range(3)]
-        for actor in self.renderer.GetActors():
-            actor.GetMapper().Update()
-            data = actor.GetMapper().GetInput()
-            for i in range(data.GetNumberOfPoints()):
-                place = to_view.MultiplyPoint((*data.GetPoint(i), 1))
-                for bounds, x in zip(seen, place):
-                    bounds[0], bounds[1] = min(bounds[0], x), max(bounds[1], x)
-        middle = [(a + b) / 2 for a, b in seen]
-        back = vtk.vtkMatrix4x4()
-        vtk.vtkMatrix4x4.Invert(to_view, back)
-        focus = self.target or back.MultiplyPoint((*middle, 1))[:3]
-        move = [f - g for f, g in zip(focus, camera.GetFocalPoint())]
-        camera.SetPosition(*(p + m for p, m in zip(camera.GetPosition(), move)))
         camera.SetFocalPoint(*focus)
-        half = max((seen[1][1] - seen[1][0]) / 2, (seen[0][1] - seen[0][0]) / 2 / aspect)
-        camera.SetParallelScale(1.03 * half / self.zoom)
-        self.renderer.ResetCameraClippingRange()
-        self._add_lamps()
+        camera.SetPosition(*(focus + 3 * self.size * towards))
+        camera.SetViewUp(*axes[1])
+        camera.SetParallelScale(1.08 * half / self.zoom)
+        camera.SetClippingRange(self.size, 5 * self.size)
+        self.sun = unit(1.1 * (up if self.has_ground else towards) + axes.T @ np.array((-0.55, 0.0, 0.5)))
+        return camera
 
-    def _add_lamps(self):
-        self.renderer.RemoveAllLights()
-        for place, strength in (((-0.6, 0.9, 1.2), 0.85), ((0.9, -0.2, 0.8), 0.3)):
-            lamp = vtk.vtkLight()
-            lamp.SetLightTypeToCameraLight()
-            lamp.SetPosition(*place)
-            lamp.SetFocalPoint(0, 0, 0)
-            lamp.SetIntensity(strength)
-            self.renderer.AddLight(lamp)
+    def picture(self, width, height):
+        """The panel in a picture of so many pixels, each the mean of several."""
+        camera = self._fitted_camera(width / height)
+        stage = Stage(self.renderer)
+        up = unit(self.up) if self.has_ground else None
+        many = light(stage, camera, OVERSAMPLING * width, OVERSAMPLING * height, up, self.sun)
+        stage.close()
+        return many.reshape(height, OVERSAMPLING, width, OVERSAMPLING, 3).mean(axis=(1, 3))[::-1]
 
 
-def write_png(path, panels, width, height):
-    """Writes panels side by side. They are drawn at three times the size, which smooths all edges."""
-    oversampling, gap = 3, 0.02
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(oversampling * width, oversampling * height)
-    share = (1 - gap * (len(panels) - 1)) / len(panels)
+def to_image(panels, width, height, gap=0.02):
+    """Panels side by side."""
+    share = round(width * (1 - gap * (len(panels) - 1)) / len(panels))
+    result = np.ones((height, width, 3))
     for i, panel in enumerate(panels):
-        left = i * (share + gap)
-        panel.renderer.SetViewport(left, 0, left + share, 1)
-        panel.fit(share * width / height)
-        window.AddRenderer(panel.renderer)
-    behind = vtk.vtkRenderer()
-    behind.SetBackground(1, 1, 1)
-    window.AddRenderer(behind)
-    behind.SetLayer(0)
-    window.SetNumberOfLayers(2)
-    for panel in panels:
-        panel.renderer.SetLayer(1)
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    mean = vtk.vtkImageShrink3D()
-    mean.SetInputConnection(image.GetOutputPort())
-    mean.SetShrinkFactors(oversampling, oversampling, 1)
-    mean.AveragingOn()
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(str(path))
-    writer.SetInputConnection(mean.GetOutputPort())
-    writer.Write()
-    make_small(path)
+        left = round(i * (share + gap * width))
+        part = panel.picture(min(share, width - left), height)
+        result[:, left:left + part.shape[1]] = part
+    return Image.fromarray((255 * result + 0.5).astype(np.uint8))
 
 
-def make_small(path):
-    """Keeps 256 colors of a PNG file, which is enough for a few lit materials. A fifth of them are for what has much
-    color, since curves have few pixels. Colored surfaces are dithered."""
-    with Image.open(path) as file:
-        image = file.convert('RGB')
-    pixels = list(image.getdata())
-    bright = [p for p in pixels if max(p) - min(p) > 50]
-    if len(bright) > len(pixels) / 10:
-        image.quantize(palette=image.quantize(256)).save(path, optimize=True)
-        return
-    palette = image.quantize(200, dither=Image.Dither.NONE).getpalette()[:600]
-    if bright:
-        row = Image.new('RGB', (len(bright), 1))
-        row.putdata(bright)
-        palette += row.quantize(56, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).getpalette()[:168]
-    chosen = Image.new('P', (1, 1))
-    chosen.putpalette(palette + [0] * (768 - len(palette)))
-    image.quantize(palette=chosen, dither=Image.Dither.NONE).save(path, optimize=True)
+def write_png(path, image):
+    """Keeps 256 colors where that does not show, as with a few lit materials."""
+    if features.check('libimagequant'):
+        small = image.quantize(256, method=Image.Quantize.LIBIMAGEQUANT)
+        if np.abs(np.asarray(small.convert('RGB'), int) - np.asarray(image, int)).mean() < 1.5:
+            image = small
+    image.save(path, optimize=True)
 
 
 def size_of(points):

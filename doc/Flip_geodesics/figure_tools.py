@@ -55,7 +55,8 @@ class Tools:
         return Page(page)
 
     def screenshot(self, page, state, width, height):
-        """A picture of a page as Debian's Chromium shows it; `state` stands behind the # of the address."""
+        """A page as Debian's Chromium shows it, with two pixels for each of its own; `state` stands behind the # of the
+        address."""
         browser = shutil.which('chromium')
         if browser is None:
             sys.exit('figures.py: needs chromium for this figure')
@@ -64,12 +65,14 @@ class Tools:
             subprocess.run([browser, '--headless', '--no-sandbox', '--use-angle=swiftshader',
                             '--enable-unsafe-swiftshader', '--no-first-run', '--disable-background-networking',
                             '--disable-component-update', '--disable-sync', f'--user-data-dir={self.folder}/profile',
-                            '--hide-scrollbars', f'--window-size={width},{height}', '--virtual-time-budget=20000',
+                            '--hide-scrollbars', '--force-device-scale-factor=2', f'--window-size={width},{height}',
+                            '--virtual-time-budget=20000',
                             f'--screenshot={picture}', f'{page.as_uri()}#{state}'],
                            check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            with Image.open(picture) as image:
-                if len(image.convert('RGB').getcolors(image.width * image.height)) > 1000:
-                    return picture
+            with Image.open(picture) as file:
+                image = file.convert('RGB')
+            if len(image.getcolors(image.width * image.height)) > 1000:
+                return image
         sys.exit(f'figures.py: {page} was not loaded in time')
 
 
@@ -91,14 +94,17 @@ def read_ply(path, name):
 
 
 def read_obj(path):
-    """The lines of an OBJ file by their first word: numbers, of which those of faces and lines count from 0."""
-    result = {'v': [], 'vt': [], 'f': [], 'l': []}
+    """The lines of an OBJ file by their first word: numbers, of which those of faces and lines count from 0. Below 'ft'
+    is what the corners of each face have as texture coordinates, if they have any."""
+    result = {'v': [], 'vt': [], 'f': [], 'ft': [], 'l': []}
     for line in path.read_text().splitlines():
         word, *rest = line.split()
         if word in ('v', 'vt'):
             result[word].append(tuple(map(float, rest)))
         elif word in ('f', 'l'):
             result[word].append(tuple(int(x.split('/')[0]) - 1 for x in rest))
+        if word == 'f':
+            result['ft'].append(tuple(int(x.split('/')[1]) - 1 for x in rest if '/' in x))
     return result
 
 

@@ -35,10 +35,11 @@ async function bundle(entry, define = {}) {
 const { version } = JSON.parse(read('node_modules/three/package.json'));
 const licence = `three.js ${version}\n\n${read('node_modules/three/LICENSE').trim().replaceAll('\u00a9', '(c)')}`;
 
-function fill(template, pieces) {
-  let page = read(template);
+// Both pages are one frame with a panel of their own.
+function fill(pieces) {
+  let page = read('source/frame.html');
   for (const [mark, text] of Object.entries({ '@LICENCE@': licence, ...pieces })) {
-    if (page.split(mark).length !== 2) throw new Error(`${template} does not have ${mark} once`);
+    if (page.split(mark).length !== 2) throw new Error(`the frame does not have ${mark} once`);
     page = page.replace(mark, () => text);
   }
   if (page.split('@SCENE@').length !== 2) throw new Error('the page does not have @SCENE@ once');
@@ -49,7 +50,11 @@ function fill(template, pieces) {
 const sourcesIn = (name) => readdirSync(new URL(name, import.meta.url)).sort().map((file) => `${name}/${file}`);
 
 async function viewerPage() {
-  return fill('source/page.html', {
+  return fill({
+    '@TITLE@': 'Geodesic curves',
+    '@INTRODUCTION@': 'This page holds its data and its script, and loads nothing. The script contains',
+    '@PANEL@': read('source/panel.html').trimEnd(),
+    '@DATA@': '',
     '@SOURCES@': sourcesIn('source').map(hashOf).join('\n'),
     '@STYLE@': await bundle('source/style.css'),
     '@SCRIPT@': await bundle('source/main.js'),
@@ -69,12 +74,17 @@ function engine() {
 
 async function livePage() {
   const { code, sources } = engine();
-  const shared = ['source/data.js', 'source/playback.js', 'source/stage.js', 'source/style.css', 'source/words.js'];
+  const shared = ['source/data.js', 'source/frame.html', 'source/playback.js', 'source/stage.js', 'source/style.css', 'source/words.js'];
   const worker = await bundle('source_live/engine_worker.js');
-  return fill('source_live/page.html', {
+  return fill({
+    '@TITLE@': 'Geodesics, live',
+    '@INTRODUCTION@': `This page holds its data, its script and its engine, and loads nothing. The engine is
+flip_geodesics itself as WebAssembly, made with CGAL, Boost and Eigen; parts of CGAL in it are under the GPL 3.0 or later.
+The script contains`,
+    '@PANEL@': read('source_live/panel.html').trimEnd(),
+    '@DATA@': `<script type="text/plain" id="engine">${code}</script>\n`,
     '@SOURCES@': `${[...shared, ...sourcesIn('source_live')].map(hashOf).join('\n')}\nThose of the engine:\n${sources}`,
     '@STYLE@': `${await bundle('source/style.css')}${await bundle('source_live/live.css')}`,
-    '@ENGINE@': code,
     '@SCRIPT@': await bundle('source_live/main.js', { ENGINE_WORKER: JSON.stringify(worker) }),
   });
 }

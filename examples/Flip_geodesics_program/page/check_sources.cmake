@@ -43,8 +43,8 @@ function(check_folder page text)
 endfunction()
 
 check_folder(viewer_page.html "${viewer}" source/*)
-check_folder(live_page.html "${live}" source/data.js source/playback.js source/stage.js source/style.css source/words.js
-             source_live/*)
+check_folder(live_page.html "${live}" source/data.js source/frame.html source/playback.js source/stage.js
+             source/style.css source/words.js source_live/*)
 
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 string(REGEX MATCHALL "[^\n ]+ [0-9a-f]+" lines "${live}")

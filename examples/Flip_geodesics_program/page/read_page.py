@@ -13,12 +13,24 @@ import base64
 import json
 import re
 import struct
+import zlib
 from pathlib import Path
 
 
-def _integers(text):
-    data = base64.b64decode(text, validate=True)
-    return struct.unpack(f'<{len(data) // 4}I', data)
+def _integers(array):
+    """Numbers in base 64; or, packed, differences to the number three before, first their lowest bytes, deflated."""
+    if isinstance(array, str):
+        data = base64.b64decode(array, validate=True)
+        return struct.unpack(f'<{len(data) // 4}I', data)
+    data = zlib.decompress(base64.b64decode(array['packed'], validate=True))
+    count = len(data) // 4
+    together = bytearray(len(data))
+    for k in range(4):
+        together[k::4] = data[k * count:(k + 1) * count]
+    numbers = list(struct.unpack(f'<{count}I', together))
+    for i in range(3, count):
+        numbers[i] = (numbers[i] + numbers[i - 3]) & 0xffffffff
+    return tuple(numbers)
 
 
 def _lists(numbers):
@@ -127,9 +139,9 @@ class Page:
         self.curves = {c['number']: line for c, line in zip(self.scene['curves'], lines) if line}
         self.runs = [Run(self, run) for run in self.scene['runs']]
 
-    def to_points(self, text):
-        data = base64.b64decode(text, validate=True)
-        numbers = struct.unpack(f'<{len(data) // 4}f', data)
+    def to_points(self, array):
+        bits = _integers(array)
+        numbers = struct.unpack(f'<{len(bits)}f', struct.pack(f'<{len(bits)}I', *bits))
         center, radius = self.scene['center'], self.scene['radius']
         return [tuple(c + radius * x for c, x in zip(center, numbers[k:k + 3])) for k in range(0, len(numbers), 3)]
 

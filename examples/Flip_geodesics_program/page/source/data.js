@@ -10,8 +10,32 @@ function bytes(text) {
   return result;
 }
 
-// Numbers of four bytes, the lowest first, on any machine.
+// What the program packs: differences to the number three before, first all lowest bytes, then all second ones, deflated.
+async function unpack({ packed }) {
+  const stream = new Blob([bytes(packed)]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const planes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const count = planes.length / 4;
+  const result = new Uint32Array(count); // which counts modulo 2^32
+  for (let i = 0; i < count; ++i) {
+    const difference = planes[i] | (planes[count + i] << 8) | (planes[2 * count + i] << 16) | (planes[3 * count + i] << 24);
+    result[i] = difference + (i < 3 ? 0 : result[i - 3]);
+  }
+  return result;
+}
+
+// Puts numbers in the place of all packed arrays of an object.
+async function unpackAll(object) {
+  for (const [name, member] of Object.entries(object)) {
+    if (typeof member !== 'object' || member === null) continue;
+    if (typeof member.packed === 'string') object[name] = await unpack(member);
+    else await unpackAll(member);
+  }
+  return object;
+}
+
+// Numbers of four bytes, the lowest first, on any machine; or what was unpacked.
 function numbers(text, ArrayType) {
+  if (text instanceof Uint32Array) return new ArrayType(text.buffer);
   const data = bytes(text);
   if (new Uint8Array(new Uint32Array([1]).buffer)[0] !== 1)
     for (let i = 0; i < data.length; i += 4) data.subarray(i, i + 4).reverse();
@@ -67,4 +91,4 @@ function decodeResults(results) {
 
 export const readMesh = (text) => decodeMesh(JSON.parse(text));
 export const readResults = (text) => decodeResults(JSON.parse(text));
-export const readScene = (text) => decodeResults(decodeMesh(JSON.parse(text)));
+export const readScene = async (text) => decodeResults(decodeMesh(await unpackAll(JSON.parse(text))));

@@ -124,11 +124,22 @@ class Page {
     const together = this.scene.curves.filter((c) => c.run === run).length > 1;
     this.curve = curve;
     at('run-name').textContent = together ? 'the curves were' : `curve ${this.scene.curves[curve]?.number ?? ''}`;
-    at('player').hidden = !this.playback || this.playback.length === 0;
-    at('no-record').hidden = this.playback !== null || this.run === undefined || this.scene.curves[curve]?.tree;
+    const steps = this.playback ? this.playback.length : 0;
+    document.querySelectorAll('#player button, #player input, #player select').forEach((e) => (e.disabled = steps === 0));
     at('show-intrinsic').disabled = !this.playback;
-    at('step').max = this.playback ? this.playback.length : 0;
-    this.goTo(this.playback ? this.playback.length : 0);
+    at('show-start').disabled = steps === 0;
+    at('step').max = steps;
+    this.startPieces = this.playback ? this.playback.curves.flatMap((_, k) => this.playback.curvePieces(k)) : [];
+    this.goTo(steps);
+    if (steps === 0) at('step-text').textContent = this.whyWithoutSteps();
+  }
+
+  whyWithoutSteps() {
+    const curve = this.scene.curves[this.curve];
+    if (curve?.tree) return 'The flips of a tree are not on the page.';
+    if (this.playback) return 'No flips were needed.';
+    if (!curve || curve.flips === 0) return 'No flips have made this curve.';
+    return 'The flips of this curve are not on the page: the record was full before it, or it crosses itself.';
   }
 
   goTo(step) {
@@ -140,6 +151,13 @@ class Page {
     }
     this.drawCurves();
     this.drawEdges();
+    this.drawStart();
+  }
+
+  // What has become another curve than it was.
+  drawStart() {
+    const shows = at('show-start').checked && this.playback !== null && this.playback.step > 0 && this.playback.length > 0;
+    document.documentElement.dataset.startPieces = this.stage.setStart(shows ? this.startPieces : []);
   }
 
   describeStep() {
@@ -199,9 +217,10 @@ class Page {
     at('show-intrinsic').checked = true;
     at('play').textContent = '||';
     at('play').setAttribute('aria-label', 'Pause');
-    // A short record takes half a second per step, a long one twenty seconds in all.
-    const period = Math.max(16, Math.min(500, 20000 / this.playback.length));
-    const stride = Math.max(1, Math.ceil((16 * this.playback.length) / 20000));
+    // A short record takes half a second per step, a long one twenty seconds in all; at the speed that is chosen.
+    const share = 1 / Number(at('speed').value);
+    const period = Math.max(16, share * Math.min(500, 20000 / this.playback.length));
+    const stride = Math.max(1, Math.ceil((16 * this.playback.length) / (20000 * share)));
     this.timer = setInterval(() => {
       this.goTo(this.playback.step + stride);
       if (this.playback.step === this.playback.length) this.pause();
@@ -240,6 +259,12 @@ class Page {
     for (const [id, action] of Object.entries(actions)) at(id).addEventListener('click', action);
     at('step').addEventListener('input', () => this.stepBy(Number(at('step').value) - this.playback.step));
     at('show-intrinsic').addEventListener('change', () => this.drawEdges());
+    at('show-start').addEventListener('change', () => this.drawStart());
+    at('speed').addEventListener('change', () => {
+      if (!this.timer) return;
+      this.pause();
+      this.play();
+    });
     at('show-mesh').addEventListener('change', () => this.stage.showMeshEdges(at('show-mesh').checked));
     at('show-hidden').addEventListener('change', () => this.stage.setShowsHidden(at('show-hidden').checked));
     at('smooth').addEventListener('change', () => this.stage.setSmooth(at('smooth').checked));
@@ -287,6 +312,7 @@ class Page {
       '+': () => this.stage.zoom(1 / 1.15), '=': () => this.stage.zoom(1 / 1.15), '-': () => this.stage.zoom(1.15),
       ',': () => this.stepBy(-1), '.': () => this.stepBy(1), Home: () => this.stepBy(-Infinity),
       End: () => this.stepBy(Infinity), ' ': () => this.togglePlay(), e: () => this.toggle('show-intrinsic'),
+      g: () => this.toggle('show-start'),
       m: () => this.toggle('show-mesh'), h: () => this.toggle('show-hidden'), s: () => this.toggle('smooth'),
       r: () => this.stage.reset(), t: () => this.switchTheme(), f: () => this.focus(),
     };
@@ -300,9 +326,9 @@ class Page {
   }
 }
 
-function start() {
+async function start() {
   try {
-    const page = new Page(readScene(at('scene').textContent));
+    const page = new Page(await readScene(at('scene').textContent));
     at('scene').textContent = ''; // free the text of large meshes
     at('message').textContent = hasWebGL() ? '' : 'This browser has no WebGL 2, so the surface and the curves are not drawn.';
     page.stage.draw();

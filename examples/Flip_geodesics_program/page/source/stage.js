@@ -34,8 +34,8 @@ import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeome
 const mostThickPieces = 300000; // curves with more straight pieces are drawn as thin lines, which is much faster
 const curveWidth = 4; // in pixels of the style sheet, as all widths
 const themes = {
-  light: { back: '#ffffff', surface: '#c9ced6', mesh: '#5d6670', edges: '#2b3440', fresh: '#d97700' },
-  dark: { back: '#14171b', surface: '#7e8791', mesh: '#20252b', edges: '#dbe7f5', fresh: '#ffb545' },
+  light: { back: '#ffffff', surface: '#c9ced6', mesh: '#5d6670', edges: '#2b3440', fresh: '#00855f', start: '#e08a00' },
+  dark: { back: '#14171b', surface: '#7e8791', mesh: '#20252b', edges: '#dbe7f5', fresh: '#2fd0a5', start: '#ffb545' },
 };
 
 // All edges of the triangles once, as pairs of vertices; those in `without`, pairs in a row, are left out.
@@ -139,6 +139,7 @@ export class Stage {
     this.quietWires = wires(0.25); // the intrinsic edges that are edges of the mesh all the time
     this.edges = thick(1.2, {});
     this.freshEdges = thick(2.2, {});
+    this.start = thick(2.2, { dashed: true, dashSize: 0.018, gapSize: 0.012 });
     this.thinCurves = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
     this.thinCurves.renderOrder = ++order;
     this.scene.add(this.thinCurves);
@@ -177,6 +178,7 @@ export class Stage {
     this.quietWires.material.color.set(theme.edges);
     this.edges.material.color.set(theme.edges);
     this.freshEdges.material.color.set(theme.fresh);
+    this.start.material.color.set(theme.start);
     this.requestFrame();
   }
 
@@ -244,6 +246,14 @@ export class Stage {
     this.ends.geometry.setAttribute('color', new Float32BufferAttribute(endColors, 3));
     this.requestFrame();
     return count / 6;
+  }
+
+  // Where the curves of a run have started, with dashes.
+  setStart(pieces) {
+    const count = Stage.setPieces(this.start, pieces);
+    if (count > 0) this.start.computeLineDistances();
+    this.requestFrame();
+    return count;
   }
 
   setShowsHidden(shows) {

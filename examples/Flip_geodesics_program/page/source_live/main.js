@@ -18,6 +18,7 @@ const palettes = {
 };
 const mostRecordedPoints = 300000;
 const mostVerticesOfTree = 50000;
+const longestFrame = 300; // milliseconds that a curve takes, to follow a point at once
 const reach = 12; // in pixels, of a press to a point
 const at = (id) => document.getElementById(id);
 const format = (x) => (x === null ? '?' : Number(x).toPrecision(8));
@@ -62,6 +63,7 @@ class Live_page {
     this.stage.setShowsHidden(at('show-hidden').checked);
     this.stage.showMeshEdges(at('show-mesh').checked);
     this.results = null;
+    this.milliseconds = 0;
     this.stage.findHome();
     this.listenToCanvas(canvas);
     this.points = [];
@@ -112,6 +114,20 @@ class Live_page {
   setPoints(points) {
     this.points = points;
     this.compute();
+  }
+
+  // While a point is dragged: a curve that takes long is computed once, where the point is let go.
+  dragPoint(i, place) {
+    const points = this.points.map((p, k) => (k === i ? this.point(place) : p));
+    if (!(this.milliseconds > longestFrame)) return this.setPoints(points);
+    this.points = points;
+    this.isBehind = true;
+    return this.draw();
+  }
+
+  endDrag() {
+    if (this.isBehind) this.compute();
+    this.isBehind = false;
   }
 
   settings() {
@@ -275,13 +291,14 @@ class Live_page {
     canvas.addEventListener('pointermove', (event) => {
       if (dragged < 0) return;
       const place = this.stage.pick(event.clientX, event.clientY);
-      if (place) this.setPoints(this.points.map((p, i) => (i === dragged ? this.point(place) : p)));
+      if (place) this.dragPoint(dragged, place);
     });
     canvas.addEventListener('pointerup', (event) => {
       const isClick = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4;
       const place = isClick && dragged < 0 ? this.stage.pick(event.clientX, event.clientY) : null;
       dragged = -1;
       pressed = null;
+      this.endDrag();
       this.stage.controls.enabled = true;
       if (place) this.setPoints([...this.points, this.point(place)]);
     });
