@@ -17,7 +17,7 @@ set -euo pipefail
 smoke_tests=(test_checker test_edge_path_graph test_entry_points)
 
 packages=(g++ clang cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev libeigen3-dev
-          libtbb-dev libcli11-dev python3 doxygen)
+          libtbb-dev libcli11-dev zlib1g-dev python3 doxygen)
 # Some 250 packages come along with the first and 50 with MPI, therefore not for everybody; the second has the sanitizers
 # of clang++.
 full_packages=(libopenmesh-dev libclang-rt-dev libboost-mpi-dev openmpi-bin)

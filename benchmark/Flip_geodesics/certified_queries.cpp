@@ -8,9 +8,16 @@
 //
 //   certified_queries [MESHES OR FOLDERS...] [--pairs N] [--rounds N] [--limit RATIO]
 //
-// Exit status: 0, or 1 if a mesh is above the limit, 2 on bad usage.
+// Or paths between vertices and between places in faces, loops and networks, as the functions of one call make them: on
+// 203 generated meshes of every kind, or on those given. A row says how many curves there are, how many of them are
+// proven, and how long the slowest call took.
+//
+//   certified_queries --every-kind [MESHES OR FOLDERS...]
+//
+// Exit status: 0, or 1 if a mesh is above the limit or a curve not proven, 2 on bad usage.
 
 #include "../../test/Flip_geodesics/generated_meshes.h"
+#include "meshes_of_every_kind.h"
 #include "processor_time.h"
 #include "sample_curves.h"
 
@@ -18,7 +25,9 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
@@ -27,6 +36,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <CLI/CLI.hpp>
 
@@ -56,6 +66,7 @@ struct Options
   std::vector<std::string> paths;
   int pairs = 10, rounds = 5;
   double limit = 5, seconds = 20;
+  bool is_every_kind = false;
 };
 
 struct Row
@@ -160,6 +171,180 @@ std::vector<std::pair<std::string, Mesh_soup>> generated_meshes()
           {"high lantern", lantern(6, 2000)}};
 }
 
+// ---------------------------------------------------------------- meshes of every kind
+
+// All kinds of curves on one mesh, each by a call of its own.
+class Proven_curves
+{
+public:
+  Proven_curves(const std::string& name, const Mesh& mesh)
+    : m_name(name)
+    , m_mesh(mesh)
+    , m_triangulation(mesh)
+    , m_random(static_cast<unsigned>(mesh.number_of_faces()))
+  {
+  }
+
+  /* Returns whether all are proven. */
+  bool run()
+  {
+    for(int i = 0; i < 6; ++i)
+      path();
+    for(int i = 0; i < 2; ++i) {
+      path_between_places();
+      loop();
+    }
+    network();
+    std::cout << m_name << ',' << m_mesh.number_of_faces() << ',' << m_curves << ',' << m_proven << ',' << m_contracted
+              << ',' << 1e3 * m_slowest << std::endl;
+    return m_proven == m_curves;
+  }
+
+private:
+  using Vertex = Mesh::Vertex_index;
+  using Points = std::vector<Kernel::Point_3>;
+
+  int below(std::size_t n) { return m_random.below(static_cast<int>(n)); }
+  Vertex vertex() { return Vertex(static_cast<Mesh::size_type>(below(m_mesh.number_of_vertices()))); }
+
+  Vertex other_vertex(Vertex v)
+  {
+    Vertex result = vertex();
+    while(result == v)
+      result = vertex();
+    return result;
+  }
+
+  void path()
+  {
+    const Vertex v = vertex(), w = other_vertex(v);
+    call("path", [&] {
+      Points points;
+      return FG::geodesic_path(m_mesh, v, w, std::back_inserter(points)).report;
+    });
+  }
+
+  FG::Surface_location place()
+  {
+    FG::Input_halfedge_index h;
+    do
+      h = FG::Input_halfedge_index(below(m_mesh.number_of_halfedges()));
+    while(m_triangulation.input().is_border(h));
+    return {h, {{m_random.uniform(0.1, 1), m_random.uniform(0.1, 1), m_random.uniform(0.1, 1)}}};
+  }
+
+  void path_between_places()
+  {
+    const std::vector<FG::Surface_location> places = {place(), place()};
+    call("path between places", [&] {
+      Points points;
+      return FG::geodesic_path_through(m_mesh, places, std::back_inserter(points)).report;
+    });
+  }
+
+  // Around a vertex.
+  void loop()
+  {
+    for(int i = 0; i < 100; ++i) {
+      std::vector<Vertex> ring;
+      bool is_closed = true;
+      for(Mesh::Halfedge_index h : CGAL::halfedges_around_target(vertex(), m_mesh)) {
+        is_closed = is_closed && !m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h));
+        ring.push_back(m_mesh.source(h));
+      }
+      if(is_closed)
+        return call("loop", [&] {
+          Points points;
+          return FG::geodesic_loop(m_mesh, ring, std::back_inserter(points)).report;
+        });
+    }
+  }
+
+  // Of shortest paths along edges from one vertex, which do not cross.
+  void network()
+  {
+    const Vertex source = vertex();
+    const std::vector<Vertex> targets = {other_vertex(source), other_vertex(source), other_vertex(source)};
+    call("network", [&] {
+      FG::Shortest_edge_path<Certified> search(m_triangulation, FG::Search_method::DIJKSTRA);
+      std::vector<std::vector<Vertex>> curves;
+      for(Vertex target : targets) {
+        curves.emplace_back(1, source);
+        for(FG::Halfedge_index h : search(m_triangulation.index(source), m_triangulation.index(target)))
+          curves.back().push_back(m_mesh.target(Mesh::Halfedge_index(static_cast<Mesh::size_type>(h.idx()))));
+      }
+      std::vector<Points> points;
+      return FG::straighten(m_mesh, curves, std::back_inserter(points)).report;
+    });
+  }
+
+  template <class Function>
+  void call(const char* what, const Function& function)
+  {
+    FG::Shortening_report report;
+    const double time = seconds([&] {
+      try {
+        report = function();
+      } catch(const FG::Disconnected_endpoints_error&) { // there is no curve
+      } catch(const FG::Error& error) {
+        std::cerr << m_name << ", " << what << ": " << error.what() << '\n';
+        ++m_curves;
+      }
+    });
+    m_slowest = (std::max)(m_slowest, time);
+    for(const FG::Curve_report& curve : report.curves) {
+      const bool is_proven = curve.verdict == FG::Certificate_verdict::PROVEN && report.is_complete();
+      ++m_curves;
+      m_proven += is_proven ? 1 : 0;
+      m_contracted += curve.are_zero_edges_contracted ? 1 : 0;
+      if(!is_proven)
+        std::cerr << m_name << ", " << what << ": " << FG::to_string(curve.status) << ", "
+                  << FG::to_string(curve.verdict) << '\n';
+    }
+  }
+
+  std::string m_name;
+  const Mesh& m_mesh;
+  Certified m_triangulation;
+  Random_numbers m_random;
+  int m_curves = 0, m_proven = 0, m_contracted = 0;
+  double m_slowest = 0;
+};
+
+// Calls a function with the name of each mesh and the mesh; files that are none are named.
+template <class Function>
+void for_each_file(const std::vector<std::string>& paths, const Function& function)
+{
+  for(const std::string& file : sample::mesh_files(paths)) {
+    Mesh mesh;
+    if(CGAL::IO::read_polygon_mesh(file, mesh) && !mesh.is_empty() && CGAL::is_triangle_mesh(mesh))
+      function(file.substr(file.find_last_of('/') + 1), mesh);
+    else
+      std::cerr << file << ": no triangle mesh\n";
+  }
+}
+
+bool are_all_proven(const std::vector<std::string>& paths)
+{
+  bool result = true;
+  std::cout << "mesh,faces,curves,proven,contracted,slowest_ms\n";
+  const auto run = [&](const std::string& name, const Mesh& mesh) {
+    try {
+      result = Proven_curves(name, mesh).run() && result;
+    } catch(const std::exception& error) {
+      std::cerr << name << ": " << error.what() << '\n';
+      result = false;
+    }
+  };
+  if(paths.empty())
+    for(const auto& [name, make] : meshes_of_every_kind::meshes())
+      run(name, to_mesh<Mesh>(make()));
+  for_each_file(paths, run);
+  return result;
+}
+
+// ---------------------------------------------------------------- rows
+
 void write_header()
 {
   std::cout << "mesh,faces,plain_ms,certified_ms,ratio,flips,by_memory,by_strip,by_plane,zeros_by_plane,by_roots,"
@@ -199,12 +384,15 @@ int main(int argc, char** argv)
   app.add_option("--rounds", options.rounds, "How often")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--limit", options.limit, "Name meshes with a larger ratio")->capture_default_str();
   app.add_option("--seconds", options.seconds, "Time for a mesh, after the first two rounds")->capture_default_str();
+  app.add_flag("--every-kind", options.is_every_kind, "All kinds of curves, on meshes of every kind if none is given");
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
 
+  if(options.is_every_kind)
+    return are_all_proven(options.paths) && std::cout.flush() ? 0 : 1;
   std::vector<Row> rows;
   write_header();
   const auto measure = [&](const std::string& name, const Mesh& mesh) {
@@ -218,12 +406,6 @@ int main(int argc, char** argv)
   if(options.paths.empty())
     for(const auto& [name, soup] : generated_meshes())
       measure(name, to_mesh<Mesh>(soup));
-  for(const std::string& file : sample::mesh_files(options.paths)) {
-    Mesh mesh;
-    if(CGAL::IO::read_polygon_mesh(file, mesh) && !mesh.is_empty() && CGAL::is_triangle_mesh(mesh))
-      measure(file.substr(file.find_last_of('/') + 1), mesh);
-    else
-      std::cerr << file << ": no triangle mesh\n";
-  }
+  for_each_file(options.paths, measure);
   return summarize(rows, options.limit) && std::cout.flush() ? 0 : 1;
 }

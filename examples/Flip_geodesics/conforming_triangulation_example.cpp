@@ -44,8 +44,10 @@ try {
   const FG::Vertex_index source(0), target(triangulation.number_of_vertices() / 2);
   const FG::Curve_index curve = network.add_curve(search(source, target), false);
   FG::shorten(network);
+  //! [Faces]
   std::vector<FG::Intrinsic_face> faces;
   FG::intrinsic_faces(triangulation, std::back_inserter(faces));
+  //! [Faces]
 
   std::ofstream out("conforming_triangulation.txt");
   out.precision(17);

@@ -39,20 +39,26 @@ try {
   network.add_curve(search(source, target), false);
   FG::shorten(network);
 
+  //! [Cut]
   const auto cut = FG::cut_along_curves(network, mesh);
+  //! [Cut]
   std::size_t on_cut = 0;
   for(const auto e : cut.mesh().edges())
     on_cut += get(cut.edge_is_constrained_map(), e) ? 1 : 0;
   std::cout << "Cut open: " << cut.mesh().number_of_faces() << " faces, " << on_cut << " border edges at the cut.\n";
   FG::IO::write_VTP("cut.vtp", cut.mesh());
 
+  //! [Refine]
   FG::Refinement_options options;
   options.smallest_angle = 25;
   const FG::Refinement_report report = FG::refine(network, options);
+  //! [Refine]
   std::cout << "Refined: " << report.insertions + report.splits << " vertices more, smallest angle "
             << report.smallest_angle << " degrees.\n";
 
+  //! [Subdivision]
   const auto subdivision = FG::common_subdivision(triangulation, mesh);
+  //! [Subdivision]
   std::cout << "Common subdivision: " << subdivision.mesh().number_of_faces() << " faces.\n";
   FG::IO::write_VTP("subdivision.vtp", subdivision.mesh());
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -54,7 +54,9 @@ try {
   const Texture_map corners = mesh.add_property_map<Mesh::Halfedge_index, std::array<double, 2>>("h:texture").first;
   const std::pair middle(face, std::array<double, 3>{1.0 / 3, 1.0 / 3, 1.0 / 3});
   const std::pair right(mesh.halfedge(face), 0.0);
+  //! [Decal]
   const FG::Texture_report report = FG::texture_coordinates(mesh, middle, right, number<double>(argv[3]), corners);
+  //! [Decal]
   std::cout << report.faces << " faces have texture coordinates, of which " << report.torn
             << " are laid out by themselves\n";
 

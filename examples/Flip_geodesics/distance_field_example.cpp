@@ -40,6 +40,7 @@ try {
   if(argc < 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh) || !CGAL::is_triangle_mesh(mesh) || mesh.is_empty())
     throw std::invalid_argument("give the file of a triangle mesh");
   const Triangulation triangulation(mesh);
+  //! [Sources]
   FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
 
   const auto faces = mesh.number_of_faces();
@@ -50,6 +51,7 @@ try {
   field.add_curve(std::vector<FG::Surface_location>{surface_location(triangulation, mesh, mesh.source(h)),
                                                     surface_location(triangulation, mesh, mesh.target(h))});
   std::cout << field.compute().windows << " windows on " << faces << " faces\n";
+  //! [Sources]
 
   std::vector<std::vector<Point_3>> paths, curves, regions;
   double farthest = 0;

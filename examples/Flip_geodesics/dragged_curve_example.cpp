@@ -46,13 +46,17 @@ try {
     return FG::Vertex_index(static_cast<FG::Index>(v));
   };
   const FG::Vertex_index target = vertex(argv[3]), new_target = vertex(argv[4]);
+  //! [Editor]
   FG::Curve_editor<Triangulation> editor(triangulation,
                                          {triangulation.location(vertex(argv[2])), triangulation.location(target)});
+  //! [Editor]
 
   // The pen goes along edges, and stops at each vertex.
   std::vector<std::vector<Point_3>> curves;
   for(FG::Halfedge_index h : FG::Shortest_edge_path<Triangulation>(triangulation)(target, new_target)) {
+    //! [Move]
     editor.move(1, triangulation.location(triangulation.head(h)));
+    //! [Move]
     curves.emplace_back();
     for(const FG::Surface_location& p : editor.leg(0))
       curves.back().push_back(FG::point_in_space(triangulation, FG::surface_point(triangulation, p)));

@@ -59,13 +59,14 @@ try {
   Network network(triangulation);
   if(way.empty()) {
     FG::add_cut_graph(network);
+    FG::shorten_cut_graph(network);
   } else {
     FG::Shortest_edge_path<Triangulation> search(triangulation);
     network.add_curve(FG::shortest_halfedges_through(search, way), false);
     network.fix_nodes_at(way.front());
     FG::order_overlapping_curves(network);
+    FG::shorten(network);
   }
-  FG::shorten(network);
 
   FG::refine(network);
   const FG::Conformal_flattening<Triangulation> flattening(network);

@@ -55,7 +55,9 @@ try {
     loop.push_back(triangulation.vertex(triangulation.tail(h)));
 
   std::vector<Kernel::Point_3> points;
+  //! [Loop]
   const auto result = FG::geodesic_loop(mesh, loop, std::back_inserter(points));
+  //! [Loop]
   std::cout << "A loop of " << loop.size() << " edges has become a closed curve of length " << result.length() << ": "
             << to_string(result.status()) << ".\n";
   if(!points.empty())

@@ -42,10 +42,12 @@ try {
 
   std::vector<std::vector<Kernel::Point_3>> curves(3);
   const auto geodesic = FG::geodesic_path(mesh, points.front(), points.back(), std::back_inserter(curves[0]));
+  //! [Bezier]
   const auto bezier = FG::geodesic_spline(mesh, points, FG::Spline_kind::BEZIER, std::back_inserter(curves[1]),
                                           CGAL::parameters::number_of_iterations(6));
   const auto b_spline =
       FG::geodesic_spline(mesh, points, FG::Spline_kind::CUBIC_B_SPLINE, std::back_inserter(curves[2]));
+  //! [Bezier]
   std::cout << "The geodesic is " << geodesic.length() << " long, the Bezier curve " << bezier.length()
             << ", the B-spline " << b_spline.length() << ".\n";
   FG::IO::write_VTP("geodesic_spline.vtp", curves);

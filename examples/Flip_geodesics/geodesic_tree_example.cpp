@@ -50,8 +50,10 @@ try {
     throw std::invalid_argument("the result would replace the mesh; rename it");
 
   Triangulation triangulation(mesh);
+  //! [Tree]
   FG::Geodesic_tree<Triangulation> tree(triangulation);
   const FG::Geodesic_tree_report report = tree.grow(FG::Vertex_index(argc > 2 ? number(argv[2]) : 0));
+  //! [Tree]
   std::cout << report.flips << " flips; the paths are " << to_string(report.status) << '\n';
   const FG::Logarithmic_map map = FG::logarithmic_map(tree);
 

@@ -66,9 +66,11 @@ try {
   for(int i = 1; i < 10; ++i)
     levels.push_back(0.1 * i * largest);
   std::vector<FG::Isoline<Mesh>> isolines;
+  //! [Isolines]
   FG::isolines(mesh, field, levels, std::back_inserter(isolines), tolerance);
   std::vector<FG::Voronoi_boundary<Mesh>> boundaries;
   FG::voronoi_boundaries(mesh, field, std::back_inserter(boundaries), tolerance);
+  //! [Isolines]
 
   Polylines curves, diagram;
   for(const auto& isoline : isolines)

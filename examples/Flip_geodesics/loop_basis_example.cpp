@@ -76,7 +76,9 @@ try {
     tell_class(triangulation, basis, way_points);
 
   std::vector<std::vector<Kernel::Point_3>> loops;
+  //! [Basis]
   const auto result = FG::geodesic_loop_basis(mesh, std::back_inserter(loops));
+  //! [Basis]
   for(const FG::Curve_report& loop : result.report.curves)
     std::cout << "A loop of length " << loop.initial_length << " has become a closed geodesic of length " << loop.length
               << ".\n";

@@ -51,16 +51,20 @@ try {
   for(int i = 2; i < argc; ++i)
     vertices.emplace_back(number(argv[i]));
 
+  //! [Mean]
   const auto mean = FG::geodesic_mean(mesh, vertices);
+  //! [Mean]
   std::cout << "The mean is in face " << mean.location.first << ", after " << mean.report.iterations
             << " steps: " << to_string(mean.report.status) << ", with a variance of " << mean.report.variance << '\n';
 
   std::vector<std::vector<Point_3>> paths;
   for(const Mesh::Vertex_index v : vertices) {
+    //! [Path to a location]
     std::vector<Face_location> path;
     FG::geodesic_path(mesh, v, mean.location, std::back_inserter(path));
     std::vector<FG::Curve_sample<Mesh, Point_3>> samples;
     FG::sample_curve(mesh, path, 11, std::back_inserter(samples));
+    //! [Path to a location]
     std::cout << "From " << v << " it is " << samples.back().length << ", and half the shortest way in face "
               << FG::geodesic_midpoint(mesh, v, mean.location).first << '\n';
     paths.emplace_back();

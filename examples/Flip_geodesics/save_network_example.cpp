@@ -55,13 +55,17 @@ try {
   FG::shorten(network, FG::Iteration_stop_predicate(10));
   const double saved_length = network.length(curve);
   std::ofstream out("network.flips");
+  //! [Save]
   FG::write_network(out, network);
+  //! [Save]
   out.close();
   network.clear();
   triangulation.rollback(); // the mesh's own edges again
 
   std::ifstream in("network.flips");
+  //! [Read]
   FG::read_network(in, network); // as it was before, to the bit
+  //! [Read]
   const bool is_same = network.length(curve) == saved_length;
   FG::shorten(network);
   std::cout << "Saved with length " << saved_length << ", loaded " << (is_same ? "as it was" : "changed")

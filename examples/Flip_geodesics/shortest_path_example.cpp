@@ -47,15 +47,19 @@ try {
   const Mesh::Vertex_index target(argc > 3 ? number(argv[3]) : mesh.number_of_vertices() / 2);
 
   std::vector<std::vector<Kernel::Point_3>> paths(1);
+  //! [Shortest]
   const auto found = FG::shortest_path(mesh, source, target, std::back_inserter(paths[0]));
+  //! [Shortest]
   std::cout << "The shortest edge path pulled tight: " << found.report.first_length
             << "\nThe result: " << found.length() << ", at most " << found.report.gap()
-            << " longer than a shortest path, "
-            << FG::to_string(found.report.verdict) << (found.report.has_tie ? ", one of several\n" : "\n");
+            << " longer than a shortest path, " << FG::to_string(found.report.verdict)
+            << (found.report.has_tie ? ", one of several\n" : "\n");
   FG::IO::write_VTP("shortest_path.vtp", paths);
 
+  //! [Distances]
   auto distances = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   const FG::Shortest_tree_report report = FG::geodesic_distances(mesh, source, distances);
+  //! [Distances]
   std::cout << "The distances of " << report.vertices << " vertices are "
             << (report.is_confirmed ? "those of shortest paths\n" : "not confirmed\n")
             << "The distance to the target: " << distances[target] << '\n';

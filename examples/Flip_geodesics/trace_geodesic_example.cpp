@@ -54,11 +54,13 @@ try {
   // The angle goes counterclockwise over all faces about the vertex, from a halfedge that starts there.
   const Mesh::Halfedge_index zero = mesh.opposite(mesh.halfedge(source));
   std::vector<std::vector<Point_3>> rays;
-  constexpr int number = 24;
-  for(int i = 0; i < number; ++i) {
-    const std::pair direction(zero, i * boost::math::constants::two_pi<double>() / number);
+  constexpr int count = 24;
+  for(int i = 0; i < count; ++i) {
+    const std::pair direction(zero, i * boost::math::constants::two_pi<double>() / count);
     rays.emplace_back();
+    //! [Trace]
     const auto trace = FG::trace_geodesic(mesh, source, direction, length, std::back_inserter(rays.back()));
+    //! [Trace]
     std::cout << trace.length << ", " << to_string(trace.end) << ", " << trace.edges << " edges\n";
   }
   FG::IO::write_VTP("rays.vtp", mesh, rays);

@@ -54,9 +54,11 @@ try {
 
   const CGAL::Bbox_3 box = CGAL::bbox_3(ends.begin(), ends.end());
   const double thickness = 0.005 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  //! [Files]
   FG::IO::write_VTP("geodesics.vtp", mesh, paths, ends);                     // for ParaView
   FG::IO::write_GLB("geodesics.glb", mesh, paths, FG::IO::Tubes(thickness)); // for Blender and browsers
   FG::IO::write_PLY("ends.ply", ends, CGAL::parameters::use_binary_mode(false).stream_precision(6));
+  //! [Files]
 
   std::cout << count << " geodesics are in geodesics.vtp and geodesics.glb.\n";
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;

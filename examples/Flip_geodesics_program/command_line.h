@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_COMMAND_LINE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_COMMAND_LINE_H
 
+#include "decimal_numbers.h"
 #include "program_options.h"
 
 #include <CLI/CLI.hpp>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -74,6 +76,37 @@ private:
     m_app.add_flag(name, value, description)->group(m_group);
   }
 
+  // Numbers with commas between, none of which is left out. May be repeated.
+  template <class Number>
+  void add_list(const char* name, const char* type, std::vector<Number>& numbers, const char* description)
+  {
+    const auto append = [name, &numbers](const std::vector<std::string>& texts) {
+      for(const std::string& text : texts)
+        append_numbers(name, text, numbers);
+    };
+    m_app.add_option_function<std::vector<std::string>>(name, append, description)
+        ->type_name(type)
+        ->group(m_group)
+        ->allow_extra_args(false);
+  }
+
+  template <class Number>
+  static void append_numbers(const std::string& name, const std::string& text, std::vector<Number>& numbers)
+  {
+    const char* next = text.data();
+    const char* const end = next + text.size();
+    while(true) {
+      const char* const comma = std::find(next, end, ',');
+      numbers.emplace_back();
+      const auto [stop, error] = from_chars(next, comma, numbers.back());
+      if(error != std::errc() || stop != comma)
+        throw CLI::ValidationError(name, "'" + std::string(next, comma) + "' in '" + text + "' is no number");
+      if(comma == end)
+        return;
+      next = comma + 1;
+    }
+  }
+
   void add_mesh()
   {
     m_app.add_option("MESH", m_options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL")->type_name("FILE")->required();
@@ -127,15 +160,12 @@ private:
   void add_curves_from_sources()
   {
     m_group = "Curves from sources";
-    add("--source", "VERTEX", m_options.sources,
-        "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines or "
-        "--voronoi: vertices `v,v,...`, and no tree")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_list("--source", "VERTEX", m_options.sources,
+             "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines or "
+             "--voronoi: vertices `v,v,...`, and no tree");
     add("--shortest", m_options.is_shortest, "With --source: replace paths that are not globally shortest");
-    add("--isolines", "DISTANCE", m_options.isolines, "With --source: the curves at these distances from the nearest")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_list("--isolines", "DISTANCE", m_options.isolines,
+             "With --source: the curves at these distances, `d,d,...`, from the nearest");
     add("--voronoi", m_options.has_voronoi, "With --source: the curves on which the nearest of them changes");
     add("--tolerance", "LENGTH", m_options.tolerance,
         "How far --isolines and --voronoi may lie from the true curves; not given, a thousandth of the size, and no "
@@ -167,6 +197,8 @@ private:
     m_group = "Files of curves";
     add("--mesh", "FILE", m_options.results.viewer,
         "Write surface and curves for a viewer: .obj, .ply, .vtp or .glb; or curves as .polylines.txt");
+    add("--tubes", "RADIUS", m_options.results.tubes,
+        "With --mesh: how thick curves are, 0 for lines; not given, a five-hundredth of the size of the mesh");
     add("--page", "FILE", m_options.results.page,
         "Write a page for a browser: surface, curves, and the flips step by step");
     add("--live", "FILE", m_options.results.live,

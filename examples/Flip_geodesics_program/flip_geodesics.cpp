@@ -7,6 +7,7 @@
 
 #include "bad_input.h"
 #include "command_line.h"
+#include "decimal_numbers.h"
 #include "file_name.h"
 #include "input/program_input.h"
 #include "output/program_output.h"
@@ -99,6 +100,9 @@ void check_field_options(const Options& options)
     throw Bad_input("--tolerance belongs to --isolines and --voronoi; give one of them");
   if(options.tolerance && !(*options.tolerance > 0))
     throw Bad_input("--tolerance must be greater than 0");
+  for(const double level : options.isolines)
+    if(!(level >= 0))
+      throw Bad_input("--isolines takes distances, which are 0 or more; " + decimal_text(level) + " is none");
   if(!options.is_field_wanted() && options.sources.size() > 1)
     throw Bad_input("--source takes one vertex for a tree; several go with --isolines and --voronoi");
   if(options.is_field_wanted() && (options.is_shortest || !options.results.map.empty() || options.mollify ||

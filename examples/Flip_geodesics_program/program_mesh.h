@@ -5,8 +5,11 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <cmath>
 
 // The mesh of the program, and how the library numbers its elements.
 namespace program {
@@ -31,6 +34,15 @@ inline Mesh::Vertex_index mesh_vertex(Vertex_index v)
 inline Mesh::Halfedge_index mesh_halfedge(Input_halfedge_index h)
 {
   return Mesh::Halfedge_index(static_cast<Mesh::size_type>(h.idx()));
+}
+
+/// The diagonal of the box about all vertices.
+inline double size_of(const Mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for(const auto v : mesh.vertices())
+    box += mesh.point(v).bbox();
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
 } // namespace program

@@ -27,6 +27,7 @@ struct Mesh_result_options
 struct Result_names
 {
   std::string polylines, stats, viewer, page, live, map, repaired;
+  std::optional<double> tubes; ///< the radius of curves for a viewer; 0 for lines
 };
 
 struct Options

@@ -100,7 +100,12 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --threads 2)
   endif()
   flip_geodesics_add_program_test(no_threads 2 "--threads must lie" torus.off --random 2 --threads 0)
-  flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj)
+  flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj
+                                  --tubes 0)
+  flip_geodesics_add_program_test(tubes 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh tubes.glb --tubes 0.02)
+  flip_geodesics_add_program_test(negative_tubes 2 "--tubes takes the radius" torus.off --edges path.txt --mesh t.glb
+                                  --tubes=-0.02)
+  flip_geodesics_add_program_test(tubes_of_nothing 2 "--tubes belongs to --mesh" torus.off --edges path.txt --tubes 1)
   flip_geodesics_add_program_test(points 0 "2 LOCALLY_SHORTEST" torus.off --points points.txt --polylines points.out)
   flip_geodesics_add_program_test(crossing_bezier 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt)
   flip_geodesics_add_program_test(crossing_page 0 "2 LOCALLY_SHORTEST" torus.off --bezier crossing_bezier.txt --page
@@ -192,8 +197,16 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_certified 2 "--trace gives no curves of a triangulation" torus.off --trace 0,0,1
                                   --kernel certified)
   flip_geodesics_add_program_test(far_isoline 0 "0 curves" torus.off --source 0 --isolines 99)
-  flip_geodesics_add_program_test(isoline_no_number 2 "level 1 is nan" torus.off --source 0 --isolines 1,nan --mesh
-                                  no_isolines.vtp)
+  flip_geodesics_add_program_test(isoline_no_number 2 "--isolines takes distances, which are 0 or more; nan" torus.off
+                                  --source 0 --isolines 1,nan --mesh no_isolines.vtp)
+  flip_geodesics_add_program_test(negative_isoline 2 "--isolines takes distances, which are 0 or more; -2" torus.off
+                                  --source 0 --isolines 1,-2)
+  flip_geodesics_add_program_test(left_out_isoline 2 "--isolines: '' in '0.1,,0.2' is no number" torus.off --source 0
+                                  --isolines 0.1,,0.2)
+  flip_geodesics_add_program_test(left_out_last_isoline 2 "--isolines: '' in '0.1,' is no number" torus.off --source 0
+                                  --isolines 0.1,)
+  flip_geodesics_add_program_test(left_out_source 2 "--source: '' in '0,,1' is no number" torus.off --source 0,,1
+                                  --isolines 1)
   flip_geodesics_add_program_test(isolines_of_nothing 2 "belong to --source" torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest" torus.off --source 0 --isolines 1 --shortest)

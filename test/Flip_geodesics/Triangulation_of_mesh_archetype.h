@@ -78,13 +78,13 @@ public:
     bool is_insertion() const { return m_is_insertion; }
 
     Halfedge_index h;
-    Index rotation;
+    Index number;
 
   private:
     friend class Triangulation_of_mesh_archetype;
     explicit Flip_record(const typename Model::Flip_record& record)
       : h(record.h)
-      , rotation(record.rotation)
+      , number(record.number)
       , m_is_flip(record.is_flip())
       , m_is_insertion(record.is_insertion())
     {

@@ -3,7 +3,7 @@
 """Reads the manual as a browser would: check_manual.py HTML
 
 Briefs stand beside the names in all lists, figures have numbers and are named by them, citations and enumerators are
-links, and no sign of the markup is left over.
+links, and no sign of the markup is left over. The pages beside the manual have the pictures and files that they name.
 """
 
 import re
@@ -83,6 +83,16 @@ def check_enumerators(name, text, enumerators):
             problems.append(f'{name}: {enumerator} is not linked')
 
 
+def check_pages_of_repository(root):
+    """Pictures and links of the pages that are read where the repository is hosted lead to files."""
+    for name in ('README.md', 'CONTRIBUTING.md', 'doc/Flip_geodesics/Gallery.md'):
+        page = root / name
+        targets = re.findall(r'\]\(([^)#\s]+)[^)]*\)', page.read_text())
+        for target in targets:
+            if '://' not in target and not (page.parent / target).exists():
+                problems.append(f'{name}: {target} is missing')
+
+
 def main():
     folder = Path(sys.argv[1])
     pages = {page.name: page.read_text() for page in sorted(folder.glob('*.html')) if '_source' not in page.name}
@@ -102,6 +112,7 @@ def main():
         check_enumerators(name, text, source.enumerators())
         check_links(name, text, pages, folder)
     check_figures(pages)
+    check_pages_of_repository(Path(__file__).parents[2])
     print('\n'.join(problems))
     sys.exit(1 if problems else 0)
 

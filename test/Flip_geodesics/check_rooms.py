@@ -6,7 +6,8 @@
 
 Each header is in one room: a public one in the row that names it, an internal one in the row of its folder. It includes
 headers of its own room and of rooms above it in the table, and never, over others, itself. It has 500 lines at most. Its
-classes have no friends but functions that they define themselves, and classes of the same header.
+classes have no friends but functions that they define themselves, and classes of the same header. Flip_geodesics.h
+includes each public header but those that its comment names.
 """
 
 import collections
@@ -67,6 +68,24 @@ def wrong_friends(text):
             not re.search(rf'\b(?:class|struct)\s+{re.escape(name)}\b[^;{{]*{{', code)]
 
 
+def reached(names, includes):
+    """The headers that these include, over others or by themselves, and these."""
+    found, open_ones = set(), list(names)
+    while open_ones:
+        name = open_ones.pop()
+        if name not in found:
+            found.add(name)
+            open_ones += includes.get(name, ())
+    return found
+
+
+def wrong_in_umbrella(text, includes, room_of):
+    """Public headers that the header of the whole package leaves out unsaid, or includes although it says not."""
+    included, excepted = reached(INCLUDE.findall(text), includes), re.findall(r'`([\w/]+\.h)`', text)
+    wrong = [f'Flip_geodesics.h leaves out {h}' for h in set(room_of) - included - reached(excepted, includes)]
+    return sorted(wrong) + [f'Flip_geodesics.h includes {h}' for h in excepted if h in included]
+
+
 def main():
     source = Path(sys.argv[1])
     folder = source / 'include/CGAL/Flip_geodesics'
@@ -86,6 +105,7 @@ def main():
             if its_room in order and order.index(its_room) > order.index(room):
                 wrong.append(f'{name} in {room} includes {other} of {its_room}, further down')
     wrong += [f'a circle: {c}' for c in find_circles(includes)]
+    wrong += wrong_in_umbrella((folder.parent / 'Flip_geodesics.h').read_text(), includes, room_of)
     print('\n'.join(wrong) if wrong else f'{len(includes)} headers in {len(order)} rooms')
     return 1 if wrong or not includes else 0
 

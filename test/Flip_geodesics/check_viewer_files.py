@@ -68,7 +68,7 @@ def read_ply(path):
         if words[0] == 'end_header':
             break
     points = [tuple(map(float, next(lines).split())) for _ in range(counts['vertex'])]
-    faces = [tuple(map(int, next(lines).split()))[1:] for _ in range(counts['face'])]
+    faces = [tuple(map(int, next(lines).split()[1:4])) for _ in range(counts['face'])]  # without their curves
     curves = {}
     for _ in range(counts['edge']):
         a, b, curve = map(int, next(lines).split())
@@ -206,6 +206,30 @@ def compare(path, points, faces, curves, mesh, expected, tolerance):
         compare_lines(path, curves[curve], line, tolerance)
 
 
+def distance_to_piece(p, a, b):
+    along = [y - x for x, y in zip(a, b)]
+    squared = sum(x * x for x in along)
+    t = min(max(sum((x - y) * z for x, y, z in zip(p, a, along)) / squared, 0), 1) if squared > 0 else 0
+    return math.dist(p, [x + t * z for x, z in zip(a, along)])
+
+
+def check_tubes(points, faces, curves, mesh, expected):
+    """Curves are tubes of a five-hundredth of the mesh's size, closed, about the lines that they were."""
+    radius = 0.002 * math.dist(*([extreme(p[i] for p in mesh[0]) for i in range(3)] for extreme in (min, max)))
+    compare_lines('tubes', points[:len(mesh[0])], mesh[0], 0)
+    check(faces[:len(mesh[1])] == mesh[1], 'tubes: other faces than the mesh')
+    tubes = faces[len(mesh[1]):]
+    thick = [line for line in expected.values() if length(line) > 0]
+    check(bool(tubes) == bool(thick) and all(length(line) == 0 for line in curves.values()), 'curves are no tubes')
+    sides = {(f[i - 1], f[i]) for f in tubes for i in range(3)}
+    check(len(sides) == 3 * len(tubes) and all((b, a) in sides for a, b in sides), 'tubes are not closed')
+    used = sorted({i for f in tubes for i in f})
+    corners = [points[i] for i in used[::len(used) // 100 + 1]]  # some of very many
+    all_pieces = [piece for line in thick for piece in zip(line, line[1:])]
+    far = [min(distance_to_piece(p, *piece) for piece in all_pieces) for p in corners]
+    check(not far or 0.9 * radius < max(far) < 1.5 * radius, f'corners of tubes are {max(far, default=0)} off')
+
+
 def load_in_browser(browser, address):
     """The data that the page leaves at its root element. On a busy machine the browser's time can run out before the page
     has started; then it is loaded again."""
@@ -240,8 +264,9 @@ def run_in_browser(browser, path, page):
     state = page.runs[0].state(len(page.runs[0].steps) // 2)
     data = load_in_browser(browser, f'{address}#step={state.step}&edges=1&theme=dark')
     others = [page.curves[c['number']] for c in page.scene['curves'] if c['run'] != 0]
-    expected = {'theme': 'dark', 'step': str(state.step), 'edge-pieces': pieces(state.edges),
-                'curve-pieces': pieces(state.lines + others)}
+    starts = page.runs[0].state(0).lines if state.step > 0 else []
+    expected = {'theme': 'dark', 'step': str(state.step), 'start-pieces': pieces(starts),
+                'edge-pieces': pieces(state.edges), 'curve-pieces': pieces(state.lines + others)}
     for name, value in expected.items():
         check(data.get(name) == value, f'the browser shows {name} {data.get(name)}, not {value}')
 
@@ -260,7 +285,8 @@ def main():
         for kind in [*readers, 'polylines.txt']:
             subprocess.run([options.program, options.mesh, *options.arguments, '--quiet',
                             '--polylines', folder / 'points', '--stats', folder / 'stats.csv',
-                            '--page', folder / 'page.html', '--mesh', folder / f'viewer.{kind}'], check=True)
+                            '--page', folder / 'page.html', '--mesh', folder / f'viewer.{kind}',
+                            *(['--tubes', '0'] if kind in readers else [])], check=True)
         expected = read_polylines(folder / 'points')
         with open(folder / 'stats.csv', encoding='ascii') as file:
             statistics = {int(row['curve']): row for row in csv.DictReader(file)}
@@ -271,6 +297,11 @@ def main():
         for kind, read in readers.items():
             tolerance = 1e-6 * size if kind == 'glb' else 0
             compare(kind, *read(folder / f'viewer.{kind}'), mesh, expected, tolerance)
+        for kind in ('obj', 'ply'):
+            path = folder / f'tubes.{kind}'
+            subprocess.run([options.program, options.mesh, *options.arguments, '--quiet', '--mesh', path,
+                            '--page', folder / 'page.html'], check=True)  # without it, paths are straightened otherwise
+            check_tubes(*readers[kind](path), mesh, expected)
         check(read_polylines_txt(folder / 'viewer.polylines.txt') == list(expected.values()),
               'the polylines of CGAL are not the curves')
         page = check_page(folder / 'page.html')

@@ -37,12 +37,14 @@
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/shorten_cut_graph.h>
 #include <CGAL/Flip_geodesics/shortest_loop.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
@@ -241,6 +243,20 @@ public:
       m_out << h.idx() << ' ';
   }
 
+  // Of a closed surface; what else bounds no solid.
+  template <class Triangulation>
+  void solid(const Triangulation& triangulation)
+  {
+    const auto& input = triangulation.input();
+    for(FG::Input_halfedge_index h : descriptors<FG::Input_halfedge_index>(input.number_of_halfedges()))
+      if(input.is_border(h))
+        return;
+    const FG::Handle_and_tunnel_loops loops = FG::handle_and_tunnel_loops(triangulation);
+    for(const auto* kind : {&loops.handles, &loops.tunnels})
+      for(const std::vector<FG::Halfedge_index>& loop : *kind)
+        halfedges(loop);
+  }
+
   template <class Triangulation, class Network>
   void classes(const FG::Loop_basis<Triangulation>& basis, const Network& network)
   {
@@ -435,7 +451,11 @@ private:
   }
   void seams(Network& network) { FG::add_seams(network, m_mesh, Number_map<Surface::Halfedge_index>{60}); }
 
-  void cut(Network& network) { FG::add_cut_graph(network); }
+  void cut(Network& network)
+  {
+    FG::add_cut_graph(network);
+    FG::shorten_cut_graph(network);
+  }
 
   void overlapping(Network& network)
   {
@@ -509,6 +529,7 @@ private:
     for(FG::Index i = 0; i < basis.number_of_loops(); ++i)
       m_record.halfedges(basis.loop(i));
     m_record.halfedges(FG::shortest_loop(triangulation));
+    m_record.solid(triangulation);
     m_record.halfedges(FG::shortest_loop(triangulation, Vertex(1), FG::Loop_kind::NOT_BOUNDING));
     std::vector<std::vector<FG::Halfedge_index>> borders;
     FG::border_loops(triangulation, std::back_inserter(borders));
@@ -597,6 +618,9 @@ private:
 
   std::vector<FG::Surface_location> points(const Triangulation& triangulation) const
   {
+    FG::Shortening_report hindered;
+    hindered.curves.emplace_back().status = FG::Shortening_status::FLAT_FACES;
+    BOOST_TEST(!FG::are_curves_folded(triangulation, hindered));
     const auto h = triangulation.input().halfedge(FG::Input_halfedge_index(0));
     return {
         FG::surface_location(triangulation, m_mesh, std::make_pair(face_of(h), std::array<double, 3>{{0.2, 0.3, 0.5}})),

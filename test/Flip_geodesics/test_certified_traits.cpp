@@ -422,6 +422,31 @@ public:
   }
 };
 
+// A grid of which one direction is that of rulings, over a profile that is the same from both ends.
+Mesh_soup extrusion(const Coordinates& ruling, const std::vector<Coordinates>& half)
+{
+  const int n = static_cast<int>(half.size()) - 1;
+  return mapped(flat_grid(2 * n, 6, Diagonal_rule::RANDOM), [&](const Coordinates& p) {
+    const int i = static_cast<int>(p[0]);
+    const Coordinates& from = half[static_cast<std::size_t>(std::abs(i - n))];
+    const double side = i < n ? -1 : 1;
+    Coordinates result;
+    for(std::size_t k = 0; k < 3; ++k)
+      result[k] = side * from[k] + p[1] * ruling[k];
+    return result;
+  });
+}
+
+std::vector<Named_soup> walls()
+{
+  const std::vector<Coordinates> half = {{0, 0, 0}, {3, 1, 0}, {4, 3, 1}, {7, 4, 3}, {8, 9, 4}},
+                                 folded = {{0, 0, 0}, {6, 2, 0}, {3, 1, 0}, {4, 5, 0}, {9, 6, 0}};
+  return {{"walls", extrusion({0, 0, 1}, half)},
+          {"walls along another axis", extrusion({-2, 0, 0}, half)},
+          {"slanted walls", extrusion({1, -2, 5}, half)},
+          {"folded walls", extrusion({0, 0, 1}, folded)}};
+}
+
 BOOST_AUTO_TEST_CASE(planes_and_walls_are_decided_as_by_roots)
 {
   using Triangulation = FG::Intrinsic_triangulation<Surface, Certified_traits>;
@@ -430,8 +455,14 @@ BOOST_AUTO_TEST_CASE(planes_and_walls_are_decided_as_by_roots)
   soups.push_back({"cylinder", cylinder(12, 5, 1, 3)});
   soups.push_back({"thin cylinder", cylinder(31, 4, 0.1, 7)});
   soups.push_back({"far cylinder", translated(cylinder(7, 6, 1, 3), 1e5, 0.1, 0)});
+  soups.push_back({"walls beside faces without area",
+                   extrusion({0, 0, 1}, {{0, 0, 0}, {0, 0, 0.5}, {4, 3, 0}, {4, 3, 0.25}})});
+  const std::size_t first_wall = soups.size();
+  for(const Named_soup& wall : walls())
+    soups.push_back(wall);
   Random_numbers random(12);
-  for(const Named_soup& shape : soups) {
+  for(std::size_t k = 0; k < soups.size(); ++k) {
+    const Named_soup& shape = soups[k];
     const Surface mesh = to_mesh<Surface>(shape.soup);
     Triangulation triangulation(mesh);
     Planeless planeless(mesh, Planeless_metric(get(CGAL::vertex_point, mesh)));
@@ -450,6 +481,8 @@ BOOST_AUTO_TEST_CASE(planes_and_walls_are_decided_as_by_roots)
     BOOST_TEST(planeless.decision_statistics().by_plane == 0u);
     BOOST_TEST(triangulation.decision_statistics().zeros_by_plane > 0u, shape.name);
     BOOST_TEST(triangulation.decision_statistics().zeros_by_roots < planeless.decision_statistics().zeros_by_roots);
+    if(k >= first_wall)
+      BOOST_TEST(triangulation.decision_statistics().by_roots == 0u, shape.name);
     std::cout << shape.name << ": " << triangulation.decision_statistics().zeros_by_plane << " zeros by plane, "
               << triangulation.decision_statistics().zeros_by_roots << " by roots of "
               << planeless.decision_statistics().zeros_by_roots << '\n';

@@ -10,15 +10,25 @@
 #include "random_curves.h"
 #include "test_scale.h"
 
+#include <CGAL/Flip_geodesics/Weighted_metric.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -360,4 +370,142 @@ BOOST_AUTO_TEST_CASE(distances_on_cylinders_and_cones, *within_1e_9)
   const Mesh_soup cone = cone_disk(5, 4, 3); // along a sector, where the chord is in the mesh
   BOOST_TEST(distance(cone.points[disk_vertex(5, 2, 0)], cone.points[disk_vertex(5, 4, 1)]) ==
              cone_distance(2, 4, 3. / 5));
+}
+
+// ---------------------------------------------------------------- weights
+
+namespace {
+
+using Plane_point = CGAL::Simple_cartesian<double>::Point_3;
+using Plane_mesh = CGAL::Surface_mesh<Plane_point>;
+using Plane_metric = FG::internal::Default_metric<Plane_mesh>;
+
+// A grid of n times n cells over [0, 2] x [1, 3].
+Plane_mesh half_plane(int n)
+{
+  return to_mesh<Plane_mesh>(mapped(flat_grid(n, n, Diagonal_rule::ALTERNATING), [n](const Coordinates& p) {
+    return Coordinates{2 * p[0] / n, 1 + 2 * p[1] / n, 0};
+  }));
+}
+
+template <class Key, class Weight>
+FG::Weighted_metric<Plane_metric> weighted(const Plane_mesh& mesh, const Weight& weight)
+{
+  return {mesh, Plane_metric(mesh.points()), boost::make_function_property_map<Key>(weight)};
+}
+
+// The length of a geodesic of doubles, and the highest point that it passes.
+std::pair<double, double> length_and_height(const Plane_mesh& mesh, const FG::Weighted_metric<Plane_metric>& metric,
+                                            int source, int target)
+{
+  std::vector<Plane_point> points;
+  const auto result = FG::geodesic_path(
+      mesh, Plane_mesh::Vertex_index(static_cast<unsigned>(source)),
+      Plane_mesh::Vertex_index(static_cast<unsigned>(target)), std::back_inserter(points),
+      FG::with_metric(metric).geom_traits(FG::Intrinsic_triangulation_traits<Plane_metric::Kernel>()));
+  BOOST_TEST(FG::to_string(result.status()) == "LOCALLY_SHORTEST");
+  double height = 0;
+  for(const Plane_point& p : points)
+    height = (std::max)(height, p.y());
+  return {result.length(), height};
+}
+
+} // namespace
+
+// With the weight 1 / y, geodesics are arcs of circles about places on the x-axis: Poincare's half-plane.
+BOOST_AUTO_TEST_CASE(weights_of_the_half_plane)
+{
+  double error_before = 0;
+  for(int n : {8, 16, 32, 64}) {
+    const Plane_mesh mesh = half_plane(n);
+    const auto metric =
+        weighted<Plane_mesh::Vertex_index>(mesh, [&](Plane_mesh::Vertex_index v) { return 1 / mesh.point(v).y(); });
+    // From (0.25, 1.25) to (1.75, 1.5).
+    const int source = grid_vertex(n, n / 8, n / 8), target = grid_vertex(n, 7 * n / 8, n / 4);
+    const auto [length, height] = length_and_height(mesh, metric, source, target);
+    const double expected = std::acosh(1 + (1.5 * 1.5 + 0.25 * 0.25) / (2 * 1.25 * 1.5));
+    const double error = std::abs(length - expected);
+    BOOST_TEST(error < 0.6 / (n * n));
+    BOOST_TEST((n == 8 || error < 0.4 * error_before));
+    error_before = error;
+    const double center = 1 + (1.5 * 1.5 - 1.25 * 1.25) / (2 * 1.5), radius = std::hypot(center - 0.25, 1.25);
+    BOOST_TEST(std::abs(height - radius) < 2. / n);
+  }
+}
+
+// One weight everywhere is another unit of length; and a face's counts at its corners.
+BOOST_AUTO_TEST_CASE(weights_of_faces)
+{
+  const int n = 16;
+  const Plane_mesh mesh = half_plane(n);
+  const auto one = weighted<Plane_mesh::Face_index>(mesh, [](Plane_mesh::Face_index) { return 1.; });
+  const auto four = weighted<Plane_mesh::Face_index>(mesh, [](Plane_mesh::Face_index) { return 4.; });
+  const int source = grid_vertex(n, 1, 2), target = grid_vertex(n, 15, 7);
+  const double length = length_and_height(mesh, one, source, target).first;
+  BOOST_TEST(is_close(length, std::hypot(14 * 0.125, 5 * 0.125)));
+  BOOST_TEST(is_close(length_and_height(mesh, four, source, target).first, 4 * length));
+  // Twice the weight in a square in the way.
+  const auto is_heavy = [](Plane_mesh::Face_index f) {
+    const std::size_t cell = static_cast<std::size_t>(f) / 2, i = cell % 16, j = cell / 16;
+    return i >= 5 && i < 11 && j < 8;
+  };
+  const auto square =
+      weighted<Plane_mesh::Face_index>(mesh, [&](Plane_mesh::Face_index f) { return is_heavy(f) ? 2. : 1.; });
+  BOOST_TEST(square.vertex_weight(FG::Vertex_index(grid_vertex(n, 8, 4))) == 2);
+  BOOST_TEST(square.vertex_weight(FG::Vertex_index(grid_vertex(n, 8, 12))) == 1);
+  const double corner = square.vertex_weight(FG::Vertex_index(grid_vertex(n, 5, 8)));
+  BOOST_TEST((1 < corner && corner < 1.5));
+  const auto around = length_and_height(mesh, square, grid_vertex(n, 1, 6), grid_vertex(n, 15, 6));
+  BOOST_TEST(around.second >= 2); // the square ends there
+  BOOST_TEST(around.first < 14 * 0.125 * 1.2);
+  BOOST_TEST(around.first > 14 * 0.125);
+}
+
+// The lower bound of a search holds: what it directs finds what is found without it.
+BOOST_AUTO_TEST_CASE(weights_direct_searches)
+{
+  const int n = 24;
+  const Plane_mesh mesh = half_plane(n);
+  Random_numbers random(5);
+  std::vector<double> weights;
+  for(std::size_t i = 0; i < mesh.number_of_vertices(); ++i)
+    weights.push_back(1 + random.below(100) * 0.03);
+  const auto metric = weighted<Plane_mesh::Vertex_index>(
+      mesh, [&](Plane_mesh::Vertex_index v) { return weights[static_cast<std::size_t>(v)]; });
+  using Triangulation =
+      FG::Intrinsic_triangulation<Plane_mesh, FG::Intrinsic_triangulation_traits<Plane_metric::Kernel>,
+                                  FG::Weighted_metric<Plane_metric>>;
+  const Triangulation triangulation(mesh, metric);
+  FG::Shortest_edge_path<Triangulation> directed(triangulation, FG::Search_method::A_STAR),
+      plain(triangulation, FG::Search_method::DIJKSTRA);
+  const auto length = [&](const std::vector<FG::Halfedge_index>& path) {
+    double sum = 0;
+    for(FG::Halfedge_index h : path)
+      sum += metric.weight(triangulation.input(), FG::Input_halfedge_index(h.idx()));
+    return sum;
+  };
+  for(int i = 0; i < 20; ++i) {
+    const FG::Vertex_index u(random.below(625)), v(random.below(625));
+    BOOST_TEST(is_close(length(directed(u, v)), length(plain(u, v))));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(weights_that_are_none)
+{
+  const int n = 8;
+  const Plane_mesh mesh = half_plane(n);
+  for(double bad : {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    BOOST_CHECK_THROW(weighted<Plane_mesh::Vertex_index>(
+                          mesh, [&](Plane_mesh::Vertex_index v) { return static_cast<unsigned>(v) == 7 ? bad : 1.; }),
+                      FG::Invalid_parameter_error);
+    BOOST_CHECK_THROW(weighted<Plane_mesh::Face_index>(
+                          mesh, [&](Plane_mesh::Face_index f) { return static_cast<unsigned>(f) == 7 ? bad : 1.; }),
+                      FG::Invalid_parameter_error);
+  }
+  // A jump that no triangle can have.
+  const auto cliff = weighted<Plane_mesh::Vertex_index>(
+      mesh, [&](Plane_mesh::Vertex_index v) { return mesh.point(v).x() > 1 ? 100. : 1.; });
+  std::vector<Plane_point> points;
+  BOOST_CHECK_THROW(length_and_height(mesh, cliff, grid_vertex(n, 1, 1), grid_vertex(n, 7, 6)),
+                    FG::Degenerate_face_error);
 }

@@ -6,6 +6,7 @@
 #include "closed_forms.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
+#include "test_contracted_surface/zero_edges.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify.h>
@@ -29,106 +30,7 @@
 #include <utility>
 #include <vector>
 
-// Edges of length zero are made where nothing else changes: so what the lengths should be is known.
-namespace {
-
-namespace FG = CGAL::Flip_geodesics;
 using namespace Flip_geodesics_test;
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Vertex = Mesh::Vertex_index;
-using Traits = FG::Certified_intrinsic_triangulation_traits<Kernel>;
-using Metric = FG::Embedded_metric<Mesh, Mesh::Property_map<Vertex, Point>>;
-using Triangulation = FG::Intrinsic_triangulation<Mesh, Traits, Metric>;
-using Network = FG::Edge_path_network<Triangulation>;
-
-const auto exactly = CGAL::parameters::geom_traits(Traits());
-
-std::map<int, int> ring(const Mesh_soup& soup, int v)
-{
-  std::map<int, int> next;
-  for(const Corners& t : soup.triangles)
-    for(int i = 0; i < 3; ++i)
-      if(t[i] == v)
-        next[t[(i + 1) % 3]] = t[(i + 2) % 3];
-  return next;
-}
-
-/*
- * Gives the faces at v from the edge to c counterclockwise to that to d to a new vertex in the same place, with a face
- * without area at either edge.
- */
-int split_vertex(Mesh_soup& soup, int v, int c, int d)
-{
-  const int w = static_cast<int>(soup.points.size());
-  const std::map<int, int> next = ring(soup, v);
-  std::set<int> fan;
-  for(int a = c; a != d; a = next.at(a))
-    fan.insert(a);
-  for(Corners& t : soup.triangles)
-    for(int i = 0; i < 3; ++i)
-      if(t[i] == v && fan.count(t[(i + 1) % 3]) > 0)
-        t[i] = w;
-  soup.points.push_back(Coordinates(soup.points[v]));
-  soup.triangles.push_back({v, c, w});
-  soup.triangles.push_back({w, d, v});
-  return w;
-}
-
-/* Splits vertices of a closed mesh at random, also those that were split before and along edges of length zero. */
-Mesh_soup split_at_random(Mesh_soup soup, int count, unsigned seed)
-{
-  Random_numbers random(seed);
-  while(count > 0) {
-    const int v = random.below(static_cast<int>(soup.points.size()));
-    std::vector<int> spokes;
-    for(const auto& spoke : ring(soup, v))
-      spokes.push_back(spoke.first);
-    const int c = spokes[random.below(static_cast<int>(spokes.size()))];
-    const int d = spokes[random.below(static_cast<int>(spokes.size()))];
-    if(c == d)
-      continue;
-    split_vertex(soup, v, c, d);
-    --count;
-  }
-  return soup;
-}
-
-/* A cone without its tip, but with a hole of length zero: row 0 is n vertices in one place. */
-Mesh_soup cone_with_hole(int n, int m, double radius, double height, int from = 0)
-{
-  Mesh_soup soup;
-  for(int r = 0; r <= m; ++r)
-    for(int i = 0; i < n; ++i)
-      soup.points.push_back(
-          {r * radius / m * std::cos(2 * pi * i / n), r * radius / m * std::sin(2 * pi * i / n), -r * height / m});
-  for(int r = from; r < m; ++r)
-    for(int i = 0; i < n; ++i) {
-      const int a = n * r + i, b = n * r + (i + 1) % n;
-      soup.triangles.push_back({a, a + n, b});
-      soup.triangles.push_back({b, a + n, b + n});
-    }
-  return soup;
-}
-
-Vertex vertex(int v) { return Vertex(static_cast<Mesh::size_type>(v)); }
-
-double length(const std::vector<Point>& points)
-{
-  double sum = 0;
-  for(std::size_t i = 1; i < points.size(); ++i)
-    sum += std::sqrt((points[i] - points[i - 1]).squared_length());
-  return sum;
-}
-
-Triangulation contracted(const Mesh& mesh)
-{
-  return Triangulation(mesh, Metric(mesh.points()), Traits(), FG::Zero_length_edges::CONTRACT);
-}
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_left_is_the_mesh_as_it_was)
 {
@@ -439,7 +341,7 @@ BOOST_AUTO_TEST_CASE(other_meshes_are_contracted_alike)
   const auto length_of = [&](FG::Input_halfedge_index h) {
     return distance(soup.points[plain.tail(h).idx()], soup.points[plain.tail(FG::internal::twin_index(h)).idx()]);
   };
-  const auto left = plain.contracted(length_of);
+  const auto left = plain.contracted(Lengths_alone{length_of});
   BOOST_CHECK_EQUAL(left.number_of_halfedges(), 3 * static_cast<FG::Index>(cube(3).triangles.size()));
   for(FG::Input_halfedge_index h(0); h.idx() < left.number_of_halfedges(); ++h) {
     BOOST_REQUIRE_EQUAL(left.next(left.next(left.next(h))), h);
@@ -456,10 +358,10 @@ BOOST_AUTO_TEST_CASE(sides_of_a_needle_are_of_one_length)
   for(double first : {1, 2, 3}) {
     const auto contracted = [&] {
       // Of the edge from 0 to 1, of that from 1 to 2, of that from 2 to 0.
-      plain.contracted([&](FG::Input_halfedge_index h) {
+      plain.contracted(Lengths_alone{[&](FG::Input_halfedge_index h) {
         const FG::Index sum = plain.tail(h).idx() + plain.tail(FG::internal::twin_index(h)).idx();
         return sum == 1 ? 0 : (sum == 3 ? first : 2);
-      });
+      }});
     };
     if(first == 2)
       BOOST_CHECK_NO_THROW(contracted());
@@ -483,8 +385,8 @@ BOOST_AUTO_TEST_CASE(halfedges_that_are_left_lead_where_they_did)
     const FG::internal::Indexed_mesh<Mesh> input(mesh);
     const auto twin = [](FG::Input_halfedge_index h) { return FG::internal::twin_index(h); };
     const auto at = [&](FG::Vertex_index v) { return soup.points[v.idx()]; };
-    const auto left = input.contracted(
-        [&](FG::Input_halfedge_index h) { return distance(at(input.tail(h)), at(input.tail(twin(h)))); });
+    const auto left = input.contracted(Lengths_alone{
+        [&](FG::Input_halfedge_index h) { return distance(at(input.tail(h)), at(input.tail(twin(h)))); }});
     contracted_meshes += left.is_contracted() ? 1 : 0;
     for(FG::Input_halfedge_index h(0); h.idx() < input.number_of_halfedges(); ++h) {
       const FG::Input_halfedge_index g = left.contracted_halfedge(h);

@@ -17,6 +17,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -327,8 +328,105 @@ BOOST_AUTO_TEST_CASE(legs_are_geodesics_on_any_surface)
     }
   }
   BOOST_TEST(moves > 1000u);
-  BOOST_TEST(flips <= 5u); // along rays of the saddle, whose vertices are flat but for the last bit
+  BOOST_TEST(flips <= 5u);    // along rays of the saddle, whose vertices are flat but for the last bit
   BOOST_TEST(unproven <= 5u); // bent by less than doubles tell, and said to be
+}
+
+namespace {
+
+// The plane grid, with the vertices of the middle row off it by next to nothing, up or down.
+Mesh_soup with_rough_row(int n, Diagonal_rule rule, Random_numbers& random)
+{
+  Mesh_soup soup = flat_grid(n, n, rule);
+  constexpr std::array<double, 5> heights = {0, 1e-18, -1e-18, 1e-17, -1e-17};
+  for(Coordinates& p : soup.points) {
+    p[1] -= n / 2;
+    if(p[1] == 0 && p[0] > 0 && p[0] < n)
+      p[1] = heights[static_cast<std::size_t>(random.below(5))];
+  }
+  return soup;
+}
+
+// Does a polyline from end to end of the row run on its line, exactly?
+bool is_on_line(const Triangulation& t, const Polyline& points)
+{
+  const auto y = [&](FG::Input_halfedge_index h) { return t.metric().point(t.input(), t.input().tail(h)).y(); };
+  return std::all_of(points.begin(), points.end(), [&](const Surface_location& p) {
+    if(kind(p) == FG::Location_kind::VERTEX)
+      return y(p.halfedge) == 0;
+    const double tail = y(p.halfedge), head = y(FG::internal::twin_index(p.halfedge));
+    return (tail <= 0 && head >= 0) || (tail >= 0 && head <= 0); // also beside a vertex on the line
+  });
+}
+
+} // namespace
+
+// Doubles do not tell on which side of the line vertices lie; the verdict does.
+BOOST_AUTO_TEST_CASE(a_leg_is_proven_if_and_only_if_it_is_straight)
+{
+  constexpr int n = 8;
+  Random_numbers random(3);
+  std::size_t straight = 0, bent = 0;
+  for(int i = 0; i < 40; ++i) {
+    const Surface mesh =
+        to_mesh<Surface>(with_rough_row(n, i % 2 == 0 ? Diagonal_rule::RISING : Diagonal_rule::ALTERNATING, random));
+    Triangulation t(mesh);
+    const auto at = [&](int x, int y) { return t.location(FG::Vertex_index(grid_vertex(n, x, y))); };
+    const int step = i % 4 < 2 ? 1 : -1; // from above or below
+    Editor editor(t, {at(0, n / 2), at(n, n / 2 + 3 * step)});
+    for(int y : {2, 1, 0}) {
+      const FG::Move_report report = editor.move(1, at(n, n / 2 + y * step));
+      BOOST_TEST(report.legs_by_flips == 0u); // as they prove no more, with traits in doubles
+    }
+    BOOST_TEST(std::abs(editor.length() - n) < 1e-14);
+    const bool is_straight = is_on_line(t, editor.leg(0));
+    BOOST_TEST((editor.verdict(0) == FG::Certificate_verdict::PROVEN) == is_straight);
+    ++(is_straight ? straight : bent);
+  }
+  BOOST_TEST(straight > 5u);
+  BOOST_TEST(bent > 5u);
+}
+
+// Along the border, from both sides of its edges, off it, and back.
+BOOST_AUTO_TEST_CASE(points_on_the_border)
+{
+  const Surface mesh = to_mesh<Surface>(flat_grid(4, 4, Diagonal_rule::RISING));
+  Triangulation t(mesh);
+  const auto at = [&](const Flat_point& p) { return FG::surface_location(t, mesh, location_on_grid(mesh, mesh, p)); };
+  const std::vector<Flat_point> places = {{1, 0},   {3, 0}, {4, 0}, {4, 2.5},  {4, 4},
+                                          {1.5, 4}, {0, 4}, {0, 2}, {2.5, 1.5}};
+  for(const Flat_point& start : places)
+    for(const Flat_point& end : places) {
+      if(start == end)
+        continue;
+      Editor editor(t, {at(start), at(end)});
+      std::array<Flat_point, 2> ends = {start, end};
+      for(std::size_t i : {1, 0})
+        for(const Flat_point& to : places) {
+          if(to == ends[1 - i])
+            continue;
+          editor.move(i, at(to));
+          ends[i] = to;
+          BOOST_TEST(std::abs(editor.length() - distance(ends[0], ends[1])) < 1e-13);
+          BOOST_TEST(is_geodesic(editor.verdict(0)));
+        }
+    }
+}
+
+// Round the torus and back to the same vertex: the leg has the same ends, and is another one.
+BOOST_AUTO_TEST_CASE(a_point_that_comes_back_from_another_side)
+{
+  constexpr int n = Flat_torus::n;
+  Flat_torus torus;
+  FG::Curve_editor<Length_triangulation> editor(torus.triangulation, {torus.location({0, 0}), torus.location({2, 1})});
+  Polyline way;
+  for(int x = 2; x <= 2 + n; ++x)
+    way.push_back(torus.location({static_cast<double>(x), 1}));
+  for(int round = 1; round <= 3; ++round) {
+    editor.move_along(1, way);
+    BOOST_TEST(std::abs(editor.length() - std::hypot(2 + round * n, 1)) < 1e-12);
+    BOOST_TEST(is_geodesic(editor.verdict(0)));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(no_move_after_bad_input)

@@ -7,7 +7,8 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
-#include <CGAL/Flip_geodesics/internal/exact/Right_angle.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_vector.h>
+#include <CGAL/Flip_geodesics/internal/exact/Root_sum.h>
 
 using namespace Flip_geodesics_test;
 
@@ -218,38 +219,89 @@ BOOST_AUTO_TEST_CASE(literals_are_united_unless_they_are_opposite)
   }
 }
 
-BOOST_AUTO_TEST_CASE(right_angles_are_those_of_integers)
+BOOST_AUTO_TEST_CASE(products_of_vectors_have_the_signs_of_integers)
 {
   using Place = std::array<double, 3>;
-  const auto is_right_by_integers = [](const Place& o, const Place& a, const Place& b) {
-    const auto n = FI::to_integers<9>({o[0], o[1], o[2], a[0], a[1], a[2], b[0], b[1], b[2]});
-    FI::Integer dot = 0;
-    for(int i = 0; i < 3; ++i)
-      dot += (n[3 + i] - n[i]) * (n[6 + i] - n[i]);
-    return dot == 0;
-  };
+  using Integers = std::array<FI::Integer, 3>;
   Random_numbers random(6);
-  int right = 0, wrong = 0;
+  int right = 0, parallel = 0, wrong = 0;
   for(int i = 0; i < 20000 * scale; ++i) {
-    // Perpendicular up to rounding, and exactly along the axes; sometimes moved by a unit in the last place.
+    // Perpendicular or parallel up to rounding, and exactly along the axes; sometimes moved by a unit in the last place.
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), far = i % 3 == 0 ? 1e6 : 0;
     Place o = {far, 1 - far, 0.1}, a = {o[0] + x, o[1] + y, 0.1}, b = {o[0] - y, o[1] + x, 0.1};
     if(i % 2 == 0)
       b = {o[0], o[1], random.uniform(-1, 1)};
+    if(i % 11 < 3)
+      b = {o[0] + 2 * (a[0] - o[0]), o[1] + 2 * (a[1] - o[1]), 0.1};
     if(i % 5 == 0)
       b[static_cast<std::size_t>(random.below(3))] += 0x1p-40;
     if(i % 7 == 0)
       for(Place* p : {&o, &a, &b})
         for(double& c : *p)
           c *= i % 14 == 0 ? 0x1p-200 : 0x1p200;
-    const bool expected = is_right_by_integers(o, a, b);
-    right += expected ? 1 : 0;
-    wrong += FI::is_right_angle(o, a, b) == expected ? 0 : 1;
+    const auto n = FI::to_integers<9>({o[0], o[1], o[2], a[0], a[1], a[2], b[0], b[1], b[2]});
+    const Integers u = {n[3] - n[0], n[4] - n[1], n[5] - n[2]}, v = {n[6] - n[0], n[7] - n[1], n[8] - n[2]};
+    const FI::Exact_vector to_a(o, a), to_b(o, b);
+    wrong += to_a.has_exact_products() && to_b.has_exact_products() ? 0 : 1;
+    const FI::Integer dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    wrong += static_cast<int>(sign_of_dot(to_a, to_b)) == dot.sign() ? 0 : 1;
+    right += dot == 0 ? 1 : 0;
+    bool is_parallel = true;
+    for(std::size_t k = 0; k < 3; ++k) {
+      const FI::Integer cross = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+      wrong += static_cast<int>(sign_of_cross(to_a, to_b, k)) == cross.sign() ? 0 : 1;
+      is_parallel = is_parallel && cross == 0;
+    }
+    wrong += are_parallel(to_a, to_b) == is_parallel ? 0 : 1;
+    parallel += is_parallel ? 1 : 0;
   }
   BOOST_TEST(wrong == 0);
-  BOOST_TEST(right > 5000);
-  BOOST_TEST(right < 19000 * scale);
-  BOOST_TEST(FI::is_right_angle({0, 0, 0}, {3, 4, 0}, {-4, 3, 7}));
-  // Too small for products: not proven.
-  BOOST_TEST(!FI::is_right_angle({0, 0, 0}, {0x1p-500, 0, 0}, {0, 0x1p-500, 0}));
+  BOOST_TEST(right > 3000);
+  BOOST_TEST(parallel > 1000);
+  BOOST_TEST(right + parallel < 19000 * scale);
+  // Too small and too large for products.
+  BOOST_TEST(!FI::Exact_vector({0, 0, 0}, {0x1p-500, 0, 0}).has_exact_products());
+  BOOST_TEST(!FI::Exact_vector({0, 0, 0}, {0, 0, 0x1p500}).has_exact_products());
+  BOOST_TEST(!FI::Exact_vector({0, 0x1p-460, 0}, {0, 1, 0}).has_exact_products());
+}
+
+BOOST_AUTO_TEST_CASE(sums_of_roots_have_the_sign_of_many_digits)
+{
+  using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>>;
+  Random_numbers random(8);
+  int zeros = 0, wrong = 0;
+  for(int i = 0; i < 300 * scale; ++i) {
+    // Each root stands twice in half of the sums, as its multiple by a square, with a factor that takes it away.
+    FI::Root_sum sum;
+    Real value = 0;
+    const auto add = [&](long long factor, long long square) {
+      sum.add(factor, square);
+      value += factor * sqrt(Real(square));
+    };
+    const bool is_zero = i % 2 == 0;
+    const int roots = 1 + random.below(150);
+    for(int k = 0; k < roots; ++k) {
+      const long long square = 1 + random.below(1 << 20), factor = 1 + random.below(1000), n = 2 + random.below(3);
+      add(factor * n, square);
+      add(is_zero || k > 0 ? -factor : (i % 4 == 1 ? 1 : -1) - factor, square * n * n);
+    }
+    zeros += is_zero ? 1 : 0;
+    const CGAL::Sign expected = is_zero ? CGAL::ZERO : (value > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE);
+    wrong += sum.sign() == expected ? 0 : 1;
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(zeros > 100);
+
+  // sqrt(n) - 2 sqrt(n + 1) + sqrt(n + 2), which is 2^-242 of its terms.
+  const FI::Integer n = FI::Integer(1) << 120;
+  FI::Root_sum nearly;
+  nearly.add(1, n);
+  nearly.add(1, n + 2);
+  nearly.add(-2, n + 1);
+  BOOST_TEST((nearly.sign() == CGAL::NEGATIVE));
+  BOOST_TEST((FI::Root_sum().sign() == CGAL::ZERO));
+  FI::Root_sum nothing;
+  nothing.add(5, 0);
+  nothing.add(0, 5);
+  BOOST_TEST((nothing.sign() == CGAL::ZERO));
 }

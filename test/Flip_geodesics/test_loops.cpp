@@ -7,10 +7,12 @@
 
 #include "test_loops/loop_setting.h"
 
+#include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/geodesic_loop_basis.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/shortest_loop.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -468,4 +470,13 @@ BOOST_AUTO_TEST_CASE(bad_input)
   Mesh_soup broken = torus(5, 4, 3, 1);
   broken.points[7][1] = std::nan("");
   BOOST_CHECK_THROW(Setting{broken}, FG::Invalid_coordinate_error);
+  for(double far : {1e100, 1e71}) {
+    broken.points[7][1] = far;
+    BOOST_CHECK_THROW(Setting{broken}, FG::Invalid_coordinate_error);
+    const Surface mesh = to_mesh<Surface>(broken);
+    Triangulation triangulation(mesh);
+    Network network(triangulation);
+    BOOST_CHECK_THROW(FG::add_cut_graph(network), FG::Invalid_coordinate_error);
+    BOOST_CHECK_THROW(FG::shortest_loop(triangulation), FG::Invalid_coordinate_error);
+  }
 }

@@ -18,6 +18,7 @@
  * \cgalHasModels{CGAL::Flip_geodesics::Embedded_metric<TriangleMesh\,VertexPointMap>}
  * \cgalHasModels{CGAL::Flip_geodesics::Edge_length_metric<TriangleMesh\,EdgeLengthMap>}
  * \cgalHasModels{CGAL::Flip_geodesics::Mollified_metric<Metric>}
+ * \cgalHasModels{CGAL::Flip_geodesics::Weighted_metric<Metric>}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Flip_geodesics::Intrinsic_triangulation`
@@ -73,7 +74,7 @@ public:
   unspecified_type exact_face(const Mesh& mesh, Input_halfedge_index h) const;
 
   /// The exact sign of the sine of the wedge from the direction of word `a` clockwise over `steps` input corners to
-  /// that of word `b`. This is for faces that lie unfolded in one plane of space, or in two with a right angle in each.
+  /// that of word `b`. This is for faces that lie unfolded in one plane of space, or bend along parallel edges only.
   /// `flat_edges` keeps from call to call which edges lie between faces in one plane.
   /// \return do they? If not, `sine` says nothing; a metric without points answers `false`
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,

@@ -32,9 +32,9 @@ public:
   /// A model of `IntrinsicMetric` for meshes of this type.
   typedef unspecified_type Metric;
 
-  /// An entry of the log, with the members `Halfedge_index h`, `Index rotation`, `bool is_flip() const` and
+  /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const` and
   /// `bool is_insertion() const`. If it is a flip, `h` is the flipped halfedge. If it is an insertion, inserted vertex
-  /// number `rotation`, counted from 0, was put into the face or on the edge of `h`. Otherwise the face of `h` was laid
+  /// number `number`, counted from 0, was put into the face or on the edge of `h`. Otherwise the face of `h` was laid
   /// out afresh.
   typedef unspecified_type Flip_record;
 

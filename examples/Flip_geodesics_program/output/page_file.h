@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_PAGE_FILE_H
 
 #include "output/output_file.h"
+#include "output/packed_array.h"
 #include "output/scene_json.h"
 #include "page_template.h"
 #include "scene.h"
@@ -35,7 +36,7 @@ public:
       return;
     for(std::string_view piece : page_template) {
       if(piece == "@SCENE@")
-        Scene_json(mesh).write(m_file.stream(), scene);
+        Scene_json(mesh, json_packed).write(m_file.stream(), scene);
       else
         m_file.stream() << piece;
     }

@@ -23,7 +23,7 @@ public:
   explicit Output_files(const Options& options)
     : m_polylines(options.results.polylines)
     , m_stats(options.results.stats)
-    , m_viewer(options.results.viewer)
+    , m_viewer(options.results.viewer, options.results.tubes)
     , m_page(options.results.page)
     , m_live(options.results.live)
     , m_map(options.results.map)

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <ostream>
 #include <string>
 #include <tuple>
@@ -18,14 +19,18 @@ namespace program {
 /*!
  * Writes the JSON that pages read: the mesh, and what was computed on it.
  *
- * Arrays are base 64 of little-endian 32-bit numbers, floats for points and unsigned integers for all else. Points are
- * relative to the center of the mesh, in units of its radius. Some 50 bytes per vertex of the mesh.
+ * Arrays are of 32-bit numbers, floats for points and unsigned integers for all else, and become text by a function that
+ * the constructor is given. Points are relative to the center of the mesh, in units of its radius.
  */
 class Scene_json
 {
 public:
-  explicit Scene_json(const Mesh& mesh)
+  using Numbers = std::vector<std::uint32_t>; ///< floats by their bits
+  using Text_of_array = std::string (*)(const Numbers&);
+
+  explicit Scene_json(const Mesh& mesh, Text_of_array text_of_array = json_base64<std::uint32_t>)
     : m_mesh(mesh)
+    , m_text_of_array(text_of_array)
   {
     std::tie(m_center, m_radius) = center_and_radius(mesh);
   }
@@ -65,15 +70,15 @@ public:
   {
     out << "\"radius\":" << json_number(m_radius) << ",\"center\":[" << json_number(m_center.x()) << ','
         << json_number(m_center.y()) << ',' << json_number(m_center.z()) << "],\n";
-    std::vector<float> positions;
+    Numbers positions;
     for(const auto v : m_mesh.vertices())
       append(positions, m_mesh.point(v));
-    std::vector<std::uint32_t> corners;
+    Numbers corners;
     for(const auto f : m_mesh.faces())
       for(const auto v : m_mesh.vertices_around_face(m_mesh.halfedge(f)))
         corners.push_back(static_cast<std::uint32_t>(v));
     out << "\"vertices\":" << m_mesh.number_of_vertices() << ",\"triangles\":" << m_mesh.number_of_faces()
-        << ",\n\"positions\":" << json_base64(positions) << ",\n\"corners\":" << json_base64(corners);
+        << ",\n\"positions\":" << m_text_of_array(positions) << ",\n\"corners\":" << m_text_of_array(corners);
   }
 
 private:
@@ -89,21 +94,21 @@ private:
   // All points in a row, and where each polyline starts.
   void write_polylines(std::ostream& out, const std::string& name, const std::vector<std::vector<Point_3>>& lines) const
   {
-    std::vector<float> points;
-    std::vector<std::uint32_t> starts = {0};
+    Numbers points, starts = {0};
     for(const std::vector<Point_3>& line : lines) {
       for(const Point_3& p : line)
         append(points, p);
       starts.push_back(static_cast<std::uint32_t>(points.size() / 3));
     }
-    out << '"' << name << "Points\":" << json_base64(points) << ",\n\"" << name << "Starts\":" << json_base64(starts);
+    out << '"' << name << "Points\":" << m_text_of_array(points) << ",\n\"" << name
+        << "Starts\":" << m_text_of_array(starts);
   }
 
   // Lists have their length in front: the segments of each curve; of each step the flips, the curve, how many segments
   // it keeps in front and at the end, and the new ones between.
   void write_record(std::ostream& out, const Shortening_record& record) const
   {
-    std::vector<std::uint32_t> inputs, curves, steps;
+    Numbers inputs, curves, steps;
     for(const Shortening_record::Input_edge& input : record.input_edges)
       inputs.insert(inputs.end(), {input.edge, input.vertices[0], input.vertices[1]});
     for(const std::vector<std::uint32_t>& curve : record.curves)
@@ -117,24 +122,28 @@ private:
     }
     out << '{';
     write_polylines(out, "edge", record.polylines);
-    out << ",\n\"inputEdges\":" << json_base64(inputs) << ",\"edges\":" << json_base64(record.edges)
-        << ",\n\"curves\":" << json_base64(curves) << ",\n\"steps\":" << json_base64(steps)
+    out << ",\n\"inputEdges\":" << m_text_of_array(inputs) << ",\"edges\":" << m_text_of_array(record.edges)
+        << ",\n\"curves\":" << m_text_of_array(curves) << ",\n\"steps\":" << m_text_of_array(steps)
         << ",\"hasAllSteps\":" << (record.has_all_steps ? "true" : "false") << '}';
   }
 
-  static void append_list(std::vector<std::uint32_t>& numbers, const std::vector<std::uint32_t>& list)
+  static void append_list(Numbers& numbers, const Numbers& list)
   {
     numbers.push_back(static_cast<std::uint32_t>(list.size()));
     numbers.insert(numbers.end(), list.begin(), list.end());
   }
 
-  void append(std::vector<float>& coordinates, const Point_3& p) const
+  void append(Numbers& coordinates, const Point_3& p) const
   {
-    for(int i = 0; i < 3; ++i)
-      coordinates.push_back(static_cast<float>((p[i] - m_center[i]) / m_radius));
+    for(int i = 0; i < 3; ++i) {
+      const float x = static_cast<float>((p[i] - m_center[i]) / m_radius);
+      coordinates.emplace_back();
+      std::memcpy(&coordinates.back(), &x, sizeof x);
+    }
   }
 
   const Mesh& m_mesh;
+  Text_of_array m_text_of_array;
   Point_3 m_center;
   double m_radius = 1;
 };

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_VIEWER_FILES_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_VIEWER_FILES_H
 
+#include "bad_input.h"
 #include "file_name.h"
 #include "output/output_file.h"
 #include "scene.h"
@@ -10,11 +11,15 @@
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>
+#include <CGAL/Flip_geodesics/IO/Tubes.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 
 #include <boost/range/adaptor/transformed.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -27,10 +32,17 @@ class Viewer_file
 {
 public:
   /// The format follows from the extension, see `write()`. An empty name means that nothing is to be written.
-  explicit Viewer_file(const std::string& name)
+  /// \param tubes the radius of the tubes that curves are, 0 for lines. Not given, it follows from the mesh; curves of
+  /// very many points, as trees have, are lines then.
+  Viewer_file(const std::string& name, std::optional<double> tubes)
     : m_format(check_format(name))
     , m_file(name)
+    , m_tubes(tubes)
   {
+    if(tubes && !(*tubes >= 0 && std::isfinite(*tubes)))
+      throw Bad_input("--tubes takes the radius of curves, greater than 0, or 0 for lines");
+    if(tubes && (name.empty() || m_format == "polylines"))
+      throw Bad_input("--tubes belongs to --mesh with a file .obj, .ply, .vtp or .glb; give one");
   }
 
   bool is_wanted() const { return m_file.is_wanted(); }
@@ -40,7 +52,16 @@ public:
     if(!is_wanted())
       return;
     const auto points = [](const Scene_curve& curve) -> const std::vector<Point_3>& { return curve.points; };
-    m_file.write([&](std::ostream& out) { write(out, mesh, scene.curves | boost::adaptors::transformed(points)); });
+    const auto curves = scene.curves | boost::adaptors::transformed(points);
+    const double radius = m_tubes.value_or(automatic_radius(mesh, scene));
+    m_file.write([&](std::ostream& out) {
+      if(m_format == "polylines")
+        write_polylines(out, curves);
+      else if(radius > 0)
+        write(out, mesh, curves, CGAL::Flip_geodesics::IO::Tubes(radius, number_of_sides));
+      else
+        write(out, mesh, curves);
+    });
     m_file.close();
   }
 
@@ -57,21 +78,32 @@ private:
     return extension(name);
   }
 
-  template <class Polylines>
-  void write(std::ostream& out, const Mesh& mesh, const Polylines& curves) const
+  static constexpr int number_of_sides = 8;
+
+  // Viewers draw lines one pixel wide or not at all, so curves are tubes: four pixels wide where the mesh fills a
+  // thousand. Files stay small: a tube takes nine times the numbers of a line.
+  static double automatic_radius(const Mesh& mesh, const Scene& scene)
+  {
+    constexpr std::size_t most_points = 100000;
+    std::size_t points = 0;
+    for(const Scene_curve& curve : scene.curves)
+      points += curve.points.size();
+    return points <= most_points ? 0.002 * size_of(mesh) : 0;
+  }
+
+  template <class... Parts>
+  void write(std::ostream& out, const Parts&... parts) const
   {
     namespace IO = CGAL::Flip_geodesics::IO;
     const auto as_text = CGAL::parameters::use_binary_mode(false);
     if(m_format == "obj")
-      IO::write_OBJ(out, mesh, curves);
+      IO::write_OBJ(out, parts...);
     else if(m_format == "ply")
-      IO::write_PLY(out, mesh, curves, as_text);
+      IO::write_PLY(out, parts..., as_text);
     else if(m_format == "vtp")
-      IO::write_VTP(out, mesh, curves, as_text);
-    else if(m_format == "glb")
-      IO::write_GLB(out, mesh, curves);
+      IO::write_VTP(out, parts..., as_text);
     else
-      write_polylines(out, curves);
+      IO::write_GLB(out, parts...);
   }
 
   // The polylines alone, as CGAL's demo reads them: a line each, the number of points and the points.
@@ -90,6 +122,7 @@ private:
 
   std::string m_format;
   Output_file m_file;
+  std::optional<double> m_tubes;
 };
 
 } // namespace program

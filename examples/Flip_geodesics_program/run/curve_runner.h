@@ -29,6 +29,7 @@
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -126,10 +127,13 @@ private:
     std::vector<Curve_result> results;
     for(const Curve_request& curve : request.curves)
       results.push_back(make_result(curve));
-    if(may_have_free_legs(request) && m_most_recorded_points == 0)
+    if(may_have_free_legs(request))
       run_free_legs(request.curves.front(), results.front());
     else
       run_network(request, results);
+    if(m_most_recorded_points > 0 && !m_options.meshes.refine &&
+       (may_have_free_legs(request) || is_straightened(request)))
+      record_flips_alone(request, results);
     return results;
   }
 
@@ -215,7 +219,8 @@ private:
     m_tree_results.clear();
   }
 
-  void build(Network& network, const Network_request& request, std::vector<Curve_result>& results)
+  void build(Network& network, const Network_request& request, std::vector<Curve_result>& results,
+             bool by_flips_alone = false)
   {
     for(std::size_t c = 0; c < request.curves.size(); ++c) {
       const Stopwatch stopwatch;
@@ -234,7 +239,7 @@ private:
       const std::vector<Halfedge_index> halfedges = initial_halfedges(request.curves[c]);
       results[c].search_s = stopwatch.seconds();
       results[c].initial_segments = halfedges.size();
-      if(is_straightened(request)) {
+      if(is_straightened(request) && !by_flips_alone) {
         m_progress.enter("straightening");
         results[c].flips = add_straightened_path(network, halfedges, m_options.most_memory);
         m_progress.add_flips(results[c].flips);
@@ -249,11 +254,11 @@ private:
       order_overlapping_curves(network);
   }
 
-  // Is there one curve, of which only the ends are given, and nobody to see how it is pulled tight?
+  // Is there one curve, of which only the ends are given?
   bool is_straightened(const Network_request& request) const
   {
     return request.curves.size() == 1 && request.curves.front().is_pair && request.fixed_vertices.empty() &&
-           !m_options.stop_length && m_most_recorded_points == 0;
+           !m_options.stop_length;
   }
 
   void run_network(const Network_request& request, std::vector<Curve_result>& results)
@@ -264,20 +269,8 @@ private:
       grow(network, *request.tree_source, results);
       certify(network, results);
     } else {
-      try {
-        build(network, request, results);
-      } catch(const CGAL::Flip_geodesics::Crossing_curves_error&) {
-        if(!may_have_free_legs(request))
-          throw;
-        network.clear();
-        m_triangulation.rollback();
-        results.assign(1, make_result(request.curves.front()));
-        return run_free_legs(request.curves.front(), results.front()); // the page has no triangulation to show then
-      }
-      if(request.curves.front().spline)
-        subdivide(network, request.curves.front(), results.front());
-      else
-        shorten(network, results, recorder);
+      build(network, request, results);
+      tighten(network, request, results, recorder);
     }
     extract(network, results);
     m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
@@ -285,6 +278,33 @@ private:
     if(m_options.meshes.has_files())
       m_progress.enter("making meshes of the curves");
     m_meshes = result_meshes(m_options.meshes, m_mesh, network);
+    network.clear();
+    m_triangulation.rollback();
+  }
+
+  void tighten(Network& network, const Network_request& request, std::vector<Curve_result>& results, Recorder& recorder)
+  {
+    if(request.curves.front().spline)
+      subdivide(network, request.curves.front(), results.front());
+    else
+      shorten(network, results, recorder);
+  }
+
+  // Records how flips alone would pull the curve tight that is known by now: unless they lead to another one, or the legs
+  // of the curve cross. Results stay as they are, so that they are the same with and without a page.
+  void record_flips_alone(const Network_request& request, const std::vector<Curve_result>& results)
+  {
+    std::vector<Curve_result> others = {make_result(request.curves.front())};
+    Network network(m_triangulation);
+    Recorder recorder;
+    try {
+      build(network, request, others, true);
+      tighten(network, request, others, recorder);
+      const double length = results.front().length;
+      if(std::abs(others.front().length - length) <= 1e-9 * length)
+        record(network, recorder);
+    } catch(const CGAL::Flip_geodesics::Error&) { // what is known stays
+    }
     network.clear();
     m_triangulation.rollback();
   }
@@ -302,7 +322,7 @@ private:
     const Stopwatch stopwatch;
     FG::Free_legs path;
     if(request.spline) {
-      m_progress.enter("subdividing", "rounds");
+      m_progress.enter("subdividing", "rounds", static_cast<std::size_t>(m_options.rounds));
       FG::Free_geodesic_spline<Triangulation> spline(m_triangulation, request.points, *request.spline);
       for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
         spline.refine();
@@ -378,6 +398,7 @@ private:
       shortest = FG::make_shortest(tree);
       m_progress.add_flips(shortest.flips);
     }
+    m_progress.enter("mapping vertices");
     m_map = FG::logarithmic_map(tree);
     m_tree_results = describe_tree(*m_map, source, report.flips + shortest.flips);
     if(m_options.is_shortest)
@@ -389,7 +410,10 @@ private:
     common.status = to_string(shortest.status);
     common.initial_segments = 1;
     common.shorten_s = stopwatch.seconds();
-    for(Vertex_index v(0); v.idx() < m_triangulation.number_of_vertices(); ++v) {
+    const auto number_of_vertices = m_triangulation.number_of_vertices();
+    m_progress.enter("taking curves from the tree", "vertices", static_cast<std::size_t>(number_of_vertices));
+    for(Vertex_index v(0); v.idx() < number_of_vertices; ++v) {
+      m_progress.add_steps(1);
       const Halfedge_index h = tree.incoming(v);
       if(!h.is_valid())
         continue;
@@ -434,6 +458,8 @@ private:
     const FG::Shortening_report report = m_options.stop_length ? FG::shorten(network, length_limit(), visitor)
                                                                : FG::shorten(network, memory_limit(), visitor);
     const double seconds = stopwatch.seconds();
+    if(!m_options.are_zero_edges_refused && FG::are_curves_folded(m_triangulation, report))
+      throw FG::Degenerate_face_error("faces without area fold vertices onto one place", {});
     for(std::size_t c = 0; c < results.size(); ++c) {
       const std::size_t flips_before = results[c].flips;
       note(report, report.curves[c], results[c]);
@@ -459,7 +485,7 @@ private:
   {
     namespace FG = CGAL::Flip_geodesics;
     const Stopwatch stopwatch;
-    m_progress.enter("subdividing", "rounds");
+    m_progress.enter("subdividing", "rounds", static_cast<std::size_t>(m_options.rounds));
     const Curve_index curve(0);
     auto spline = *request.spline == FG::Spline_kind::BEZIER
                       ? FG::Geodesic_spline<Network>(network, curve)
@@ -488,7 +514,7 @@ private:
 
   void extract(Network& network, std::vector<Curve_result>& results)
   {
-    m_progress.enter("reading curves off", "curves");
+    m_progress.enter("reading curves off", "curves", results.size());
     CGAL::Flip_geodesics::Curve_extractor<Network> extractor(network);
     for(std::size_t c = 0; c < results.size(); ++c) {
       const Stopwatch stopwatch;

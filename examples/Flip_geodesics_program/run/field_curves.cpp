@@ -10,8 +10,6 @@
 #include <CGAL/Flip_geodesics/surface_points.h>
 #include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 
-#include <CGAL/Bbox_3.h>
-
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <cmath>
@@ -32,10 +30,7 @@ using Polyline = FG::Located_polyline<Mesh>;
 // time and memory than anyone has.
 double usable_tolerance(const Mesh& mesh, double wanted)
 {
-  CGAL::Bbox_3 box;
-  for(const auto v : mesh.vertices())
-    box += mesh.point(v).bbox();
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  const double diagonal = size_of(mesh);
   if(wanted > 0 && wanted < 1e-6 * diagonal) {
     std::ostringstream message;
     message << "--tolerance " << wanted << " is less than a millionth of the size of the mesh; give at least "

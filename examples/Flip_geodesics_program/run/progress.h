@@ -32,9 +32,11 @@ public:
 
   /// Something else begins. \param name, steps a literal; the latter what `add_steps()` counts, null if it is not
   /// called
-  void enter(const char* name, const char* steps = nullptr)
+  /// \param expected how many of them there will be, 0 if nobody knows
+  void enter(const char* name, const char* steps = nullptr, std::size_t expected = 0)
   {
     m_steps.store(0, std::memory_order_relaxed);
+    m_expected_steps.store(expected, std::memory_order_relaxed);
     m_name_of_steps.store(steps, std::memory_order_relaxed);
     m_phase.store(name, std::memory_order_relaxed);
   }
@@ -44,7 +46,7 @@ public:
   void add_flips(std::size_t count) { m_flips.fetch_add(count, std::memory_order_relaxed); }
   void add_steps(std::size_t count) { m_steps.fetch_add(count, std::memory_order_relaxed); }
 
-  /// A line for people, as `reading the mesh, 2 s` or `shortening, 131 steps, 7 of 20 curves, 94413 flips, 4 s`.
+  /// A line for people, as `reading the mesh, 2 s` or `reading curves off, 131 of 500 curves, 94413 flips, 4 s`.
   std::string line() const
   {
     const auto figure = [](const std::atomic<std::size_t>& count) {
@@ -52,7 +54,7 @@ public:
     };
     std::string text = m_phase.load(std::memory_order_relaxed);
     if(const char* const name = m_name_of_steps.load(std::memory_order_relaxed))
-      text += ", " + figure(m_steps) + ' ' + name;
+      text += ", " + figure(m_steps) + (m_expected_steps > 0 ? " of " + figure(m_expected_steps) : "") + ' ' + name;
     if(m_expected_curves.load(std::memory_order_relaxed) > 0)
       text += ", " + figure(m_curves) + " of " + figure(m_expected_curves) + " curves";
     if(m_flips.load(std::memory_order_relaxed) > 0)
@@ -63,7 +65,7 @@ public:
 private:
   Stopwatch m_stopwatch;
   std::atomic<const char*> m_phase = "starting", m_name_of_steps = nullptr;
-  std::atomic<std::size_t> m_steps = 0, m_expected_curves = 0, m_curves = 0, m_flips = 0;
+  std::atomic<std::size_t> m_steps = 0, m_expected_steps = 0, m_expected_curves = 0, m_curves = 0, m_flips = 0;
 };
 
 /// Passes flips and steps on to the progress, some at a time.

@@ -21,16 +21,16 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsTraits
  *
- * The model of `IntrinsicTriangulationTraits` whose every decision is the sign of the exact real number that the input
- * defines, its coordinates or edge lengths taken as the doubles they are.
+ * The model of `IntrinsicTriangulationTraits` that decides exactly: each decision is the sign of a real number that the
+ * input defines. Coordinates and edge lengths are taken as the doubles that they are.
  *
  * Halfedges store the vectors of `Intrinsic_triangulation_traits` and a bound of their relative error. A sign that lies
  * within the bound is left to the triangulation, which unfolds the input faces. It does so in double with an a-priori
  * bound, and by exact predicates of points where the faces lie in one plane. Then it takes 50 digits and a bound, and
  * at last exact arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
  *
- * A zero among more than 12 independent roots for which no proof is found is taken for one by its residue modulo a
- * random prime, and counted in `Decision_statistics::unproven_zeros`: `certify()` says `PROBABLE`.
+ * Among more than 12 independent roots a zero can be left without a proof. It is then taken for one by its residue
+ * modulo a random prime, and counted in `Decision_statistics::unproven_zeros`. `certify()` says `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double
  *

@@ -44,10 +44,10 @@ struct Move_report
  * and pulled taut like a string, and proven a geodesic in the manner of `certify()`, whatever the traits. Only where that
  * fails, edges are flipped, as by `shorten()`, and flipped back.
  *
- * What a leg is depends on its ends and on the edges that it crosses, bit for bit, not on the moves that led to it.
- * Where a class has one geodesic, as on surfaces whose vertices have \f$2\pi\f$ or more, it does not depend on moves at
- * all but through the class. On others a class can have several geodesics, and a leg stays with the one it is pulled
- * to.
+ * A leg depends on its ends and on the edges that it crosses, bit for bit. It does not depend on the moves that led to
+ * it. Where a class has one geodesic, as on surfaces whose vertices have \f$2\pi\f$ or more, it does not depend on
+ * moves at all but through the class. On others a class can have several geodesics, and a leg stays with the one it is
+ * pulled to.
  *
  * The invariant: each leg starts where the one before ends, and is a geodesic if `verdict()` says so; the triangulation
  * is as it was.
@@ -138,9 +138,9 @@ public:
   /// @{
 
   /*!
-   * Moves a point. The way there is a straight line where both places lie in one face, and else a short path of edges
-   * between vertices of their faces. So the points of a pen give the class of the pen's way, if they lie closer than
-   * what it goes round.
+   * Moves a point. Where both places lie in one face, the way there is a straight line. Else it is a short path of
+   * edges between vertices of their faces. So the points of a pen give the class of the pen's way, if they lie closer
+   * than what it goes round.
    *
    * If anything is thrown, nothing has changed.
    *

@@ -53,8 +53,8 @@ struct Curve_point : Curve_place<TriangleMesh>
 /*!
  * \ingroup PkgFlipGeodesicsExtraction
  *
- * A surface point as a `CGAL::Polygon_mesh_processing::Face_location`, a pair of a face and barycentric coordinates,
- * which belong to the source, target and third vertex of `halfedge(face, mesh)`.
+ * A surface point as a `CGAL::Polygon_mesh_processing::Face_location`: a pair of a face and barycentric coordinates.
+ * They belong to the source, target and third vertex of `halfedge(face, mesh)`.
  */
 template <class Triangulation>
 auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,

@@ -14,7 +14,7 @@ struct Decision_statistics
 {
   std::size_t by_memory = 0;      ///< as before: of an angle between the same two edges; counted nowhere else
   std::size_t by_strip = 0;       ///< by vectors of doubles, or of pairs of doubles, with an error bound
-  std::size_t by_plane = 0;       ///< by exact predicates of points: all faces lie in one plane, or in two with right angles
+  std::size_t by_plane = 0;       ///< by points: all faces lie in one plane, or bend along parallel edges only
   std::size_t by_precision = 0;   ///< by numbers of 50 digits, or as many as it takes, with an error bound
   std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the faces' areas
   std::size_t zeros_by_plane = 0; ///< of `by_plane`: exactly straight

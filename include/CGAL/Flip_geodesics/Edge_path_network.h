@@ -334,7 +334,7 @@ public:
   /// @{
 
   /*!
-   * Moves a joint over its wedge: replaces its two segments by segments along `arc`, which leads from the head of the
+   * Moves a joint over its wedge: replaces its two segments by segments along `arc`. The arc leads from the head of the
    * joint's first end to that of its second, with the wedge on its right. The new segments are outermost on that side.
    * An empty arc cancels a joint that turns back.
    *
@@ -349,8 +349,8 @@ public:
   }
 
   /*!
-   * Replaces the one segment of a loop by two, along the other two edges of the face on the left of `h`, the segment's
-   * halfedge or its twin [SC20, Appendix B].
+   * Replaces the one segment of a loop by two [SC20, Appendix B]. They run along the other two edges of the face on the
+   * left of `h`, the segment's halfedge or its twin.
    * \return the new segment that arrives at the old node
    */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }

@@ -13,7 +13,7 @@ namespace Flip_geodesics {
  *
  * What the log of an `Intrinsic_triangulation` keeps of a flip: enough to take it back, and to derive the crossings of
  * the new edge. Where `hp` is `null_index`, nothing was flipped: either the face of `h` was laid out afresh, `tn` is
- * `null_index` as well, and the first three vectors are the old ones; or a point was inserted, and `rotation` is the
+ * `null_index` as well, and the first three vectors are the old ones; or a point was inserted, and `number` is the
  * number of the insertion.
  *
  * \tparam Halfedge_geometry that of the triangulation
@@ -26,7 +26,7 @@ struct Flip_record
   Halfedge_index tn;        ///< i->l
   Index version_hp;         ///< the version of `hp` at the time
   Index version_tn;         ///< the version of `tn` at the time
-  Index rotation;           ///< how many input edges a turn about i from ik to il crosses
+  Index number;             ///< of input edges that the new edge crosses; -1 if it lies along one
   Index old_version;        ///< of the edge, before
   Index old_crossings;      ///< one more than the number of input edges that the edge crossed before
   Halfedge_geometry old_h;  ///< what `h` stored before

@@ -29,14 +29,14 @@ enum class Spline_kind {
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * A chain of geodesic B&eacute;zier curves as polylines on the surface, by de Casteljau's algorithm with geodesics for
- * straight lines, as `Geodesic_spline` [SC20, section 6.2].
+ * A chain of geodesic B&eacute;zier curves as polylines on the surface. They are made by de Casteljau's algorithm with
+ * geodesics for straight lines, as by `Geodesic_spline` [SC20, section 6.2].
  *
  * Each leg of a control polygon is a geodesic by itself, in a triangulation that is put back for the next one. So legs
  * may cross, and pass over control points and over one another: the control polygon may cross itself. A leg of the next
- * level runs from the middle of a leg over the control point to the middle of the next, and is pulled straight from
- * there: the curve stays in the homotopy class of the polygon. There is no triangulation that the curve is a part of;
- * for that, draw the pieces with `draw_polyline()`, or use `Geodesic_spline`.
+ * level runs from the middle of a leg over the control point to the middle of the next. From there it is pulled
+ * straight: the curve stays in the homotopy class of the polygon. There is no triangulation that the curve is a part
+ * of; for that, draw the pieces with `draw_polyline()`, or use `Geodesic_spline`.
  *
  * The invariant: each leg is a geodesic that starts where the one before ends; the triangulation is as it was.
  *

@@ -214,7 +214,8 @@ public:
   std::size_t number_of_sources() const { return m_number_of_sources; }
 
   /*!
-   * Computes the field as far as the limits ask for. It can be called again, with other limits, to go on.
+   * Computes the field as far as the limits ask for. It can be called again, with other limits, to go on; after it has
+   * thrown, too: what was known still is.
    *
    * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked; the results are the same
    *

@@ -63,9 +63,9 @@ public:
   }
 
   /*!
-   * Makes the curve the control polygon of a uniform cubic B-spline: divides each leg into thirds, and the lines that
-   * cut the corners off at their middles, where the cubic pieces then meet [Farin, Curves and Surfaces for CAGD]. An
-   * open spline starts and ends at the ends of the polygon; a closed one passes no control point.
+   * Makes the curve the control polygon of a uniform cubic B-spline [Farin, Curves and Surfaces for CAGD]. It divides
+   * each leg into thirds, and cuts the corners off by lines. The cubic pieces meet at the middles of these. An open
+   * spline starts and ends at the ends of the polygon; a closed one passes no control point.
    *
    * \pre the network is valid; a closed curve has at least three fixed nodes
    * \throws as `shorten()` and `refine()`
@@ -259,8 +259,9 @@ private:
   void check_exactly()
   {
     for(Curve_report& curve : m_report.curves)
-      if(curve.status == Shortening_status::LOCALLY_SHORTEST && !Triangulation::Traits::Has_drift::value &&
-         !is_locally_shortest(curve.verdict))
+      if(curve.status == Shortening_status::FLAT_FACES ||
+         (curve.status == Shortening_status::LOCALLY_SHORTEST && !Triangulation::Traits::Has_drift::value &&
+          !is_locally_shortest(curve.verdict)))
         curve.status = Shortening_status::PRECISION_LIMIT;
   }
 

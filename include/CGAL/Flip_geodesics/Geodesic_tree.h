@@ -54,8 +54,8 @@ struct Geodesic_tree_report
  * The paths are locally shortest, and most are shortest; `make_shortest()` replaces the others.
  * They do not cross.
  *
- * The invariant, once grown: the distance of a reached vertex is that of its parent and the length of the edge between
- * them, and no edge between reached vertices offers a shorter way (`is_valid()`).
+ * The invariant, once grown: the distance of a reached vertex is that of its parent plus the length of the edge between
+ * them. No edge between reached vertices offers a shorter way (`is_valid()`).
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulation`; a network in it must be empty while the tree is grown
  */
@@ -166,8 +166,8 @@ public:
   };
 
   /*!
-   * Replaces paths by others, as `make_shortest()` does. The tree grows again from what it has, to what was taken off
-   * and not hung up, and to what new edges are shorter ways to.
+   * Replaces paths by others, as `make_shortest()` does. The tree grows again from what it has: to what was taken off
+   * and not hung up, and to what new edges lead to by shorter ways.
    *
    * \param function is called with a `Grafts&`. It may flip edges that the tree does not have then
    * \pre `grow()` was not stopped

@@ -23,8 +23,8 @@ namespace Flip_geodesics {
  * linear in each face for each source, and the least of these.
  *
  * Distances on a surface are not linear in faces, so this is as good as the faces are small, and best far from the
- * sources. In faces with obtuse angles its slope may be larger than one. Then the bounds of `isolines()` need not hold,
- * but what a sign at vertices shows is found, and curves are closed or end on the border.
+ * sources. In faces with obtuse angles its slope may be larger than one. Then the bounds of `isolines()` need not hold.
+ * What a sign at vertices shows is still found, and curves are closed or end on the border.
  *
  * \cgalModels{GeodesicDistanceField}
  *

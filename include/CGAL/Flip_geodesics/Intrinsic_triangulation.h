@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/metric/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/internal/metric/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/store/Flip_log.h>
@@ -51,7 +52,8 @@ using Default_metric =
 /// What a triangulation makes of edges of length zero.
 enum class Zero_length_edges {
   REFUSE,  ///< a face with such an edge throws `Degenerate_face_error` when it is touched
-  CONTRACT ///< vertices that such edges join are one vertex, and faces with such an edge are gone
+  CONTRACT ///< vertices that such edges join, or that faces without area fold onto one place, are one vertex, and faces
+           ///< with such an edge and folded faces are gone
 };
 
 /*!
@@ -66,9 +68,9 @@ enum class Zero_length_edges {
  * the first flip they are the input's. Points of the surface can be inserted as further vertices, with the next
  * indices.
  *
- * Faces of the input are copied when they are first touched, so that construction takes constant time over a
- * `Surface_mesh`, and \f$O(n \log n)\f$ over other meshes, whose elements are numbered first. The mesh and its points
- * must outlive the triangulation, unchanged.
+ * Faces of the input are copied when they are first touched. So construction takes constant time over a `Surface_mesh`,
+ * and \f$O(n \log n)\f$ over other meshes, whose elements are numbered first. The mesh and its points must outlive the
+ * triangulation, unchanged.
  *
  * The invariant: the vectors of a face close, the two sides of an edge have one length, and the crossing numbers of the
  * edges are those of the input edges (`is_valid()`).
@@ -407,7 +409,7 @@ private:
     Input_mesh input(mesh);
     if(zero_length_edges == Zero_length_edges::REFUSE)
       return input;
-    return input.contracted([&](Input_halfedge_index h) { return metric.weight(input, h); });
+    return input.contracted(internal::Contracted_metric<Metric>{metric, input});
   }
 
   // Of a wedge that the traits leave open.

@@ -80,8 +80,8 @@ public:
 
   /// @}
   /// \name Connectivity
-  /// Constant time; the face on the left of a halfedge is copied from the input at the first touch, and then a face
-  /// that is no triangle, degenerate or not finite throws `Invalid_mesh_error`, `Degenerate_face_error` or
+  /// Constant time. The face on the left of a halfedge is copied from the input at the first touch. Then a face that is
+  /// no triangle, degenerate or not finite throws `Invalid_mesh_error`, `Degenerate_face_error` or
   /// `Invalid_coordinate_error`.
   /// @{
 

@@ -97,18 +97,13 @@ public:
   /// flipped. The loops of one component, as open curves with fixed ends, do not cross each other.
   std::vector<Halfedge_index> loop(Index i) const
   {
-    const auto [out, back] = legs(i);
-    return joined(out, back, 0);
+    return m_forest.loop(m_triangulation->input(), generator(i).halfedge);
   }
 
   /// The same loop without what it goes out and back: a closed curve that passes no vertex twice.
   std::vector<Halfedge_index> cycle(Index i) const
   {
-    const auto [out, back] = legs(i);
-    std::size_t common = 0;
-    while(common < out.size() && common < back.size() && out[common] == back[common])
-      ++common;
-    return joined(out, back, common);
+    return m_forest.cycle(m_triangulation->input(), generator(i).halfedge);
   }
 
   /// The length of `loop(i)`. The loops of a component are ordered by it.
@@ -227,26 +222,6 @@ private:
   {
     CGAL_precondition(i >= 0 && i < number_of_loops());
     return m_cotree.generators()[static_cast<std::size_t>(i)];
-  }
-
-  // The path to the generator and over it, and the path to its other end.
-  std::pair<Halfedges, Halfedges> legs(Index i) const
-  {
-    const auto& input = m_triangulation->input();
-    const Input_halfedge_index h = generator(i).halfedge;
-    std::pair<Halfedges, Halfedges> result = {m_forest.path(input, input.tail(h)),
-                                              m_forest.path(input, input.tail(internal::twin_index(h)))};
-    result.first.push_back(internal::as_intrinsic(h));
-    return result;
-  }
-
-  // Both from a position on, the second one backwards.
-  static Halfedges joined(const Halfedges& out, const Halfedges& back, std::size_t first)
-  {
-    Halfedges result(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
-    for(std::size_t i = back.size(); i-- > first;)
-      result.push_back(internal::twin_index(back[i]));
-    return result;
   }
 
   template <class HalfedgeRange>

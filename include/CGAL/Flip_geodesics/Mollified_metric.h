@@ -36,9 +36,9 @@ struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
  *
- * Another metric with one small length added to every edge, so much that each face satisfies the triangle inequality
- * with a margin [Sharp, Crane, A Laplacian for Nonmanifold Triangle Meshes, section 4.5]. It makes meshes with edges of
- * length zero and faces without area usable, at the price of a slightly different surface: an explicit choice.
+ * Another metric with one small length added to every edge [Sharp, Crane, A Laplacian for Nonmanifold Triangle Meshes,
+ * section 4.5]. It is so large that each face satisfies the triangle inequality with a margin. It makes meshes with
+ * edges of length zero and faces without area usable, at the price of a slightly different surface: an explicit choice.
  *
  * Curves are geodesics of the changed surface. They are still read off on the mesh's own points, if it has any.
  *

@@ -14,8 +14,8 @@ namespace Flip_geodesics {
  * A mesh seen by consecutive numbers: what a triangulation has as its input, and what metrics are asked about. It is a
  * class, and no concept, since a metric and all triangulations with it must mean the same elements by the same numbers.
  *
- * Made from a mesh, which must outlive it; copyable. Vertices have the numbers of their order in `vertices(mesh)`, and
- * the two halfedges of the edge with number `e` in `edges(mesh)` have `2e` and `2e+1`. All members are const:
+ * Made from a mesh, which must outlive it; copyable. Vertices have the numbers of their order in `vertices(mesh)`. The
+ * two halfedges of the edge with number `e` in `edges(mesh)` have `2e` and `2e+1`. All members are const:
  *
  * | Member | |
  * |---|---|

@@ -102,8 +102,8 @@ public:
   /// A curve's length, as above.
   double length(Curve_index curve) const { return m_state.curves[curve].length; }
 
-  /// What has become of the curves so far, measured afresh from the input if the triangulation corresponds with one, and
-  /// certified if the traits decide exactly. Linear in the network and in the input edges that it crosses.
+  /// What has become of the curves so far. It is measured afresh from the input if the triangulation corresponds with
+  /// one, and certified if the traits decide exactly. Linear in the network and in the input edges that it crosses.
   Shortening_report report() const
   {
     Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Certificate_verdict::NOT_CERTIFIED);
@@ -112,13 +112,14 @@ public:
     report.flips = m_state.flips;
     report.flip_outs = m_state.steps;
     for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
-      report.curves.push_back({status(c, straightness[c]), m_network.initial_length(c), m_network.length(c),
-                               straightness[c].smallest_angle, m_state.curves[c].flips, verdicts[c]});
+      report.curves.push_back({status(c, straightness[c], verdicts[c]), m_network.initial_length(c),
+                               m_network.length(c), straightness[c].smallest_angle, m_state.curves[c].flips,
+                               verdicts[c]});
     return report;
   }
 
 private:
-  Shortening_status status(Curve_index curve, const Straightness& straightness) const
+  Shortening_status status(Curve_index curve, const Straightness& straightness, Certificate_verdict verdict) const
   {
     const Shortening_status status = m_state.curves[curve].status;
     if(status != Shortening_status::LOCALLY_SHORTEST)
@@ -127,6 +128,8 @@ private:
       return m_end;
     if(Traits::Has_drift::value && !(straightness.is_locally_shortest() && std::isfinite(m_network.length(curve))))
       return Shortening_status::PRECISION_LIMIT;
+    if(verdict == Certificate_verdict::BENT_SEGMENT || verdict == Certificate_verdict::BENT_JOINT)
+      return Shortening_status::FLAT_FACES;
     return status;
   }
 

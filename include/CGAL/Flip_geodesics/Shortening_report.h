@@ -22,7 +22,9 @@ enum class Shortening_status {
   ITERATION_LIMIT,    ///< the allowed number of steps, or the time, was used up
   MEMORY_LIMIT,       ///< a further step would have made the records of flips larger than allowed
   STOPPED_BY_VISITOR, ///< the visitor's `go_further()` said no
-  PRECISION_LIMIT     ///< the traits' arithmetic could not tell whether the curve is locally shortest
+  PRECISION_LIMIT,    ///< the traits' arithmetic could not tell whether the curve is locally shortest
+  FLAT_FACES          ///< each angle is \f$\pi\f$ at least, but faces without area lie along the curve, and seen from
+                      ///< beyond them it is bent
 };
 
 /// The name of a status, as the enumerator is spelled.
@@ -45,6 +47,8 @@ inline const char* to_string(Shortening_status status)
     return "STOPPED_BY_VISITOR";
   case Shortening_status::PRECISION_LIMIT:
     return "PRECISION_LIMIT";
+  case Shortening_status::FLAT_FACES:
+    return "FLAT_FACES";
   }
   return "";
 }
@@ -62,7 +66,8 @@ struct Curve_report
   /// Is it proven from the input to be locally shortest, as `certify()` does it? `NOT_CERTIFIED` with traits of which
   /// `Has_drift` is `CGAL::Tag_true`.
   Certificate_verdict verdict = Certificate_verdict::NOT_CERTIFIED;
-  /// Did it meet an edge of length zero, so that such edges were contracted? Set by the one-call functions.
+  /// Did it meet an edge of length zero, or folded faces, so that such edges were contracted? Set by the one-call
+  /// functions.
   bool are_zero_edges_contracted = false;
 };
 

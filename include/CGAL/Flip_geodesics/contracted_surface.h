@@ -8,8 +8,10 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/input/Contraction.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/metric/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -40,6 +42,23 @@ Input_halfedge_index uncontracted_halfedge_between(const Input_mesh& contracted,
   return null_index;
 }
 
+/* Adds what is left of a halfedge of the mesh to a chain. Returns whether the chain hangs together. */
+template <class Input_mesh>
+bool add_contracted_halfedge(const Input_mesh& contracted, Input_halfedge_index h, std::vector<Halfedge_index>& chain)
+{
+  const Input_halfedge_index left = contracted.contracted_halfedge(h);
+  if(left == Contraction::is_point)
+    return true;
+  if(left == Contraction::is_fold)
+    return add_contracted_halfedge(contracted, contracted.fold(h).first, chain) &&
+           add_contracted_halfedge(contracted, contracted.fold(h).second, chain);
+  if(left == Contraction::is_hair ||
+     (!chain.empty() && contracted.tail(left) != contracted.tail(twin_index(as_input(chain.back())))))
+    return false;
+  chain.push_back(as_intrinsic(left));
+  return true;
+}
+
 /* What is left of a curve of edges. */
 template <class Input_mesh>
 std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contracted,
@@ -55,13 +74,8 @@ std::vector<Halfedge_index> contracted_halfedges_through(const Input_mesh& contr
           "a curve is not connected: no edge joins vertex " + std::to_string(vertices[i].idx()) + " and vertex " +
               std::to_string(vertices[i + 1].idx()),
           {static_cast<std::size_t>(vertices[i].idx()), static_cast<std::size_t>(vertices[i + 1].idx())});
-    const Input_halfedge_index left = contracted.contracted_halfedge(h);
-    if(left == Contraction::is_point)
-      continue;
-    if(left == Contraction::is_hair ||
-       (!result.empty() && contracted.tail(left) != contracted.tail(twin_index(as_input(result.back())))))
+    if(!add_contracted_halfedge(contracted, h, result))
       throw_no_surface_left(vertices[i]);
-    result.push_back(as_intrinsic(left));
   }
   if(is_closed && !result.empty() &&
      contracted.tail(as_input(result.front())) != contracted.tail(twin_index(as_input(result.back()))))
@@ -90,15 +104,21 @@ Surface_location contracted_edge_location(const Input_mesh& contracted, Input_ha
     return contracted_vertex_location(contracted, v);
   if(left == Contraction::is_hair)
     throw_no_surface_left(v);
-  return {left, {{at_tail, at_head, 0}}};
+  if(left != Contraction::is_fold)
+    return {left, {{at_tail, at_head, 0}}};
+  const Contraction::Fold& fold = contracted.fold(h);
+  const double way = at_head / (at_tail + at_head); // from the tail
+  if(way < fold.share)
+    return contracted_edge_location(contracted, fold.first, fold.share - way, way);
+  return contracted_edge_location(contracted, fold.second, 1 - way, way - fold.share);
 }
 
-/* Says of all curves whether edges of length zero were contracted for them. */
-template <class Triangulation>
-void note_contraction(const Triangulation& triangulation, Shortening_report& report)
+/* Is the face of h one of two that lie folded, with h between them? */
+template <class Input_mesh>
+bool is_folded_along(const Input_mesh& contracted, Input_halfedge_index h)
 {
-  for(Curve_report& curve : report.curves)
-    curve.are_zero_edges_contracted = triangulation.input().is_contracted();
+  return contracted.contracted_halfedge(h) == Contraction::is_fold &&
+         contracted.fold(h).first == twin_index(contracted.uncontracted().previous(h));
 }
 
 } // namespace internal
@@ -177,9 +197,52 @@ Surface_location location_on_surface(const Triangulation& triangulation, const S
     if(contracted.contracted_halfedge(at.halfedge) == internal::Contraction::is_point) // the tail and the head are one
       return internal::contracted_edge_location(contracted, input.next(at.halfedge), at.weights[0] + at.weights[1],
                                                 at.weights[2]);
+  for(int i = 0; i < 3; ++i, at = internal::rotated(input, at))
+    if(internal::is_folded_along(contracted, at.halfedge)) {
+      const double share = contracted.fold(at.halfedge).share;
+      return internal::contracted_edge_location(contracted, at.halfedge, at.weights[0] + (1 - share) * at.weights[2],
+                                                at.weights[1] + share * at.weights[2]);
+    }
   at.halfedge = contracted.contracted_halfedge(at.halfedge);
   return at;
 }
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Could curves be pulled tighter on the surface that is left by `Zero_length_edges::CONTRACT`? They could if faces
+ * without area are in the way of one, and there is something to contract: edges of length zero, or vertices that such
+ * faces fold onto one place. Linear in the mesh if they are in the way, else in the curves.
+ *
+ * \param report what `shorten()` has said of curves in this triangulation
+ */
+template <class Triangulation>
+bool are_curves_folded(const Triangulation& triangulation, const Shortening_report& report)
+{
+  const auto is_hindered = [](const Curve_report& curve) {
+    return curve.status == Shortening_status::FLAT_FACES || curve.status == Shortening_status::PRECISION_LIMIT;
+  };
+  if(triangulation.input().is_contracted() || std::none_of(report.curves.begin(), report.curves.end(), is_hindered))
+    return false;
+  return triangulation.input()
+      .contracted(
+          internal::Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), triangulation.input()})
+      .is_contracted();
+}
+
+namespace internal {
+
+/* Says of all curves whether edges of length zero were contracted for them, or throws if they have to be. */
+template <class Triangulation>
+void note_contraction(const Triangulation& triangulation, Shortening_report& report)
+{
+  if(are_curves_folded(triangulation, report))
+    throw Degenerate_face_error("a curve leads through vertices that faces without area fold onto one place", {});
+  for(Curve_report& curve : report.curves)
+    curve.are_zero_edges_contracted = triangulation.input().is_contracted();
+}
+
+} // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 

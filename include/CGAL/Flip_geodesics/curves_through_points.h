@@ -71,9 +71,9 @@ struct Free_legs
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Joins each two points in a row by a shortest path along edges, and pulls it tight, each in a triangulation that is
- * put back for the next one. So legs do not hold up one another, and may
- * cross, unlike those of `add_curve_through()`; there is no triangulation that has all of them.
+ * Joins each two points in a row by a shortest path along edges, and pulls it tight. The triangulation is put back for
+ * the next one. So legs do not hold up one another, and may cross, unlike those of `add_curve_through()`; there is no
+ * triangulation that has all of them.
  *
  * \param triangulation that of the input, without flips and curves, as it is afterwards
  * \param points at least two, no two in a row in one place

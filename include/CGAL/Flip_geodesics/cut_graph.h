@@ -16,9 +16,8 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsLoops
  *
  * Adds a network along which each component of a surface is cut open to a topological disk. Where curves meet they have
- * fixed ends, so that the network can be pulled tight; `cut_along_curves()` and `Conformal_flattening` take it then.
- * Curves that were apart can come to run along the same edges when they are pulled tight. Cut along them, the component
- * falls into several disks.
+ * fixed ends, so that the network can be pulled tight, by `shorten_cut_graph()`; `cut_along_curves()` and
+ * `Conformal_flattening` take it then.
  *
  * In each component, the shortest loops that generate [EW05] make the network, as for `Loop_basis`, without ways that
  * all of them go out and back. So it is short, but not the shortest: that is NP-hard to find [EH04]. Borders are cut

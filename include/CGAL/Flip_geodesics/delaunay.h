@@ -85,9 +85,9 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * The same for all edges: the result is the intrinsic Delaunay triangulation or, if a network lives in the
- * triangulation, the intrinsic constrained Delaunay triangulation of its curves, the iCDT [SC20, section 6.3]. Throws as
- * the first overload. Complexity: linear in the mesh and the flips.
+ * The same for all edges: the result is the intrinsic Delaunay triangulation. If a network lives in the triangulation,
+ * it is the intrinsic constrained Delaunay triangulation of its curves, the iCDT [SC20, section 6.3]. Throws as the
+ * first overload. Complexity: linear in the mesh and the flips.
  */
 template <class Triangulation, class Visitor = Default_shortening_visitor>
 Delaunay_report flip_to_delaunay(Triangulation& triangulation, std::size_t maximum_flips, Visitor&& visitor = Visitor())

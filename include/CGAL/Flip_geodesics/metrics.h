@@ -32,6 +32,9 @@ namespace internal {
 /* Lengths whose squares and products of squares stay normal doubles. */
 inline bool is_usable_length(double length) { return length > 1e-70 && length < 1e70; }
 
+/* The same for searches along edges, which pass edges of length zero. */
+inline bool is_zero_or_usable_length(double length) { return length == 0 || is_usable_length(length); }
+
 /* Is a > b + c, exactly? By the rounding error of the sum, which is a double [Knuth, TwoSum]. */
 inline bool is_longer_than_sum(double a, double b, double c)
 {
@@ -52,6 +55,18 @@ inline bool is_longer_than_sum(double a, double b, double c)
   number << length;
   throw Invalid_coordinate_error(
       edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
+}
+
+/* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
+template <class Input_mesh>
+void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, double a, double b, double c)
+{
+  if(!is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b))
+    return;
+  const Index u = mesh.tail(h).idx(), v = mesh.tail(mesh.next(h)).idx(), w = mesh.tail(mesh.previous(h)).idx();
+  throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(u) + ", " +
+                                  std::to_string(v) + ", " + std::to_string(w) + " violate the triangle inequality",
+                              {static_cast<std::size_t>(u), static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
 }
 
 } // namespace internal
@@ -145,7 +160,7 @@ public:
 
   /*!
    * The sign of the sine of the wedge from the direction of one word clockwise over `steps` input corners to that of
-   * another, exactly, if the faces lie unfolded in one plane of space, or in two with a right angle in each.
+   * another, exactly, if the faces lie unfolded in one plane of space, or bend along parallel edges only.
    * `flat_edges` keeps what is found out of edges.
    * \return do they?
    */
@@ -238,14 +253,7 @@ public:
   {
     const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
     const double a = length(mesh, h), b = length(mesh, hn), c = length(mesh, hp);
-    if(internal::is_longer_than_sum(a, b, c) || internal::is_longer_than_sum(b, c, a) ||
-       internal::is_longer_than_sum(c, a, b))
-      throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(mesh.tail(h).idx()) +
-                                      ", " + std::to_string(mesh.tail(hn).idx()) + ", " +
-                                      std::to_string(mesh.tail(hp).idx()) + " violate the triangle inequality",
-                                  {static_cast<std::size_t>(mesh.tail(h).idx()),
-                                   static_cast<std::size_t>(mesh.tail(hn).idx()),
-                                   static_cast<std::size_t>(mesh.tail(hp).idx())});
+    internal::check_triangle_inequality(mesh, h, a, b, c);
     return traits.construct_face_from_lengths_object()(a, b, c);
   }
 

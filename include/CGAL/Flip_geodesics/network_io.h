@@ -100,7 +100,7 @@ Log_entry log_entry(const Triangulation& triangulation, std::size_t i)
   if(!record.is_insertion())
     return {'r', record.h, {}};
   return {'v', record.h,
-          triangulation.location(Vertex_index(triangulation.input().number_of_vertices() + record.rotation))};
+          triangulation.location(Vertex_index(triangulation.input().number_of_vertices() + record.number))};
 }
 
 /* Does again what an entry says; false if that is impossible. */

@@ -140,9 +140,9 @@ private:
  * Adds the edges between faces of different regions as a network: the boundaries of a segmentation [SC20, section 6.1].
  * The border of the mesh is no boundary of a region, but boundaries can end there.
  *
- * With fixed junctions, there is one curve between each two vertices where other than two such edges meet, and a closed
- * one where there is no such vertex, as by `add_marked_edges()`. With free junctions, each edge carries two strands,
- * one for each region, that region on the left: closed curves, and paths from border to border. Then junctions move.
+ * With fixed junctions, there is one curve between each two vertices where other than two such edges meet. Where there
+ * is no such vertex, it is closed, as by `add_marked_edges()`. With free junctions, each edge carries two strands, one
+ * for each region, that region on the left: closed curves, and paths from border to border. Then junctions move.
  * Between the curves of three regions that have met at one vertex, a gap opens, which belongs to none of them. Regions
  * still do not overlap, and every curve keeps its isotopy class among the others.
  *

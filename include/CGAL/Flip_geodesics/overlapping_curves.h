@@ -43,9 +43,9 @@ void check_crossings(const Network& network)
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Finds the order in which the curves of a network lie side by side on the edges that they share, so that no two cross,
- * nor one crosses itself. To be called after the curves were added: `add_curve()` puts them on an edge in the order in
- * which they come.
+ * Finds the order in which the curves of a network lie side by side on the edges that they share. In it no two cross,
+ * nor does one cross itself. To be called after the curves were added: `add_curve()` puts them on an edge in the order
+ * in which they come.
  *
  * Two strands that share a run of edges are ordered by where they part, at either end of it. Where a path ends, or has
  * a fixed node, the order is left open. But all such ends at a vertex, and the border, must be on one side of each
@@ -54,9 +54,9 @@ void check_crossings(const Network& network)
  * turned back an odd number of times before. So copies of a curve that does not turn back lie to its right.
  *
  * The answer depends on the connectivity only, and is exact. If there is an order, it is found. If there is none, the
- * curves cross however they lie. Two do that part on opposite sides at the ends of a run, and so does one that goes
- * around an annulus twice before it closes. Only where long paths turn back on each other again and again, and their
- * choices interlock, may the search be given up.
+ * curves cross however they lie. Two do that part on opposite sides at the ends of a run. So does one that goes around
+ * an annulus twice before it closes. Only where long paths turn back on each other again and again, and their choices
+ * interlock, may the search be given up.
  *
  * If it throws, the curves are unchanged, but the order along the edges may not be.
  *

@@ -218,8 +218,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * - Polygons of more than three corners are cut into triangles.
  * - Triangles with the corners of another one are dropped.
  * - Triangles are oriented as their neighbors, with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. In each
- *   component as many as possible stay as they are. Faces are cut apart at edges with more than two of them, at edges
- *   between orientations that cannot be made alike, and where they share a vertex only.
+ *   component as many as possible stay as they are. Faces are cut apart at edges with more than two of them, and where
+ *   they share a vertex only. They are cut apart, too, at edges between orientations that cannot be made alike.
  * - Borders in one place are stitched, with `CGAL::Polygon_mesh_processing::stitch_borders()`; coordinates are equal
  *   there, to the bit. Where more than two border edges lie in one place, two of one component are, and others are not.
  * - Triangles with collinear corners, which exact predicates tell, are removed by a flip of their longest edge, which

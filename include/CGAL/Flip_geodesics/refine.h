@@ -146,17 +146,17 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * Refines a triangulation until no angle is too small and no edge too long. It flips the triangulation to Delaunay, and
- * then inserts vertices at the circumcentres of bad faces, worst first, each followed by flips [SSC19, section 4.3].
+ * Refines a triangulation until no angle is too small and no edge too long. It flips the triangulation to Delaunay.
+ * Then it inserts vertices at the circumcentres of bad faces, worst first, each followed by flips [SSC19, section 4.3].
  * Curves and the border are constrained: where they are in the way, they are split at vertices on them, and so stay
  * geodesics, with the same length. The surface does not change.
  *
- * Faces that cannot be mended are left: *refused* where numbers are too coarse for a point, *given up* where
- * `Refinement_options::maximum_insertions` vertices are too few by far, as on a tube a million times as long as thick.
- * The latter is foreseen: a face of area A with shortest side s takes about A/s^2 vertices where all are as thin, and
- * far fewer elsewhere. The sum over all bad faces can be 16 times what is allowed, and not fall by a tenth while as
- * many faces are treated, twice in a row. Then the worst of them are given up, and with them all that have as short a
- * side. The others are mended until these sums do not fall either.
+ * Faces that cannot be mended are left. They are *refused* where numbers are too coarse for a point. They are *given
+ * up* where `Refinement_options::maximum_insertions` vertices are too few by far, as on a tube a million times as long
+ * as thick. The latter is foreseen: a face of area A with shortest side s takes about A/s^2 vertices where all are as
+ * thin, and far fewer elsewhere. It can be that the sum over all bad faces is 16 times what is allowed, and twice in a
+ * row does not fall by a tenth while as many faces are treated. Then the worst of them are given up, and with them all
+ * that have as short a side. The others are mended until these sums do not fall either.
  *
  * Some faces are exempt from the bound on angles. In one kind the smallest angle lies between two constrained edges
  * that meet under less than 60 degrees, or about a vertex whose angles sum to less. No insertion could make that angle

@@ -14,8 +14,8 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsShortening
  *
- * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class, and measures
- * the result afresh from the input. With traits of which `Has_drift` is `CGAL::Tag_true`, a curve is reported
+ * Pulls the curves of a network tight by flipping edges [SC20, Algorithm 2], each in its isotopy class. It measures the
+ * result afresh from the input. With traits of which `Has_drift` is `CGAL::Tag_true`, a curve is reported
  * `LOCALLY_SHORTEST` only if the measurement says so; `certify()` proves it exactly.
  *
  * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. A flip takes

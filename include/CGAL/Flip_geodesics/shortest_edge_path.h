@@ -30,12 +30,13 @@ namespace Flip_geodesics {
 /// How an edge path is searched.
 enum class Search_method {
   /// A path that is to be pulled tight: close to a shortest one on the surface, rather than shortest along edges. The
-  /// distance of a vertex is measured along straight lines from up to two vertices back on the path to it, and not as
-  /// less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly straight, where
-  /// shortest edge paths swerve to where the edges happen to point. `shorten()` flips several times fewer edges on
-  /// smooth meshes. The bound for the remaining way counts 1.1 times: the search does not compare ways that are all
-  /// nearly as short. A vertex that is reached again on a way that is hardly shorter keeps its turn. About a third of
-  /// the vertices are visited that `A_STAR` visits. The same as `DIJKSTRA` where the metric has no lower bound.
+  /// distance of a vertex is measured along straight lines from up to two vertices back on the path to it. It is not
+  /// taken as less than the path's length over 1.5. So paths that zigzag along a straight line count as nearly
+  /// straight, where shortest edge paths swerve to where the edges happen to point. `shorten()` flips several times
+  /// fewer edges on smooth meshes. The bound for the remaining way counts 1.1 times: the search does not compare ways
+  /// that are all nearly as short. A vertex that is reached again on a way that is hardly shorter keeps its turn. About
+  /// a third of the vertices are visited that `A_STAR` visits. The same as `DIJKSTRA` where the metric has no lower
+  /// bound.
   LOOK_BACK,
   A_STAR,  ///< a shortest edge path, towards the target by the metric's lower bound; as `DIJKSTRA` where that is zero
   DIJKSTRA ///< a shortest edge path, in all directions

@@ -203,8 +203,8 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Stops when the records of flips take more memory than a limit, which the flips of one step can pass before they are
-/// taken back. \cgalModels{FlipOutStopPredicate}
+/// Stops when the records of flips take more memory than a limit. The flips of one step can pass it before they are taken
+/// back, and what was derived for them stays. \cgalModels{FlipOutStopPredicate}
 class Memory_stop_predicate
 {
 public:

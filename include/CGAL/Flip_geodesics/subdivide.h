@@ -188,7 +188,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
  *
  * The common subdivision of the input mesh and an intrinsic triangulation: a triangle mesh in which the edges of both
  * are chains of edges, with maps back to both [SSC19, section 3.4.1], [GSC21]. What is linear in the faces of either is
- * linear in the faces of the subdivision, so that data can be carried from one to the other without loss.
+ * linear in the faces of the subdivision. So data can be carried from one to the other without loss.
  *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, of `mesh`
  * \param mesh the input mesh

@@ -35,7 +35,7 @@ namespace Flip_geodesics {
 struct Texture_report
 {
   std::size_t faces = 0; ///< how many faces have coordinates
-  std::size_t torn = 0;  ///< how many of these are laid out by themselves, since the map tears at a corner or side
+  std::size_t torn = 0;  ///< how many of these are laid out by themselves, since the map tears there or is a line
 };
 
 namespace internal {
@@ -77,7 +77,8 @@ public:
   }
 
 private:
-  static constexpr double most_stretch = 2; // of a side; curvature stretches less over one face
+  static constexpr double most_stretch = 2;  // of a side; curvature stretches less over one face
+  static constexpr double least_sine = 1e-9; // of a corner; behind a vertex at which paths bend the map is a line
 
   Vector in_plane(const Polar_coordinates& p) const
   {
@@ -90,16 +91,20 @@ private:
   // Does the map keep a face together, and its side up?
   static bool is_whole(const Corners& corners, const Corners& sides)
   {
-    Corners in_map;
-    for(std::size_t i = 0; i < 3; ++i) {
-      in_map[i] = corners[(i + 1) % 3] - corners[i];
-      if(!(std::abs(in_map[i]) <= most_stretch * std::abs(sides[i])))
+    for(std::size_t i = 0; i < 3; ++i)
+      if(!(std::abs(corners[(i + 1) % 3] - corners[i]) <= most_stretch * std::abs(sides[i])))
         return false;
-    }
-    return std::imag(std::conj(in_map[0]) * in_map[1]) > 0;
+    return is_up(corners);
   }
 
-  // Laid out from where the shortest path to its center arrives, but for corners that are near their vertices.
+  static bool is_up(const Corners& corners)
+  {
+    const Vector first = corners[1] - corners[0], second = corners[2] - corners[1];
+    return std::imag(std::conj(first) * second) > least_sine * std::abs(first) * std::abs(second);
+  }
+
+  // Laid out from where the shortest path to its center arrives. Corners that are near their vertices are put there,
+  // unless the face would turn over.
   Corners about_center(Input_halfedge_index h, const Corners& sides, const Corners& vertices) const
   {
     const Surface_location center = {h, {{1, 1, 1}}};
@@ -108,13 +113,14 @@ private:
     if(p.radius == 0 || !(p.radius < std::numeric_limits<double>::infinity()))
       return vertices;
     const Vector turn = place / p.radius * std::polar(1.0, -m_logarithm.transported(center, p.angle).angle);
-    Corners result = {place + turn * (sides[2] - sides[0]) / 3.0, place + turn * (sides[0] - sides[1]) / 3.0,
-                      place + turn * (sides[1] - sides[2]) / 3.0};
+    const Corners alone = {place + turn * (sides[2] - sides[0]) / 3.0, place + turn * (sides[0] - sides[1]) / 3.0,
+                           place + turn * (sides[1] - sides[2]) / 3.0};
+    Corners result = alone;
     const double near = (std::max)({std::abs(sides[0]), std::abs(sides[1]), std::abs(sides[2])}) / 2;
     for(std::size_t i = 0; i < 3; ++i)
       if(std::abs(result[i] - vertices[i]) <= near)
         result[i] = vertices[i];
-    return result;
+    return is_up(result) ? result : alone;
   }
 
   const Triangulation& m_triangulation;
@@ -152,9 +158,9 @@ Value picture_place(double x, double y)
  * place, which gets the middle of the picture. The picture is the unit square. Along each ray from its middle it has its
  * true size; curvature stretches or squeezes it across.
  *
- * The map tears where shortest paths arrive from two sides. A face there is laid out by itself, as the shortest path to
- * its center arrives; its corners have other coordinates than in the faces beside it. So a face is never drawn
- * across the picture.
+ * The map tears where shortest paths arrive from two sides, and is a line behind a vertex at which they bend. A face
+ * there is laid out by itself, as the shortest path to its center arrives; its corners can have other coordinates than
+ * in the faces beside it. So a face is never drawn across the picture, nor with its back up.
  *
  * \param mesh a triangle mesh
  * \param source the middle: a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space

@@ -10,27 +10,33 @@ using namespace Flip_geodesics_test;
 
 namespace {
 
-// A folding screen over a grid of 2 n columns and 2 rows, the folds at irregular distances: to the left of the middle
-// as given, from the middle on, and to the right in the same or in reverse order. It unfolds to a plane. The area of
-// each column has a root of its own; the middle point lies on the line between opposite corners.
+// Two walls, each of n panels and two rows, that meet at a fold which slants against the edges of both: what is between
+// it and the first edge of a wall belongs to neither. It unfolds to a plane. The area of each panel has a root of its own.
+// The right half is the left one turned by half a turn about the z axis, with the panels of its wall in that order, from
+// the fold on, or in the opposite one: their edges are at right angles to what moves them, so the far corners stay where
+// they are. The point in the middle lies on the line between opposite corners.
 Mesh_soup folding_screen(int n, bool is_reversed, double lift)
 {
-  std::vector<double> x(2 * n + 1, 0.0), z(2 * n + 1, 0.0);
-  for(int i = 1; i <= n; ++i) {
-    const double dx = 1 + 0.125 * i, dz = (i % 2 == 0 ? 1 : -1) * (0.5 + 0.0625 * i * i);
-    const int left = is_reversed ? n - i : i - 1; // columns from the left border
-    x[left + 1] = dx;
-    z[left + 1] = dz;
-    x[n + i] = dx;
-    z[n + i] = dz;
-  }
-  for(int i = 1; i <= 2 * n; ++i) {
-    x[i] += x[i - 1];
-    z[i] += z[i - 1];
-  }
+  const Coordinates edge = {-0.25, 1, 0.125}; // from row to row of the left wall
+  const auto wall = [&](bool is_turned_round) {
+    std::vector<Coordinates> places(n + 1, Coordinates{0, 0, 0}); // of the middle row, from the fold to the left
+    places[1] = {-1 - 0.25 * edge[0], -0.25 * edge[1], 0.5 - 0.25 * edge[2]};
+    for(int i = 2; i <= n; ++i) {
+      const int k = is_turned_round ? n + 1 - i : i - 1;
+      const double dx = -1 - 0.125 * k, dz = (k % 2 == 0 ? 1 : -1) * (0.5 + 0.0625 * k * k);
+      places[i] = {places[i - 1][0] + dx, places[i - 1][1] + dx / 4 - dz / 8, places[i - 1][2] + dz};
+    }
+    return places;
+  };
+  const std::vector<Coordinates> left = wall(false), right = wall(!is_reversed);
   Mesh_soup soup = mapped(flat_grid(2 * n, 2, Diagonal_rule::RISING), [&](const Coordinates& p) {
-    const int i = static_cast<int>(p[0]);
-    return Coordinates{x[i], p[1] - 1, z[i]};
+    const int i = static_cast<int>(p[0]) - n, row = static_cast<int>(p[1]) - 1;
+    if(i == 0)
+      return Coordinates{0, static_cast<double>(row), 0};
+    const Coordinates& c = i < 0 ? left[-i] : right[i];
+    const int sign = i < 0 ? 1 : -1;
+    const double along = sign * row;
+    return Coordinates{sign * (c[0] + along * edge[0]), sign * (c[1] + along * edge[1]), c[2] + along * edge[2]};
   });
   soup.points[grid_vertex(2 * n, n, 1)][1] += lift;
   return soup;

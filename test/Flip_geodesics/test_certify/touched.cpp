@@ -236,6 +236,32 @@ BOOST_AUTO_TEST_CASE(faces_on_the_line_are_followed_between_the_ends)
   BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0_v, 1_v) == FG::Certificate_verdict::PROVEN));
 }
 
+// Past the head, at 4, faces turn back to a tip at that place, or close before it: it is reached over the head only. A tip
+// between the ends is reached, also by a face that goes on past the head.
+BOOST_AUTO_TEST_CASE(faces_on_the_line_are_left_at_the_head)
+{
+  const Surface_of_lengths in_place({{0, 1, 2}, {2, 1, 3}, {3, 1, 4}, {3, 4, 5}, {5, 4, 6}, {3, 5, 6}}, {{0, 1, 4},
+                                                                                                         {1, 2, 1},
+                                                                                                         {0, 2, 5},
+                                                                                                         {1, 3, 2},
+                                                                                                         {2, 3, 1},
+                                                                                                         {1, 4, 1},
+                                                                                                         {3, 4, 3},
+                                                                                                         {4, 5, 1},
+                                                                                                         {3, 5, 2},
+                                                                                                         {5, 6, 1},
+                                                                                                         {4, 6, 1},
+                                                                                                         {3, 6, 2}});
+  BOOST_TEST((in_place.verdict_on_edge(0_v, 1_v) == FG::Certificate_verdict::PROVEN));
+  for(double tip : {3.5, 4.5}) {
+    const Surface_of_lengths surface(
+        {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {0, 3, 4}},
+        {{0, 1, 4}, {1, 2, 1}, {0, 2, 5}, {0, 3, tip}, {2, 3, 5 - tip}, {3, 4, 0.5}, {0, 4, tip}, {2, 4, 5 - tip}});
+    BOOST_TEST((surface.verdict_on_edge(0_v, 1_v) ==
+                (tip < 4 ? FG::Certificate_verdict::BENT_SEGMENT : FG::Certificate_verdict::PROVEN)));
+  }
+}
+
 // A fan of many faces about 0, with far ends beyond the head, and then one with a tip on the edge.
 BOOST_AUTO_TEST_CASE(many_faces_on_the_line_are_followed_to_the_last)
 {

@@ -4,14 +4,21 @@
 
 #include "test_distance_field/asked_surface.h"
 
+#include <CGAL/Flip_geodesics/internal/base/Team.h>
 #include <CGAL/Flip_geodesics/internal/field/Round_queue.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <type_traits>
+#include <vector>
 
 using namespace Flip_geodesics_test;
 
@@ -30,22 +37,78 @@ BOOST_AUTO_TEST_CASE(a_queue_of_rounds)
     for(int round = 0; round < 400 || !pending.empty(); ++round) {
       for(int i = 0; round < 400 && i < 10; ++i, ++pushed) {
         const double key = now + number() * (i == 0 ? 100 : 1); // some are due much later
-        queue.push(key, pushed);
+        queue.push({key, pushed, static_cast<std::uint32_t>(3 * pushed)});
         pending.insert({key, pushed});
       }
       BOOST_TEST(queue.least() == pending.begin()->first);
       now = queue.least() + step;
-      queue.take(now, step, [&](double key, FG::Index id) {
-        BOOST_TEST(key <= now);
-        const auto [first, last] = pending.equal_range(key);
-        const auto found = std::find_if(first, last, [&](const auto& entry) { return entry.second == id; });
+      const std::size_t most = queue.look_ahead(now, step);
+      std::size_t taken = 0;
+      queue.take(now, [&](const FG::internal::Round_queue::Entry& e) {
+        ++taken;
+        BOOST_TEST(e.key <= now);
+        BOOST_TEST(e.tag == static_cast<std::uint32_t>(3 * e.id));
+        const auto [first, last] = pending.equal_range(e.key);
+        const auto found = std::find_if(first, last, [&](const auto& entry) { return entry.second == e.id; });
         BOOST_REQUIRE((found != last));
         pending.erase(found);
       });
+      BOOST_TEST(taken <= most);
       BOOST_TEST((pending.empty() || pending.begin()->first > now));
       BOOST_TEST(queue.empty() == pending.empty());
     }
   }
+}
+
+// Runs with four threads where there is TBB, however few cores there are.
+template <class Function>
+void run_by_four(const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  tbb::task_arena(4).execute(function);
+#else
+  function();
+#endif
+}
+
+// Each index comes once in each of many steps, and what the least number throws comes out, whoever meets it.
+BOOST_AUTO_TEST_CASE(a_team_does_each_thing_once)
+{
+  run_by_four([] {
+    FG::internal::Team<CGAL::Parallel_if_available_tag> team;
+    for(std::size_t n = 0; n < 300; ++n) {
+      std::vector<std::uint32_t> numbers(n);
+      for(std::size_t i = 0; i < n; ++i)
+        numbers[i] = static_cast<std::uint32_t>(n - i);
+      std::vector<int> times(n);
+      std::atomic<std::size_t> greatest_member{0};
+      const auto count = [&](std::size_t member, std::size_t i) {
+        ++times[i];
+        std::size_t known = greatest_member;
+        while(known < member && !greatest_member.compare_exchange_weak(known, member)) {
+        }
+      };
+      team.for_each(numbers, count);
+      BOOST_TEST((times == std::vector<int>(n, 1)));
+      BOOST_TEST(greatest_member < team.most_members());
+      if(n < 20)
+        continue;
+      // In a team of one it is the first that throws; so let the numbers grow there.
+      if(team.most_members() == 1)
+        std::reverse(numbers.begin(), numbers.end());
+      std::uint32_t thrown = 0;
+      try {
+        team.for_each(numbers, [&](std::size_t, std::size_t i) {
+          if(numbers[i] % 7 == 3)
+            throw numbers[i];
+        });
+      } catch(const std::uint32_t& number) {
+        thrown = number;
+      }
+      BOOST_TEST(thrown == 3u);
+    }
+  });
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -76,11 +139,7 @@ BOOST_AUTO_TEST_CASE(threads_change_nothing)
         limits.windows = FG::Window_limit();
         BOOST_TEST(several.compute<CGAL::Parallel_if_available_tag>(limits).windows == windows);
       };
-#ifdef CGAL_LINKED_WITH_TBB
-      tbb::task_arena(4).execute(compute);
-#else
-      compute();
-#endif
+      run_by_four(compute);
       for(int i = 0; i < 100; ++i) {
         const Location at = s.random_location(random);
         BOOST_TEST(one.distance(at) == several.distance(at));

@@ -37,7 +37,15 @@ BOOST_AUTO_TEST_CASE(formulas_of_windows)
   };
   for(int round = 0; round < 400; ++round) {
     const double length = number(1, 3), angle = number(0.1, 3);
-    FG::internal::Window w = {number(0, 0.4), number(0.6, 1), number(-1, 4), number(0.1, 2), 0.25, 0, 0, false, true};
+    FG::internal::Window w = {number(0, 0.4),
+                              number(0.6, 1),
+                              number(-1, 4),
+                              number(0.1, 2),
+                              0.25,
+                              0,
+                              0,
+                              false,
+                              FG::internal::Window_state::WAITING};
     w.is_far = round % 2 == 0;
     if(w.is_far) {
       w.x = std::cos(angle);

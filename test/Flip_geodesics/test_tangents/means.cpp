@@ -13,6 +13,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -30,6 +31,7 @@ namespace {
 using Face_location = std::pair<Mesh::Face_index, std::array<double, 3>>;
 using Sample = FG::Curve_sample<Mesh, Point>;
 using Mesh_vertex = Mesh::Vertex_index;
+using Halfedge = Mesh::Halfedge_index;
 
 FG::Surface_location located(const Triangulation& t, const Mesh& mesh, const Face_location& at)
 {
@@ -82,6 +84,92 @@ BOOST_AUTO_TEST_CASE(samples_are_equally_far_along_the_curve)
     BOOST_TEST(std::sqrt((samples[i].tangent - direction).squared_length()) < 1e-12);
     BOOST_TEST((samples[i].normal == Vector(0, 0, 1)));
   }
+}
+
+BOOST_AUTO_TEST_CASE(samples_on_edges_name_them_and_points_have_no_tangents)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
+  std::vector<Face_location> way;
+  FG::trace_geodesic(mesh, Face_location(Mesh::Face_index(0), {{0.25, 0.5, 0.25}}), Vector(1, 0, 0), 2.0,
+                     std::back_inserter(way));
+  const double start = point_at(mesh, way.front()).x();
+  std::vector<Sample> samples;
+  FG::sample_curve(mesh, way, 2, std::back_inserter(samples));
+  for(const Sample& sample : samples)
+    BOOST_TEST((sample.halfedge == Mesh::null_halfedge()));
+  const Face_location on_edge = way[1];
+  FG::sample_curve(mesh, std::vector<Face_location>{way[0], on_edge}, 2, std::back_inserter(samples));
+  const Halfedge h = samples.back().halfedge;
+  BOOST_REQUIRE((h != Mesh::null_halfedge()));
+  const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), at = samples.back().point;
+  BOOST_TEST(at.x() > start);
+  BOOST_TEST(std::abs(distance(p, at) + distance(at, q) - distance(p, q)) < 1e-15);
+
+  samples.clear();
+  FG::sample_curve(mesh, std::vector<Face_location>{way[0]}, 3, std::back_inserter(samples));
+  BOOST_REQUIRE(samples.size() == 3u);
+  for(const Sample& sample : samples) {
+    BOOST_TEST((sample.tangent == Vector(0, 0, 0)));
+    BOOST_TEST((sample.normal == Vector(0, 0, 1)));
+    BOOST_TEST((sample.point == point_at(mesh, way[0])));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_face_without_area_has_no_normal)
+{
+  const Mesh mesh = to_mesh<Mesh>({{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 0, 3}}});
+  const Face_location from = {Mesh::Face_index(0), {{0.5, 0.25, 0.25}}},
+                      to = {Mesh::Face_index(0), {{0.25, 0.5, 0.25}}};
+  std::vector<Sample> samples;
+  FG::sample_curve(mesh, std::vector<Face_location>{from, to}, 2, std::back_inserter(samples));
+  for(const Sample& sample : samples)
+    BOOST_TEST((sample.normal == Vector(0, 0, 0)));
+}
+
+// However places are told: a vertex by any face about it, and weights up to rounding.
+BOOST_AUTO_TEST_CASE(curves_with_an_angle_start_at_one_place)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
+  const Mesh_vertex middle(grid_vertex(2, 1, 1));
+  std::vector<std::vector<Face_location>> rays; // from the middle to the middles of the faces about it
+  for(const auto f : mesh.faces()) {
+    Face_location tip = {f, {{0, 0, 0}}}, center = {f, {{0.25, 0.25, 0.5}}};
+    std::size_t i = 0;
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      tip.second[i++] = mesh.source(h) == middle ? 1 : 0;
+    if(tip.second != std::array<double, 3>{0, 0, 0})
+      rays.push_back({tip, center});
+  }
+  BOOST_REQUIRE(rays.size() == 6u);
+  const auto direction = [&](const std::vector<Face_location>& ray) {
+    const Vector way = point_at(mesh, ray[1]) - mesh.point(middle);
+    return std::atan2(way.y(), way.x());
+  };
+  for(const auto& a : rays)
+    for(const auto& b : rays) {
+      const double angle = FG::angle_between_curves(mesh, a, b) - (direction(b) - direction(a));
+      BOOST_TEST(std::abs(std::remainder(angle, 2 * pi)) < 1e-13);
+    }
+  const std::array<double, 3> weights = {0.25, 0.25, 0.5};
+  const Face_location place = {rays[0][0].first, weights}, same = {place.first, {{0.25 + 1e-10, 0.25 - 1e-10, 0.5}}},
+                      elsewhere = {rays[1][0].first, weights}, on_edge = {place.first, {{0.5, 0.5, 0}}},
+                      vertex = {place.first, {{0, 1, 0}}};
+  BOOST_TEST(std::abs(FG::angle_between_curves(mesh, std::vector<Face_location>{place, vertex},
+                                               std::vector<Face_location>{same, vertex})) < 1e-8);
+  const Face_location beside = {place.first, {{0.25 + 1e-8, 0.25 - 1e-8, 0.5}}};
+  for(const Face_location& other : {elsewhere, on_edge, vertex, beside})
+    BOOST_CHECK_THROW(FG::angle_between_curves(mesh, std::vector<Face_location>{place, on_edge},
+                                               std::vector<Face_location>{other, {other.first, {{0.25, 0.5, 0.25}}}}),
+                      FG::Invalid_curve_error);
+  for(const std::vector<Face_location>& ray : rays) // on the edges about the vertex
+    for(std::size_t k = 0; k < 3; ++k) {
+      Face_location half = ray[0];
+      for(std::size_t l = 0; l < 3; ++l)
+        half.second[l] = half.second[l] / 2 + (l == k ? 0.5 : 0);
+      if(half.second != ray[0].second)
+        BOOST_CHECK_THROW(FG::angle_between_curves(mesh, ray, std::vector<Face_location>{half, ray[1]}),
+                          FG::Invalid_curve_error);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(samples_go_round_corners)
@@ -308,6 +396,60 @@ BOOST_AUTO_TEST_CASE(means_are_minima)
     FG::Surface_location first = mean.heaviest();
     BOOST_TEST((mean(first, {1e-11, 0}).status == FG::Mean_status::ITERATION_LIMIT));
     BOOST_TEST((first.halfedge == mean.heaviest().halfedge && first.weights == mean.heaviest().weights));
+  }
+}
+
+// More than a quarter of a sphere away from both points, the vectors to them get longer at first on the way to the mean.
+BOOST_AUTO_TEST_CASE(means_on_the_other_side_of_a_sphere)
+{
+  const Mesh mesh = to_mesh<Mesh>(sphere(8));
+  const Triangulation t(mesh);
+  const auto near = [&](const Point& p) {
+    const auto is_nearer = [&](Mesh_vertex v, Mesh_vertex w) {
+      return distance(mesh.point(v), p) < distance(mesh.point(w), p);
+    };
+    return t.location(t.index(*std::min_element(mesh.vertices().begin(), mesh.vertices().end(), is_nearer)));
+  };
+  const double y = std::sqrt(0.75);
+  const FG::Geodesic_mean<Triangulation> mean(t, mesh, {near(Point(-0.5, y, 0)), near(Point(-0.5, -y, 0))}, {1, 1});
+  for(const double z : {0.1, 0.3}) {
+    FG::Surface_location place = near(Point(1, 0, z));
+    BOOST_TEST((mean(place).status == FG::Mean_status::CONVERGED));
+    BOOST_TEST(in_space(t, place).x() < -0.99);
+  }
+}
+
+// From behind the saddle whole steps are too long, and in front of it they are right.
+BOOST_AUTO_TEST_CASE(steps_get_longer_again_past_a_saddle)
+{
+  const int k = 12;
+  const Mesh mesh = to_mesh<Mesh>(saddle_disk(k, 6, 4 * pi));
+  const Triangulation t(mesh);
+  std::vector<FG::Surface_location> points; // in a plane part of the disk
+  for(int i : {0, 1, 2})
+    for(int ring : {3, 4})
+      points.push_back(t.location(FG::Vertex_index(disk_vertex(k, ring, i))));
+  const FG::Geodesic_mean<Triangulation> mean(t, mesh, points, std::vector<double>(points.size(), 1));
+  for(int i : {5, 6, 7, 8}) {
+    FG::Surface_location place = t.location(FG::Vertex_index(disk_vertex(k, 2, i)));
+    const FG::Mean_report report = mean(place);
+    BOOST_TEST((report.status == FG::Mean_status::CONVERGED));
+    BOOST_TEST(report.iterations < 10u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_a_tolerance_the_search_ends_where_rounding_begins)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(3, 0.3, 5));
+  const Triangulation t(mesh);
+  std::mt19937 random(4);
+  for(int i = 0; i < 4; ++i) {
+    std::vector<FG::Surface_location> points;
+    for(int j = 0; j < 3; ++j)
+      points.push_back(random_location(t, 2, random));
+    const FG::Geodesic_mean<Triangulation> mean(t, mesh, points, {1, 2, 3});
+    FG::Surface_location place = mean.heaviest();
+    BOOST_TEST((mean(place, {0, 2000}).status != FG::Mean_status::ITERATION_LIMIT));
   }
 }
 

@@ -67,16 +67,12 @@ public:
     return m_k.past + m_l.past + from_i_to_j + from_j_to_i + m_is_along;
   }
 
-  /* The input edges that a rotation about i from ik over ij to il crosses. */
-  Index rotation_at_i() const { return m_k.emanating_i + m_l.emanating_i + m_is_along; }
-
 private:
   struct Half
   {
-    Index cutting_i;   // input edges that cut the corner at i off
-    Index end;         // they, and those that emanate from the corner opposite ij
-    Index past;        // those that do not reach ij and pass between i and j
-    Index emanating_i; // those that start at i
+    Index cutting_i; // input edges that cut the corner at i off
+    Index end;       // they, and those that emanate from the corner opposite ij
+    Index past;      // those that do not reach ij and pass between i and j
 
     // With o opposite ij.
     Half(Index along_ij, Index along_oi, Index along_jo)
@@ -86,7 +82,6 @@ private:
       cutting_i = clamped(c, j, (c + j - i) >> 1);
       end = c - cutting_j;
       past = (std::max)((std::max)(i, j) - c, (std::max)((i + j - c) >> 1, 0));
-      emanating_i = (std::max)(i - j - c, 0);
     }
 
     static Index clamped(Index a, Index b, Index value) { return (std::max)((std::min)((std::min)(a, b), value), 0); }

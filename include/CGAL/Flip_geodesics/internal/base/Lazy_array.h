@@ -64,6 +64,16 @@ public:
 
   void* data() const { return m_data; }
 
+  /* Asks for all its pages at once, where it is known how: that takes a fraction of the time of asking for one after the
+   * other, above all while several threads run. */
+  void populate() const
+  {
+#if defined(CGAL_FLIP_GEODESICS_HAS_MMAP) && defined(MADV_POPULATE_WRITE)
+    if(m_memory != nullptr && is_mapped())
+      madvise(m_memory, m_size, MADV_POPULATE_WRITE); // if it fails, they come one after the other
+#endif
+  }
+
 private:
   bool is_mapped() const
   {
@@ -133,6 +143,9 @@ public:
   const T& operator[](std::size_t i) const { return m_data[i]; }
   std::size_t size() const { return m_size; }
 
+  /// Prepares for most elements to be written.
+  void populate() const { m_pages.populate(); }
+
   /// Changes the size; new elements are zero bytes. \pre elements that are cut off are zero bytes
   void resize(std::size_t size)
   {
@@ -178,6 +191,7 @@ public:
   T& operator[](std::size_t i) { return m_data[i]; }
   const T& operator[](std::size_t i) const { return m_data[i]; }
   std::size_t size() const { return m_data.size(); }
+  void populate() const {}
   void resize(std::size_t size) { m_data.resize(size); }
 
 private:

@@ -8,7 +8,6 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #endif
 
 #include <cstddef>
@@ -17,28 +16,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* How many threads for_each_index() uses at most. */
-template <class ConcurrencyTag>
-std::size_t number_of_threads()
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value)
-    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-#endif
-  return 1;
-}
-
-/* Which of them is running, from 0 on. */
-template <class ConcurrencyTag>
-std::size_t this_thread()
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr(std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value)
-    return static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-#endif
-  return 0;
-}
 
 /* Calls function(i) for i from 0 to n - 1, in any order and at the same time with CGAL::Parallel_tag. */
 template <class ConcurrencyTag, class Function>

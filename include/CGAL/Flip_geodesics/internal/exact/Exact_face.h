@@ -25,22 +25,26 @@ struct Exact_face
 };
 
 /* Doubles as integers with one common power of two taken out. */
+inline void to_integers(const double* numbers, std::size_t size, Integer* result)
+{
+  constexpr int digits = std::numeric_limits<double>::digits;
+  int smallest = (std::numeric_limits<int>::max)(), exponent;
+  for(std::size_t i = 0; i < size; ++i)
+    if(std::frexp(numbers[i], &exponent) != 0)
+      smallest = (std::min)(smallest, exponent);
+  for(std::size_t i = 0; i < size; ++i) {
+    const double mantissa = std::frexp(numbers[i], &exponent);
+    result[i] = static_cast<long long>(std::ldexp(mantissa, digits));
+    if(mantissa != 0)
+      result[i] <<= static_cast<unsigned long>(exponent - smallest);
+  }
+}
+
 template <std::size_t N>
 std::array<Integer, N> to_integers(const std::array<double, N>& numbers)
 {
-  constexpr int digits = std::numeric_limits<double>::digits;
   std::array<Integer, N> result;
-  std::array<int, N> exponents = {};
-  int smallest = (std::numeric_limits<int>::max)();
-  for(std::size_t i = 0; i < N; ++i) {
-    const double mantissa = std::frexp(numbers[i], &exponents[i]);
-    result[i] = static_cast<long long>(std::ldexp(mantissa, digits));
-    if(mantissa != 0)
-      smallest = (std::min)(smallest, exponents[i]);
-  }
-  for(std::size_t i = 0; i < N; ++i)
-    if(result[i] != 0)
-      result[i] <<= exponents[i] - smallest;
+  to_integers(numbers.data(), N, result.data());
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/exact/Root_base.h>
+#include <CGAL/Flip_geodesics/internal/exact/Root_sum.h>
 
 #include <CGAL/enum.h>
 
@@ -97,25 +98,12 @@ public:
     return result;
   }
 
-  /* The exact sign: zero if all coefficients are, and otherwise found by growing precision, which must end. */
   Sign sign(const Number& a) const
   {
-    bool is_zero = true;
-    for(const Integer& c : a)
-      is_zero = is_zero && c == 0;
-    if(is_zero)
-      return ZERO;
-    if(a.size() == 1)
-      return a[0] > 0 ? POSITIVE : NEGATIVE;
-    for(unsigned bits = 64;; bits *= 2) {
-      Integer sum = 0, error = 0; // in units of 2^-bits, each root rounded down
-      for(std::size_t i = 0; i < a.size(); ++i) {
-        sum += a[i] * rounded_root(Integer(m_products[i] << (2 * bits)));
-        error += absolute(a[i]);
-      }
-      if(absolute(sum) > error)
-        return sum > 0 ? POSITIVE : NEGATIVE;
-    }
+    Root_sum sum;
+    for(std::size_t i = 0; i < a.size(); ++i)
+      sum.add(a[i], m_products[i]);
+    return sum.sign();
   }
 
 private:

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +33,9 @@ public:
     : m_lists(number_of_edges)
   {
   }
+
+  /* Prepares for most edges to have some. */
+  void populate() const { m_lists.populate(); }
 
   /* Those of an edge, along it. */
   CGAL::Iterator_range<Window*> on_edge(Index edge)
@@ -279,9 +283,11 @@ private:
   {
     constexpr std::size_t least = 1024;
     if(m_left < size) {
-      m_left = (std::max)({size, least, m_capacity / 8});
-      m_chunks.emplace_back(new Window[m_left]);
+      const std::size_t room = (std::max)({size, least, m_capacity / 8});
+      std::unique_ptr<Window[]> chunk(new Window[room]);
+      m_chunks.push_back(std::move(chunk));
       m_next = m_chunks.back().get();
+      m_left = room;
     }
     Window* const result = m_next;
     m_next += size;

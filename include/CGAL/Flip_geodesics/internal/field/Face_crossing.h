@@ -31,6 +31,13 @@ struct Face_crossing
   const Crossing_window* nearest;                // has the shortest; null if none has one
   double distance;                               // of the vertex by it
 
+  /* Nothing crosses it. */
+  void clear()
+  {
+    first = last = nullptr;
+    is_shorter = false;
+  }
+
   /* Turns them into the frame of the side, and finds the nearest. */
   template <class Sides>
   void begin(Input_halfedge_index h, const Sides& sides)

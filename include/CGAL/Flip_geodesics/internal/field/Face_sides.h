@@ -49,18 +49,34 @@ public:
     return m_sides[h];
   }
 
-  /* Prepares to be computed by several threads at once. */
+  /* Prepares for several threads. */
   void share()
   {
-    if(m_claims.empty())
-      m_claims = std::vector<std::atomic<unsigned char>>(m_sides.size());
+    if(m_states.empty())
+      m_states = std::vector<std::atomic<State>>(m_sides.size());
   }
 
-  /* Is a face to be computed? Of several threads that ask for the same one, one is told so. */
-  bool claim(Input_halfedge_index h) { return m_claims.empty() ? m_sides[h].length == 0 : claimed(h).exchange(1) == 0; }
+  /* Prepares for most faces to be asked for. */
+  void populate() const { m_sides.populate(); }
 
-  /* Computes the sides of a face. Is it so flat that rays can be lost in it? Several threads can do so at once, each for
-   * other faces. */
+  /* Computes the sides of a face that has not been asked for. Is it so flat that rays can be lost in it? After `share()`
+   * several threads can do so at once, and one waits while another computes the same face. */
+  bool make_known(Input_halfedge_index h)
+  {
+    if(m_states.empty())
+      return m_sides[h].length == 0 && compute(h);
+    if(state(h).load(std::memory_order_acquire) == State::KNOWN)
+      return false;
+    std::atomic<State>& first = state(first_halfedge(h));
+    for(State expected = State::UNKNOWN;
+        !first.compare_exchange_weak(expected, State::BEING_COMPUTED, std::memory_order_acquire);
+        expected = State::UNKNOWN)
+      if(expected == State::KNOWN)
+        return false;
+    return compute_claimed(h);
+  }
+
+  /* Computes the sides of a face. Is it so flat that rays can be lost in it? */
   bool compute(Input_halfedge_index h)
   {
     constexpr double flat = 1e-10;
@@ -94,9 +110,24 @@ private:
     return (std::min)({h, hn, m_triangulation.input().next(hn)});
   }
 
-  std::atomic<unsigned char>& claimed(Input_halfedge_index h)
+  enum class State : unsigned char { UNKNOWN, BEING_COMPUTED, KNOWN };
+
+  std::atomic<State>& state(Input_halfedge_index h) { return m_states[static_cast<std::size_t>(h.idx())]; }
+
+  bool compute_claimed(Input_halfedge_index h)
   {
-    return m_claims[static_cast<std::size_t>(first_halfedge(h).idx())];
+    const auto& input = m_triangulation.input();
+    h = first_halfedge(h);
+    try {
+      const bool result = compute(h);
+      state(input.next(input.next(h))).store(State::KNOWN, std::memory_order_release);
+      state(input.next(h)).store(State::KNOWN, std::memory_order_release);
+      state(h).store(State::KNOWN, std::memory_order_release);
+      return result;
+    } catch(...) {
+      state(h).store(State::UNKNOWN, std::memory_order_release);
+      throw;
+    }
   }
 
   // Those of a face, from h on.
@@ -115,8 +146,7 @@ private:
 
   const Triangulation& m_triangulation;
   Indexed_by<Input_halfedge_index, Lazy_array<Face_side>> m_sides;
-  std::vector<std::atomic<unsigned char>>
-      m_claims; // by the first halfedges of faces; empty if one thread computes them
+  std::vector<std::atomic<State>> m_states; // of faces, by each of their halfedges; empty if one thread computes them
 };
 
 } // namespace internal

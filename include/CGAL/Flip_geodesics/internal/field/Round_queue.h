@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -27,6 +28,7 @@ public:
   {
     double key;
     Index id;
+    std::uint32_t tag; // whatever goes with it
   };
 
   bool empty() const { return m_soon.empty() && m_later.empty(); }
@@ -34,32 +36,44 @@ public:
   /* The smallest key; infinity if there is none. */
   double least() const { return m_soon.empty() ? m_least_later : m_least_soon; }
 
-  void push(double key, Index id)
+  void push(const Entry& e)
   {
-    (key < m_horizon ? m_soon : m_later).push_back({key, id});
-    double& least = key < m_horizon ? m_least_soon : m_least_later;
-    least = (std::min)(least, key);
+    (e.key < m_horizon ? m_soon : m_later).push_back(e);
+    double& least = e.key < m_horizon ? m_least_soon : m_least_later;
+    least = (std::min)(least, e.key);
   }
 
-  /* Calls `function(key, id)` for all whose keys are at most `last`, and takes them out. It must not push anything.
+  /* Makes room for some more. */
+  void reserve(std::size_t number)
+  {
+    for(std::vector<Entry>* entries : {&m_soon, &m_later})
+      if(entries->capacity() - entries->size() < number)
+        entries->reserve((std::max)(2 * entries->capacity(), entries->size() + number));
+  }
+
+  /* Prepares for `take(last)`; returns how many that will take at most. If it throws, nothing has changed.
    * \param step about how much greater `last` will be the next time */
-  template <class Function>
-  void take(double last, double step, const Function& function)
+  std::size_t look_ahead(double last, double step)
   {
     constexpr double steps = 16; // between two looks at what is due later
     if(m_least_later <= last || m_soon.empty()) {
+      m_soon.reserve(m_soon.size() + m_later.size());
       m_horizon = last + steps * step;
-      const double later = m_least_later;
-      m_least_later = infinity;
-      if(later <= m_horizon)
+      if(m_least_later <= m_horizon)
         remove(m_later, m_least_later, m_horizon, [this](const Entry& e) {
           m_soon.push_back(e);
           m_least_soon = (std::min)(m_least_soon, e.key);
         });
-      else
-        m_least_later = later;
     }
-    remove(m_soon, m_least_soon, last, [&](const Entry& e) { function(e.key, e.id); });
+    return m_soon.size();
+  }
+
+  /* Calls `function(entry)` for all whose keys are at most `last`, and takes them out. It must not push anything.
+   * \pre look_ahead(last) was called since the last push */
+  template <class Function>
+  void take(double last, const Function& function)
+  {
+    remove(m_soon, m_least_soon, last, function);
   }
 
 private:

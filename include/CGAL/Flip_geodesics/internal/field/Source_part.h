@@ -77,7 +77,7 @@ struct Source_part
   static Window window(const Face_side& side, const Face_weights& first, const Face_weights& last, double offset)
   {
     const std::complex<double> p = position(side, first), line = position(side, last) - p;
-    Window w = {0, side.length, p.real(), p.imag(), offset, null_index, 0, false, true};
+    Window w = {0, side.length, p.real(), p.imag(), offset, null_index, 0, false, Window_state::WAITING};
     if(line == std::complex<double>(0)) {
       w.to = w.y > 0 ? w.to : 0;
       return w;
@@ -86,7 +86,7 @@ struct Source_part
     const std::complex<double> direction = line / length;
     const double down = std::abs(direction.real()); // the normal that leads below is (n, -down)
     if(!(down > 1e-15))
-      return {0, 0, 0, 0, 0, null_index, 0, true, true};
+      return {0, 0, 0, 0, 0, null_index, 0, true, Window_state::WAITING};
     const double n = direction.real() > 0 ? direction.imag() : -direction.imag();
     const double a = p.real() + p.imag() * direction.imag() / direction.real(), b = a + length / direction.real();
     w.from = (std::max)((std::min)(a, b), 0.0);

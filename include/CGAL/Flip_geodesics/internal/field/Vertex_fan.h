@@ -157,7 +157,7 @@ private:
     if(!(first < last && f.y > 0))
       return;
     m_openings.back().opposite = opposite;
-    m_openings.back().window = {first, last, f.x, f.y, record.distance, v.idx(), 0, false, true};
+    m_openings.back().window = {first, last, f.x, f.y, record.distance, v.idx(), 0, false, Window_state::WAITING};
   }
 
   // Where a ray from the vertex opposite meets a side, at an angle from the line to the tail.

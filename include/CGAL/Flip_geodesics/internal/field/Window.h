@@ -13,6 +13,10 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* Is a window still to be carried over the face that it enters, was it the last time that some of its edge were, or
+ * before? */
+enum class Window_state : std::uint8_t { DONE, WAITING, CROSSING };
+
 /*
  * A part of an edge, and rays that cross it, in a frame whose x-axis is the edge: those from the point (x, -y), or those
  * parallel to (-x, y), if they come from a segment. So a source is (x : -y : 1) or (x : -y : 0) in homogeneous
@@ -32,7 +36,7 @@ struct Window
   Index root;        // the vertex that is the source; or, from their number on, a part of a source in a face
   std::uint8_t side; // which halfedge of the edge has the face that is entered
   bool is_far;       // are the rays parallel?
-  bool is_waiting;   // is it still to be carried over the face that it enters?
+  Window_state state;
 
   double weight() const { return is_far ? 0 : 1; }
 

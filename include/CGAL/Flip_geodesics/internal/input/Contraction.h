@@ -7,8 +7,10 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +26,16 @@ namespace internal {
  */
 struct Contraction
 {
-  /* What becomes of a halfedge that is no more: its ends are one vertex; or no face with an area is left beside it. */
-  static constexpr Input_halfedge_index is_point{-1}, is_hair{-2};
+  /* What becomes of a halfedge that is no more: its ends are one vertex; no face with an area is left beside it; or it
+   * leads along two others. */
+  static constexpr Input_halfedge_index is_point{-1}, is_hair{-2}, is_fold{-3};
+
+  /* The two halfedges of the input that another one leads along, and how far from its tail they meet. */
+  struct Fold
+  {
+    Input_halfedge_index first, second;
+    double share;
+  };
 
   using Halfedges = Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>>;
 
@@ -36,6 +46,7 @@ struct Contraction
   Indexed_by<Input_halfedge_index, std::vector<Vertex_index>> tail;
   Indexed_by<Input_halfedge_index, std::vector<char>> is_border;
   Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> outgoing; // none if isolated
+  std::map<Input_halfedge_index, Fold> folds;                           // of halfedges of the input
   bool has_split_point = false; // do sheets of the surface that only met in a point have vertices of their own there?
 };
 
@@ -52,6 +63,15 @@ struct Contraction
  *      v | /                  |
  *        d                    d
  *
+ * Two faces without area that share their longest side can have their other vertices in one place, though no edge joins
+ * them. These are one point, too. The faces vanish, and what was their longest side leads along the two others.
+ *
+ *        b
+ *      /   \
+ *     a --> c       ==>     a --- bd --- c       b and d in one place on ac
+ *      \   /
+ *        d
+ *
  * Around the point the surface is a disk, or a half disk at the border, if the vertices hang together like a tree of
  * triangles; a hole whose border has length zero is closed. Otherwise sheets of the surface meet there in nothing but
  * a point, and each sheet gets a vertex of its own.
@@ -60,12 +80,14 @@ template <class Input_mesh>
 class Zero_edge_contractor
 {
 public:
-  /* `length(h)` is that of an edge, not a number if it has none. */
-  template <class Length>
-  Zero_edge_contractor(const Input_mesh& input, const Length& length)
+  /* `metric.length(h)` is that of an edge, not a number if it has none; `metric.is_folded(h, t)`, whether the
+   * vertices opposite to h and t, two directions of one segment, lie on it in one place. */
+  template <class Metric>
+  Zero_edge_contractor(const Input_mesh& input, const Metric& metric)
     : m_input(input)
     , m_is_zero(static_cast<std::size_t>(input.number_of_halfedges()))
   {
+    const auto length = [&](Input_halfedge_index h) { return metric.length(h); };
     const auto all = descriptors<Vertex_index>(input.number_of_vertices());
     m_result.vertex.assign(all.begin(), all.end());
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
@@ -74,14 +96,16 @@ public:
       m_is_zero[h] = m_is_zero[twin_index(h)] = length(h) == 0 ? 1 : 0;
       if(m_is_zero[h] == 0)
         continue;
-      m_has_zero_edges = true;
+      m_is_needed = true;
       merge(input.tail(h), input.tail(twin_index(h)));
     }
-    if(m_has_zero_edges)
+    if(m_is_needed)
       check_needles(length);
+    unfold(metric);
   }
 
-  bool has_zero_edges() const { return m_has_zero_edges; }
+  /* Is there anything to contract? */
+  bool is_needed() const { return m_is_needed; }
 
   Contraction operator()()
   {
@@ -124,6 +148,16 @@ private:
     return g;
   }
 
+  /* Is the face of h left out of the surface, as it has no area? */
+  bool is_gone(Input_halfedge_index h) const { return is_needle(h) || m_across.count(h) != 0; }
+
+  /* The side by which one leaves a face that is left out, where one enters it by h. */
+  Input_halfedge_index across(Input_halfedge_index h) const
+  {
+    const auto found = m_across.find(h);
+    return found == m_across.end() ? next_side(h) : found->second;
+  }
+
   /* Have two sides of a face a length, and no other? \pre that of h has */
   bool is_needle(Input_halfedge_index h) const
   {
@@ -153,14 +187,75 @@ private:
     }
   }
 
-  /* Each side that is left, of a face with an area or on the border, is paired with what lies beyond all needles. */
+  // Until no faces lie folded: those that vanish let others meet.
+  template <class Metric>
+  void unfold(const Metric& metric)
+  {
+    const std::vector<Input_halfedge_index> sides = longest_sides_of_flat_faces(metric);
+    for(bool has_changed = !sides.empty(); has_changed;) {
+      has_changed = false;
+      for(Input_halfedge_index h : sides)
+        has_changed = unfold(h, sides, metric) || has_changed;
+    }
+  }
+
+  // Of all faces with three lengths of which one is the sum of the others, but for roundings. Sorted.
+  template <class Metric>
+  std::vector<Input_halfedge_index> longest_sides_of_flat_faces(const Metric& metric) const
+  {
+    constexpr double error = 1e-12; // relative, of a sum of lengths, generously
+    std::vector<Input_halfedge_index> result;
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges())) {
+      const Input_halfedge_index hn = next(h), hp = next(hn);
+      if(!is_border(h) && next(hp) == h && m_is_zero[h] + m_is_zero[hn] + m_is_zero[hp] == 0 &&
+         std::isfinite(metric.length(h)) && metric.length(h) >= (metric.length(hn) + metric.length(hp)) * (1 - error))
+        result.push_back(h);
+    }
+    return result;
+  }
+
+  // The faces on both sides of h, if they lie folded; what is between them is gone.
+  template <class Metric>
+  bool unfold(Input_halfedge_index h, const std::vector<Input_halfedge_index>& sides, const Metric& metric)
+  {
+    if(is_gone(h))
+      return false;
+    const Input_halfedge_index t = far_side(h);
+    if(!std::binary_search(sides.begin(), sides.end(), t) || !metric.is_folded(h, t))
+      return false;
+    const Input_halfedge_index hn = next(h), hp = next(hn), tn = next(t), tp = next(tn);
+    const double share = metric.length(hp) / (metric.length(hp) + metric.length(hn));
+    add_fold(h, {twin_index(hp), twin_index(hn), share}, t, {twin_index(tp), twin_index(tn), 1 - share});
+    for(const auto& [from, to] : {std::make_pair(h, t), std::make_pair(hn, tp), std::make_pair(hp, tn)}) {
+      m_across[from] = to;
+      m_across[to] = from;
+    }
+    merge(m_input.tail(hp), m_input.tail(tp));
+    return m_is_needed = true;
+  }
+
+  // For h, t, and the sides of needles between.
+  void add_fold(Input_halfedge_index h, const Contraction::Fold& of_h, Input_halfedge_index t,
+                const Contraction::Fold& of_t)
+  {
+    for(Input_halfedge_index s = twin_index(h); s != t; s = twin_index(across(s))) {
+      m_result.folds[s] = of_t;
+      m_result.folds[across(s)] = of_h;
+    }
+    m_result.folds[h] = of_h;
+    m_result.folds[t] = of_t;
+  }
+
+  /* Each side that is left, of a face with an area or on the border, is paired with what lies beyond those gone. */
   void pair_sides()
   {
     m_result.halfedge.resize(m_is_zero.size());
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges()))
       m_result.halfedge[h] = m_is_zero[h] != 0 ? Contraction::is_point : Contraction::is_hair;
+    for(const auto& fold : m_result.folds)
+      m_result.halfedge[fold.first] = Contraction::is_fold;
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges()))
-      if(m_result.halfedge[h] == Contraction::is_hair && !is_needle(h))
+      if(m_result.halfedge[h] == Contraction::is_hair && !is_gone(h))
         pair_side(h);
   }
 
@@ -168,24 +263,24 @@ private:
   {
     const Input_halfedge_index t = far_side(h);
     if(is_border(h) && is_border(t))
-      return; // there are needles only
+      return; // there are no faces with an area
     const Input_halfedge_index first(static_cast<Index>(m_result.input_halfedge.size()));
     m_result.input_halfedge.push_back(h);
     m_result.input_halfedge.push_back(t);
     m_result.halfedge[h] = first;
     m_result.halfedge[t] = twin_index(first);
-    for(Input_halfedge_index s = twin_index(h); s != t; s = twin_index(next_side(s))) {
+    for(Input_halfedge_index s = twin_index(h); s != t; s = twin_index(across(s))) {
       m_result.halfedge[s] = twin_index(first);
-      m_result.halfedge[next_side(s)] = first;
+      m_result.halfedge[across(s)] = first;
     }
   }
 
-  /* What lies beyond h and the needles beside it. */
+  /* What lies beyond h and the faces beside it that are gone. */
   Input_halfedge_index far_side(Input_halfedge_index h) const
   {
     Input_halfedge_index t = twin_index(h);
-    while(is_needle(t))
-      t = twin_index(next_side(t));
+    while(is_gone(t))
+      t = twin_index(across(t));
     return t;
   }
 
@@ -303,8 +398,9 @@ private:
 
   const Input_mesh& m_input;
   Indexed_by<Input_halfedge_index, std::vector<char>> m_is_zero;
-  bool m_has_zero_edges = false;
-  std::vector<std::pair<Vertex_index, Vertex_index>> m_members; // of each place, sorted
+  bool m_is_needed = false;
+  std::map<Input_halfedge_index, Input_halfedge_index> m_across; // of faces that lie folded
+  std::vector<std::pair<Vertex_index, Vertex_index>> m_members;  // of each place, sorted
   Contraction m_result;
 };
 

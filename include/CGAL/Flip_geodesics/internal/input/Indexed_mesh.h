@@ -94,6 +94,9 @@ public:
     return is_contracted() && h.is_valid() ? m_origin->contraction.halfedge[h] : h;
   }
 
+  /* The two halfedges along which one of that mesh leads. \pre `contracted_halfedge(h)` is `Contraction::is_fold` */
+  const Contraction::Fold& fold(Input_halfedge_index h) const { return m_origin->contraction.folds.at(h); }
+
   /* The mesh before. */
   const Indexed_mesh& uncontracted() const
   {
@@ -139,13 +142,13 @@ public:
     copy_connectivity(mesh);
   }
 
-  /* The same mesh with its edges of length zero contracted, where `length(h)` is that of an edge. */
-  template <class Length>
-  Indexed_mesh contracted(const Length& length) const
+  /* The same mesh with its edges of length zero contracted, by a metric as the contractor asks for. */
+  template <class Metric>
+  Indexed_mesh contracted(const Metric& metric) const
   {
-    Zero_edge_contractor<Indexed_mesh> contractor(*this, length);
+    Zero_edge_contractor<Indexed_mesh> contractor(*this, metric);
     Indexed_mesh result(*this);
-    if(contractor.has_zero_edges())
+    if(contractor.is_needed())
       result.replace_connectivity(contractor());
     return result;
   }
@@ -309,12 +312,12 @@ public:
   }
 
   /* As above. */
-  template <class Length>
-  Indexed_mesh contracted(const Length& length) const
+  template <class Metric>
+  Indexed_mesh contracted(const Metric& metric) const
   {
-    Zero_edge_contractor<Indexed_mesh> contractor(*this, length);
+    Zero_edge_contractor<Indexed_mesh> contractor(*this, metric);
     Indexed_mesh result(*this);
-    if(contractor.has_zero_edges())
+    if(contractor.is_needed())
       result.replace_connectivity(contractor());
     return result;
   }

@@ -35,7 +35,7 @@ public:
     return a != b;
   }
 
-private:
+  /* The smallest of the set of a. */
   Index representative(Index a)
   {
     while(m_parent[static_cast<std::size_t>(a)] != a) {
@@ -46,6 +46,7 @@ private:
     return a;
   }
 
+private:
   std::vector<Index> m_parent;
 };
 

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,6 +63,25 @@ void for_each_border(const Input_mesh& input, const Use& use)
     } while(h != first);
     use(border);
   }
+}
+
+/* How many halfedges two chains have in common at first. */
+inline std::size_t common_start(const std::vector<Halfedge_index>& a, const std::vector<Halfedge_index>& b)
+{
+  std::size_t common = 0;
+  while(common < a.size() && common < b.size() && a[common] == b[common])
+    ++common;
+  return common;
+}
+
+/* Two chains between the same vertices from a position on, the second one backwards. */
+inline std::vector<Halfedge_index> closed_chain(const std::vector<Halfedge_index>& out,
+                                                const std::vector<Halfedge_index>& back, std::size_t first)
+{
+  std::vector<Halfedge_index> result(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
+  for(std::size_t i = back.size(); i-- > first;)
+    result.push_back(twin_index(back[i]));
+  return result;
 }
 
 /*
@@ -124,7 +144,34 @@ public:
     return result;
   }
 
+  /* The path to an edge, over it, and the path back to the base point. */
+  template <class Input_mesh>
+  std::vector<Halfedge_index> loop(const Input_mesh& input, Input_halfedge_index h) const
+  {
+    const auto [out, back] = legs(input, h);
+    return closed_chain(out, back, 0);
+  }
+
+  /* The same without what it goes out and back. */
+  template <class Input_mesh>
+  std::vector<Halfedge_index> cycle(const Input_mesh& input, Input_halfedge_index h) const
+  {
+    const auto [out, back] = legs(input, h);
+    return closed_chain(out, back, common_start(out, back));
+  }
+
 private:
+  // The path to the tail of an edge and over it, and the path to its other end.
+  template <class Input_mesh>
+  std::pair<std::vector<Halfedge_index>, std::vector<Halfedge_index>> legs(const Input_mesh& input,
+                                                                           Input_halfedge_index h) const
+  {
+    std::pair<std::vector<Halfedge_index>, std::vector<Halfedge_index>> result = {
+        path(input, input.tail(h)), path(input, input.tail(twin_index(h)))};
+    result.first.push_back(as_intrinsic(h));
+    return result;
+  }
+
   template <class Input_mesh, class Weight, class IsJoined>
   void grow_from_given(const Input_mesh& input, Vertex_index v, const Weight& weight, const IsJoined& is_joined)
   {
@@ -171,7 +218,7 @@ private:
 
   void relax(Vertex_index v, Vertex_index w, Input_halfedge_index h, double length)
   {
-    if(!(length >= 0 && length <= (std::numeric_limits<double>::max)()))
+    if(!is_zero_or_usable_length(length))
       throw_unusable_length(length, v, w);
     const double distance = m_distance[v] + length;
     if(m_component[w] >= 0 || !(distance < m_distance[w]))

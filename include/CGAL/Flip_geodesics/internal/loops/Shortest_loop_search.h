@@ -91,7 +91,7 @@ private:
   {
     const Vertex_index w = input().tail(twin_index(h));
     const double weight = m_triangulation.metric().weight(input(), h);
-    if(!(weight >= 0 && weight <= (std::numeric_limits<double>::max)()))
+    if(!is_zero_or_usable_length(weight))
       throw_unusable_length(weight, u, w);
     const Label& from = m_labels[u];
     const Label& to = m_labels[w];

@@ -59,13 +59,14 @@ public:
                                                     at_tn.geometry, at_tp.geometry);
     const Quad_crossings crossing(halfedges.crossings(s), halfedges.crossings(hn), halfedges.crossings(hp),
                                   halfedges.crossings(tn), halfedges.crossings(tp));
+    const Index new_crossings = crossing.other_diagonal();
     m_records.push_back({h, halfedges.halfedge(hp), halfedges.halfedge(tn), halfedges.version(hp),
-                         halfedges.version(tn), crossing.rotation_at_i(), halfedges.version(s),
-                         halfedges.crossings(s) + 1, at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
+                         halfedges.version(tn), new_crossings, halfedges.version(s), halfedges.crossings(s) + 1,
+                         at_h.geometry, at_t.geometry, at_tn.geometry, at_tp.geometry});
 
     halfedges.move_outgoing(s, tn, hn);
     halfedges.version(s) = static_cast<Index>(m_records.size());
-    halfedges.crossings_plus_one(s) = crossing.other_diagonal() + 1;
+    halfedges.crossings_plus_one(s) = new_crossings + 1;
     at_h.set_next(hp);
     at_hp.set_next(tn);
     at_tn.set_next(s);

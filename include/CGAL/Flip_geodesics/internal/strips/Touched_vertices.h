@@ -36,7 +36,7 @@ struct Strip_obstacle
 
 /*
  * The vertices at distance zero from the inside of a straight segment, as there are where faces without area lie along
- * it. The segment passes a touched vertex with an angle of pi on its own side; it is locally shortest there if the
+ * it. They are found by going straight across such faces, from each part of an edge that has been reached. The segment passes a touched vertex with an angle of pi on its own side; it is locally shortest there if the
  * angle on the other side is at least pi as well, that is, if the angles at the vertex sum up to at least 2 pi.
  */
 template <class Triangulation>
@@ -61,11 +61,12 @@ public:
   /* Adds an input edge on the line of the segment, from one to another distance from the segment's tail. */
   void add_edge(Input_halfedge_index h, double from, double to)
   {
-    m_edges.push_back({h, from, to});
-    for(; m_next < m_edges.size(); ++m_next) {
-      const Edge e = m_edges[m_next];
-      add_beyond(e);
-      add_beyond({twin_index(e.halfedge), e.to, e.from});
+    add_part({h, from, to}, {{0, m_tail}, {m_length, m_head}});
+    for(; m_next < m_parts.size(); ++m_next) {
+      const Part part = m_parts[m_next];
+      const Edge& e = part.edge;
+      add_beyond(e, part.reached);
+      add_beyond({twin_index(e.halfedge), e.to, e.from}, part.reached);
     }
   }
 
@@ -90,36 +91,68 @@ private:
     double from, to;
   };
 
-  // The face on the left of an edge, if it has no area, and its other sides.
-  void add_beyond(const Edge& e)
+  // Of the segment's line, between places of vertices.
+  struct Interval
+  {
+    struct End
+    {
+      double at;
+      Vertex_index vertex;
+    };
+    End low, high;
+  };
+
+  struct Part
+  {
+    Edge edge;
+    Interval reached;
+  };
+
+  Interval interval_of(const Edge& e) const
   {
     const auto& input = m_triangulation.input();
-    if(is_outside((std::max)(e.from, e.to), (std::min)(e.from, e.to)) || input.is_border(e.halfedge) ||
-       !has_no_area(e.halfedge))
+    const typename Interval::End tail = {e.from, input.tail(e.halfedge)},
+                                 head = {e.to, input.tail(twin_index(e.halfedge))};
+    return e.from < e.to ? Interval{tail, head} : Interval{head, tail};
+  }
+
+  // What of an interval lies on an edge, unless it is no more than a vertex.
+  void add_part(const Edge& e, const Interval& reached)
+  {
+    const Interval whole = interval_of(e);
+    const Interval part = {whole.low.at > reached.low.at ? whole.low : reached.low,
+                           whole.high.at < reached.high.at ? whole.high : reached.high};
+    if(part.low.vertex != part.high.vertex && part.low.at < part.high.at + tolerance() && !is_known(e, part))
+      m_parts.push_back({e, part});
+  }
+
+  // The face on the left of an edge, if it has no area, and what of its other sides lies across.
+  void add_beyond(const Edge& e, const Interval& reached)
+  {
+    const auto& input = m_triangulation.input();
+    if(input.is_border(e.halfedge) || !has_no_area(e.halfedge))
       return;
     const Input_halfedge_index hn = input.next(e.halfedge), hp = input.next(hn);
     const Vertex_index apex = input.tail(hp);
     const Exact_face& face = m_faces(e.halfedge);
     const double share = -static_cast<double>(face.dot_previous) / static_cast<double>(face.squared_length);
     const double at_apex = e.from + share * (e.to - e.from);
-    if(!is_outside(at_apex, at_apex) && apex != m_tail && apex != m_head)
+    if(at_apex > reached.low.at - tolerance() && at_apex < reached.high.at + tolerance() && apex != m_tail &&
+       apex != m_head)
       m_vertices.push_back(apex);
-    for(const Edge& side : {Edge{twin_index(hn), at_apex, e.to}, Edge{twin_index(hp), e.from, at_apex}})
-      if(!is_known(side.halfedge))
-        m_edges.push_back(side);
+    add_part({twin_index(hn), at_apex, e.to}, reached);
+    add_part({twin_index(hp), e.from, at_apex}, reached);
   }
 
-  // Beyond an end of the segment; in doubt not.
-  bool is_outside(double largest, double smallest) const
-  {
-    const double tolerance = 1e-9 * m_length;
-    return largest < -tolerance || smallest > m_length + tolerance;
-  }
+  // In doubt two places are one.
+  double tolerance() const { return 1e-9 * m_length; }
 
-  bool is_known(Input_halfedge_index h) const
+  bool is_known(const Edge& e, const Interval& part) const
   {
-    const auto has_edge = [h](const Edge& e) { return are_of_one_edge(e.halfedge, h); };
-    return std::any_of(m_edges.begin(), m_edges.end(), has_edge);
+    return std::any_of(m_parts.begin(), m_parts.end(), [&](const Part& known) {
+      return are_of_one_edge(known.edge.halfedge, e.halfedge) && known.reached.low.at <= part.low.at + tolerance() &&
+             known.reached.high.at >= part.high.at - tolerance();
+    });
   }
 
   bool has_no_area(Input_halfedge_index h) const
@@ -158,8 +191,8 @@ private:
   double m_length;
   Decision_statistics& m_statistics;
   std::vector<Vertex_index> m_vertices;
-  std::vector<Edge> m_edges;
-  std::size_t m_next = 0; // of the edges whose sides have not been looked at
+  std::vector<Part> m_parts;
+  std::size_t m_next = 0; // of the parts beyond which nothing has been looked at
 };
 
 } // namespace internal

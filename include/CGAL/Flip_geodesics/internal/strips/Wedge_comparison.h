@@ -21,8 +21,8 @@ namespace internal {
 
 /*
  * Compares angles with pi: the sign of the exact real number that the input defines. In stages: strips in double,
- * unless a filter as good as them has failed; points in one plane or two; edges as vectors of about 100 bits; arithmetic in
- * the field of all roots. Where words are long, vectors come before points.
+ * unless a filter as good as them has failed; points in one plane, or on walls; edges as vectors of about 100 bits;
+ * arithmetic in the field of all roots. Where words are long, vectors come before points.
  */
 template <class Triangulation>
 class Wedge_comparison

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
+#include <CGAL/Flip_geodesics/internal/windows/Light_through_side.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
 #include <algorithm>
@@ -41,6 +42,11 @@ namespace internal {
  * hold whatever the fit, and whatever the order in which faces are passed; good ones are cheap where faces are passed in
  * the order of the distance. A face is passed again when a cone is not low enough any more. The waves of a fast marching
  * method with virtual sources [NK02] are cones of this kind, fitted to be near the distance and not to be below.
+ *
+ * Most halfedges are passed by a front from one face to the other only. What comes back over the other halfedge of the
+ * edge follows from vertices behind the front, and matters little: there the cones of the first are low enough, and are
+ * borrowed. They may be much lower than need be, and would lower others again. Where they would, cones of its own are
+ * fitted to what comes back.
  *
  * That the paths by way of all corners count, also of those at which no shortest path turns, makes the bounds a matter of
  * the triangle inequality alone: a fitted cone's point may be where it sends its rays past the edge that they should hit.
@@ -123,10 +129,15 @@ private:
   struct Wave
   {
     Edge_cones cones;
-    std::uint64_t key = 0;           // in the queue
-    double apex_distance = infinity; // of the corner opposite to the side, when it was last looked at
-    std::int32_t number_of_updates = 0;
+    double at_tail = 0, at_split = 0, at_head = 0;
+    double apex_distance = infinity;           // of the corner opposite to the side, when it was last looked at
+    std::array<std::int32_t, 2> seen = {0, 0}; // which version of what comes over the sides before and after
+    std::int32_t version = 0, number_of_updates = 0;
     bool is_set = false, is_waiting = false;
+    bool is_borrowed = false; // from the other halfedge, and lower than need be
+
+    /* In the queue. */
+    std::uint64_t key() const { return ordered_bits((std::max)(0.5 * (at_tail + at_head), 0.0)); }
   };
 
   struct Vertex_record
@@ -162,20 +173,29 @@ private:
     m_queue.pop();
     if(entry.id < 0)
       leave_vertex(Vertex_index(-1 - entry.id));
-    else if(Wave& wave = m_waves[static_cast<std::size_t>(entry.id)]; wave.is_waiting && wave.key == entry.key) {
+    else if(Wave& wave = m_waves[static_cast<std::size_t>(entry.id)]; wave.is_waiting && wave.key() == entry.key) {
       wave.is_waiting = false;
-      enter_face(twin_index(m_faces[entry.id].halfedge));
+      enter_face(entry.id);
     }
   }
 
-  void enter_face(Input_halfedge_index h)
+  // Carries the wave of a side into the face on the other side of the edge.
+  void enter_face(Index left_side)
   {
+    const Input_halfedge_index h = twin_index(m_faces[left_side].halfedge);
     if(m_triangulation.input().is_border(h))
       return;
     const Index side = m_faces.number(h);
-    update(Faces::next(side), Entrance::BEFORE);
-    update(Faces::previous(side), Entrance::AFTER);
+    const Index next = Faces::next(side), previous = Faces::previous(side);
+    if(known_wave(left_side)->is_borrowed &&
+       !(is_unmoved(next, Entrance::BEFORE) && is_unmoved(previous, Entrance::AFTER)))
+      return fit(left_side);
+    update(next, Entrance::BEFORE);
+    update(previous, Entrance::AFTER);
   }
+
+  // Does the cone of a side, if there is one, stay as it is whatever comes by an entrance?
+  bool is_unmoved(Index side, Entrance entrance) { return known_wave(side) == nullptr || holds(side, entrance); }
 
   // All edges opposite to a vertex, and the vertices beside it.
   void leave_vertex(Vertex_index v)
@@ -245,29 +265,113 @@ private:
   {
     if(m_waves.size() < m_faces.size())
       m_waves.resize(m_faces.size());
+    if(m_waves[static_cast<std::size_t>(side)].is_set ? !holds(side, changed) : !borrow(side))
+      fit(side);
+  }
+
+  /*
+   * Takes the cones of the other halfedge over, if they hold: a front has passed the edge in the other direction, and
+   * what comes back behind it matters so little that it is not worth cones of its own.
+   */
+  bool borrow(Index side)
+  {
+    const Wave* const lender = known_wave(m_faces.known_twin(side));
+    if(lender == nullptr || lender->is_borrowed)
+      return false;
     Wave& wave = m_waves[static_cast<std::size_t>(side)];
-    if(wave.is_set && holds(wave, side, changed))
-      return;
-    const Lit_parts parts = lit_parts(side);
-    wave.apex_distance = distance_of_apex(side);
-    if(parts.size > 0)
-      fit(wave, side, parts);
+    wave.cones = lender->cones.mirrored(m_faces[side].length);
+    wave.at_tail = lender->at_head;
+    wave.at_split = lender->at_split;
+    wave.at_head = lender->at_tail;
+    wave.seen = {0, 0};
+    wave.is_set = true;
+    if(holds(side, Entrance::BEFORE) && holds(side, Entrance::AFTER) && holds(side, Entrance::APEX)) {
+      wave.is_borrowed = true;
+      send(side);
+    } else
+      wave.is_set = false;
+    return wave.is_set;
   }
 
   // Is the cone of a side low enough for what comes by one entrance?
-  bool holds(Wave& wave, Index side, Entrance entrance) const
+  bool holds(Index side, Entrance entrance)
   {
-    Lit_parts parts;
-    if(entrance == Entrance::APEX) {
-      wave.apex_distance = distance_of_apex(side);
-      add_apex(parts, side, 0, m_faces[side].length);
-    } else
-      light_from(parts, side, entrance);
-    return wave.cones.are_below(parts, m_faces[side].length, tolerance(wave));
+    return entrance == Entrance::APEX ? holds_for_apex(side) : holds_for_side(side, entrance);
   }
 
-  void fit(Wave& wave, Index side, const Lit_parts& parts)
+  bool holds_for_apex(Index side)
   {
+    Wave& wave = m_waves[static_cast<std::size_t>(side)];
+    wave.apex_distance = distance_of_apex(side);
+    if((std::max)({wave.at_tail, wave.at_split, wave.at_head}) <= wave.apex_distance + m_faces.apex(side).imag())
+      return true;
+    const double length = m_faces[side].length;
+    Lit_parts parts;
+    add_apex(parts, side, 0, length);
+    return wave.cones.are_below(parts, length, tolerance(wave));
+  }
+
+  bool holds_for_side(Index side, Entrance entrance)
+  {
+    Wave& wave = m_waves[static_cast<std::size_t>(side)];
+    const Wave* const other = entering(side, entrance);
+    std::int32_t& seen = wave.seen[entrance == Entrance::AFTER ? 1 : 0];
+    if(other == nullptr || seen == other->version)
+      return true;
+    if(!clearly_holds(side, *other, entrance)) {
+      Lit_parts parts;
+      light_from(parts, side, entrance);
+      if(!wave.cones.are_below(parts, m_faces[side].length, tolerance(wave)))
+        return false;
+    }
+    seen = other->version;
+    return true;
+  }
+
+  // What comes over the side before or after a side, if anything does.
+  const Wave* entering(Index side, Entrance entrance) const
+  {
+    const Wave* const wave =
+        known_wave(m_faces.known_twin(entrance == Entrance::AFTER ? Faces::next(side) : Faces::previous(side)));
+    // One that is borrowed has to wait until it is seen to do no harm.
+    return wave == nullptr || (wave->is_borrowed && wave->is_waiting) ? nullptr : wave;
+  }
+
+  /*
+   * Is it easily seen that the cones of a side are low enough for what comes over the side before or after it? Their
+   * chords are not above the tangent of what comes in, at the corner that they share.
+   */
+  bool clearly_holds(Index side, const Wave& other, Entrance entrance) const
+  {
+    const bool is_mirrored = entrance == Entrance::AFTER;
+    const auto& edge = m_faces[is_mirrored ? Faces::next(side) : Faces::previous(side)];
+    if(other.cones.split < edge.length)
+      return false;
+    const Wave& wave = *known_wave(side);
+    const double length = m_faces[side].length;
+    const double here = is_mirrored ? wave.at_head : wave.at_tail, there = is_mirrored ? wave.at_tail : wave.at_head;
+    const double start = is_mirrored ? other.at_head : other.at_tail;
+    if(here > start + m_error)
+      return false;
+    const Cone& cone = other.cones.first;
+    const auto& corner = m_faces[is_mirrored ? Faces::next(side) : side];
+    const double run = start - cone.sigma; // from the cone's point to the corner
+    const double slope = corner.sine * cone.y - corner.cosine * (is_mirrored ? edge.length - cone.x : cone.x) - m_error;
+    const bool is_split = wave.cones.split < length;
+    const double to_split = is_mirrored ? length - wave.cones.split : wave.cones.split;
+    return (there - start) * run <= length * slope && (!is_split || (wave.at_split - start) * run <= to_split * slope);
+  }
+
+  // Fits the cone of a side to all that enters its face.
+  void fit(Index side)
+  {
+    Wave& wave = m_waves[static_cast<std::size_t>(side)];
+    const Lit_parts parts = lit_parts(side);
+    wave.apex_distance = distance_of_apex(side);
+    if(parts.size == 0) {
+      wave.is_set = wave.is_set && !wave.is_borrowed; // nothing enters its face yet
+      return;
+    }
     const double length = m_faces[side].length;
     ++m_updates;
     ++wave.number_of_updates;
@@ -275,16 +379,31 @@ private:
       m_total_error += tolerance(wave);
     wave.cones = fitted_cones(parts, length, m_error);
     wave.is_set = true;
-    const Vertex_index tail = m_faces[side].tail, head = m_faces[Faces::next(side)].tail;
-    const double at_tail = wave.cones.first(0), at_head = wave.cones.last(length)(length);
-    reach(tail, at_tail, length);
-    reach(head, at_head, length);
-    // A cone is not steeper than 1.
-    wave.is_waiting = (std::max)(at_head + to_goal(tail), at_tail + to_goal(head)) - length <= m_bound + m_total_error;
-    if(wave.is_waiting) {
-      wave.key = ordered_bits((std::max)(0.5 * (at_tail + at_head), 0.0));
-      m_queue.push({wave.key, side});
+    wave.is_borrowed = false;
+    wave.at_tail = wave.cones.first(0);
+    wave.at_head = wave.cones.last(length)(length);
+    wave.at_split = wave.cones.split < length ? wave.cones.first(wave.cones.split) : wave.at_tail;
+    for(const Entrance entrance : {Entrance::BEFORE, Entrance::AFTER}) {
+      const Wave* const other = entering(side, entrance);
+      wave.seen[entrance == Entrance::AFTER ? 1 : 0] = other == nullptr ? 0 : other->version;
     }
+    send(side);
+  }
+
+  // Tells the ends of a side what its cone says for them, and has it carried on, if it is of interest.
+  void send(Index side)
+  {
+    Wave& wave = m_waves[static_cast<std::size_t>(side)];
+    ++wave.version;
+    const double length = m_faces[side].length;
+    const Vertex_index tail = m_faces[side].tail, head = m_faces[Faces::next(side)].tail;
+    reach(tail, wave.at_tail, length);
+    reach(head, wave.at_head, length);
+    // A cone is not steeper than 1.
+    wave.is_waiting =
+        (std::max)(wave.at_head + to_goal(tail), wave.at_tail + to_goal(head)) - length <= m_bound + m_total_error;
+    if(wave.is_waiting)
+      m_queue.push({wave.key(), side});
   }
 
   /*
@@ -323,63 +442,15 @@ private:
     const bool is_mirrored = entrance == Entrance::AFTER; // seen in a mirror, from the head
     const auto &near = m_faces[is_mirrored ? next_number : number], &side = m_faces[number];
     const double length = m_faces[is_mirrored ? next_number : previous_number].length;
-    const Wave* wave = known_wave(m_faces.known_twin(is_mirrored ? next_number : previous_number));
+    const Wave* const wave = entering(number, entrance);
     if(wave == nullptr)
       return {};
     const Edge_cones cones = is_mirrored ? wave->cones.mirrored(length) : wave->cones;
     Lit_end end;
     end.apex_value = cones.last(length)(length);
-    end.place = light(parts, cones, length, Vector(near.cosine, near.sine), side.length, is_mirrored);
+    const Light_through_side light(cones, length, Vector(near.cosine, near.sine), m_error);
+    end.place = light.add_to(parts, side.length, is_mirrored);
     return end;
-  }
-
-  // Adds what comes in through the side that leaves 0 in a direction; returns up to where, if that is one cone.
-  double light(Lit_parts& parts, const Edge_cones& cones, double side_length, const Vector& direction, double length,
-               bool is_mirrored) const
-  {
-    const int number = cones.split < side_length ? 2 : 1;
-    double end = 0;
-    for(int i = 0; i < number; ++i) {
-      Cone cone = seen_from((i == 0 ? cones.first : cones.second), direction);
-      const bool is_first = i + 1 < number;
-      // No gap is left between what two cones light, nor where the second one lights nothing.
-      const bool is_alone = is_first && seen_from(cones.second, direction).y < -m_error && cone.y >= -m_error;
-      const double lit = lit_length(cone, (is_first ? cones.split : side_length) * direction, length);
-      const double to = is_alone ? length : lit;
-      const double from =
-          i == 0 ? 0 : (std::min)(lit_length(cone, cones.split * direction, length) - 1e-5 * length, end);
-      cone.y = std::abs(cone.y); // what lies below the edge sends nothing up, up to rounding
-      const Cone turned = is_mirrored ? Cone{length - cone.x, cone.y, cone.sigma} : cone;
-      if(is_mirrored)
-        parts.add(turned, length - to, length - (std::max)(from, 0.0));
-      else
-        parts.add(turned, (std::max)(from, 0.0), to);
-      end = (std::max)(end, to);
-    }
-    return number == 1 ? end : 0;
-  }
-
-  // A cone over the side that leaves 0 in a direction, in the frame of the edge.
-  static Cone seen_from(const Cone& cone, const Vector& direction)
-  {
-    const Vector place = Vector(cone.x, cone.y) * direction;
-    return {place.real(), place.imag(), cone.sigma};
-  }
-
-  /*
-   * How much of an edge from 0 on is lit from a point, past an apex that is farther on: up to where the line through the
-   * apex ends, and a little more.
-   */
-  double lit_length(const Cone& cone, const Vector& apex, double length) const
-  {
-    if(cone.y < -m_error)
-      return 0;
-    const double fall = cone.y - apex.imag();
-    if(!(fall > 8 * m_error))
-      return length;
-    const double end = apex.real() + (apex.real() - cone.x) * (apex.imag() / fall);
-    const double enlargement = 1e-6 + 8 * m_error / fall; // of the edge
-    return (std::min)((std::max)(end, 0.0) + enlargement * length, length);
   }
 
   // That of the corner opposite to a side; waves tell their ends what they say for them, so that it is not above them.

@@ -36,17 +36,13 @@ struct Lit_parts
       part[size++] = {cone, from, to};
   }
 
-  /* The least value at a place, also of what lights another part of the edge, and goes on along it; and its cone. */
-  double value_at(double q) const { return least_at(q).value; }
-  const Cone& cone_at(double q) const { return part[least_at(q).part].cone; }
-
-private:
   struct Least
   {
     std::size_t part;
     double value;
   };
 
+  /* The least value at a place, also of what lights another part of the edge, and goes on along it; and which part. */
   Least least_at(double q) const
   {
     Least least = {0, infinity};
@@ -169,16 +165,17 @@ inline Edge_cones fitted_cones(const Lit_parts& parts, double length, double err
   result.first = parts.part[0].cone;
   if(parts.size == 1)
     return result;
-  const Place_and_value start = {0, parts.value_at(0)}, end = {length, parts.value_at(length)};
+  const auto at_start = parts.least_at(0), at_end = parts.least_at(length);
+  const Place_and_value start = {0, at_start.value}, end = {length, at_end.value};
   result.first = fitted_cone(start, end, parts, error);
-  const Cone &first = parts.cone_at(0), &second = parts.cone_at(length);
+  const Cone &first = parts.part[at_start.part].cone, &second = parts.part[at_end.part].cone;
   const double before = second(0) - first(0), after = first(length) - second(length);
   if(!(before > 0 && after > 0))
     return result;
   double place = length * before / (before + after);
   const double there = second(place) - first(place);
   place = there > 0 ? place + (length - place) * there / (there + after) : place * before / (before - there);
-  const Place_and_value middle = {place, parts.value_at(place)};
+  const Place_and_value middle = {place, parts.least_at(place).value};
   if(!(middle.value - result.first(place) > least_sag * length))
     return result;
   return {fitted_cone(start, middle, parts, error), fitted_cone(middle, end, parts, error), place};

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/Block_array.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/base/Version_cache.h>
 #include <CGAL/Flip_geodesics/internal/words/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/words/Word_tracer.h>
@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -50,16 +49,14 @@ public:
   };
 
   /*
-   * Of the diagonal kl that a flip made: how many input edges lie between the first faces of ki and of kl about k, and
-   * between those of li and of lk about l. Negative if vectors are not to be derived along with the word: where it is so
-   * short that it is faster to unfold it, or the flip was wrong by rounding.
+   * Of the diagonal kl that a flip made: how many input edges the turn about i from ik to il crosses, how many lie between
+   * the first faces of ki and of kl about k, and between those of li and of lk about l.
    */
   struct Spokes
   {
-    Index crossings; // of the edge; negative if it has not been asked for
-    std::int16_t at_tail, at_head;
-
-    bool are_known() const { return at_tail >= 0; }
+    Index at_joint, at_tail, at_head;
+    // Are vectors to be derived along with the word? Where it is so short, it is faster to unfold it.
+    bool are_many;
   };
 
   /*
@@ -74,8 +71,8 @@ public:
     const Edge_version asked = {h, triangulation.version(Triangulation::edge(h))};
     if(asked.version == 0)
       return input_word(triangulation, h);
-    if(!is_there(asked) && !trace(triangulation, asked))
-      resolve(triangulation, asked);
+    if(!is_there(asked))
+      trace(triangulation, asked);
     Crossing_word found = word(triangulation, asked);
     if(found.crossed.size() != static_cast<std::size_t>(number_of_crossings(triangulation, h)))
       fail(triangulation, found);
@@ -90,31 +87,6 @@ public:
     m_bytes_of_splits += bytes_of_split(word);
   }
 
-  /* Finds out the spokes of an edge, and of those that it descends from, if they are not known yet. Depth first, not by
-   * recursion: histories are as deep as curves are long. */
-  void resolve(const Triangulation& triangulation, const Edge_version& wanted)
-  {
-    m_unresolved.assign(1, wanted);
-    while(!m_unresolved.empty()) {
-      const Edge_version next = m_unresolved.back();
-      if(is_resolved(next)) {
-        m_unresolved.pop_back();
-        continue;
-      }
-      const Flip_record& flip = triangulation.flip_record(position(next.version));
-      const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
-      if(!is_resolved(ki) || !is_resolved(il)) {
-        m_unresolved.push_back(ki);
-        m_unresolved.push_back(il);
-        continue;
-      }
-      set_spokes(next.version, flip.rotation > 0 && !has_inserted_vertices(triangulation)
-                                   ? spokes_of_turn(crossings(ki) + flip.rotation + crossings(il))
-                                   : spokes_of_words(triangulation, flip, ki, il));
-      m_unresolved.pop_back();
-    }
-  }
-
   /* The word of an edge as a flip or split made it; from the log if it is not there. */
   Crossing_word word(const Triangulation& triangulation, const Edge_version& wanted)
   {
@@ -124,8 +96,18 @@ public:
     return found.is_reversed ? found.word.reversed() : found.word;
   }
 
-  /* \pre a flip made the edge, and it has been resolved */
-  const Spokes& spokes(Index version) const { return m_spokes[position(version)]; }
+  /*
+   * From numbers of crossings alone: the input edges in the triangle that the flip made of k, i, l are those that start at
+   * its corners, and those that cut one off. \pre a flip made the edge
+   */
+  Spokes spokes(const Triangulation& triangulation, Index version) const
+  {
+    const Flip_record& flip = triangulation.flip_record(position(version));
+    const Index kl = (std::max)(flip.number, 0);
+    const Triangle_crossings corners(crossings(triangulation, {flip.tn, flip.version_tn}), kl,
+                                     crossings(triangulation, {flip.hp, flip.version_hp}));
+    return {corners.emanating[1], corners.emanating[0], corners.emanating[2], kl > few_crossings};
+  }
 
   /* Was it a split that made the edge? */
   bool is_of_split(const Edge_version& wanted) const { return word_of_split(wanted) != nullptr; }
@@ -138,14 +120,12 @@ public:
   }
 
   /* In bytes. */
-  std::size_t memory() const { return m_words.memory() + m_spokes.memory() + m_bytes_of_splits; }
+  std::size_t memory() const { return m_words.memory() + m_bytes_of_splits; }
 
   /* Forgets the word of an edge that a flip or split made, since that is taken back. \pre so is all that came later */
   void forget(Edge_index e, Index version)
   {
     m_words.forget(version, [this](Crossing_word&& word) { recycle(std::move(word)); });
-    if(m_spokes.size() > position(version))
-      m_spokes.pop_back();
     if(!m_words_of_splits.empty())
       forget_split(key(e, version));
   }
@@ -203,17 +183,14 @@ private:
     return (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
   }
 
-  // \pre an edge of the input, or one that a flip made and that is resolved
-  Index crossings(const Edge_version& e) const { return e.version == 0 ? 0 : spokes(e.version).crossings; }
-
-  /*
-   * The turn about i from ki to il crosses input edges. They end at i, where ki and il cross none; so nothing cancels,
-   * and kl leaves k in the face of ki, and l in that of li.
-   */
-  static Spokes spokes_of_turn(Index crossings)
+  // How many input edges it crosses; 0 if it lies along one.
+  Index crossings(const Triangulation& triangulation, const Edge_version& e) const
   {
-    const std::int16_t at_ends = crossings > few_crossings ? 0 : -1;
-    return {crossings, at_ends, at_ends};
+    if(e.version == 0)
+      return 0;
+    if(const Crossing_word* of_split = word_of_split(e))
+      return static_cast<Index>(of_split->crossed.size());
+    return (std::max)(triangulation.flip_record(position(e.version)).number, 0);
   }
 
   // The word of an edge that is there; `input_edge` holds that of one of the input.
@@ -231,21 +208,6 @@ private:
   bool is_there(const Edge_version& wanted) const
   {
     return wanted.version == 0 || m_words.contains(wanted.version) || is_of_split(wanted);
-  }
-
-  // Has it been asked for, or an edge that descends from it?
-  bool is_resolved(const Edge_version& wanted) const
-  {
-    if(wanted.version == 0 || is_of_split(wanted))
-      return true;
-    return position(wanted.version) < m_spokes.size() && spokes(wanted.version).crossings >= 0;
-  }
-
-  void set_spokes(Index version, const Spokes& spokes)
-  {
-    if(m_spokes.size() <= position(version))
-      m_spokes.resize(position(version) + 1, {-1, -1, -1});
-    m_spokes[position(version)] = spokes;
   }
 
   const Crossing_word* word_of_split(const Edge_version& wanted) const
@@ -313,51 +275,27 @@ private:
         m_pending.push_back(il);
         continue;
       }
-      keep(next.version, join(triangulation, flip, ki, il).word);
+      keep(next.version, join(triangulation, next.version, ki, il));
       m_pending.pop_back();
     }
   }
 
-  struct Joined_word
-  {
-    Crossing_word word; // of the edge's first halfedge
-    Spokes spokes;
-  };
-
   // The diagonal that a flip made. \pre the words of ki and il are there
-  Joined_word join(const Triangulation& triangulation, const Flip_record& flip, const Edge_version& ki,
-                   const Edge_version& il)
+  Crossing_word join(const Triangulation& triangulation, Index version, const Edge_version& ki, const Edge_version& il)
   {
     Crossing_word input_ki, input_il;
     const Directed_word first = directed_word(triangulation, ki, input_ki);
     const Directed_word second = directed_word(triangulation, il, input_il);
     const Word_end k = first.tail(), i = first.head(), l = second.head();
+    const Index turn = spokes(triangulation, version).at_joint;
     Word_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k), spare_letters());
     path.cross(first.word, first.is_reversed);
-    path.turn(i.vertex, flip.rotation > 0 ? head_anchor(triangulation, i) : null_index, flip.rotation);
+    path.turn(i.vertex, turn > 0 ? head_anchor(triangulation, i) : null_index, turn);
     path.cross(second.word, second.is_reversed);
-    Joined_word kl = {path.finish(l.vertex, head_anchor(triangulation, l)), {}};
-    if(is_first_side(flip.h)) // it leaves h = l->k and its twin k->l
-      kl.word.reverse();
-    kl.spokes = {static_cast<Index>(kl.word.crossed.size()), -1, -1};
-    constexpr Index most = (std::numeric_limits<std::int16_t>::max)();
-    if(path.is_left_turn() && kl.spokes.crossings > few_crossings && path.spokes_at_start() <= most &&
-       path.spokes_at_end() <= most)
-    {
-      kl.spokes.at_tail = static_cast<std::int16_t>(path.spokes_at_start());
-      kl.spokes.at_head = static_cast<std::int16_t>(path.spokes_at_end());
-    }
+    Crossing_word kl = path.finish(l.vertex, head_anchor(triangulation, l));
+    if(is_first_side(triangulation.flip_record(position(version)).h)) // it leaves h = l->k and its twin k->l
+      kl.reverse();
     return kl;
-  }
-
-  Spokes spokes_of_words(const Triangulation& triangulation, const Flip_record& flip, const Edge_version& ki,
-                         const Edge_version& il)
-  {
-    derive(triangulation, ki);
-    derive(triangulation, il);
-    Joined_word kl = join(triangulation, flip, ki, il);
-    recycle(std::move(kl.word));
-    return kl.spokes;
   }
 
   void keep(Index version, Crossing_word&& word)
@@ -382,10 +320,9 @@ private:
   }
 
   Version_cache<Crossing_word> m_words;
-  Block_array<Spokes> m_spokes;
   std::unordered_map<std::uint64_t, Crossing_word> m_words_of_splits;
   std::size_t m_bytes_of_splits = 0;
-  std::vector<Edge_version> m_unresolved, m_pending;
+  std::vector<Edge_version> m_pending;
   std::array<std::vector<Input_halfedge_index>, 64> m_spares; // memory for letters
   std::size_t m_number_of_spares = 0;
 };

@@ -56,7 +56,6 @@ public:
   Precise_edge edge(const Triangulation& triangulation, Halfedge_index h)
   {
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
-    m_words.resolve(triangulation, wanted);
     derive(triangulation, wanted);
     const Precise_edge found = known_edge(triangulation, wanted);
     m_words.shrink(triangulation.log_position());
@@ -128,7 +127,7 @@ private:
     return wanted.version == 0 || m_edges.contains(wanted.version) || m_words.is_of_split(wanted);
   }
 
-  // Depth first, as in Crossing_words. \pre the edge is resolved there
+  // Depth first, as in Crossing_words.
   void derive(const Triangulation& triangulation, const Edge_version& wanted)
   {
     m_pending.assign(1, wanted);
@@ -139,8 +138,8 @@ private:
         continue;
       }
       const Edge_version of_first_side = {first_side(edge_of(next.halfedge)), next.version};
-      const Spokes& spokes = m_words.spokes(next.version);
-      if(!spokes.are_known()) {
+      const Spokes spokes = m_words.spokes(triangulation, next.version);
+      if(!spokes.are_many) {
         m_edges.insert(next.version, unfolded(triangulation, of_first_side), 0);
       } else {
         const Flip_record& flip = triangulation.flip_record(static_cast<std::size_t>(next.version) - 1);
@@ -150,8 +149,7 @@ private:
           m_pending.push_back(il);
           continue;
         }
-        Precise_edge kl =
-            joined(triangulation, known_edge(triangulation, ki), flip.rotation, known_edge(triangulation, il), spokes);
+        Precise_edge kl = joined(triangulation, known_edge(triangulation, ki), known_edge(triangulation, il), spokes);
         if(!(kl.end_error < largest_error))
           kl = unfolded(triangulation, of_first_side);
         else if(is_first_side(flip.h)) // the flip leaves h = l->k
@@ -167,14 +165,14 @@ private:
     return unfolded_edge(triangulation, m_words.word(triangulation, wanted));
   }
 
-  Precise_edge joined(const Triangulation& triangulation, const Precise_edge& ki, Index rotation,
-                      const Precise_edge& il, const Spokes& spokes)
+  Precise_edge joined(const Triangulation& triangulation, const Precise_edge& ki, const Precise_edge& il,
+                      const Spokes& spokes)
   {
     if(!ki.has_bound() || !il.has_bound())
       return {};
     const auto& input = triangulation.input();
     Turn turn = {ki.head_direction, ki.direction_error, ki.head_reference};
-    turn_clockwise(triangulation, turn, rotation + ki.first_corner);
+    turn_clockwise(triangulation, turn, spokes.at_joint + ki.first_corner);
     if(turn.spoke != il.tail_reference)
       return {};
     const Double_double_vector end = ki.end + turn.direction * il.end;

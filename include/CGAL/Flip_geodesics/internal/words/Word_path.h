@@ -81,28 +81,16 @@ public:
     m_word.head = end;
     Input_halfedge_index first_anchor = m_start_anchor, last_anchor = end_anchor;
     auto first = m_word.crossed.begin(), last = m_word.crossed.end();
-    for(; first != last && touches(m_word.tail, first_anchor, *first); ++first) {
-      m_is_left_turn = m_is_left_turn && *first != first_anchor;
+    for(; first != last && touches(m_word.tail, first_anchor, *first); ++first)
       first_anchor = across(m_word.tail, *first, first_anchor);
-    }
-    m_spokes_at_start = static_cast<Index>(first - m_word.crossed.begin());
-    for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last) {
-      m_is_left_turn = m_is_left_turn && twin_index(*(last - 1)) == last_anchor;
+    for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last)
       last_anchor = across(end, twin_index(*(last - 1)), last_anchor);
-    }
-    m_spokes_at_end = static_cast<Index>(m_word.crossed.end() - last);
     m_word.crossed.erase(last, m_word.crossed.end());
-    m_word.crossed.erase(m_word.crossed.begin(), m_word.crossed.begin() + m_spokes_at_start);
+    m_word.crossed.erase(m_word.crossed.begin(), first);
     if(m_word.crossed.empty())
       place_in_face(first_anchor, last_anchor);
     return std::move(m_word);
   }
-
-  /* How many input edges that touch the start have been left out, and how many that touch the end. */
-  Index spokes_at_start() const { return m_spokes_at_start; }
-  Index spokes_at_end() const { return m_spokes_at_end; }
-  /* Does the straight path leave the start counterclockwise of this one, and arrive at the end clockwise of it? */
-  bool is_left_turn() const { return m_is_left_turn; }
 
 private:
   const auto& input() const { return m_triangulation.input(); }
@@ -162,8 +150,6 @@ private:
   const Triangulation& m_triangulation;
   Input_halfedge_index m_start_anchor;
   Crossing_word m_word;
-  Index m_spokes_at_start = 0, m_spokes_at_end = 0;
-  bool m_is_left_turn = true;
 };
 
 } // namespace internal

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SLIT_MESH_H
+#define CGAL_FLIP_GEODESICS_SLIT_MESH_H
+
+#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/input/Slit_mesh_traits.h>
+
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+template <class Halfedge, class TriangleMesh>
+auto graph_edge(Halfedge h, const TriangleMesh& mesh)
+{
+  return edge(h, mesh);
+}
+
+/* The order of elements of a slit mesh: by the mesh's elements, and then by copies. */
+template <class Element>
+struct Ordered_element
+{
+  friend bool operator==(const Element& a, const Element& b) { return a.key() == b.key(); }
+  friend bool operator!=(const Element& a, const Element& b) { return !(a == b); }
+  friend bool operator<(const Element& a, const Element& b) { return a.key() < b.key(); }
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsObstacles
+ *
+ * A mesh that is slit along some of its edges: a view of it, in which these edges are borders on both sides. Paths can
+ * run along them, and do not cross them. Nothing of the mesh is copied but a list of its vertices and edges.
+ *
+ * A vertex where slits meet, or one meets the border, or inside of a slit, is several vertices here, one for each
+ * sector of faces. The end of a slit inside the surface is one. An edge of a slit is two edges. Faces are those of the
+ * mesh.
+ *
+ * Descriptors know the mesh's own, and convert to them. A vertex of the mesh converts to its first copy.
+ *
+ * A model of `FaceListGraph` and `HalfedgeListGraph`, with the mesh's points, for all functions of this package.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ */
+template <class TriangleMesh>
+class Slit_mesh
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+  using Mesh_vertex = typename Graph::vertex_descriptor;
+  using Mesh_halfedge = typename Graph::halfedge_descriptor;
+  using Mesh_edge = typename Graph::edge_descriptor;
+
+public:
+  /// A vertex, or one of its copies.
+  struct Vertex : internal::Ordered_element<Vertex>
+  {
+    Mesh_vertex vertex;   ///< of the mesh
+    std::size_t copy = 0; ///< which one, from 0 on
+
+    /// None.
+    Vertex()
+      : vertex(Graph::null_vertex())
+    {
+    }
+    /// A copy of a vertex, by default the first.
+    Vertex(Mesh_vertex vertex, std::size_t copy = 0)
+      : vertex(vertex)
+      , copy(copy)
+    {
+    }
+    /// The vertex of the mesh.
+    operator Mesh_vertex() const { return vertex; }
+    /// By what vertices are ordered.
+    auto key() const { return std::make_tuple(vertex, copy); }
+  };
+
+  /// A halfedge.
+  struct Halfedge : internal::Ordered_element<Halfedge>
+  {
+    Mesh_halfedge halfedge; ///< of the mesh, with the same direction
+    bool is_outer = false;  ///< is it on the border, and the mesh's on the other side of a slit?
+
+    /// None.
+    Halfedge()
+      : halfedge(Graph::null_halfedge())
+    {
+    }
+    /// A halfedge of the mesh, or the border of a slit along it.
+    explicit Halfedge(Mesh_halfedge halfedge, bool is_outer = false)
+      : halfedge(halfedge)
+      , is_outer(is_outer)
+    {
+    }
+    /// The halfedge of the mesh.
+    operator Mesh_halfedge() const { return halfedge; }
+    /// By what halfedges are ordered.
+    auto key() const { return std::make_tuple(halfedge, is_outer); }
+  };
+
+  /// An edge; those on the two sides of a slit are different.
+  struct Edge : internal::Ordered_element<Edge>
+  {
+    Mesh_edge edge;                                  ///< of the mesh
+    Mesh_halfedge halfedge = Graph::null_halfedge(); ///< of the mesh's edge; at a slit, that on this side
+    bool is_at_slit = false;                         ///< is it one of two?
+
+    /// The edge of the mesh.
+    operator Mesh_edge() const { return edge; }
+    /// By what edges are ordered.
+    auto key() const { return std::make_tuple(edge, is_at_slit ? halfedge : Graph::null_halfedge()); }
+  };
+
+  /*!
+   * Slits a mesh.
+   *
+   * \param mesh a triangle mesh, which must outlive this, unchanged
+   * \param slits a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as value, read once; edges
+   *        of the border need not be slit
+   *
+   * Complexity: linear in the mesh, and \f$O(n \log n)\f$ for \f$n\f$ edges at slits.
+   */
+  template <class EdgeIsSlitMap>
+  Slit_mesh(const TriangleMesh& mesh, const EdgeIsSlitMap& slits)
+    : m_mesh(&mesh)
+  {
+    for(Mesh_edge e : edges(mesh))
+      add_edge(e, get(slits, e));
+    for(Mesh_vertex v : vertices(mesh))
+      m_vertices.push_back(v);
+    for(const Edge& e : m_edges) {
+      m_halfedges.emplace_back(e.halfedge);
+      m_halfedges.emplace_back(opposite(e.halfedge, *m_mesh), is_slit(e.halfedge));
+    }
+    number_copies();
+  }
+
+  const TriangleMesh& mesh() const { return *m_mesh; } ///< what is slit
+
+  /// Is a halfedge of the mesh in a slit?
+  bool is_slit(Mesh_halfedge h) const { return m_slits.count(h) != 0; }
+
+  /// In how many copies is a vertex of the mesh here?
+  std::size_t number_of_copies(Mesh_vertex v) const
+  {
+    const auto found = m_number_of_copies.find(v);
+    return found == m_number_of_copies.end() ? 1 : found->second;
+  }
+
+  /// The copy of the tail of a halfedge of the mesh in the face on the left of it. \pre it has a face
+  Vertex vertex_in_face(Mesh_halfedge h) const
+  {
+    const auto found = m_copy.find(h);
+    return {source(h, *m_mesh), found == m_copy.end() ? 0 : found->second};
+  }
+
+  /// All vertices: the mesh's, then further copies.
+  const std::vector<Vertex>& all_vertices() const { return m_vertices; }
+  /// All edges: in the order of the mesh's, the two of a slit one after the other.
+  const std::vector<Edge>& all_edges() const { return m_edges; }
+  /// All halfedges, the two of an edge one after the other.
+  const std::vector<Halfedge>& all_halfedges() const { return m_halfedges; }
+
+  /// The edge of a halfedge of the mesh, on this side of a slit.
+  Edge edge_of(Mesh_halfedge h) const
+  {
+    const Mesh_edge e = internal::graph_edge(h, *m_mesh);
+    return make_edge(e, is_slit(h) ? h : internal::graph_halfedge(e, *m_mesh), is_slit(h));
+  }
+
+private:
+  void add_edge(Mesh_edge e, bool is_to_be_slit)
+  {
+    const Mesh_halfedge h = halfedge(e, *m_mesh), t = opposite(h, *m_mesh);
+    const bool has_two_faces = face(h, *m_mesh) != Graph::null_face() && face(t, *m_mesh) != Graph::null_face();
+    const bool is_at_slit = is_to_be_slit && has_two_faces;
+    m_edges.push_back(make_edge(e, h, is_at_slit));
+    if(!is_at_slit)
+      return;
+    m_edges.push_back(make_edge(e, t, true));
+    m_slits.insert(h);
+    m_slits.insert(t);
+  }
+
+  static Edge make_edge(Mesh_edge e, Mesh_halfedge h, bool is_at_slit)
+  {
+    Edge result;
+    result.edge = e;
+    result.halfedge = h;
+    result.is_at_slit = is_at_slit;
+    return result;
+  }
+
+  // Sectors about a vertex follow each other clockwise, from the first spoke that begins one.
+  void number_copies()
+  {
+    for(const Edge& e : m_edges)
+      if(is_slit(e.halfedge) && m_number_of_copies.count(source(e.halfedge, *m_mesh)) == 0)
+        number_copies(e.halfedge);
+  }
+
+  // Of the tail of a halfedge in a slit. What is on the right of a spoke follows.
+  void number_copies(Mesh_halfedge first)
+  {
+    const Mesh_vertex v = source(first, *m_mesh);
+    std::size_t copy = 0;
+    bool is_in_sector = false; // of this copy
+    Mesh_halfedge h = first;
+    do {
+      const Mesh_halfedge t = opposite(h, *m_mesh);
+      if(is_in_sector && (is_slit(h) || face(h, *m_mesh) == Graph::null_face())) {
+        ++copy;
+        is_in_sector = false;
+      }
+      if(face(t, *m_mesh) != Graph::null_face()) {
+        m_copy[next(t, *m_mesh)] = copy;
+        is_in_sector = true;
+      }
+      h = next(t, *m_mesh);
+    } while(h != first);
+    m_number_of_copies[v] = copy + (is_in_sector ? 1 : 0);
+    for(std::size_t i = 1; i < m_number_of_copies[v]; ++i)
+      m_vertices.push_back({v, i});
+  }
+
+  const TriangleMesh* m_mesh;
+  std::vector<Vertex> m_vertices;
+  std::vector<Edge> m_edges;
+  std::vector<Halfedge> m_halfedges;
+  std::set<Mesh_halfedge> m_slits;
+  std::map<Mesh_halfedge, std::size_t> m_copy;           // of the tail, in the face on the left
+  std::map<Mesh_vertex, std::size_t> m_number_of_copies; // of vertices at slits
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#ifndef DOXYGEN_RUNNING
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+template <class M>
+const std::vector<typename Slit_mesh<M>::Vertex>& vertices(const Slit_mesh<M>& mesh)
+{
+  return mesh.all_vertices();
+}
+
+template <class M>
+const std::vector<typename Slit_mesh<M>::Edge>& edges(const Slit_mesh<M>& mesh)
+{
+  return mesh.all_edges();
+}
+
+template <class M>
+const std::vector<typename Slit_mesh<M>::Halfedge>& halfedges(const Slit_mesh<M>& mesh)
+{
+  return mesh.all_halfedges();
+}
+
+template <class M>
+auto faces(const Slit_mesh<M>& mesh)
+{
+  return faces(mesh.mesh());
+}
+
+template <class M>
+std::size_t num_vertices(const Slit_mesh<M>& mesh)
+{
+  return mesh.all_vertices().size();
+}
+
+template <class M>
+std::size_t num_edges(const Slit_mesh<M>& mesh)
+{
+  return mesh.all_edges().size();
+}
+
+template <class M>
+std::size_t num_halfedges(const Slit_mesh<M>& mesh)
+{
+  return mesh.all_halfedges().size();
+}
+
+template <class M>
+std::size_t num_faces(const Slit_mesh<M>& mesh)
+{
+  return static_cast<std::size_t>(num_faces(mesh.mesh()));
+}
+
+template <class M>
+typename boost::graph_traits<M>::face_descriptor face(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
+{
+  return h.is_outer ? boost::graph_traits<M>::null_face() : face(h.halfedge, mesh.mesh());
+}
+
+template <class M>
+typename Slit_mesh<M>::Halfedge halfedge(typename boost::graph_traits<M>::face_descriptor f, const Slit_mesh<M>& mesh)
+{
+  return typename Slit_mesh<M>::Halfedge(halfedge(f, mesh.mesh()));
+}
+
+template <class M>
+typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Edge e, const Slit_mesh<M>&)
+{
+  return typename Slit_mesh<M>::Halfedge(e.halfedge);
+}
+
+template <class M>
+typename Slit_mesh<M>::Halfedge opposite(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
+{
+  return typename Slit_mesh<M>::Halfedge(opposite(h.halfedge, mesh.mesh()), !h.is_outer && mesh.is_slit(h.halfedge));
+}
+
+template <class M>
+typename Slit_mesh<M>::Edge edge(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
+{
+  return mesh.edge_of(h.is_outer ? opposite(h.halfedge, mesh.mesh()) : h.halfedge);
+}
+
+/* Border halfedges follow each other around the faces of the sector between them. */
+template <class M>
+typename Slit_mesh<M>::Halfedge next(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
+{
+  using Halfedge = typename Slit_mesh<M>::Halfedge;
+  const auto is_border = [&](Halfedge g) { return face(g, mesh) == boost::graph_traits<M>::null_face(); };
+  if(!is_border(h))
+    return Halfedge(next(h.halfedge, mesh.mesh()));
+  for(h = opposite(h, mesh); !is_border(h);)
+    h = opposite(Halfedge(prev(h.halfedge, mesh.mesh())), mesh);
+  return h;
+}
+
+template <class M>
+typename Slit_mesh<M>::Halfedge prev(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
+{
+  using Halfedge = typename Slit_mesh<M>::Halfedge;
+  const auto is_border = [&](Halfedge g) { return face(g, mesh) == boost::graph_traits<M>::null_face(); };
+  if(!is_border(h))
+    return Halfedge(prev(h.halfedge, mesh.mesh()));
+  for(h = opposite(h, mesh); !is_border(h);)
+    h = opposite(Halfedge(next(h.halfedge, mesh.mesh())), mesh);
+  return h;
+}
+
+template <class M>
+typename Slit_mesh<M>::Vertex source(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
+{
+  if(face(h, mesh) != boost::graph_traits<M>::null_face())
+    return mesh.vertex_in_face(h.halfedge);
+  return mesh.vertex_in_face(next(opposite(h.halfedge, mesh.mesh()), mesh.mesh()));
+}
+
+template <class M>
+typename Slit_mesh<M>::Vertex target(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
+{
+  return source(opposite(h, mesh), mesh);
+}
+
+template <class M>
+typename Slit_mesh<M>::Vertex source(typename Slit_mesh<M>::Edge e, const Slit_mesh<M>& mesh)
+{
+  return source(halfedge(e, mesh), mesh);
+}
+
+template <class M>
+typename Slit_mesh<M>::Vertex target(typename Slit_mesh<M>::Edge e, const Slit_mesh<M>& mesh)
+{
+  return target(halfedge(e, mesh), mesh);
+}
+
+/* A halfedge that ends at a vertex; none if it is isolated. */
+template <class M>
+typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Vertex v, const Slit_mesh<M>& mesh)
+{
+  using Halfedge = typename Slit_mesh<M>::Halfedge;
+  const auto first = halfedge(v.vertex, mesh.mesh());
+  if(first == boost::graph_traits<M>::null_halfedge())
+    return Halfedge();
+  auto h = first;
+  do {
+    for(bool is_outer : {false, true})
+      if(const Halfedge here(h, is_outer); (!is_outer || mesh.is_slit(h)) && target(here, mesh) == v)
+        return here;
+    h = opposite(next(h, mesh.mesh()), mesh.mesh());
+  } while(h != first);
+  return Halfedge();
+}
+
+/* The halfedge from one vertex to another, and whether there is one. */
+template <class M>
+std::pair<typename Slit_mesh<M>::Halfedge, bool> halfedge(typename Slit_mesh<M>::Vertex u,
+                                                          typename Slit_mesh<M>::Vertex v, const Slit_mesh<M>& mesh)
+{
+  using Halfedge = typename Slit_mesh<M>::Halfedge;
+  const Halfedge first = halfedge(v, mesh);
+  if(first == Halfedge())
+    return {first, false};
+  Halfedge h = first;
+  do {
+    if(source(h, mesh) == u)
+      return {h, true};
+    h = opposite(next(h, mesh), mesh);
+  } while(h != first);
+  return {Halfedge(), false};
+}
+
+template <class M>
+internal::Slit_mesh_points<M> get(boost::vertex_point_t tag, const Slit_mesh<M>& mesh)
+{
+  return {get(tag, mesh.mesh())};
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // DOXYGEN_RUNNING
+
+#endif // CGAL_FLIP_GEODESICS_SLIT_MESH_H

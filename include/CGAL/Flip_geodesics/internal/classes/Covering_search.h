@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_CLASSES_COVERING_SEARCH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_CLASSES_COVERING_SEARCH_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/classes/Path_words.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/loops/Cotree.h>
+#include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/loops/Generator_words.h>
+#include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Shortest edge paths from one vertex to another in all homotopy classes, the shortest first: a search in the universal
+ * covering of the surface, whose vertices are the classes of paths from the source to each vertex, *lifts* of the vertex.
+ * They are made when they are reached.
+ *
+ * A lift is settled in the order of the least length that an edge path to the target by way of it can have. The way on is
+ * not shorter than a shortest one of any class, so that the search is directed, and never reaches a lift on a shorter
+ * path once it is settled.
+ */
+template <class Triangulation>
+class Covering_search
+{
+public:
+  /* \throws Vertex_out_of_range_error, Invalid_curve_error, Disconnected_endpoints_error, Invalid_mesh_error,
+   * Invalid_coordinate_error */
+  Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
+    : m_triangulation(triangulation)
+    , m_target(target)
+    , m_forest(checked_input(triangulation, source, target), std::vector<Vertex_index>(1, target), weight())
+    , m_words(words(m_forest.component(target)))
+    , m_newest(static_cast<std::size_t>(input().number_of_vertices()), -1)
+  {
+    if(m_forest.component(source) != m_forest.component(target))
+      throw_disconnected(source, target);
+    m_lifts[lift(source, 0)].distance = 0;
+    m_queue.push(m_forest.distance(source), Vertex_index(0));
+  }
+
+  /* Goes on until so many lifts of the target are settled, or there are more than `most_lifts` of all. */
+  void run_to_targets(std::size_t number, std::size_t most_lifts)
+  {
+    while(m_targets.size() < number && !m_queue.empty() && number_of_lifts() <= most_lifts)
+      settle_next();
+  }
+
+  /* Goes on until all lifts are settled that paths to the target pass which are not longer than `bound`, as above. */
+  void run(double bound, std::size_t most_lifts)
+  {
+    while(!m_queue.empty() && m_queue.priority() <= bound && number_of_lifts() <= most_lifts)
+      settle_next();
+  }
+
+  /* Has the whole covering been searched? */
+  bool is_exhausted() const { return m_number_of_settled == m_lifts.size(); }
+
+  std::size_t number_of_lifts() const { return m_lifts.size(); }
+  /* The settled lifts of the target, by distance. The source is lift 0. */
+  const std::vector<Index>& targets() const { return m_targets; }
+
+  Vertex_index vertex(Index lift) const { return at(lift).vertex; }
+  double distance(Index lift) const { return at(lift).distance; }
+  bool is_settled(Index lift) const { return at(lift).neighbors != none; }
+  /* Where halfedge `i` leads that starts at a settled lift's vertex, from `outgoing()` on clockwise. */
+  Index neighbor(Index lift, std::size_t i) const { return m_neighbors[at(lift).neighbors + i]; }
+
+  /* The shortest edge path to a lift. */
+  std::vector<Input_halfedge_index> path(Index lift) const
+  {
+    std::vector<Input_halfedge_index> result;
+    for(; at(lift).incoming != null_index; lift = at(lift).previous)
+      result.push_back(at(lift).incoming);
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  struct Lift
+  {
+    Vertex_index vertex;
+    Index older; // the one of the same vertex that was made before, -1 if there is none
+    Path_words::Word word;
+    double distance = std::numeric_limits<double>::infinity();
+    Index previous = -1; // on the shortest path, and the edge from there
+    Input_halfedge_index incoming = null_index;
+    std::size_t neighbors = none; // where they begin, once it is settled
+  };
+
+  static const auto& checked_input(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
+  {
+    const auto& input = triangulation.input();
+    check_vertex(source, input.number_of_vertices());
+    check_vertex(target, input.number_of_vertices());
+    if(source == target)
+      throw Invalid_curve_error("a curve starts and ends at the same vertex " + std::to_string(source.idx()),
+                                {static_cast<std::size_t>(source.idx())});
+    check_surface(input);
+    if(input.outgoing(source) == null_index || input.outgoing(target) == null_index)
+      throw_disconnected(source, target);
+    return input;
+  }
+
+  [[noreturn]] static void throw_disconnected(Vertex_index source, Vertex_index target)
+  {
+    throw Disconnected_endpoints_error(
+        "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
+        {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
+  }
+
+  const auto& input() const { return m_triangulation.input(); }
+  auto weight() const
+  {
+    return [this](Input_halfedge_index h) { return m_triangulation.metric().weight(input(), h); };
+  }
+  const Lift& at(Index lift) const { return m_lifts[static_cast<std::size_t>(lift)]; }
+
+  Path_words words(Index component) const
+  {
+    const Cotree cotree(input(), m_forest, Borders::CLOSED_BY_ONE_FACE, weight());
+    Generator_words words(input(), m_forest, cotree);
+    const std::vector<Letter> relation = words.relation(component);
+    return {std::move(words), relation};
+  }
+
+  // The lift of a vertex to which a path leads that spells a word.
+  std::size_t lift(Vertex_index v, Path_words::Word word)
+  {
+    for(Index l = m_newest[v]; l >= 0; l = at(l).older)
+      if(m_words.are_homotopic(word, at(l).word))
+        return static_cast<std::size_t>(l);
+    m_lifts.push_back({v, m_newest[v], word});
+    m_newest[v] = static_cast<Index>(m_lifts.size()) - 1;
+    return m_lifts.size() - 1;
+  }
+
+  void settle_next()
+  {
+    const Index l = m_queue.pop().idx();
+    if(!is_settled(l)) // else it was put forward since
+      settle(l);
+  }
+
+  void settle(Index l)
+  {
+    ++m_number_of_settled;
+    m_lifts[static_cast<std::size_t>(l)].neighbors = m_neighbors.size();
+    const Lift from = at(l);
+    if(from.vertex == m_target)
+      m_targets.push_back(l);
+    const Input_halfedge_index first = input().outgoing(from.vertex);
+    Input_halfedge_index h = first;
+    do {
+      const std::size_t to = lift(input().tail(twin_index(h)), m_words.continued(from.word, h));
+      m_neighbors.push_back(static_cast<Index>(to));
+      const double distance = from.distance + m_triangulation.metric().weight(input(), h);
+      if(distance < m_lifts[to].distance && m_lifts[to].neighbors == none) {
+        m_lifts[to].distance = distance;
+        m_lifts[to].previous = l;
+        m_lifts[to].incoming = h;
+        m_queue.push(distance + m_forest.distance(m_lifts[to].vertex), Vertex_index(static_cast<Index>(to)));
+      }
+      h = input().next(twin_index(h));
+    } while(h != first);
+  }
+
+  const Triangulation& m_triangulation;
+  Vertex_index m_target;
+  Edge_forest m_forest; // from the target
+  Path_words m_words;
+  std::vector<Lift> m_lifts;
+  std::size_t m_number_of_settled = 0;
+  Indexed_by<Vertex_index, std::vector<Index>> m_newest; // lift of a vertex
+  std::vector<Index> m_neighbors;
+  std::vector<Index> m_targets;
+  Vertex_queue m_queue; // of lifts
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_CLASSES_COVERING_SEARCH_H

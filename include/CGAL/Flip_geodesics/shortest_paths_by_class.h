@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_SHORTEST_PATHS_BY_CLASS_H
+#define CGAL_FLIP_GEODESICS_SHORTEST_PATHS_BY_CLASS_H
+
+#include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/classes/Class_paths.h>
+#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// How a search for paths of different classes ended.
+enum class Class_search_status {
+  FOUND,           ///< there is a path for each class that was asked for
+  NO_MORE_CLASSES, ///< there are fewer classes, and each has its path
+  COVERING_LIMIT   ///< more of the covering would have been needed than allowed; there may be fewer paths, or others
+};
+
+/// The name of a status, as the enumerator is spelled.
+inline const char* to_string(Class_search_status status)
+{
+  switch(status) {
+  case Class_search_status::FOUND:
+    return "FOUND";
+  case Class_search_status::NO_MORE_CLASSES:
+    return "NO_MORE_CLASSES";
+  case Class_search_status::COVERING_LIMIT:
+    return "COVERING_LIMIT";
+  }
+  return "";
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// A homotopy class of paths between two vertices of a mesh.
+template <class TriangleMesh>
+struct Path_class
+{
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
+
+  std::vector<halfedge_descriptor> edge_path; ///< a shortest one of its paths along edges
+  double edge_length = 0;                     ///< the length of that
+  /// The length of the shortest path that was found; infinite where the lower bound told enough.
+  double length = std::numeric_limits<double>::infinity();
+  double lower_bound = 0; ///< no path of the class is shorter, rounding included
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// What is known of the shortest paths of different classes.
+template <class TriangleMesh>
+struct Paths_by_class_report
+{
+  std::vector<Shortest_path_report> paths;        ///< of the paths, by length: is each a shortest one of its class?
+  std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
+  std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
+  double lower_bound = 0;                         ///< no path of any other class is shorter; infinite if there is none
+  Class_search_status status = Class_search_status::FOUND; ///< how the search ended
+  std::size_t visited = 0;                                 ///< the vertices of the universal covering that were visited
+
+  /// Are these the shortest paths of all classes? Each is confirmed to be a shortest one of its class, and no other
+  /// class has a shorter one, up to `Shortest_path_report::tolerance()`. So it is of fewer paths than were asked for as
+  /// well; never if there is none.
+  bool is_confirmed() const
+  {
+    double least = lower_bound;
+    for(const auto& other : left_out)
+      least = (std::min)(least, other.lower_bound);
+    for(const Shortest_path_report& path : paths)
+      if(!path.is_confirmed() || least < path.length * (1 - Shortest_path_report::tolerance()))
+        return false;
+    return !paths.empty();
+  }
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// What `shortest_paths_by_class()` returns: where its output ends, and what is known of the paths.
+template <class TriangleMesh, class OutputIterator>
+struct Paths_by_class_result
+{
+  OutputIterator out;                         ///< the end of the output
+  Paths_by_class_report<TriangleMesh> report; ///< what is known of the paths
+
+  std::size_t number_of_paths() const { return report.paths.size(); }      ///< how many there are
+  double length(std::size_t i) const { return report.paths.at(i).length; } ///< of a path, by its place in the output
+  Class_search_status status() const { return report.status; }             ///< how the search ended
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// How many vertices of a universal covering may be visited, of some 1200 bytes each; then the search is given up.
+class Covering_limit
+{
+public:
+  /// \f$10^6 + 20 n\f$ for \f$n\f$ vertices.
+  Covering_limit() = default;
+
+  /// At most about so many.
+  explicit Covering_limit(std::size_t vertices)
+    : m_vertices(vertices)
+  {
+  }
+
+  /// The limit for a mesh with a number of vertices.
+  std::size_t operator()(std::size_t number_of_vertices) const
+  {
+    return m_vertices.value_or(1000000 + 20 * number_of_vertices);
+  }
+
+private:
+  std::optional<std::size_t> m_vertices;
+};
+
+namespace internal {
+
+/* Places in a covering in the form that an output takes. */
+template <class Form, class Triangulation, class TriangleMesh>
+class Covering_form_converter
+{
+  using Paths = Class_paths<Triangulation>;
+  using Forms = Curve_forms<Triangulation>;
+  using All = typename Forms::All;
+
+public:
+  Covering_form_converter(const Triangulation& triangulation, const TriangleMesh& mesh, const Paths& paths)
+    : m_triangulation(triangulation)
+    , m_mesh(mesh)
+    , m_paths(paths)
+  {
+  }
+
+  Form operator()(const typename Paths::Place& p) const
+  {
+    if constexpr(std::is_same<Form, All>::value) {
+      return everything(p);
+    } else if constexpr(std::is_same<Form, typename Forms::Point>::value) {
+      return p.point;
+    } else {
+      using Number = typename Form::second_type::value_type;
+      const auto& weights = p.location.second;
+      return {face_below(p), {{Number(weights[0]), Number(weights[1]), Number(weights[2])}}};
+    }
+  }
+
+private:
+  auto halfedge_below(Input_halfedge_index h) const { return m_triangulation.input().halfedge(m_paths.below(h)); }
+
+  auto face_below(const typename Paths::Place& p) const
+  {
+    return graph_face(halfedge_below(p.location.first.halfedge), m_mesh);
+  }
+
+  All everything(const typename Paths::Place& p) const
+  {
+    All result;
+    result.location = {face_below(p), p.location.second};
+    if(p.halfedge != null_index)
+      result.halfedge = halfedge_below(p.halfedge);
+    if constexpr(!std::is_void<typename Forms::Point>::value) {
+      result.point = p.point;
+      result.tangent = p.tangent;
+    }
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+  const TriangleMesh& m_mesh;
+  const Paths& m_paths;
+};
+
+template <class TriangleMesh, class Triangulation>
+Path_class<TriangleMesh> path_class(const Triangulation& triangulation, const Class_paths<Triangulation>& paths,
+                                    Index lift, double length, double lower_bound)
+{
+  Path_class<TriangleMesh> result;
+  for(Input_halfedge_index h : paths.search().path(lift))
+    result.edge_path.push_back(triangulation.input().halfedge(h));
+  result.edge_length = paths.search().distance(lift);
+  result.length = length;
+  result.lower_bound = lower_bound;
+  return result;
+}
+
+template <class TriangleMesh, class Triangulation>
+Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation,
+                                              const Class_paths<Triangulation>& paths, std::size_t number)
+{
+  Paths_by_class_report<TriangleMesh> report;
+  for(const auto& path : paths.paths()) {
+    report.paths.push_back(path.report);
+    note_contraction(triangulation, report.paths.back().shortening);
+    report.classes.push_back(
+        path_class<TriangleMesh>(triangulation, paths, path.lift, path.report.length, path.report.lower_bound));
+  }
+  for(const auto& other : paths.left_out())
+    report.left_out.push_back(
+        path_class<TriangleMesh>(triangulation, paths, other.lift, other.length, other.lower_bound));
+  report.lower_bound = paths.frontier_bound();
+  report.visited = paths.search().number_of_lifts();
+  const double longest = report.paths.empty() ? 0 : report.paths.back().length;
+  if(paths.search().is_exhausted())
+    report.status = report.paths.size() < number ? Class_search_status::NO_MORE_CLASSES : Class_search_status::FOUND;
+  else if(report.paths.size() < number || report.lower_bound < longest)
+    report.status = Class_search_status::COVERING_LIMIT;
+  return report;
+}
+
+/* Calls `function(limit, np)` with what a caller has given last: named parameters, or a limit alone. */
+template <class Options, class Function>
+auto with_covering_limit(const Options& options, const Function& function)
+{
+  if constexpr(std::is_same<Options, Covering_limit>::value)
+    return function(options, parameters::default_values());
+  else
+    return function(Covering_limit(), options);
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Computes the shortest paths on the surface from one vertex to another of which no two can be deformed into each other:
+ * one for each of `number` homotopy classes, the shortest classes first. Between them lie handles and borders of the
+ * surface.
+ *
+ * Shortest edge paths are searched in the universal covering of the surface, in which all classes of paths have ends of
+ * their own. A part of the covering is laid out, and the shortest path to each of these ends is computed there, as
+ * `shortest_path()` does it. Ways that leave the part are bounded from below, and the part is enlarged until they are
+ * longer than the paths. So the result is confirmed, or the report says that it is not.
+ *
+ * A sphere and a disk have one class. Obstacles make more: the mesh can be a `CGAL::Face_filtered_graph` without the
+ * faces that no path is to enter.
+ *
+ * \param mesh a triangle mesh, a surface: sheets that meet in a vertex only are none
+ * \param source, target different vertices of one component
+ * \param number of classes
+ * \param out receives one `std::vector` per path, by length, of what `geodesic_path()` writes
+ * \param limit a `Covering_limit`; beyond it the search is given up, and the report tells what is known
+ * \param np the named parameters of `geodesic_path()` without `visitor`
+ * \return the end of the output, and the report
+ * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface
+ * \pre `number > 0`
+ *
+ * Complexity: \f$O(m \log m)\f$ for \f$m\f$ vertices of the covering that are visited, and that of `shortest_path()` for
+ * each path. All these vertices lie where paths of some class pass that are little longer than the last result.
+ */
+template <class TriangleMesh, class OutputIterator, class NamedParameters>
+Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
+    const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source, Mesh_vertex<TriangleMesh> target, std::size_t number,
+    OutputIterator out, const Covering_limit& limit, const NamedParameters& np)
+{
+  static_assert(!internal::is_given<NamedParameters, internal_np::visitor_t>,
+                "shortest_paths_by_class() takes no visitor: its paths are computed in a covering of the mesh");
+  CGAL_precondition_msg(number > 0, "no class is asked for");
+  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Triangulation = typename Types::Triangulation;
+  using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
+  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
+                                               triangulation.index(target));
+    paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
+    const internal::Covering_form_converter<Form, Triangulation, TriangleMesh> convert(triangulation, mesh, paths);
+    OutputIterator end = out;
+    for(const auto& path : paths.paths()) {
+      std::vector<Form> points;
+      for(const auto& place : path.places)
+        points.push_back(convert(place));
+      *end++ = std::move(points);
+    }
+    return Paths_by_class_result<TriangleMesh, OutputIterator>{
+        end, internal::report_of<TriangleMesh>(triangulation, paths, number)};
+  });
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a limit or named parameters, or neither.
+template <class TriangleMesh, class OutputIterator, class Options = parameters::Default_named_parameters>
+Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
+    const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source, Mesh_vertex<TriangleMesh> target, std::size_t number,
+    OutputIterator out, const Options& options = parameters::default_values())
+{
+  return internal::with_covering_limit(options, [&](const auto& limit, const auto& np) {
+    return Flip_geodesics::shortest_paths_by_class(mesh, source, target, number, out, limit, np);
+  });
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_SHORTEST_PATHS_BY_CLASS_H

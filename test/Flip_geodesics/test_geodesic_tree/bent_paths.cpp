@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Paths that are no geodesics: what is measured of a tree of edges as they are.
+
+#include "Curve_setting.h"
+#include "descriptors.h"
+#include "generated_meshes.h"
+
+#include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+
+// A tree with one path, along the edges between vertices in a row.
+struct Tree_of_one_path
+{
+  using Triangulation = Curve_setting::Triangulation;
+
+  Tree_of_one_path(Triangulation& t, const std::vector<FG::Vertex_index>& path)
+    : m_triangulation(t)
+    , m_source(path.front())
+    , m_incoming(static_cast<std::size_t>(t.number_of_vertices()))
+  {
+    for(FG::Halfedge_index h : FG::internal::descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
+      for(std::size_t i = 0; i + 1 < path.size(); ++i)
+        if(t.tail(h) == path[i] && t.head(h) == path[i + 1])
+          m_incoming[path[i + 1]] = h;
+  }
+
+  Triangulation& triangulation() const { return m_triangulation; }
+  FG::Vertex_index source() const { return m_source; }
+  FG::Halfedge_index incoming(FG::Vertex_index v) const { return m_incoming[v]; }
+
+private:
+  Triangulation& m_triangulation;
+  FG::Vertex_index m_source;
+  FG::internal::Indexed_by<FG::Vertex_index, std::vector<FG::Halfedge_index>> m_incoming;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(paths_are_bent_where_their_angles_are_below_pi)
+{
+  using Straightness = FG::internal::Tree_straightness<Tree_of_one_path>;
+  Curve_setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
+  const auto at = [](int i, int j) { return FG::Vertex_index(grid_vertex(4, i, j)); };
+  struct Case
+  {
+    std::vector<FG::Vertex_index> path;
+    double angle;
+    std::vector<FG::Vertex_index> bent; // the ends of the edges after the bends
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(const Case& c : {Case{{at(1, 1), at(2, 1)}, infinity, {}}, Case{{at(1, 1), at(2, 1), at(3, 1)}, pi, {}},
+                       Case{{at(1, 1), at(2, 1), at(3, 1), at(3, 2)}, pi / 2, {at(3, 2)}},
+                       Case{{at(1, 0), at(2, 0), at(3, 1), at(3, 0)}, pi / 4, {at(3, 1), at(3, 0)}},
+                       Case{{at(0, 1), at(1, 2), at(2, 2), at(3, 3)}, 3 * pi / 4, {at(2, 2), at(3, 3)}}})
+  {
+    const Tree_of_one_path tree(setting.triangulation, c.path);
+    Straightness::Measured_legs measured(static_cast<std::size_t>(setting.triangulation.number_of_vertices()));
+    std::vector<FG::Vertex_index> bent;
+    const double angle = Straightness(tree, measured)(std::back_inserter(bent));
+    BOOST_TEST((angle == c.angle || std::abs(angle - c.angle) < 1e-15));
+    std::vector<FG::Vertex_index> expected = c.bent;
+    std::sort(expected.begin(), expected.end());
+    std::sort(bent.begin(), bent.end());
+    BOOST_TEST((bent == expected));
+  }
+}
