@@ -9,10 +9,13 @@ include(CGAL_TBB_support)
 find_package(CLI11 QUIET)
 find_package(benchmark QUIET)
 
-# Boost.MPI, with what it needs, for programs that run on many machines.
-find_package(MPI QUIET COMPONENTS CXX)
+# Boost.MPI, with what it needs, for programs that run on many machines. Boost.MPI is looked for first: where MPI has its
+# compiler but not its headers, as on machines that only run such programs, looking for MPI is an error.
 find_package(boost_mpi QUIET CONFIG)
 find_package(boost_serialization QUIET CONFIG)
+if(TARGET Boost::mpi)
+  find_package(MPI QUIET COMPONENTS CXX)
+endif()
 if(TARGET MPI::MPI_CXX AND TARGET Boost::mpi AND TARGET Boost::serialization)
   add_library(Flip_geodesics_MPI INTERFACE IMPORTED)
   set_target_properties(Flip_geodesics_MPI PROPERTIES INTERFACE_LINK_LIBRARIES

@@ -290,8 +290,8 @@ private:
       shorten(network, results, recorder);
   }
 
-  // Records how flips alone would pull the curve tight that is known by now: unless they lead to another one, or the legs
-  // of the curve cross. Results stay as they are, so that they are the same with and without a page.
+  // Records how flips alone pull the curve tight that is known by now. Results stay as they are, so that they are the same
+  // with and without a page.
   void record_flips_alone(const Network_request& request, const std::vector<Curve_result>& results)
   {
     std::vector<Curve_result> others = {make_result(request.curves.front())};
@@ -301,12 +301,30 @@ private:
       build(network, request, others, true);
       tighten(network, request, others, recorder);
       const double length = results.front().length;
-      if(std::abs(others.front().length - length) <= 1e-9 * length)
+      if(std::abs(others.front().length - length) <= 1e-9 * length) {
         record(network, recorder);
+      } else if(is_straightened(request)) {
+        network.clear();
+        m_triangulation.rollback();
+        record_straightening(network, request);
+      }
     } catch(const CGAL::Flip_geodesics::Error&) { // what is known stays
     }
     network.clear();
     m_triangulation.rollback();
+  }
+
+  // Records a start and an end alone, where flips lead to another geodesic than straightening does.
+  void record_straightening(Network& network, const Network_request& request)
+  {
+    const std::vector<Halfedge_index> halfedges = initial_halfedges(request.curves.front());
+    network.add_curve(halfedges, false);
+    Recorder recorder;
+    recorder.emplace(network, m_most_recorded_points);
+    network.clear();
+    add_straightened_path(network, halfedges, m_options.most_memory);
+    CGAL::Flip_geodesics::shorten(network, memory_limit());
+    record(network, recorder);
   }
 
   // May the curve's legs be pulled straight each by itself? Then they can cross, and no triangulation has them all.
