@@ -17,6 +17,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / 'examples/Flip_geodesics_program/page'))
+from read_page import Page  # noqa: E402
+
 PAIRS = '0 150\n3 77\n'
 ENDLESS = ['--random', '500000', '--kernel', 'certified']  # for as long as a test may take
 
@@ -129,6 +132,41 @@ def case_results(folder):
         check([run.wait() for run in runs] == [0, 0], 'two runs at once do not succeed')
         check(folder.text('both.txt') in expected, 'two runs have mixed their lines')
     check(not [n for n in folder.names() if n.endswith('.part') and n != 'curves.txt.part'], 'files are left over')
+
+
+def without_times(table):
+    """The rows of `--stats`, without the columns of seconds."""
+    rows = list(csv.DictReader(table.splitlines()))
+    return [{name: value for name, value in row.items() if not name.endswith('_s')} for row in rows]
+
+
+def summary_without_times(output):
+    """The table of curves without the column of milliseconds, and the lines below it without those of times."""
+    lines = [line for line in output.splitlines() if not re.match(r'.*, read in |(search|shorten|extract) ', line)]
+    return [re.sub(r' +[0-9.]+(  (PROVEN|CONFIRMED|UNKNOWN|REFUTED)?)$', r'\1', line) for line in lines]
+
+
+def case_page(folder):
+    """A page shows a run and does not change its numbers, and it has the steps that lead to the curves."""
+    (folder.path / 'points.txt').write_text('0 150\n0,1,0.25 13,14,26,0.3,0.3 100\n')
+    (folder.path / 'bezier.txt').write_text('0,12,13,0.3,0.3 15 40,41,0.5 65\n')
+    for curves, has_steps in ((['--random', '8'], True), (['--points', 'points.txt'], True),
+                              (['--bezier', 'bezier.txt'], False)):
+        alone, _ = folder.run(0, 'torus.off', *curves, '--stats', 'alone.csv', '--polylines', 'alone.txt')
+        shown, _ = folder.run(0, 'torus.off', *curves, '--stats', 'shown.csv', '--polylines', 'shown.txt', '--page',
+                              'page.html')
+        rows = without_times(folder.text('shown.csv'))
+        check(rows and rows == without_times(folder.text('alone.csv')), f'{curves}: the page changes the statistics')
+        check(folder.text('shown.txt') == folder.text('alone.txt'), f'{curves}: the page changes the curves')
+        check(summary_without_times(shown) == summary_without_times(alone), f'{curves}: the page changes the summary')
+        page = Page(folder.path / 'page.html')
+        check(len(page.curves) == len(rows), f'{curves}: the page has {len(page.curves)} of {len(rows)} curves')
+        check([curve['flips'] for curve in page.scene['curves']] == [int(row['flips']) for row in rows],
+              f'{curves}: the page tells other numbers of flips')
+        # Flips from the edge path can lead to another geodesic than the one that was found; such a run has none.
+        moving = [run for run in page.runs if any(flips for flips, *_ in run.steps)]
+        check(not has_steps or 4 * len(moving) >= 3 * len(page.runs) > 0,
+              f'{curves}: {len(moving)} of {len(page.runs)} runs have flips')
 
 
 def case_places(folder):

@@ -9,6 +9,7 @@
 #include "input/mesh_input.h"
 #include "input/point_input.h"
 #include "output/scene_json.h"
+#include "output/viewer_curves.h"
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
 #include "run/progress.h"
@@ -16,10 +17,9 @@
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
+#include <CGAL/Flip_geodesics/IO/PLY.h>
 
 #include <CGAL/assertions_behaviour.h>
-
-#include <boost/range/adaptor/transformed.hpp>
 
 #include <cstddef>
 #include <exception>
@@ -79,26 +79,33 @@ public:
     return out.str();
   }
 
-  /// The mesh and the curves that were computed last, in a format for viewers.
+  /// The mesh and the curves that were computed last, as the program writes them: obj, ply, glb, or polylines.
   std::string save(const std::string& format) const
   {
-    namespace IO = CGAL::Flip_geodesics::IO;
     std::ostringstream out;
     out.precision(std::numeric_limits<double>::max_digits10);
-    const auto points = [](const Scene_curve& curve) -> const std::vector<Point_3>& { return curve.points; };
-    const auto curves = m_scene.curves | boost::adaptors::transformed(points);
-    const Mesh& mesh = m_mesh;
-    if(format == "obj")
-      IO::write_OBJ(out, mesh, curves);
-    else if(format == "glb")
-      IO::write_GLB(out, mesh, curves);
+    if(format == "polylines")
+      write_polylines(out, m_scene);
     else
-      for(const std::vector<Point_3>& line : curves)
-        write_polyline(out, line);
+      with_curves(m_mesh, m_scene, std::nullopt, [&](const auto&... parts) { write(out, format, parts...); });
     return out.str();
   }
 
 private:
+  template <class... Parts>
+  static void write(std::ostream& out, const std::string& format, const Parts&... parts)
+  {
+    namespace IO = CGAL::Flip_geodesics::IO;
+    if(format == "obj")
+      IO::write_OBJ(out, parts...);
+    else if(format == "ply")
+      IO::write_PLY(out, parts..., CGAL::parameters::use_binary_mode(false));
+    else if(format == "glb")
+      IO::write_GLB(out, parts...);
+    else
+      throw Bad_input(printable(format) + ": no format of curves");
+  }
+
   static Run_options options()
   {
     Run_options result;
@@ -170,16 +177,6 @@ private:
         scene.curves.back().points.push_back(p.in_space);
     }
     scene.records.push_back(record.value_or(Shortening_record()));
-  }
-
-  static void write_polyline(std::ostream& out, const std::vector<Point_3>& points)
-  {
-    if(points.empty())
-      return;
-    out << points.size();
-    for(const Point_3& p : points)
-      out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
-    out << '\n';
   }
 
   Input_mesh m_mesh;

@@ -6,15 +6,13 @@
 #include "bad_input.h"
 #include "file_name.h"
 #include "output/output_file.h"
+#include "output/viewer_curves.h"
 #include "scene.h"
 
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>
-#include <CGAL/Flip_geodesics/IO/Tubes.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
-
-#include <boost/range/adaptor/transformed.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,16 +49,11 @@ public:
   {
     if(!is_wanted())
       return;
-    const auto points = [](const Scene_curve& curve) -> const std::vector<Point_3>& { return curve.points; };
-    const auto curves = scene.curves | boost::adaptors::transformed(points);
-    const double radius = m_tubes.value_or(automatic_radius(mesh, scene));
     m_file.write([&](std::ostream& out) {
       if(m_format == "polylines")
-        write_polylines(out, curves);
-      else if(radius > 0)
-        write(out, mesh, curves, CGAL::Flip_geodesics::IO::Tubes(radius, number_of_sides));
+        write_polylines(out, scene);
       else
-        write(out, mesh, curves);
+        with_curves(mesh, scene, m_tubes, [&](const auto&... parts) { write(out, parts...); });
     });
     m_file.close();
   }
@@ -78,19 +71,6 @@ private:
     return extension(name);
   }
 
-  static constexpr int number_of_sides = 8;
-
-  // Viewers draw lines one pixel wide or not at all, so curves are tubes: four pixels wide where the mesh fills a
-  // thousand. Files stay small: a tube takes nine times the numbers of a line.
-  static double automatic_radius(const Mesh& mesh, const Scene& scene)
-  {
-    constexpr std::size_t most_points = 100000;
-    std::size_t points = 0;
-    for(const Scene_curve& curve : scene.curves)
-      points += curve.points.size();
-    return points <= most_points ? 0.002 * size_of(mesh) : 0;
-  }
-
   template <class... Parts>
   void write(std::ostream& out, const Parts&... parts) const
   {
@@ -104,20 +84,6 @@ private:
       IO::write_VTP(out, parts..., as_text);
     else
       IO::write_GLB(out, parts...);
-  }
-
-  // The polylines alone, as CGAL's demo reads them: a line each, the number of points and the points.
-  template <class Polylines>
-  static void write_polylines(std::ostream& out, const Polylines& curves)
-  {
-    for(const std::vector<Point_3>& points : curves) {
-      if(points.empty())
-        continue;
-      out << points.size();
-      for(const Point_3& p : points)
-        out << ' ' << p.x() << ' ' << p.y() << ' ' << p.z();
-      out << '\n';
-    }
   }
 
   std::string m_format;
