@@ -4,13 +4,11 @@
 import heapq
 import math
 import re
-import shutil
 import struct
 import subprocess
 import sys
 from pathlib import Path
 
-from PIL import Image
 from read_page import Page
 
 
@@ -53,27 +51,6 @@ class Tools:
         page = self.folder / 'page.html'
         self.run('flip_geodesics', mesh, *arguments, '--quiet', '--page', page)
         return Page(page)
-
-    def screenshot(self, page, state, width, height):
-        """A page as Debian's Chromium shows it, with two pixels for each of its own; `state` stands behind the # of the
-        address."""
-        browser = shutil.which('chromium')
-        if browser is None:
-            sys.exit('figures.py: needs chromium for this figure')
-        picture = self.folder / 'screenshot.png'
-        for _ in range(5):  # on a busy machine the page may still be loading when the picture is taken
-            subprocess.run([browser, '--headless', '--no-sandbox', '--use-angle=swiftshader',
-                            '--enable-unsafe-swiftshader', '--no-first-run', '--disable-background-networking',
-                            '--disable-component-update', '--disable-sync', f'--user-data-dir={self.folder}/profile',
-                            '--hide-scrollbars', '--force-device-scale-factor=2', f'--window-size={width},{height}',
-                            '--virtual-time-budget=20000',
-                            f'--screenshot={picture}', f'{page.as_uri()}#{state}'],
-                           check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            with Image.open(picture) as file:
-                image = file.convert('RGB')
-            if len(image.getcolors(image.width * image.height)) > 1000:
-                return image
-        sys.exit(f'figures.py: {page} was not loaded in time')
 
 
 def read_ply(path, name):

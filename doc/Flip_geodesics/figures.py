@@ -7,7 +7,7 @@
     python3 doc/Flip_geodesics/figures.py --width 600   draws small ones, to try
 
 Needs VTK, NumPy and Pillow for Python and a virtual screen, in Debian the packages python3-vtk9, python3-numpy,
-python3-pil and xvfb, and for the figure `page` the package chromium. A figure is a function here with the decorator
+python3-pil and xvfb, and for the figures of pages the package chromium. A figure is a function here with the decorator
 @figure, which returns its panels, or an image. The file in fig/ has the function's name. A picture takes a minute.
 """
 
@@ -28,6 +28,7 @@ here = Path(__file__).resolve().parent
 root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
+from figure_browser import Browser  # noqa: E402
 from figure_drawing import FIXED, INK, RESULT, SECOND, START, WHITE, Panel, size_of, to_image, write_png  # noqa: E402
 from figure_light import frame, unit  # noqa: E402
 from figure_pictures import checker, compass  # noqa: E402
@@ -805,7 +806,27 @@ def page(tools):
     others = ((0.2, 0, 0.3), (0, 0.1, 0.48)), ((0.2, 0, -0.3), (0, 0.1, -0.48))
     paths = [detour_path(graph), *(graph.path(*map(graph.nearest, ends)) for ends in others)]
     tools.run('flip_geodesics', mesh, '--edges', tools.lines('paths', paths), '--quiet', '--page', path)
-    return tools.screenshot(path, 'curve=0&step=6&edges=1', 1200, 750)
+    with Browser(tools.folder, 1200, 750) as browser:
+        browser.open(f'{path.as_uri()}#curve=0&step=6&edges=1')
+        browser.wait('document.documentElement.dataset.state === "ready"')
+        return browser.picture()
+
+
+@figure(1560)
+def live_page(tools):
+    """The page of --live in a browser: a path through points that were clicked, and its certificate."""
+    path = tools.folder / 'live.html'
+    tools.run('flip_geodesics', tools.torus(120, 48), '--quiet', '--live', path)
+    state = 'document.documentElement.dataset'
+    with Browser(tools.folder, 1200, 780) as browser:
+        browser.open(path.as_uri())
+        browser.wait(f'{state}.state && {state}.revision')
+        browser.value('document.getElementById("clear").click()')
+        for place in ((190, 420), (330, 210), (480, 460), (720, 260)):
+            before = browser.value(f'{state}.revision')
+            browser.click(*place)
+            browser.wait(f'{state}.revision !== "{before}"')
+        return browser.picture()
 
 
 class Animation:

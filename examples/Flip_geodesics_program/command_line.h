@@ -56,12 +56,15 @@ public:
   std::string describe(const CLI::ParseError& error) const
   {
     for(const std::string& argument : m_app.remaining())
-      if(argument.rfind("--", 0) == 0) {
+      if(is_like_an_option(argument)) {
         const std::string unknown = argument.substr(0, argument.find('='));
-        const std::string meant = nearest_option(unknown);
+        const std::string meant = nearest_option(unknown[1] == '-' ? unknown : '-' + unknown);
         return unknown + " is not known; " + (meant.empty() ? "see --help" : "did you mean " + meant + "?");
       }
-    return std::string(error.what()) + "; see --help";
+    const std::string unreadable = "Could not convert: ", text = error.what();
+    if(text.rfind(unreadable, 0) == 0)
+      return text.substr(unreadable.size()) + ": not what the option takes; see --help";
+    return text + "; see --help";
   }
 
 private:
@@ -109,7 +112,7 @@ private:
 
   void add_mesh()
   {
-    m_app.add_option("MESH", m_options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL")->type_name("FILE")->required();
+    m_app.add_option("MESH", m_options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL, TS")->type_name("FILE")->required();
     m_group = "The mesh";
     add("--repair", m_options.is_repaired,
         "Make a triangle mesh of any polygons: triangulate, orient, cut apart, stitch, drop; and say what was done");
@@ -245,6 +248,12 @@ private:
       }
     }
     return row.back();
+  }
+
+  // Neither a name nor a negative number.
+  static bool is_like_an_option(const std::string& argument)
+  {
+    return argument.size() > 2 && argument[0] == '-' && argument.find_first_of("0123456789.") != 1;
   }
 
   std::string nearest_option(const std::string& name) const

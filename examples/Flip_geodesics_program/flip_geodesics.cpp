@@ -137,12 +137,12 @@ void check_options(const Options& options)
     throw Bad_input("--shortest, --map, --isolines and --voronoi belong to --source; give a source");
   if(jobs > 1 || (jobs == 0 && !is_only_live_page_wanted(options)))
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
-                    "--points, --bezier, --draw, --segmentation, --seams, --source, --trace");
+                    "--points, --bezier, --draw, --segmentation, --seams, --source, --trace; or give --live alone");
   if(!options.is_repaired && !options.results.repaired.empty())
     throw Bad_input("--repaired belongs to --repair; give both");
   check_field_options(options);
-  if(!options.traces.empty() && (options.mollify || options.kernel || options.stop_length ||
-                                 options.meshes.is_any_wanted()))
+  if(!options.traces.empty() &&
+     (options.mollify || options.kernel || options.stop_length || options.meshes.is_any_wanted()))
     throw Bad_input("--trace gives no curves of a triangulation: --mollify, --kernel, --stop-length, "
                     "--delaunay, --refine, --subdivision, --insert and --cut do not go with it");
   if(!options.sources.empty() && options.stop_length)

@@ -53,6 +53,16 @@ const drop = async (name, text) => {
   files.items.add(new File([text], name));
   dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
 };
+// The bytes of a file that the page saves, one character each.
+const save = async (format) => {
+  const create = URL.createObjectURL;
+  const content = await new Promise((done) => {
+    URL.createObjectURL = (blob) => { done(blob); return create.call(URL, blob); };
+    document.querySelector(`[data-format=${format}]`).click();
+  });
+  URL.createObjectURL = create;
+  return Array.from(new Uint8Array(await content.arrayBuffer()), (byte) => String.fromCharCode(byte)).join('');
+};
 (async () => {
   await until(() => data.state && (data.revision || data.state === 'failed'));
   if (data.state === 'failed') return post({ failure: document.getElementById('message').textContent });
@@ -64,6 +74,8 @@ const drop = async (name, text) => {
   seen.drag = await drag(spot[1], spot[2]);
   seen.flips = await press('show-intrinsic');
   seen.through = await click(...spot[3]);
+  seen.saved = {};
+  for (const format of ['obj', 'ply', 'glb', 'points']) seen.saved[format] = await save(format);
   await press('show-intrinsic');
   seen.spline = await choose('spline');
   seen.loop = await choose('loop');
@@ -123,6 +135,24 @@ def native_length(options, folder, option, line):
         return float(next(csv.DictReader(file))['length'])
 
 
+def check_saved(options, folder, saved, line):
+    """Files that the page saves are those of the program, up to rounding: the mesh, and tubes along the curve."""
+    check(saved['points'] == line + '\n', f'saved points: {saved["points"]}')
+    (folder / 'points.txt').write_text(saved['points'])
+    for format in ('obj', 'ply', 'glb'):
+        own = folder / f'curves.{format}'
+        subprocess.run([options.program, options.mesh, '--quiet', '--points', folder / 'points.txt', '--mesh', own],
+                       check=True)
+        expected = own.read_bytes().decode('latin-1')
+        if format == 'glb':
+            check(len(saved[format]) == len(expected), f'a GLB file of {len(saved[format])} bytes, not {len(expected)}')
+            continue
+        found, expected = saved[format].split(), expected.split()
+        check(len(found) == len(expected), f'{format}: {len(found)} words instead of {len(expected)}')
+        for a, b in zip(found, expected):
+            check(a == b or abs(float(a) - float(b)) < 1e-9, f'{format}: {a} instead of {b}')
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('--program', required=True)
@@ -147,6 +177,7 @@ def main():
                 check(state['certificate'] == 'PROVEN', f'{name}: {state}')
                 lines.add(state['line'])
                 compared += 1
+        check_saved(options, folder, seen['saved'], seen['through']['line'])
         check(len(lines) >= 7, f'the drags have not moved the point: {lines}')
         check(int(seen['distances']['curves']) >= 2, f'isolines: {seen["distances"]}')
         check(seen['bad']['error'].startswith('bad.off'), f'a bad file: {seen["bad"]}')
