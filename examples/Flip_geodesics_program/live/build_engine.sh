@@ -22,8 +22,9 @@ for library in CGAL boost eigen3; do
   done
 done
 
+# -O2: with -Oz isolines and curves take three to six times as long, and the page is 0.2 megabytes smaller.
 # WebAssembly rounds to nearest only, which is enough for the library; CGAL's intervals are told.
-flags=(-std=c++17 -Oz -fwasm-exceptions -DNDEBUG -DCGAL_NDEBUG -DCGAL_DISABLE_GMP -DCGAL_DISABLE_MPFR
+flags=(-std=c++17 -O2 -fwasm-exceptions -DNDEBUG -DCGAL_NDEBUG -DCGAL_DISABLE_GMP -DCGAL_DISABLE_MPFR
   -DCGAL_ALWAYS_ROUND_TO_NEAREST -DBOOST_ALL_NO_LIB "-I$root/include" "-I$program" -isystem "$work/include" -isystem "$work/include/eigen3"
   "-ffile-prefix-map=$work/=" "-ffile-prefix-map=$root/=") # what is thrown names files, but not those of one machine
 objects=()
@@ -32,7 +33,7 @@ for source in live/engine.cpp run/engine_certified.cpp run/field_curves.cpp; do
   emcc "${flags[@]}" -MMD -MF "$object.d" -c "$program/$source" -o "$object"
   objects+=("$object")
 done
-emcc -Oz -fwasm-exceptions --no-entry -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB "${objects[@]}" -o "$work/engine.wasm"
+emcc -O2 -fwasm-exceptions --no-entry -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB "${objects[@]}" -o "$work/engine.wasm"
 cd "$root"
 sed 's/\\$//' "$work"/*.d | tr -s ' ' '\n' | grep -F "$root/" | xargs realpath --relative-to=. | grep -v '\.cpp\.o' | sort -u \
   | cat - <(realpath --relative-to=. "$here/build_engine.sh") | xargs sha256sum | awk '{ print $2, $1 }' > "$work/sources"
