@@ -18,6 +18,7 @@ exact.csv       continuous Dijkstra and the heat method                         
 fields.csv      exact distances of all vertices                                 compare_distance_fields
 pairs.csv       shortest paths between random vertices                          shortest_pairs
 certified.csv   queries with certified and with plain traits, full of ties      certified_queries
+every_kind.csv  curves of all kinds on meshes of every kind                     certified_queries --every-kind
 rays.csv        straightest geodesics over ten edges                            trace_rays
 drags.csv       ends, way points and control points that are dragged            drag_curves
 machine.txt     processor, compiler, load at the start
@@ -131,6 +132,7 @@ def main():
         table("fields.csv", "compare_distance_fields", 3, int(arguments.all), "torus:16000", *real)
         table("pairs.csv", "shortest_pairs", 100 if arguments.all else 20, "torus:16000", *real)
         table("certified.csv", "certified_queries", "--limit", 1000)
+        table("every_kind.csv", "certified_queries", "--every-kind")
         table("drags.csv", "drag_curves", 1000, "torus:1000000", "terrain:1000000", *real)
         table("rays.csv", "trace_rays", 1000000, 10, "torus:16000", "terrain:256000", *real)
         if (arguments.programs / "kernels").exists():

@@ -11,6 +11,7 @@
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
@@ -23,6 +24,7 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -224,6 +226,43 @@ BOOST_AUTO_TEST_CASE(a_leg_across_needles_is_inserted_by_a_flip_for_each)
   const auto [flips, crossings] = flips_and_crossings(setting, 0_v, Vertex_index(n / 2));
   BOOST_TEST(crossings == std::size_t(n - 3));
   BOOST_TEST(flips < 2 * crossings);
+}
+
+// Around the apex, one side of the strip bends towards the other, and that is not always the same.
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_leg_past_an_apex_of_many_edges_is_inserted_by_few_flips, Setting, Settings)
+{
+  const int n = 4000;
+  Setting setting(cone(n, 2, 1, 1));
+  for_random_pairs(setting.mesh, 20, [&](Vertex_index u, Vertex_index v) {
+    for(const auto& [from, to] : {std::make_pair(u, v), std::make_pair(v, u)}) {
+      const auto [flips, crossings] = flips_and_crossings(setting, from, to);
+      BOOST_TEST(flips < 6 * crossings + 1500);
+      pulled_from_straightened(setting, from, to);
+    }
+  });
+}
+
+// Paths along a ring are pulled over to the apex by one fan of edges after the other.
+BOOST_AUTO_TEST_CASE(paths_between_places_on_a_cone_of_many_sides_take_few_flips)
+{
+  const int n = 4000;
+  const Curve_setting setting(cone(n, 2, 1, 1));
+  Random_numbers random(1);
+  const auto place = [&] {
+    Surface::Halfedge_index h;
+    do
+      h = Surface::Halfedge_index(static_cast<unsigned>(random.below(static_cast<int>(num_halfedges(setting.mesh)))));
+    while(setting.mesh.is_border(h));
+    return FG::Surface_location{FG::Input_halfedge_index(static_cast<int>(h)),
+                                {{random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)}}};
+  };
+  for(int i = 0; i < 20; ++i) {
+    const std::vector<FG::Surface_location> places = {place(), place()};
+    std::vector<Kernel::Point_3> points;
+    const auto result = FG::geodesic_path_through(setting.mesh, places, std::back_inserter(points));
+    BOOST_TEST((result.verdict() == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST(result.report.flips < 20 * n);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(rough_and_needle_meshes_are_no_worse)

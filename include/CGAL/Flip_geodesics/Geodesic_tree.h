@@ -287,7 +287,7 @@ private:
     m_orphans = {v};
     m_flipped.clear();
     ++m_idle;
-    const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, [&](Halfedge_index spoke) {
+    const auto flip = [&](Halfedge_index spoke) {
       const Vertex_index w = m_triangulation->head(spoke);
       if(m_labels.is_offered(w) && m_labels.incoming(w) == spoke)
         m_orphans.push_back(w);
@@ -296,7 +296,9 @@ private:
       ++m_report.flips;
       m_idle = 0;
       visitor.on_flip(*m_triangulation, spoke);
-    });
+    };
+    constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)(); // the edges that are left are on offer, too
+    const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, flip, any);
     ++m_report.flip_outs;
     m_lengthened += Triangulation::Traits::Has_drift::value && new_length >= old_length ? 1 : 0;
     adopt_orphans(Triangulation::edge(m_labels.incoming(v)));

@@ -17,8 +17,8 @@ namespace internal {
 struct Crossed_edge
 {
   Halfedge_index halfedge; // as a side of the face that is left, with its tail on the right
-  bool is_left_new;   // is the left end not one of the edge before? of the first edge it is new
-  double left_height; // how far the left end is from the segment, in any unit
+  bool is_left_new;        // is the left end not one of the edge before? of the first edge it is new
+  double left_height;      // how far the left end is from the segment, in any unit
 };
 
 /*
@@ -35,6 +35,11 @@ struct Crossed_edge
  *      u  / | \  w     ->      u-------w
  *     --/---|---\----         -----------        the segment
  *      a    b    c            a    b    c
+ *
+ * That takes one to two flips for each edge, most often. But where the right side bends towards the left, as along a
+ * ring of a thousand faces, most edges go from each vertex on to the next. So if there are many flips, they are taken
+ * back, and the other order has its turn: on both sides of the strip and from its ends, all edges are flipped that leave
+ * it at once; and only when none is left, the highest vertex on the left is taken.
  */
 template <class Triangulation>
 class Crossing_removal
@@ -54,16 +59,24 @@ public:
    */
   bool operator()(const std::vector<Crossed_edge>& crossed)
   {
+    const auto position = m_triangulation.log_position();
+    m_most_flips = few_flips + flips_per_crossing * crossed.size();
     start(crossed);
-    for(Index i = 0; i < m_end; ++i)
+    for(Index i = 0; i < m_end && !are_flips_many(); ++i)
       if(crossed[static_cast<std::size_t>(i)].is_left_new) {
         take_higher_ones(crossed[static_cast<std::size_t>(i)].left_height, i);
         m_left_side.push_back(i);
       }
     take_higher_ones(0, m_end);
+    if(are_flips_many() && !m_has_given_up) {
+      m_triangulation.rollback(position);
+      start(crossed);
+      flip_leaving_ones_first();
+    }
     return !m_is_torn && !m_has_given_up;
   }
 
+  /* With those that were taken back. */
   std::size_t number_of_flips() const { return m_flips; }
 
   /* The edges that the segment still crosses; none but where it passes a vertex, up to rounding. */
@@ -79,10 +92,13 @@ public:
   Halfedge_index segment() const { return m_segment; }
 
 private:
+  // With so many flips, another order is better.
+  static constexpr std::size_t few_flips = 1000, flips_per_crossing = 4;
+
   // An edge that is crossed. Left vertices are told by the edge at which they were new.
   struct Node
   {
-    Halfedge_index halfedge;
+    Halfedge_index halfedge; // null_index when it is not crossed any more
     Index previous, next, left;
     bool is_left_new;
     double left_height;
@@ -95,6 +111,8 @@ private:
   void start(const std::vector<Crossed_edge>& crossed)
   {
     m_end = static_cast<Index>(crossed.size());
+    m_left_side.clear();
+    m_nodes.clear();
     m_nodes.reserve(crossed.size() + 1);
     Index left = 0;
     for(Index i = 0; i < m_end; ++i) {
@@ -112,13 +130,67 @@ private:
   void take_higher_ones(double height, Index next)
   {
     while(!m_left_side.empty() && node(m_left_side.back()).left_height >= height) {
-      m_has_given_up = m_has_given_up || m_triangulation.memory_of_records() > m_most_memory;
-      if(m_has_given_up)
-        return;
-      if(!take(m_left_side.back(), next))
+      if(has_given_up() || are_flips_many() || !take(m_left_side.back(), next))
         return;
       m_left_side.pop_back();
     }
+  }
+
+  bool has_given_up()
+  {
+    m_has_given_up = m_has_given_up || m_triangulation.memory_of_records() > m_most_memory;
+    return m_has_given_up;
+  }
+
+  bool are_flips_many() const { return m_flips > m_most_flips; }
+
+  // Flips all edges that can leave the strip; takes the highest vertex on the left if there is none; and so on.
+  void flip_leaving_ones_first()
+  {
+    for(Index i = m_end; i-- > 0;)
+      m_waiting.push_back(i);
+    for(;;) {
+      flip_waiting_ones();
+      if(m_is_torn || has_given_up() || node(m_end).next == m_end)
+        return;
+      Index next = after_highest_one();
+      const Index v = node(node(next).previous).left;
+      Index before = node(next).previous;
+      while(before != m_end && node(before).left == v)
+        before = node(before).previous;
+      if(!take(v, next))
+        return;
+      const Index last = next == m_end ? m_end : node(next).next;
+      for(Index i = before == m_end ? node(m_end).next : before; i != last; i = node(i).next)
+        m_waiting.push_back(i);
+    }
+  }
+
+  // Flips those of the edges in m_waiting that can leave, and the edges beside them when they can.
+  void flip_waiting_ones()
+  {
+    while(!m_waiting.empty()) {
+      const Index i = m_waiting.back();
+      m_waiting.pop_back();
+      if(node(i).halfedge == null_index || !is_leaving(i) || !is_flippable(i))
+        continue;
+      const Index before = node(i).previous, after = node(i).next;
+      flip_away(i);
+      for(Index beside : {before, after})
+        if(beside != m_end)
+          m_waiting.push_back(beside);
+    }
+  }
+
+  // The first edge, or m_end, after those at the highest vertex on the left.
+  Index after_highest_one() const
+  {
+    const auto height = [&](Index i) { return node(node(i).left).left_height; };
+    Index highest = node(m_end).next;
+    for(Index i = highest; i != m_end; i = node(i).next)
+      if(height(i) >= height(highest))
+        highest = i;
+    return node(highest).next;
   }
 
   // Flips all crossed edges at left vertex v away.
@@ -207,9 +279,10 @@ private:
 
   void flip_away(Index i)
   {
-    const Node& n = node(i);
+    Node& n = node(i);
     flip(n.halfedge);
     m_segment = Triangulation::twin(n.halfedge); // if it is the last: a flipped halfedge leads backwards
+    n.halfedge = null_index;
     node(n.previous).next = n.next;
     node(n.next).previous = n.previous;
   }
@@ -237,7 +310,8 @@ private:
   Index m_end = 0;
   Vertex_index m_tail, m_head;
   Halfedge_index m_segment;
-  std::size_t m_flips = 0;
+  std::vector<Index> m_waiting; // edges to be looked at
+  std::size_t m_flips = 0, m_most_flips = 0;
   bool m_is_torn = false, m_has_given_up = false;
 };
 
