@@ -822,7 +822,7 @@ def live_page(tools):
         browser.open(path.as_uri())
         browser.wait(f'{state}.state && {state}.revision')
         browser.value('document.getElementById("clear").click()')
-        for place in ((190, 420), (330, 210), (480, 460), (720, 260)):
+        for place in ((200, 560), (260, 300), (520, 160), (700, 470)):
             before = browser.value(f'{state}.revision')
             browser.click(*place)
             browser.wait(f'{state}.revision !== "{before}"')

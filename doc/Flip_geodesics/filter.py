@@ -3,7 +3,8 @@
 """What Doxygen reads in place of a file of the manual or a header: filter.py FILE
 
 Numbers figures and names them by their numbers where they are referred to, links citations to the list of references,
-and names of enumerators to their enumerations. Lines keep their numbers.
+and names of enumerators to their enumerations. Writes formulas of a letter or two without LaTeX, so that they can be
+read where MathJax cannot be loaded. Lines keep their numbers.
 """
 
 import re
@@ -70,6 +71,17 @@ def link_enumerators(line):
     return re.sub(r'`([A-Z][A-Z_]+)`', link, line)
 
 
+def write_formulas(line):
+    """Letters, multiples of pi, powers and orders of growth as HTML; other formulas stay."""
+    def letters(text):
+        return re.sub(r'[A-Za-z]+', lambda m: m[0] if m[0] == 'log' else f'<i>{m[0]}</i>', text)
+
+    line = re.sub(r'\\f\$(\d?)\\(pi|alpha|gamma|Delta)\\f\$', r'\1&\2;', line)
+    line = re.sub(r'\\f\$(\d+)\^\{-(\d+)\}\\f\$', r'\1<sup>&minus;\2</sup>', line)
+    return re.sub(r'\\f\$([A-Za-z]{1,2}|O\([a-z]( \\log [a-z])?\))\\f\$',
+                  lambda m: letters(m[1].replace('\\log', 'log')), line)
+
+
 def main():
     path = Path(sys.argv[1])
     is_text = path.suffix == '.txt'
@@ -78,7 +90,7 @@ def main():
         if re.search(r'\\code\b|\\verbatim\b', line):
             in_code = True
         if not in_code and (is_text or re.match(r'\s*(///|\*|/\*!)', line) or '///<' in line):
-            line = link_enumerators(link_citations(number_figures(line)))
+            line = write_formulas(link_enumerators(link_citations(number_figures(line))))
         if re.search(r'\\endcode\b|\\endverbatim\b', line):
             in_code = False
         print(line)

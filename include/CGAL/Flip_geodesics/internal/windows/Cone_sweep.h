@@ -136,8 +136,12 @@ private:
     bool is_set = false, is_waiting = false;
     bool is_borrowed = false; // from the other halfedge, and lower than need be
 
-    /* In the queue. */
-    std::uint64_t key() const { return ordered_bits((std::max)(0.5 * (at_tail + at_head), 0.0)); }
+    /* In the queue: nearer to the less, since it is at that end that what comes over the edge goes on first. */
+    std::uint64_t key() const
+    {
+      const double less = (std::min)(at_tail, at_head), more = (std::max)(at_tail, at_head);
+      return ordered_bits((std::max)(0.75 * less + 0.25 * more, 0.0));
+    }
   };
 
   struct Vertex_record

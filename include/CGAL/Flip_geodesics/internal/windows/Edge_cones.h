@@ -147,7 +147,7 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
   if(middle < Lit_parts::infinity)
     sigma = (std::max)(sigma, cones.sigma(0.5 * length, middle));
   // Where it touches a part, it may be a little too high beside that place: a little more, then.
-  for(double more = 1e-3; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
+  for(double more = 3e-3; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
     const Cone cone = cones(sigma);
     const double lower = sigma_below(cone, cones, parts, error);
     if(!(lower > sigma))
@@ -160,7 +160,7 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
 /* One cone, if it is not much below the parts where what lights the two ends meets; otherwise two that meet there. */
 inline Edge_cones fitted_cones(const Lit_parts& parts, double length, double error)
 {
-  constexpr double least_sag = 1e-3;
+  constexpr double least_sag = 3e-2; // of the edge's length; below it a second cone costs more than it saves
   Edge_cones result;
   result.first = parts.part[0].cone;
   if(parts.size == 1)
