@@ -11,6 +11,7 @@
 
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
+#include <CGAL/Flip_geodesics/Weighted_metric.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -27,6 +28,8 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <random>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -492,6 +495,126 @@ BOOST_AUTO_TEST_CASE(limit_of_the_covering)
   }
   BOOST_TEST(some_are_confirmed);
   BOOST_TEST(some_are_not);
+}
+
+// Edge paths are several times as long as geodesics, and in far more classes up to that length than are needed.
+BOOST_AUTO_TEST_CASE(rough_terrain)
+{
+  const int n = 12;
+  std::mt19937 random(1);
+  const auto height = [&] { return 20 * (static_cast<double>(random()) / 2147483648. - 1); };
+  const Mesh_soup terrain = mapped(flat_grid(n, n, Diagonal_rule::RISING), [&](const Coordinates& p) {
+    return Coordinates{p[0], p[1], height()};
+  });
+  const World world(terrain, [](std::size_t f) {
+    return f == 2 * (3 + 12 * 3) || f == 2 * (6 + 12 * 8) + 1 || f == 2 * (9 + 12 * 4);
+  });
+  for(std::size_t number : {1, 3}) {
+    std::vector<Curve> out;
+    const auto result = world.paths(0, grid_vertex(n, n, n), number, out, FG::Covering_limit(20000));
+    BOOST_TEST((result.status() == FG::Class_search_status::FOUND));
+    BOOST_TEST(result.report.is_confirmed());
+    BOOST_TEST(result.number_of_paths() == number);
+    BOOST_TEST(result.report.visited < 8000u);
+    BOOST_TEST(result.report.lower_bound_of_others() >= result.length(number - 1));
+    BOOST_TEST(result.report.classes[0].edge_length > 1.5 * result.length(0));
+    check_classes(world, 0, grid_vertex(n, n, n), out, result.report);
+  }
+}
+
+// There is no end of classes of length zero.
+BOOST_AUTO_TEST_CASE(edges_of_length_zero)
+{
+  std::vector<Curve> out;
+  const auto is_obstacle = [](std::size_t f) { return f == 10; };
+  const World point(mapped(flat_grid(4, 4, Diagonal_rule::RISING),
+                           [](const Coordinates&) {
+                             return Coordinates{1, 2, 3};
+                           }),
+                    is_obstacle);
+  BOOST_CHECK_THROW(point.paths(0, 24, 1, out), FG::Error);
+  BOOST_CHECK_THROW(point.paths(0, 24, 5, out), FG::Error);
+  // A column of the grid has no width.
+  const World folded(mapped(flat_grid(6, 6, Diagonal_rule::RISING),
+                            [](const Coordinates& p) {
+                              return Coordinates{p[0] > 3.5 ? p[0] - 1 : p[0], p[1], p[2]};
+                            }),
+                     is_obstacle);
+  const auto result = folded.paths(grid_vertex(6, 0, 3), grid_vertex(6, 6, 3), 2, out);
+  BOOST_TEST(result.number_of_paths() == 2u);
+  BOOST_TEST(std::abs(result.length(0) - 5) < 1e-12);
+  BOOST_CHECK_EXCEPTION(folded.paths(grid_vertex(6, 3, 3), grid_vertex(6, 4, 3), 1, out), FG::Invalid_curve_error,
+                        [](const FG::Invalid_curve_error& error) {
+                          return std::string(error.what()).find("edges of length zero") != std::string::npos;
+                        });
+}
+
+// Weights that are none, and such that no face has a shape.
+BOOST_AUTO_TEST_CASE(bad_weights)
+{
+  const Surface mesh = to_mesh<Surface>(flat_grid(4, 4, Diagonal_rule::RISING));
+  using Points = Surface::Property_map<Vertex, Point>;
+  const FG::Embedded_metric<Surface, Points> lengths(mesh.points());
+  std::map<Vertex, double> weights;
+  for(Vertex v : mesh.vertices())
+    weights[v] = 1;
+  const auto find = [&] {
+    const FG::Weighted_metric metric(mesh, lengths, boost::make_assoc_property_map(weights));
+    std::vector<std::vector<FG::Curve_place<Surface>>> out;
+    return FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(24), 2, std::back_inserter(out),
+                                       FG::with_metric(metric));
+  };
+  BOOST_TEST(std::abs(find().length(0) - std::sqrt(32.)) < 1e-12);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(double bad : {0., -1., infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    weights[Vertex(12)] = bad;
+    BOOST_CHECK_THROW(find(), FG::Invalid_parameter_error);
+  }
+  weights[Vertex(12)] = 100;
+  BOOST_CHECK_THROW(find(), FG::Degenerate_face_error);
+}
+
+// What obstacles can do to the ends, and to what is between them.
+BOOST_AUTO_TEST_CASE(ends_and_obstacles)
+{
+  const int n = 6;
+  std::vector<Curve> out;
+  // All faces about the target are obstacles.
+  const World inside(flat_grid(n, n, Diagonal_rule::RISING), [](std::size_t f) {
+    const std::size_t i = (f / 2) % 6, j = (f / 2) / 6;
+    return (i == 2 || i == 3) && (j == 2 || j == 3);
+  });
+  const int middle = grid_vertex(n, 3, 3);
+  BOOST_CHECK_THROW(inside.paths(0, middle, 2, out), FG::Error);
+  BOOST_CHECK_THROW(inside.paths(middle, 0, 2, out), FG::Error);
+  // A closed slit separates what is in it, and its vertices are on either side.
+  const World ring(
+      flat_grid(n, n, Diagonal_rule::RISING), [](std::size_t) { return false; },
+      [](const Point& p, const Point& q) {
+        const auto is_on = [](const Point& r) { return (std::max)(std::abs(r.x() - 3), std::abs(r.y() - 3)) == 1; };
+        return is_on(p) && is_on(q) && (p.x() == q.x() || p.y() == q.y());
+      });
+  BOOST_CHECK_THROW(ring.paths(0, middle, 2, out), FG::Disconnected_endpoints_error);
+  BOOST_TEST(ring.paths(0, grid_vertex(n, 6, 6), 2, out).number_of_paths() == 2u);
+}
+
+// Many holes and many classes; the limit bounds what is visited.
+BOOST_AUTO_TEST_CASE(many_holes)
+{
+  const int n = 18;
+  const World world(flat_grid(n, n, Diagonal_rule::ALTERNATING), [](std::size_t f) {
+    const std::size_t i = (f / 2) % 18, j = (f / 2) / 18;
+    return i % 3 == 1 && j % 3 == 1;
+  });
+  std::vector<Curve> out;
+  const auto result = world.paths(0, grid_vertex(n, n, n), 40, out);
+  BOOST_TEST((result.status() == FG::Class_search_status::FOUND));
+  BOOST_TEST(result.number_of_paths() == 40u);
+  BOOST_TEST(result.report.is_confirmed());
+  out.clear();
+  const auto few = world.paths(0, grid_vertex(n, n, n), 200, out, FG::Covering_limit(2000));
+  BOOST_TEST((few.status() == FG::Class_search_status::COVERING_LIMIT));
+  BOOST_TEST(few.report.visited < 2200u);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input)

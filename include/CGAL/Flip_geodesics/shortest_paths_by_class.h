@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -55,7 +56,9 @@ struct Path_class
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
-  std::vector<halfedge_descriptor> edge_path; ///< a shortest one of its paths along edges
+  /// A shortest one of its paths along edges, of those in the part of the covering that was laid out. That is all of
+  /// the first `number` classes of edge paths; other classes may have shorter ones if edges are no good measure.
+  std::vector<halfedge_descriptor> edge_path;
   double edge_length = 0;                     ///< the length of that
   /// The length of the shortest path that was found; infinite where the lower bound told enough.
   double length = std::numeric_limits<double>::infinity();
@@ -70,18 +73,28 @@ struct Paths_by_class_report
   std::vector<Shortest_path_report> paths;        ///< of the paths, by length: is each a shortest one of its class?
   std::vector<Path_class<TriangleMesh>> classes;  ///< the classes of the paths, in the same order
   std::vector<Path_class<TriangleMesh>> left_out; ///< further classes that were found, those of shorter paths first
-  double lower_bound = 0;                         ///< no path of any other class is shorter; infinite if there is none
+  double lower_bound = 0;                         ///< of the paths of classes not found; infinite if there is none
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
   std::size_t visited = 0;                                 ///< the vertices of the universal covering that were visited
 
-  /// Are these the shortest paths of all classes? Each is confirmed to be a shortest one of its class, and no other
-  /// class has a shorter one, up to `Shortest_path_report::tolerance()`. So it is of fewer paths than were asked for as
-  /// well; never if there is none.
-  bool is_confirmed() const
+  /// No path of any class is shorter that has none among `paths`: a proven bound, of those left out and those not found.
+  /// Infinite if all classes have their paths. It may be less than the length of the last path where that is not
+  /// confirmed.
+  double lower_bound_of_others() const
   {
     double least = lower_bound;
     for(const auto& other : left_out)
       least = (std::min)(least, other.lower_bound);
+    return least;
+  }
+
+  /// Are these the shortest paths of all classes? Each is confirmed to be a shortest one of its class, and no other
+  /// class has a shorter one, up to `Shortest_path_report::tolerance()`. It speaks of the paths there are, also if they
+  /// are fewer than were asked for; never if there is none. A larger limit can find a further path and not confirm it,
+  /// so that this is not monotone in the limit; what was confirmed remains true.
+  bool is_confirmed() const
+  {
+    const double least = lower_bound_of_others();
     for(const Shortest_path_report& path : paths)
       if(!path.is_confirmed() || least < path.length * (1 - Shortest_path_report::tolerance()))
         return false;
@@ -220,6 +233,20 @@ Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation
   return report;
 }
 
+/* Where edges of length zero are contracted, different vertices can be one. */
+template <class Triangulation, class Vertex>
+void check_places(const Triangulation& triangulation, Vertex source, Vertex target)
+{
+  const auto& input = triangulation.input();
+  if(!input.is_contracted() || input.index(source) != input.index(target))
+    return;
+  const Index s = input.uncontracted().index(source).idx(), t = input.uncontracted().index(target).idx();
+  if(s != t)
+    throw Invalid_curve_error("a curve starts and ends in one place: edges of length zero join vertex " +
+                                  std::to_string(s) + " and vertex " + std::to_string(t),
+                              {static_cast<std::size_t>(s), static_cast<std::size_t>(t)});
+}
+
 /* Calls `function(limit, np)` with what a caller has given last: named parameters, or a limit alone. */
 template <class Options, class Function>
 auto with_covering_limit(const Options& options, const Function& function)
@@ -244,6 +271,8 @@ auto with_covering_limit(const Options& options, const Function& function)
  * `shortest_path()` does it. Ways that leave the part are bounded from below, and the part is enlarged until they are
  * longer than the paths. So the result is confirmed, or the report says that it is not.
  *
+ * Edges of length zero are contracted where they matter. Then the ends must lie in different places.
+ *
  * A sphere and a disk have one class. Obstacles make more: the mesh can be a `CGAL::Face_filtered_graph` without the
  * faces that no path is to enter.
  *
@@ -254,11 +283,14 @@ auto with_covering_limit(const Options& options, const Function& function)
  * \param limit a `Covering_limit`; beyond it the search is given up, and the report tells what is known
  * \param np the named parameters of `geodesic_path()` without `visitor`
  * \return the end of the output, and the report
- * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface
+ * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface; Invalid_curve_error if the ends are one
+ *         vertex, or edges of length zero join them
  * \pre `number > 0`
  *
  * Complexity: \f$O(m \log m)\f$ for \f$m\f$ vertices of the covering that are visited, and that of `shortest_path()` for
- * each path. All these vertices lie where paths of some class pass that are little longer than the last result.
+ * each path. These vertices lie on the first `number` classes of edge paths, and where paths of some class may pass that
+ * are no longer than the last result. The covering is laid out in parts, each larger by a fourth at least, so that the
+ * time is about proportional to a limit that is reached.
  */
 template <class TriangleMesh, class OutputIterator, class NamedParameters>
 Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
@@ -272,6 +304,7 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
   return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    internal::check_places(triangulation, source, target);
     internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
                                                triangulation.index(target));
     paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));

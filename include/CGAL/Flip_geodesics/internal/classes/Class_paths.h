@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/classes/Covering_search.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_surface.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
+#include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -37,7 +39,7 @@ public:
     , m_source(triangulation.metric().place(triangulation.input(), source))
     , m_goal(triangulation.metric().place(triangulation.input(), goal))
     , m_faces(triangulation)
-    , m_sweep(triangulation, m_faces, source, goal)
+    , m_sweep(triangulation, m_faces, source, goal, free_updates)
   {
     m_sweep.run(bound);
   }
@@ -51,15 +53,41 @@ public:
     return (std::max)((std::min)(m_sweep.distance_lower_bound(v), most), metric.distance_lower_bound(place, m_source));
   }
 
-  /* The least bound of all places on an edge: one end or the other is as near as half of the edge. */
-  double on_edge(Input_halfedge_index h) const
+  /*
+   * The least bound of ways over the edge of a border halfedge h: from the source over faces on the other side, and on
+   * from the edge of another surface over which h lies, where bounds from the goal are known.
+   */
+  template <class Surface, class Other>
+  double beyond(const Surface& surface, Input_halfedge_index h, const Distance_bounds<Other>& other) const
   {
-    const auto& input = m_triangulation.input();
-    const double length = m_triangulation.metric().length(input, h);
-    return 0.5 * (at_vertex(input.tail(h)) + at_vertex(input.tail(twin_index(h))) - length);
+    const auto beyond_end = [&](Input_halfedge_index g) {
+      return at_vertex(surface.tail(g)) + other.at_vertex(surface.below().tail(surface.below(g)));
+    };
+    const Input_halfedge_index t = twin_index(h);
+    const double length = m_triangulation.metric().length(m_triangulation.input(), h);
+    const double at_ends[] = {beyond_end(h), beyond_end(t)}, least = (std::min)(at_ends[0], at_ends[1]);
+    if(!m_sweep.is_useful())
+      return 0.5 * (at_ends[0] + at_ends[1]) - length; // both bounds change by no more than a step is long
+    const Edge_cones* const cones = m_sweep.cones(t);
+    if(cones == nullptr)
+      return least;
+    const Edge_cones from = cones->mirrored(length);
+    double across = other.through(surface.below(h), length, from.first, 0, (std::min)(from.split, length));
+    if(from.split < length)
+      across = (std::min)(across, other.through(surface.below(h), length, from.second, from.split, length));
+    return (std::min)(least, across - m_sweep.total_error());
+  }
+
+  /* As that of the sweep. */
+  double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const
+  {
+    return m_sweep.through(h, length, cone, from, to);
   }
 
 private:
+  // Many, since a bound that fails on needles costs far more: another part of the covering.
+  static constexpr int free_updates = 64;
+
   const Triangulation& m_triangulation;
   typename Triangulation::Metric::Place m_source, m_goal;
   Unfolded_faces<Triangulation> m_faces;
@@ -71,7 +99,8 @@ private:
  * universal covering, of which a part is laid out.
  *
  * What leaves the part crosses its frontier. How long such a way is at least, up to there and on to the target, two
- * sweeps tell. The part is enlarged until that is more than the paths that are looked for can have.
+ * sweeps tell. The part is enlarged there, until that is more than the paths that are looked for can have: edge paths
+ * that are pulled tight in the part say how long these are at most.
  */
 template <class Triangulation>
 class Class_paths
@@ -116,10 +145,8 @@ public:
     m_search.run_to_targets(number, most_lifts);
     if(m_search.targets().empty())
       return;
-    const double longest = m_search.distance(m_search.targets().back());
-    double reach = longest * first_margin;
-    while(!try_part(number, longest, reach, most_lifts))
-      reach *= (std::min)((std::max)(longest / m_frontier_bound, least_growth), most_growth);
+    while(!try_part(number, most_lifts)) {
+    }
   }
 
   const Covering_search<Triangulation>& search() const { return m_search; }
@@ -134,49 +161,100 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double first_margin = 1.1, least_growth = 1.05, most_growth = 1.5;
+  // Of what is swept, so that bounds beyond the longest path tell something.
+  static constexpr double margin = 1 + 0x1p-5;
   // Of a bound, for the rounding of sums.
   static constexpr double rounding = 0x1p-40;
 
-  // Lays out what ways pass that are not longer than `reach` along edges; is that enough for all paths up to `longest`?
-  bool try_part(std::size_t number, double longest, double reach, std::size_t most_lifts)
+  /* A geodesic of a class, which may be held by where the covering's part ended when it was found. */
+  struct Geodesic
   {
-    m_search.run(reach, most_lifts);
+    double length = infinity;
+    bool is_held = true;
+    std::size_t part = static_cast<std::size_t>(-1); // in which it was found
+  };
+
+  // Lays out what has been searched, and finds the paths if that is enough; goes on with the search otherwise.
+  bool try_part(std::size_t number, std::size_t most_lifts)
+  {
+    ++m_part;
     m_surface = std::make_unique<Surface>(m_mesh, m_triangulation.input(), m_search);
     Covering covering(*m_surface, typename Covering::Metric(m_triangulation.metric()), m_triangulation.traits());
-    const double bound = longest * (1 + 2 * rounding) + 2 * longest_edge(covering);
+    mark_frontier();
+    Shortest_edge_path<Covering> edge_paths(covering);
+    for(std::size_t i = 0; i < (std::min)(number, m_search.targets().size()); ++i)
+      find_geodesic(covering, edge_paths, m_search.targets()[i]);
+    const double bound = length_of_class(number) * margin;
     const Distance_bounds<Covering> bounds(covering, m_surface->vertex(0),
                                            m_surface->vertex(m_search.targets().front()), bound);
-    find_frontier(covering, bounds, bound);
-    if(m_frontier_bound < longest && !m_search.is_exhausted() && m_search.number_of_lifts() <= most_lifts)
+    for(Index lift : m_search.targets())
+      if(bounds.at_vertex(m_surface->vertex(lift)) < length_of_class(number))
+        find_geodesic(covering, edge_paths, lift);
+    const double longest = length_of_class(number);
+    if(m_to_target == nullptr)
+      m_to_target = std::make_unique<Distance_bounds<Triangulation>>(m_triangulation, m_target, m_source, bound);
+    const std::vector<Open_lift> open = find_frontier(bounds, bound, longest);
+    if(!open.empty() && m_search.number_of_lifts() <= most_lifts) {
+      m_search.run_from(open, [&](Vertex_index v) { return m_to_target->at_vertex(v); }, longest, most_lifts);
       return false;
+    }
+    m_search.shorten_paths();
     find_paths(covering, bounds, number);
     return true;
   }
 
-  // What is left open along an edge is less.
-  static double longest_edge(const Covering& covering)
+  void mark_frontier()
   {
-    double result = 0;
-    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(covering.input().number_of_halfedges()))
-      if(covering.input().is_border(h))
-        result = (std::max)(result, covering.metric().length(covering.input(), h));
-    return result;
+    m_is_on_frontier.assign(static_cast<std::size_t>(m_surface->number_of_vertices()), 0);
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_surface->number_of_halfedges()))
+      if(m_surface->is_frontier(h))
+        m_is_on_frontier[m_surface->tail(h)] = 1;
   }
 
-  void find_frontier(const Covering& covering, const Distance_bounds<Covering>& bounds, double bound)
+  // Pulls an edge path to a lift of the target tight, unless that has been done, and more of the covering is no help.
+  void find_geodesic(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift)
   {
-    m_is_on_frontier.assign(static_cast<std::size_t>(covering.number_of_vertices()), 0);
-    const Distance_bounds<Triangulation> to_target(m_triangulation, m_target, m_source, bound);
+    Geodesic& geodesic = m_geodesics[lift];
+    if(!geodesic.is_held || geodesic.part == m_part)
+      return;
+    {
+      Network network(covering);
+      const std::vector<Vertex_index> ends = {m_surface->vertex(0), m_surface->vertex(lift)};
+      network.add_curve(shortest_halfedges_through(edge_paths, ends), false);
+      shorten(network);
+      geodesic.length = (std::min)(geodesic.length, network.length(Curve_index(0)));
+      geodesic.is_held = touches_frontier(network);
+      geodesic.part = m_part;
+    }
+    covering.rollback();
+  }
+
+  // The longest of the paths of so many classes is no longer, or of all classes found if they are fewer.
+  double length_of_class(std::size_t number) const
+  {
+    std::vector<double> lengths;
+    for(const auto& [lift, geodesic] : m_geodesics)
+      lengths.push_back(geodesic.length);
+    const auto last = lengths.begin() + static_cast<std::ptrdiff_t>((std::min)(number, lengths.size()) - 1);
+    std::nth_element(lengths.begin(), last, lengths.end());
+    return *last * (1 + rounding);
+  }
+
+  // Where ways leave the part that may be shorter than the longest of the paths.
+  std::vector<Open_lift> find_frontier(const Distance_bounds<Covering>& bounds, double bound, double longest)
+  {
+    std::vector<Open_lift> open;
     m_frontier_bound = m_search.is_exhausted() ? infinity : bound;
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_surface->number_of_halfedges())) {
       if(!m_surface->is_frontier(h))
         continue;
-      m_is_on_frontier[m_surface->tail(h)] = 1;
-      const double least = bounds.on_edge(h) + to_target.on_edge(m_surface->below(h));
-      m_frontier_bound = (std::min)(m_frontier_bound, least * (1 - rounding));
+      const double least = (std::max)(bounds.beyond(*m_surface, h, *m_to_target) * (1 - rounding), 0.0);
+      m_frontier_bound = (std::min)(m_frontier_bound, least);
+      if(least < longest)
+        for(Input_halfedge_index g : {h, twin_index(h)})
+          open.push_back({m_surface->lift(g), bounds.at_vertex(m_surface->tail(g)), least});
     }
-    m_frontier_bound = (std::max)(m_frontier_bound, 0.0);
+    return open;
   }
 
   void find_paths(Covering& covering, const Distance_bounds<Covering>& bounds, std::size_t number)
@@ -237,7 +315,10 @@ private:
   const Triangle_mesh& m_mesh;
   Vertex_index m_source, m_target;
   Covering_search<Triangulation> m_search;
+  std::size_t m_part = 0; // how many parts have been laid out
   std::unique_ptr<Surface> m_surface;
+  std::unique_ptr<Distance_bounds<Triangulation>> m_to_target;
+  std::map<Index, Geodesic> m_geodesics; // by lift of the target
   Indexed_by<Vertex_index, std::vector<char>> m_is_on_frontier; // of the covering
   double m_frontier_bound = 0;
   std::vector<Path> m_paths;

@@ -75,6 +75,8 @@ public:
   }
   Vertex_index below(Vertex_index v) const { return m_below->tail(below(m_outgoing[v])); }
 
+  /* The lift where a halfedge starts. */
+  Index lift(Input_halfedge_index h) const { return m_tail_lift[h]; }
   /* The vertex of a settled lift. */
   Vertex_index vertex(Index lift) const { return m_vertex[static_cast<std::size_t>(lift)]; }
   /* Does a halfedge have no face here, but below? */
@@ -165,7 +167,6 @@ private:
         h = m_next[twin_index(h)];
       } while(h != first);
     }
-    m_tail_lift.clear();
   }
 
   const TriangleMesh* m_mesh;

@@ -49,6 +49,9 @@ public:
     return word;
   }
 
+  /* The same for two paths to the same vertex if they are homotopic, and rarely else. */
+  std::uint64_t key(Word word) const { return m_is_free ? static_cast<std::uint64_t>(word) : m_sums[word]; }
+
   /* Are two paths to the same vertex homotopic? */
   bool are_homotopic(Word a, Word b) const
   {

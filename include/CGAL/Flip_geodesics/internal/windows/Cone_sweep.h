@@ -61,13 +61,16 @@ class Cone_sweep
   using Vector = typename Faces::Vector;
 
 public:
-  /* \param goal where the paths go that matter */
-  Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source, Vertex_index goal)
+  /* \param goal where the paths go that matter
+   * \param free_updates of a cone, that are exact; more of them are dear on needles, and keep the sweep useful there */
+  Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source, Vertex_index goal,
+             int free_updates = 6)
     : m_triangulation(triangulation)
     , m_faces(faces)
     , m_source(source)
     , m_goal_place(triangulation.metric().place(triangulation.input(), goal))
     , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
+    , m_free_updates(free_updates)
   {
   }
 
@@ -118,13 +121,23 @@ public:
     return (std::max)({cone.least(from, to), tail, head});
   }
 
+  /*
+   * The cones over the edge of h, of paths from the source that leave the face on the left of h through it; none if there
+   * are no such paths that matter. What they say is too much by no more than `total_error()`. \pre is_useful()
+   */
+  const Edge_cones* cones(Input_halfedge_index h) const
+  {
+    const Wave* const wave = known_wave(m_faces.known_number(h));
+    return wave == nullptr ? nullptr : &wave->cones;
+  }
+  double total_error() const { return m_total_error; }
+
   /* What the sweep has cost: how many times a halfedge was looked at. */
   std::size_t number_of_updates() const { return m_updates; }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double largest_error = 1e-2; // of the bound, above which other bounds are better
-  static constexpr int free_updates = 6;        // of a cone, that are exact
 
   struct Wave
   {
@@ -379,7 +392,7 @@ private:
     const double length = m_faces[side].length;
     ++m_updates;
     ++wave.number_of_updates;
-    if(wave.number_of_updates > free_updates)
+    if(wave.number_of_updates > m_free_updates)
       m_total_error += tolerance(wave);
     wave.cones = fitted_cones(parts, length, m_error);
     wave.is_set = true;
@@ -416,7 +429,7 @@ private:
    */
   double tolerance(const Wave& wave) const
   {
-    const int further = wave.number_of_updates - free_updates;
+    const int further = wave.number_of_updates - m_free_updates;
     return further <= 0 ? m_error : std::ldexp(m_error, 2 * further);
   }
 
@@ -480,6 +493,7 @@ private:
   typename Triangulation::Metric::Place m_goal_place;
   std::vector<Wave> m_waves; // of sides, that is, of halfedges that have been laid out
   Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
+  int m_free_updates;
   Heap_of_four<Entry> m_queue;
   double m_bound = infinity, m_error = 0, m_total_error = 0;
   std::size_t m_updates = 0;
