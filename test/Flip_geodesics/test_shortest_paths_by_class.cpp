@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
 #include <CGAL/Flip_geodesics/Weighted_metric.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -381,6 +382,24 @@ BOOST_AUTO_TEST_CASE(along_walls)
   BOOST_CHECK_THROW(cross.paths(grid_vertex(n, 1, 1), grid_vertex(n, 11, 8), 1, out), FG::Disconnected_endpoints_error);
 }
 
+// Of the copies of a vertex in a slit, each has a distance of its own.
+BOOST_AUTO_TEST_CASE(distances_around_a_slit)
+{
+  const int n = 8;
+  const World world(
+      flat_grid(n, n, Diagonal_rule::RISING), [](std::size_t) { return false; },
+      [](const Point& p, const Point& q) { return p.x() == 4 && q.x() == 4 && p.y() <= 6 && q.y() <= 6; });
+  std::map<Slit::Vertex, double> distances;
+  FG::geodesic_distances(world.slit, Slit::Vertex(Vertex(static_cast<unsigned>(grid_vertex(n, 1, 3)))),
+                         boost::make_assoc_property_map(distances));
+  BOOST_TEST(distances.size() == num_vertices(world.slit));
+  const Vertex wall(static_cast<unsigned>(grid_vertex(n, 4, 3)));
+  BOOST_TEST_REQUIRE(world.slit.number_of_copies(wall) == 2u);
+  const double a = distances[{wall, 0}], b = distances[{wall, 1}];
+  BOOST_TEST(std::abs((std::min)(a, b) - 3) < 1e-12);
+  BOOST_TEST(std::abs((std::max)(a, b) - std::hypot(3, 3) - 3) < 1e-12);
+}
+
 // The view is a graph whose links fit together, whatever is slit.
 BOOST_AUTO_TEST_CASE(links_of_a_slit_mesh)
 {
@@ -526,12 +545,11 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
 BOOST_AUTO_TEST_CASE(edges_of_length_zero)
 {
   std::vector<Curve> out;
-  const auto is_obstacle = [](std::size_t f) { return f == 10; };
   const World point(mapped(flat_grid(4, 4, Diagonal_rule::RISING),
                            [](const Coordinates&) {
                              return Coordinates{1, 2, 3};
                            }),
-                    is_obstacle);
+                    [](std::size_t f) { return f == 10; });
   BOOST_CHECK_THROW(point.paths(0, 24, 1, out), FG::Error);
   BOOST_CHECK_THROW(point.paths(0, 24, 5, out), FG::Error);
   // A column of the grid has no width.
@@ -539,7 +557,7 @@ BOOST_AUTO_TEST_CASE(edges_of_length_zero)
                             [](const Coordinates& p) {
                               return Coordinates{p[0] > 3.5 ? p[0] - 1 : p[0], p[1], p[2]};
                             }),
-                     is_obstacle);
+                     [](std::size_t f) { return f == 28; });
   const auto result = folded.paths(grid_vertex(6, 0, 3), grid_vertex(6, 6, 3), 2, out);
   BOOST_TEST(result.number_of_paths() == 2u);
   BOOST_TEST(std::abs(result.length(0) - 5) < 1e-12);
@@ -560,11 +578,16 @@ BOOST_AUTO_TEST_CASE(bad_weights)
     weights[v] = 1;
   const auto find = [&] {
     const FG::Weighted_metric metric(mesh, lengths, boost::make_assoc_property_map(weights));
-    std::vector<std::vector<FG::Curve_place<Surface>>> out;
+    std::vector<std::vector<Point>> out;
     return FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(24), 2, std::back_inserter(out),
                                        FG::with_metric(metric));
   };
   BOOST_TEST(std::abs(find().length(0) - std::sqrt(32.)) < 1e-12);
+  using Metric = FG::Weighted_metric<FG::Embedded_metric<Surface, Points>>;
+  using Traits = FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>;
+  const FG::Intrinsic_triangulation<Surface, Traits, Metric> triangulation(
+      mesh, Metric(mesh, lengths, boost::make_assoc_property_map(weights)));
+  BOOST_TEST(triangulation.number_of_vertices() == 25);
   const double infinity = std::numeric_limits<double>::infinity();
   for(double bad : {0., -1., infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
     weights[Vertex(12)] = bad;

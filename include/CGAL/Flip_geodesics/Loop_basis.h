@@ -127,7 +127,9 @@ public:
    * The homology class of a closed chain of halfedges of the input: how often it runs along each loop of the basis, up
    * to what bounds a part of the surface. Integers, exact. It does not change when a curve is pulled tight.
    *
-   * \param halfedges a range of `Input_halfedge_index`, a closed chain; an empty one has class zero
+   * \param halfedges a range of `Input_halfedge_index`, a closed chain; an empty one has class zero. That of a halfedge
+   *        `h` of the mesh is `triangulation.input().index(h)`. A `Halfedge_index` is one of the intrinsic triangulation
+   *        and does not convert; a curve of these is told as one of a network
    * \throws Invalid_curve_error if it is none
    *
    * Complexity: linear in the chain, times the genus and the number of borders at most.

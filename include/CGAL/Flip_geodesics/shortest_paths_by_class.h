@@ -59,7 +59,7 @@ struct Path_class
   /// A shortest one of its paths along edges, of those in the part of the covering that was laid out. That is all of
   /// the first `number` classes of edge paths; other classes may have shorter ones if edges are no good measure.
   std::vector<halfedge_descriptor> edge_path;
-  double edge_length = 0;                     ///< the length of that
+  double edge_length = 0; ///< the length of that
   /// The length of the shortest path that was found; infinite where the lower bound told enough.
   double length = std::numeric_limits<double>::infinity();
   double lower_bound = 0; ///< no path of the class is shorter, rounding included
@@ -77,7 +77,7 @@ struct Paths_by_class_report
   Class_search_status status = Class_search_status::FOUND; ///< how the search ended
   std::size_t visited = 0;                                 ///< the vertices of the universal covering that were visited
 
-  /// No path of any class is shorter that has none among `paths`: a proven bound, of those left out and those not found.
+  /// No path of a class is shorter that has none among `paths`: a proven bound, of those left out and those not found.
   /// Infinite if all classes have their paths. It may be less than the length of the last path where that is not
   /// confirmed.
   double lower_bound_of_others() const
@@ -289,7 +289,7 @@ auto with_covering_limit(const Options& options, const Function& function)
  *
  * Complexity: \f$O(m \log m)\f$ for \f$m\f$ vertices of the covering that are visited, and that of `shortest_path()` for
  * each path. These vertices lie on the first `number` classes of edge paths, and where paths of some class may pass that
- * are no longer than the last result. The covering is laid out in parts, each larger by a fourth at least, so that the
+ * are no longer than the last result. The covering is laid out in parts, each larger by half at least, so that the
  * time is about proportional to a limit that is reached.
  */
 template <class TriangleMesh, class OutputIterator, class NamedParameters>

@@ -85,8 +85,8 @@ public:
   }
 
 private:
-  // Many, since a bound that fails on needles costs far more: another part of the covering.
-  static constexpr int free_updates = 64;
+  // Many, since few cones on needles need them, and a sweep that fails there costs far more of the covering.
+  static constexpr int free_updates = 400;
 
   const Triangulation& m_triangulation;
   typename Triangulation::Metric::Place m_source, m_goal;
@@ -163,6 +163,8 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   // Of what is swept, so that bounds beyond the longest path tell something.
   static constexpr double margin = 1 + 0x1p-5;
+  // Of a length above its lower bound, that is worth a search for a shorter path.
+  static constexpr double large_gap = 0x1p-4;
   // Of a bound, for the rounding of sums.
   static constexpr double rounding = 0x1p-40;
 
@@ -171,7 +173,8 @@ private:
   {
     double length = infinity;
     bool is_held = true;
-    std::size_t part = static_cast<std::size_t>(-1); // in which it was found
+    bool is_shortest = false;                   // of a part
+    std::size_t part = 0, part_of_shortest = 0; // in which it was found, from 1 on
   };
 
   // Lays out what has been searched, and finds the paths if that is enough; goes on with the search otherwise.
@@ -187,15 +190,14 @@ private:
     const double bound = length_of_class(number) * margin;
     const Distance_bounds<Covering> bounds(covering, m_surface->vertex(0),
                                            m_surface->vertex(m_search.targets().front()), bound);
-    for(Index lift : m_search.targets())
-      if(bounds.at_vertex(m_surface->vertex(lift)) < length_of_class(number))
-        find_geodesic(covering, edge_paths, lift);
+    find_short_geodesics(covering, edge_paths, bounds, number);
     const double longest = length_of_class(number);
     if(m_to_target == nullptr)
       m_to_target = std::make_unique<Distance_bounds<Triangulation>>(m_triangulation, m_target, m_source, bound);
     const std::vector<Open_lift> open = find_frontier(bounds, bound, longest);
     if(!open.empty() && m_search.number_of_lifts() <= most_lifts) {
-      m_search.run_from(open, [&](Vertex_index v) { return m_to_target->at_vertex(v); }, longest, most_lifts);
+      m_search.run_from(
+          open, [&](Vertex_index v) { return m_to_target->at_vertex(v); }, longest, most_lifts);
       return false;
     }
     m_search.shorten_paths();
@@ -211,6 +213,23 @@ private:
         m_is_on_frontier[m_surface->tail(h)] = 1;
   }
 
+  // Of all classes whose paths may be among those looked for, the ones with the least bounds first.
+  void find_short_geodesics(Covering& covering, Shortest_edge_path<Covering>& edge_paths,
+                            const Distance_bounds<Covering>& bounds, std::size_t number)
+  {
+    std::vector<std::pair<double, Index>> targets;
+    for(Index lift : m_search.targets())
+      targets.emplace_back(bounds.at_vertex(m_surface->vertex(lift)), lift);
+    std::sort(targets.begin(), targets.end());
+    for(const auto& [bound, lift] : targets) {
+      if(!(bound < length_of_class(number)))
+        return;
+      find_geodesic(covering, edge_paths, lift);
+      if(bound < (1 - large_gap) * m_geodesics[lift].length)
+        find_shortest(covering, edge_paths, lift);
+    }
+  }
+
   // Pulls an edge path to a lift of the target tight, unless that has been done, and more of the covering is no help.
   void find_geodesic(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift)
   {
@@ -222,11 +241,32 @@ private:
       const std::vector<Vertex_index> ends = {m_surface->vertex(0), m_surface->vertex(lift)};
       network.add_curve(shortest_halfedges_through(edge_paths, ends), false);
       shorten(network);
-      geodesic.length = (std::min)(geodesic.length, network.length(Curve_index(0)));
-      geodesic.is_held = touches_frontier(network);
-      geodesic.part = m_part;
+      note_geodesic(geodesic, network);
     }
     covering.rollback();
+  }
+
+  // Finds the shortest path of the part, where one that was pulled tight may be far from it, unless that has been done.
+  void find_shortest(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift)
+  {
+    Geodesic& geodesic = m_geodesics[lift];
+    if(geodesic.is_shortest && (!geodesic.is_held || geodesic.part_of_shortest == m_part))
+      return;
+    {
+      Network network(covering);
+      add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift));
+      note_geodesic(geodesic, network);
+      geodesic.is_shortest = true;
+      geodesic.part_of_shortest = m_part;
+    }
+    covering.rollback();
+  }
+
+  void note_geodesic(Geodesic& geodesic, const Network& network) const
+  {
+    geodesic.length = (std::min)(geodesic.length, network.length(Curve_index(0)));
+    geodesic.is_held = touches_frontier(network);
+    geodesic.part = m_part;
   }
 
   // The longest of the paths of so many classes is no longer, or of all classes found if they are fewer.
@@ -318,7 +358,7 @@ private:
   std::size_t m_part = 0; // how many parts have been laid out
   std::unique_ptr<Surface> m_surface;
   std::unique_ptr<Distance_bounds<Triangulation>> m_to_target;
-  std::map<Index, Geodesic> m_geodesics; // by lift of the target
+  std::map<Index, Geodesic> m_geodesics;                        // by lift of the target
   Indexed_by<Vertex_index, std::vector<char>> m_is_on_frontier; // of the covering
   double m_frontier_bound = 0;
   std::vector<Path> m_paths;

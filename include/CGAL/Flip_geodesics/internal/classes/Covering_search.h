@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A lift from which a search goes on: no path from the source to it is shorter, and no path to the target by way of it. */
+/* A lift from which a search goes on: no path from the source to it is shorter, nor one to the target by way of it. */
 struct Open_lift
 {
   Index lift;
@@ -42,7 +42,7 @@ struct Open_lift
  * not shorter than a shortest one of any class, so that the search is directed, and never reaches a lift on a shorter
  * path once it is settled.
  *
- * Then the search goes on where shorter paths than those may pass which do not follow edges. On a rough mesh, edge paths
+ * Then the search goes on where shorter paths than those may pass that do not follow edges. On a rough mesh, edge paths
  * are several times as long as these, and there are far more classes of edge paths up to that length than are needed.
  */
 template <class Triangulation>
@@ -72,15 +72,15 @@ public:
 
   /*
    * Goes on from lifts that are not settled, those first by way of which paths to the target seem shortest: as far as
-   * they are no longer than `bound`. A quarter more lifts are settled at least, so that few such calls are needed; and no
-   * more than twice as many, since a larger part may tell of shorter paths, and of a smaller bound.
+   * they are no longer than `bound`. Half as many lifts more are settled at least, so that few such calls are needed.
+   * No more than as many again are, since a larger part may tell of shorter paths, and of a smaller bound.
    *
    * \param to_target no path from a vertex to the target is shorter
    */
   template <class LowerBound>
   void run_from(const std::vector<Open_lift>& starts, const LowerBound& to_target, double bound, std::size_t most_lifts)
   {
-    const std::size_t enough = m_number_of_settled + m_number_of_settled / 4 + 16;
+    const std::size_t enough = m_number_of_settled + m_number_of_settled / 2 + 16;
     const std::size_t most = 2 * m_number_of_settled + 64;
     std::unordered_map<Index, double> distance;
     Vertex_queue queue;

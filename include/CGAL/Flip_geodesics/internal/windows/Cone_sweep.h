@@ -121,10 +121,8 @@ public:
     return (std::max)({cone.least(from, to), tail, head});
   }
 
-  /*
-   * The cones over the edge of h, of paths from the source that leave the face on the left of h through it; none if there
-   * are no such paths that matter. What they say is too much by no more than `total_error()`. \pre is_useful()
-   */
+  /* The cones over the edge of h of paths that leave the face on the left of h, too high by `total_error()` at most. None
+   * if no such path matters. \pre is_useful() */
   const Edge_cones* cones(Input_halfedge_index h) const
   {
     const Wave* const wave = known_wave(m_faces.known_number(h));
