@@ -24,6 +24,12 @@ const at = (id) => document.getElementById(id);
 const format = (x) => (x === null ? '?' : Number(x).toPrecision(8));
 const mark = (name, value) => (document.documentElement.dataset[name] = value);
 
+// Sets a line of the results; one without a value is not shown.
+function tell(id, text) {
+  at(id).textContent = text;
+  at(id).hidden = at(id).previousElementSibling.hidden = text === '';
+}
+
 class Live_page {
   constructor(engine) {
     this.engine = engine;
@@ -162,7 +168,7 @@ class Live_page {
     if (points.length < least) return this.showResults(null);
     const text = line(points, this.settings());
     const started = performance.now();
-    const waiting = setTimeout(() => (at('time').textContent = 'computing\u2026'), 500);
+    const waiting = setTimeout(() => tell('time', 'computing\u2026'), 500);
     try {
       const answer = await this.engine.compute(kind, text, at('show-intrinsic').checked ? mostRecordedPoints : 0);
       if (mesh !== this.mesh) return undefined; // another one was opened
@@ -183,11 +189,12 @@ class Live_page {
     const curves = results?.curves ?? [];
     const [first] = curves;
     const isOne = curves.length === 1 && this.tool !== 'distances';
-    at('length').textContent = isOne ? format(first.length) : curves.length > 0 ? `${curves.length} curves` : '';
-    at('status').textContent = isOne ? statusText(first.status) : '';
-    at('certificate').textContent = isOne ? verdictText(first.certificate) : '';
-    at('flips').textContent = isOne ? first.flips.toLocaleString('en') : '';
-    at('time').textContent = results ? `${this.milliseconds.toFixed(1)} ms` : '';
+    tell('count', isOne || curves.length === 0 ? '' : curves.length.toLocaleString('en'));
+    tell('length', isOne ? format(first.length) : '');
+    tell('status', isOne ? statusText(first.status) : '');
+    tell('certificate', isOne ? verdictText(first.certificate) : '');
+    tell('flips', isOne ? first.flips.toLocaleString('en') : '');
+    tell('time', results ? `${this.milliseconds.toFixed(1)} ms` : '');
     const command = results ? tools[this.tool].command(this.name, this.points, this.settings()) : '';
     at('command').textContent = command && `flip_geodesics ${command}`;
     mark('length', isOne ? first.length : '');
