@@ -93,7 +93,7 @@ public:
 
 private:
   // With so many flips, another order is better.
-  static constexpr std::size_t few_flips = 1000, flips_per_crossing = 4;
+  static constexpr std::size_t few_flips = 4000, flips_per_crossing = 8;
 
   // An edge that is crossed. Left vertices are told by the edge at which they were new.
   struct Node
