@@ -6,12 +6,12 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/windows/Cone_wave.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 #include <CGAL/Flip_geodesics/internal/windows/Light_through_side.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -59,6 +59,7 @@ class Cone_sweep
 {
   using Faces = Unfolded_faces<Triangulation>;
   using Vector = typename Faces::Vector;
+  using Wave = Cone_wave;
 
 public:
   /* \param goal where the paths go that matter
@@ -136,24 +137,6 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double largest_error = 1e-2; // of the bound, above which other bounds are better
-
-  struct Wave
-  {
-    Edge_cones cones;
-    double at_tail = 0, at_split = 0, at_head = 0;
-    double apex_distance = infinity;           // of the corner opposite to the side, when it was last looked at
-    std::array<std::int32_t, 2> seen = {0, 0}; // which version of what comes over the sides before and after
-    std::int32_t version = 0, number_of_updates = 0;
-    bool is_set = false, is_waiting = false;
-    bool is_borrowed = false; // from the other halfedge, and lower than need be
-
-    /* In the queue: nearer to the less, since it is at that end that what comes over the edge goes on first. */
-    std::uint64_t key() const
-    {
-      const double less = (std::min)(at_tail, at_head), more = (std::max)(at_tail, at_head);
-      return ordered_bits((std::max)(0.75 * less + 0.25 * more, 0.0));
-    }
-  };
 
   struct Vertex_record
   {
