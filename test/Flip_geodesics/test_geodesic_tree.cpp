@@ -332,6 +332,71 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
   BOOST_TEST(found + along > 0.98 * all);
 }
 
+// Where the angles about a vertex have drifted, by the same for all edges beyond, one word is enough for all of them.
+BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once_where_angles_have_drifted)
+{
+  using Triangulation = Double_tree_setting::Triangulation;
+  using Straightness = FG::internal::Tree_straightness<Double_tree_setting::Tree>;
+  constexpr double drift = 3e-8;
+  int together = 0, all = 0;
+  for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), saddle_disk(12, 5, 9)}) {
+    Double_tree_setting setting(soup);
+    const Triangulation& t = setting.triangulation;
+    setting.tree.grow(17_v);
+    Straightness::Measured_legs measured(static_cast<std::size_t>(t.number_of_vertices()));
+    Straightness straightness(setting.tree, measured);
+    std::vector<std::pair<Vertex_index, FG::internal::Spoke_place>> open = {{17_v, {}}};
+    while(!open.empty()) {
+      auto [u, arrival] = open.back();
+      open.pop_back();
+      const FG::internal::Vertex_directions<Triangulation> directions(t, u);
+      const std::vector<FG::Halfedge_index> around = FG::internal::spokes(t, u);
+      const std::vector<FG::internal::Fan_leg> legs = straightness.legs(around, directions, arrival);
+      arrival.angle += drift;
+      const std::vector<FG::internal::Fan_leg> drifted = straightness.legs(around, directions, arrival);
+      BOOST_REQUIRE(drifted.size() == legs.size());
+      for(std::size_t i = 0; i < legs.size(); ++i) {
+        open.emplace_back(legs[i].head, legs[i].arrival);
+        if(!legs[i].is_found || legs[i].arrival.is_along)
+          continue;
+        const auto has_same_place = [&](std::size_t j) {
+          return j < legs.size() && j != i && legs[j].reference == legs[i].reference && !legs[j].arrival.is_along;
+        };
+        ++all;
+        if(!has_same_place(i + 1) && !has_same_place(i - 1))
+          continue;
+        BOOST_TEST(drifted[i].is_found);
+        BOOST_TEST(std::abs(drifted[i].angle - legs[i].angle) < 1e-13);
+        ++together;
+      }
+    }
+  }
+  BOOST_TEST(together > 0.2 * all);
+}
+
+namespace {
+
+using Measured_legs = FG::internal::Tree_straightness<Double_tree_setting::Tree>::Measured_legs;
+
+Measured_legs copied(const Measured_legs& measured, std::size_t size)
+{
+  Measured_legs result(size);
+  for(Vertex_index v(0); v.idx() < static_cast<FG::Index>(size); ++v)
+    result[v] = measured[v];
+  return result;
+}
+
+// Is it of the edges that the path to v has now?
+bool is_of_these_edges(const FG::internal::Measured_leg& leg, const Double_tree_setting& setting, Vertex_index v)
+{
+  const auto& t = setting.triangulation;
+  const FG::Halfedge_index last = setting.tree.incoming(v), before = setting.tree.incoming(t.tail(last));
+  return leg.last == last && leg.before == before && leg.last_version == t.version(t.edge(last)) &&
+         leg.before_version == (before == FG::null_index ? 0 : t.version(t.edge(before)));
+}
+
+} // namespace
+
 // What has been measured is measured again only where the tree has other edges: as if it were from the beginning.
 BOOST_AUTO_TEST_CASE(measurements_are_remembered)
 {
@@ -350,6 +415,7 @@ BOOST_AUTO_TEST_CASE(measurements_are_remembered)
       measured[v].arrival.angle += 1e-13; // so that it can be told from what is measured again
     }
     FG::make_shortest(setting.tree);
+    const Straightness::Measured_legs old = copied(measured, n);
     const double smallest = Straightness(setting.tree, measured)(std::back_inserter(bent));
     BOOST_TEST(std::abs(smallest - Straightness(setting.tree, afresh)(std::back_inserter(bent))) < 1e-12);
     double least = std::numeric_limits<double>::infinity();
@@ -358,6 +424,7 @@ BOOST_AUTO_TEST_CASE(measurements_are_remembered)
         continue;
       least = (std::min)(least, afresh[v].angle);
       BOOST_TEST((measured[v].last == setting.tree.incoming(v)));
+      BOOST_TEST((measured[v].arrival.angle == old[v].arrival.angle) == is_of_these_edges(old[v], setting, v));
       BOOST_TEST((measured[v].angle == afresh[v].angle || std::abs(measured[v].angle - afresh[v].angle) < 1e-12));
       remembered += measured[v].arrival.angle != afresh[v].arrival.angle ? 1 : 0;
       replaced += before[static_cast<std::size_t>(v.idx())] != setting.tree.incoming(v) ? 1 : 0;

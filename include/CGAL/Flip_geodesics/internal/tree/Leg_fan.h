@@ -52,6 +52,9 @@ class Leg_fan
   using Vector = std::complex<double>;
 
 public:
+  /* By how much the angles of legs may be off, in radians. */
+  static constexpr double near_angle() { return 1e-8; }
+
   explicit Leg_fan(const Triangulation& triangulation)
     : m_triangulation(triangulation)
   {
@@ -87,8 +90,7 @@ private:
     Index crossings;            // so many, with this one
   };
 
-  static constexpr double near = 1e-8;        // in radians; the triangulation's angles have drifted by less
-  static constexpr double near_length = 1e-9; // the same of lengths, relative
+  static constexpr double near_length = 1e-9; // relative; the triangulation's lengths have drifted by less
 
   static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
@@ -116,7 +118,7 @@ private:
     const Vector to_left = product(turn, {vectors[2].x, vectors[2].y});
     const bool is_near_right = std::norm(from_right) < std::norm(to_left);
     const Vector apex = is_near_right ? here.right + from_right : here.left - to_left;
-    const double margin = near * std::sqrt(std::norm(apex));
+    const double margin = near_angle() * std::sqrt(std::norm(apex));
     std::size_t i = here.first;
     while(i < here.last && cross(apex, m_directions[i]) > margin)
       ++i;

@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -35,7 +36,7 @@ struct Measured_leg
 
 /*
  * Measures the paths of a geodesic tree afresh from the input, as `Straightness_meter` measures the curves of a
- * network: the edges that go on from each vertex all at once (`Leg_fan`), and those that are not found so by their words.
+ * network: the edges that go on from each vertex all at once (`Leg_fan`), and those not found so by their words.
  * What has been measured is remembered, and measured again only where edges have been replaced.
  */
 template <class Tree>
@@ -76,7 +77,8 @@ public:
   }
 
   /*
-   * The edges with which paths go on from a vertex, measured as far as that is done all at once.
+   * The edges with which paths go on from a vertex, but for those that are remembered, measured as far as that is done
+   * all at once.
    *
    * \param around the halfedges that start there, clockwise, from the border if there is one
    * \param arrival how the path comes there, if that is known
@@ -93,17 +95,18 @@ public:
       const Halfedge_index h = around[(first + i) % around.size()];
       if(i > 0)
         m_places.turn_clockwise(h, place);
-      if(is_leg(h))
+      if(is_leg(h) && !is_measured(h))
         add_leg(h, place);
     }
-    for(auto leg = m_legs.begin(); leg != m_legs.end();) {
-      const auto is_elsewhere = [leg](const Fan_leg& other) {
-        return other.reference != leg->reference || other.is_found;
+    for(std::size_t i = 0; i < m_legs.size();) {
+      const auto has_other_place = [first = m_legs[i]](const Fan_leg& other) {
+        return other.reference != first.reference || other.is_found;
       };
-      const auto end = std::find_if(leg + 1, m_legs.end(), is_elsewhere);
-      if(leg->reference != null_index && !leg->is_found)
-        m_fan(&*leg, &*leg + (end - leg));
-      leg = end;
+      const auto end = std::find_if(m_legs.begin() + static_cast<std::ptrdiff_t>(i) + 1, m_legs.end(), has_other_place);
+      const auto last = static_cast<std::size_t>(end - m_legs.begin());
+      if(m_legs[i].reference != null_index && !m_legs[i].is_found)
+        find(i, last);
+      i = last;
     }
     return m_legs;
   }
@@ -213,6 +216,39 @@ private:
       leg.reference = null_index;
     }
     m_legs.push_back(leg);
+  }
+
+  /*
+   * Finds legs that have one reference. Angles have been added up around the vertex. Beyond a needle all of them can be
+   * off by more than the fan allows for, and by the same angle: the word of the first that is not found tells by which.
+   */
+  void find(std::size_t first, std::size_t last)
+  {
+    constexpr int most_turns = 16; // beyond, each by its word
+    const auto begin = m_legs.begin();
+    const auto is_found = [](const Fan_leg& leg) { return leg.is_found; };
+    m_fan(&m_legs[first], &m_legs[first] + (last - first));
+    for(int turns = 0; turns < most_turns; ++first) {
+      const auto end_of_range = begin + static_cast<std::ptrdiff_t>(last);
+      const auto missed = std::find_if_not(begin + static_cast<std::ptrdiff_t>(first), end_of_range, is_found);
+      const auto end = std::find_if(missed, end_of_range, is_found);
+      if(missed == end_of_range)
+        return;
+      first = static_cast<std::size_t>(missed - begin);
+      const double drift = end - missed > 1 ? drift_of(*missed) : 0;
+      if(!(std::abs(drift) > Leg_fan<Triangulation>::near_angle() / 2))
+        continue;
+      std::for_each(missed, end, [drift](Fan_leg& leg) { leg.angle += drift; });
+      m_fan(&*missed, &*missed + (end - missed));
+      ++turns;
+    }
+  }
+
+  // What its angle lacks.
+  double drift_of(const Fan_leg& leg) const
+  {
+    const Strip<Triangulation> strip(m_triangulation, m_triangulation.crossing_word(leg.halfedge));
+    return strip.reference() == leg.reference ? angle_from_reference(strip.end()) - leg.angle : 0;
   }
 
   // Of a leg that is not found; returns by how much it is bent.
