@@ -3,11 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
 
+#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -50,6 +52,7 @@ template <class Triangulation>
 class Leg_fan
 {
   using Vector = std::complex<double>;
+  using Face = std::array<Vector, 3>;
 
 public:
   /* By how much the angles of legs may be off, in radians. */
@@ -57,6 +60,7 @@ public:
 
   explicit Leg_fan(const Triangulation& triangulation)
     : m_triangulation(triangulation)
+    , m_faces(static_cast<std::size_t>(triangulation.input().number_of_halfedges()))
   {
   }
 
@@ -68,8 +72,8 @@ public:
       m_directions.push_back(std::polar(1.0, leg->angle));
     m_legs = first;
     const Input_halfedge_index h = first->reference;
-    const auto face = input_face_geometry(m_triangulation, h);
-    const Vector right(face[0].x, 0), gate(face[1].x, face[1].y), left = -Vector(face[2].x, face[2].y);
+    const Face& face = known_face(h);
+    const Vector right(face[0].real(), 0), gate = face[1], left = -face[2];
     push({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
     while(!m_gates.empty()) {
       const Gate here = m_gates.back();
@@ -99,6 +103,18 @@ private:
     return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
   }
 
+  // The face on the left of h, in its frame. Legs of many vertices cross it.
+  const Face& known_face(Input_halfedge_index h)
+  {
+    Face& face = m_faces[h];
+    if(face[0].real() == 0) {
+      const auto vectors = input_face_geometry(m_triangulation, h);
+      for(std::size_t i = 0; i < 3; ++i)
+        face[i] = Vector(vectors[i].x, vectors[i].y);
+    }
+    return face;
+  }
+
   // If one of its legs crosses so many edges.
   void push(const Gate& gate)
   {
@@ -111,11 +127,11 @@ private:
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index entered = twin_index(here.crossed), to_apex = input.next(entered);
-    const auto vectors = input_face_geometry(m_triangulation, entered);
+    const Face& vectors = known_face(entered);
     // Products of ratios of the face, as in `Strip`.
-    const Vector turn = here.across / vectors[0].x;
-    const Vector from_right = product(turn, {vectors[1].x, vectors[1].y});
-    const Vector to_left = product(turn, {vectors[2].x, vectors[2].y});
+    const Vector turn = here.across / vectors[0].real();
+    const Vector from_right = product(turn, vectors[1]);
+    const Vector to_left = product(turn, vectors[2]);
     const bool is_near_right = std::norm(from_right) < std::norm(to_left);
     const Vector apex = is_near_right ? here.right + from_right : here.left - to_left;
     const double margin = near_angle() * std::sqrt(std::norm(apex));
@@ -147,6 +163,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Indexed_by<Input_halfedge_index, Lazy_array<Face>> m_faces; // as far as they have been crossed
   Fan_leg* m_legs = nullptr;
   std::vector<Vector> m_directions; // of the legs
   std::vector<Gate> m_gates;        // still to be crossed

@@ -39,15 +39,19 @@ public:
   {
   }
 
-  /* The place of one of the halfedges around a vertex, and its number: of an edge of the input, if there is one. */
+  /* The place of one of the halfedges around a vertex, and its number: of an edge of the input, if there is one, or
+   * else of the one that crosses least. */
   Spoke_place known_place(const std::vector<Halfedge_index>& around, std::size_t& number) const
   {
     const auto is_of_input = [this](Halfedge_index h) { return m_triangulation.version(Triangulation::edge(h)) == 0; };
-    const auto known = std::find_if(around.begin(), around.end(), is_of_input);
-    number = known == around.end() ? 0 : static_cast<std::size_t>(known - around.begin());
-    if(known != around.end())
-      return {as_input(*known), 0, true};
-    const Crossing_word word = m_triangulation.crossing_word(around.front());
+    const auto crosses_less = [this](Halfedge_index g, Halfedge_index h) { return crossings(g) < crossings(h); };
+    const auto of_input = std::find_if(around.begin(), around.end(), is_of_input);
+    const bool is_known = of_input != around.end();
+    const auto nearest = is_known ? of_input : std::min_element(around.begin(), around.end(), crosses_less);
+    number = static_cast<std::size_t>(nearest - around.begin());
+    if(is_known)
+      return {as_input(*nearest), 0, true};
+    const Crossing_word word = m_triangulation.crossing_word(*nearest);
     const Strip<Triangulation> strip(m_triangulation, word);
     return {strip.reference(), angle_from_reference(strip.end()), word.along != null_index};
   }
@@ -56,7 +60,6 @@ public:
    * between. */
   void turn_clockwise(Halfedge_index h, Spoke_place& place) const
   {
-    const auto crossings = [this](Halfedge_index g) { return m_triangulation.crossings(Triangulation::edge(g)); };
     const Halfedge_index opposite = m_triangulation.next(h), before = m_triangulation.next(opposite);
     const Index between = Triangle_crossings(crossings(opposite), crossings(before), crossings(h)).emanating[0];
     for(Index i = place.is_along ? 0 : 1; i <= between && place.reference != null_index; ++i)
@@ -67,6 +70,8 @@ public:
   }
 
 private:
+  Index crossings(Halfedge_index h) const { return m_triangulation.crossings(Triangulation::edge(h)); }
+
   void pass_input_edge(Spoke_place& place) const
   {
     const auto& input = m_triangulation.input();

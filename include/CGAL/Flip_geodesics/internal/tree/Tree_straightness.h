@@ -136,7 +136,8 @@ private:
   double measure(Vertex_index u, const Spoke_place& arrival)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const std::vector<Halfedge_index> around = spokes(m_triangulation, u);
+    const std::vector<Halfedge_index>& around = m_around;
+    collect_spokes(m_triangulation, u, m_around);
     if(std::none_of(around.begin(), around.end(), [this](Halfedge_index h) { return is_leg(h); }))
       return infinity;
     if(std::all_of(around.begin(), around.end(), [this](Halfedge_index h) { return !is_leg(h) || is_measured(h); }))
@@ -281,6 +282,7 @@ private:
   Measured_legs& m_measured;
   Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
+  std::vector<Halfedge_index> m_around; // the vertex that is measured
   std::vector<Fan_leg> m_legs;
   std::vector<Open_vertex> m_open;
   std::vector<std::pair<Vertex_index, Vertex_index>> m_bent; // and their parents
