@@ -6,7 +6,7 @@ import math
 import numpy as np
 import vtk
 from figure_light import Stage, light, points_of, unit
-from PIL import Image, features
+from PIL import Image
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 # One meaning for each color, from a set that the colour-blind can tell apart [Okabe and Ito]: where curves start (with
@@ -239,12 +239,7 @@ def to_image(panels, width, height, gap=0.02):
 
 
 def write_png(path, image):
-    """Keeps 256 colors where that does not show, as with a few lit materials."""
-    if features.check('libimagequant'):
-        small = image.quantize(256, method=Image.Quantize.LIBIMAGEQUANT)
-        if np.abs(np.asarray(small.convert('RGB'), int) - np.asarray(image, int)).mean() < 1.5:
-            image = small
-    image.save(path, optimize=True)
+    image.convert('RGB').save(path, optimize=True)
 
 
 def size_of(points):

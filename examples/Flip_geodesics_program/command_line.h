@@ -164,14 +164,16 @@ private:
   {
     m_group = "Curves from sources";
     add_list("--source", "VERTEX", m_options.sources,
-             "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines or "
-             "--voronoi: vertices `v,v,...`, and no tree");
+             "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines, "
+             "--spacing or --voronoi: vertices `v,v,...`, and no tree");
     add("--shortest", m_options.is_shortest, "With --source: replace paths that are not globally shortest");
     add_list("--isolines", "DISTANCE", m_options.isolines,
              "With --source: the curves at these distances, `d,d,...`, from the nearest");
+    add("--spacing", "DISTANCE", m_options.spacing,
+        "With --source: the curves at all multiples of this distance, in the place of --isolines");
     add("--voronoi", m_options.has_voronoi, "With --source: the curves on which the nearest of them changes");
     add("--tolerance", "LENGTH", m_options.tolerance,
-        "How far --isolines and --voronoi may lie from the true curves; not given, a thousandth of the size, and no "
+        "How far these curves may lie from the true curves; not given, a thousandth of the size, and no "
         "less than a millionth");
   }
 

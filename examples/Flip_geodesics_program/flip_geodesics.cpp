@@ -35,6 +35,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -97,19 +98,23 @@ void check_mesh_results(const Mesh_result_options& options, const std::string& r
 void check_field_options(const Options& options)
 {
   if(options.tolerance && !options.is_field_wanted())
-    throw Bad_input("--tolerance belongs to --isolines and --voronoi; give one of them");
+    throw Bad_input("--tolerance belongs to --isolines, --spacing and --voronoi; give one of them");
   if(options.tolerance && !(*options.tolerance > 0))
     throw Bad_input("--tolerance must be greater than 0");
   for(const double level : options.isolines)
-    if(!(level >= 0))
-      throw Bad_input("--isolines takes distances, which are 0 or more; " + decimal_text(level) + " is none");
+    if(!(level > 0))
+      throw Bad_input("--isolines takes distances greater than 0; " + decimal_text(level) + " is none");
+  if(options.spacing && !(*options.spacing > 0))
+    throw Bad_input("--spacing must be greater than 0");
+  if(options.spacing && !options.isolines.empty())
+    throw Bad_input("--spacing and --isolines do not go together; give one of them");
   if(!options.is_field_wanted() && options.sources.size() > 1)
-    throw Bad_input("--source takes one vertex for a tree; several go with --isolines and --voronoi");
+    throw Bad_input("--source takes one vertex for a tree; several go with --isolines, --spacing and --voronoi");
   if(options.is_field_wanted() && (options.is_shortest || !options.results.map.empty() || options.mollify ||
                                    options.kernel || options.meshes.is_any_wanted()))
     throw Bad_input(
-        "--isolines and --voronoi are no curves of a triangulation: --shortest, --map, --mollify, --kernel, "
-        "--delaunay, --refine, --subdivision, --insert and --cut do not go with them");
+        "--isolines, --spacing and --voronoi give no curves of a triangulation: --shortest, --map, --mollify, "
+        "--kernel, --delaunay, --refine, --subdivision, --insert and --cut do not go with them");
 }
 
 // The live page needs no curves; what else is written does.
@@ -134,7 +139,7 @@ void check_options(const Options& options)
 {
   const int jobs = number_of_jobs(options);
   if(options.sources.empty() && (options.is_shortest || !options.results.map.empty() || options.is_field_wanted()))
-    throw Bad_input("--shortest, --map, --isolines and --voronoi belong to --source; give a source");
+    throw Bad_input("--shortest, --map, --isolines, --spacing and --voronoi belong to --source; give a source");
   if(jobs > 1 || (jobs == 0 && !is_only_live_page_wanted(options)))
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --draw, --segmentation, --seams, --source, --trace; or give --live alone");
@@ -188,7 +193,7 @@ std::size_t most_memory(const Options& options)
 {
   constexpr double megabyte = 1e6;
   const double most = options.most_memory ? *options.most_memory * megabyte : 0.75 * memory_of_machine();
-  return static_cast<std::size_t>(most / options.threads);
+  return static_cast<std::size_t>(most / usable_threads(options.threads));
 }
 
 // What becomes of the curves, and a line for people above them.
@@ -233,7 +238,7 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
     outputs->write(engine->meshes());
   };
   if(options.threads > 1 && requests.size() > 1) {
-    run_in_parallel(requests, options.threads, make_engine, write);
+    run_in_parallel(requests, usable_threads(options.threads), make_engine, write);
   } else {
     for(const Network_request& request : requests) {
       engine->set_most_recorded_points(outputs->most_recorded_points());
@@ -269,10 +274,19 @@ int run_at_once(const Options& options, const Input_mesh& input, const std::stri
 
 int run_field(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
 {
-  Field_request request = {{}, options.isolines, options.has_voronoi, options.tolerance.value_or(0)};
+  Field_request request = {
+      {}, options.isolines, options.spacing.value_or(0), options.has_voronoi, options.tolerance.value_or(0)};
   for(long long source : options.sources)
     request.sources.push_back(input.vertex(source, "--source"));
-  return run_at_once(options, input, title, progress, [&] { return field_curves(input, request, progress); });
+  std::string remarks;
+  const int status = run_at_once(options, input, title, progress, [&] {
+    Field_curves found = field_curves(input, request, progress);
+    remarks = std::move(found.remarks);
+    return std::move(found.curves);
+  });
+  if(!options.is_quiet)
+    std::cout << remarks;
+  return status;
 }
 
 Trace_request trace_request(const std::string& text, const Input_mesh& input)
@@ -322,8 +336,9 @@ int run(const Options& options)
   const Input_mesh input = read_input_mesh(options);
   const Mesh& mesh = input;
   std::ostringstream title;
-  title << printable(options.mesh) << ": " << readable(mesh.number_of_vertices()) << " vertices, "
-        << readable(mesh.number_of_faces()) << " triangles, read in " << readable_time(stopwatch.seconds()) << '\n';
+  title << printable(options.mesh) << ": " << counted(mesh.number_of_vertices(), "vertex", "vertices") << ", "
+        << counted(mesh.number_of_faces(), "triangle", "triangles") << ", read in "
+        << readable_time(stopwatch.seconds()) << '\n';
   const Program_metric metric(mesh, options.mollify);
   if(options.mollify)
     title << metric.added_length() << " added to the length of every edge\n";

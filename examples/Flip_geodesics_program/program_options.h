@@ -42,6 +42,7 @@ struct Options
   std::vector<long long> sources;
   std::vector<std::string> traces; ///< each three numbers
   std::vector<double> isolines;
+  std::optional<double> spacing;
   bool has_voronoi = false;
   std::optional<double> tolerance;
   std::optional<long long> random;
@@ -56,7 +57,7 @@ struct Options
   bool is_replacing_input = false, is_quiet = false;
 
   /// Are curves wanted that follow from distances, and no tree?
-  bool is_field_wanted() const { return !isolines.empty() || has_voronoi; }
+  bool is_field_wanted() const { return !isolines.empty() || spacing || has_voronoi; }
 };
 
 } // namespace program

@@ -19,14 +19,24 @@ inline std::string readable(std::size_t count)
   return text;
 }
 
+/// A count and what is counted.
+inline std::string counted(std::size_t count, const char* one, const char* many)
+{
+  return readable(count) + ' ' + (count == 1 ? one : many);
+}
+
 /// A time in seconds, as milliseconds if it is short, with three digits that count.
 inline std::string readable_time(double seconds)
 {
   const bool is_short = seconds < 1;
   const double value = is_short ? 1e3 * seconds : seconds;
   char text[64];
-  std::snprintf(text, sizeof text, "%.*f %s", value < 1 ? 3 : value < 10 ? 2 : value < 100 ? 1 : 0, value,
-                is_short ? "ms" : "s");
+  std::snprintf(text, sizeof text, "%.*f %s",
+                value < 1     ? 3
+                : value < 10  ? 2
+                : value < 100 ? 1
+                              : 0,
+                value, is_short ? "ms" : "s");
   return text;
 }
 

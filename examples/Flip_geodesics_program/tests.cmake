@@ -91,13 +91,16 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/quad_seam.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
                                           "vt 0 1\nvt 5 5\nf 1/1 2/2 3/3 4/4\nf 2/5 5/2 6/3 3/4\n")
 
-  flip_geodesics_add_program_test(pair 0 LOCALLY_SHORTEST torus.off --from 0 --to 150)
+  flip_geodesics_add_program_test(pair 0 "1 curve: 1 LOCALLY_SHORTEST" torus.off --from 0 --to 150)
   flip_geodesics_add_program_test(pairs 0 "2 LOCALLY_SHORTEST" torus.off --pairs pairs.txt --mesh pairs.vtp)
   flip_geodesics_add_program_test(random 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --mesh random.ply)
   flip_geodesics_add_program_test(dijkstra 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search dijkstra)
   flip_geodesics_add_program_test(astar 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search astar)
   if(TARGET CGAL::TBB_support)
     flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --threads 2)
+    # More than there are, without a word on standard error.
+    flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" torus.off --random 30 --seed 7
+                                    --threads 1024)
   endif()
   flip_geodesics_add_program_test(no_threads 2 "--threads must lie" torus.off --random 2 --threads 0)
   flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj
@@ -184,9 +187,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(shortest_tree 0 "287 LOCALLY_SHORTEST.*shortest 287 of them, confirmed" torus.off
                                   --source 5 --shortest --kernel certified)
   flip_geodesics_add_program_test(source_out_of_range 2 "vertex 288" torus.off --source 288)
-  flip_geodesics_add_program_test(isolines 0 "9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200 --isolines
+  flip_geodesics_add_program_test(isolines 0 "ISOLINE +at distance 0.3\n.*9 curves: 3 BOUNDARY 6 ISOLINE" torus.off --source 0,100,200 --isolines
                                   0.3,0.6 --voronoi --mesh isolines.vtp --polylines isolines.txt --tolerance 0.01)
-  flip_geodesics_add_program_test(trace 0 "2 curves: 2 LENGTH" torus.off --trace 0,0.5,2 --trace 7,-1e-1,3 --polylines
+  flip_geodesics_add_program_test(trace 0 "LENGTH +from vertex 0 at 0.5\n.*2 curves: 2 LENGTH" torus.off --trace 0,0.5,2 --trace 7,-1e-1,3 --polylines
                                   traces.txt --stats traces.csv --mesh traces.vtp)
   flip_geodesics_add_program_test(trace_without_length 2 "give a vertex, an angle and a length" torus.off --trace 0,1)
   flip_geodesics_add_program_test(trace_no_number 2 "give a vertex, an angle and a length" torus.off --trace 0,a,1)
@@ -196,10 +199,23 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_and_random 2 "give the curves by one of" torus.off --trace 0,0,1 --random 3)
   flip_geodesics_add_program_test(trace_certified 2 "--trace gives no curves of a triangulation" torus.off --trace 0,0,1
                                   --kernel certified)
-  flip_geodesics_add_program_test(far_isoline 0 "0 curves" torus.off --source 0 --isolines 99)
-  flip_geodesics_add_program_test(isoline_no_number 2 "--isolines takes distances, which are 0 or more; nan" torus.off
+  flip_geodesics_add_program_test(far_isoline 0 "0 curves.*no isoline at distance 99: the farthest vertex is [0-9.]+ away"
+                                  torus.off --source 0 --isolines 99)
+  flip_geodesics_add_program_test(near_isoline 0 "1 curve: 1 ISOLINE" torus.off --source 0 --isolines 1e-9)
+  flip_geodesics_add_program_test(isoline_at_source 2 "--isolines takes distances greater than 0; 0 is none" torus.off
+                                  --source 0 --isolines 0.3,0)
+  flip_geodesics_add_program_test(spacing 0 "curves: [1-9][0-9]* ISOLINE" torus.off --source 0,100 --spacing 0.3 --mesh
+                                  spacing.vtp)
+  flip_geodesics_add_program_test(spacing_too_large 0 "0 curves.*no isoline at a multiple of --spacing" torus.off
+                                  --source 0 --spacing 99)
+  flip_geodesics_add_program_test(spacing_too_small 2 "--spacing 1e-09 makes more than 10000 isolines" torus.off
+                                  --source 0 --spacing 1e-9)
+  flip_geodesics_add_program_test(spacing_zero 2 "--spacing must be greater than 0" torus.off --source 0 --spacing 0)
+  flip_geodesics_add_program_test(spacing_and_isolines 2 "--spacing and --isolines do not go" torus.off --source 0
+                                  --spacing 1 --isolines 1)
+  flip_geodesics_add_program_test(isoline_no_number 2 "--isolines takes distances greater than 0; nan" torus.off
                                   --source 0 --isolines 1,nan --mesh no_isolines.vtp)
-  flip_geodesics_add_program_test(negative_isoline 2 "--isolines takes distances, which are 0 or more; -2" torus.off
+  flip_geodesics_add_program_test(negative_isoline 2 "--isolines takes distances greater than 0; -2" torus.off
                                   --source 0 --isolines 1,-2)
   flip_geodesics_add_program_test(left_out_isoline 2 "--isolines: '' in '0.1,,0.2' is no number" torus.off --source 0
                                   --isolines 0.1,,0.2)
@@ -388,6 +404,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(early_property 2 "early_property.ply line 3: .*property before any element"
                                   early_property.ply --random 2)
   flip_geodesics_add_program_test(escape 2 "escape.txt line 2: '[?]c7' is no whole number" torus.off --pairs escape.txt)
+  flip_geodesics_add_program_test(folder 2 ": is a folder; name a file in it" . --random 2)
+  flip_geodesics_add_program_test(folder_of_pairs 2 ": is a folder; name a file in it" torus.off --pairs .)
   flip_geodesics_add_program_test(escape_in_name 2 "no[?]c.off: cannot be opened" "no${escape}c.off" --random 2)
   flip_geodesics_add_program_test(escape_in_option 2 "--kernel [?]c: not known" torus.off --random 2 --kernel
                                   "${escape}c")

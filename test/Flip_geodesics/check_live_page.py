@@ -80,6 +80,7 @@ const save = async (format) => {
   seen.spline = await choose('spline');
   seen.loop = await choose('loop');
   seen.distances = await choose('distances');
+  seen.distances.command = document.getElementById('command').textContent;
   await drop('bad.off', 'OFF nothing');
   await until(() => data.error);
   seen.bad = { ...data, title: document.getElementById('title').textContent };
@@ -153,6 +154,16 @@ def check_saved(options, folder, saved, line):
             check(a == b or abs(float(a) - float(b)) < 1e-9, f'{format}: {a} instead of {b}')
 
 
+def check_isolines(options, folder, seen):
+    """The command that the page shows gives as many isolines."""
+    _, mesh, *arguments = seen['command'].split()
+    check(mesh == options.mesh.name and arguments[0] == '--source', f'the command of isolines: {seen["command"]}')
+    subprocess.run([options.program, options.mesh, '--quiet', *arguments, '--stats', folder / 'isolines.csv'], check=True)
+    with open(folder / 'isolines.csv', encoding='ascii') as file:
+        count = sum(1 for _ in csv.DictReader(file))
+    check(count == int(seen['curves']) >= 2, f'{seen["curves"]} isolines on the page, {count} by {seen["command"]}')
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('--program', required=True)
@@ -179,7 +190,7 @@ def main():
                 compared += 1
         check_saved(options, folder, seen['saved'], seen['through']['line'])
         check(len(lines) >= 7, f'the drags have not moved the point: {lines}')
-        check(int(seen['distances']['curves']) >= 2, f'isolines: {seen["distances"]}')
+        check_isolines(options, folder, seen['distances'])
         check(seen['bad']['error'].startswith('bad.off'), f'a bad file: {seen["bad"]}')
         check(seen['bad']['title'] == options.mesh.name and seen['bad']['curves'] == seen['distances']['curves'],
               f'a bad file replaces the mesh: {seen["bad"]}')

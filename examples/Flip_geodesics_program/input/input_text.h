@@ -52,7 +52,9 @@ inline Input_text read_text(const std::string& file)
   std::error_code no_matter;
   const auto type = std::filesystem::status(file, no_matter).type();
   std::ifstream in(file, std::ios::binary);
-  if(!in || type == std::filesystem::file_type::directory)
+  if(type == std::filesystem::file_type::directory)
+    throw Bad_input(name + ": is a folder; name a file in it");
+  if(!in)
     throw Bad_input(name + ": cannot be opened; check the path and its permissions");
   if(type == std::filesystem::file_type::regular)
     bytes.reserve(static_cast<std::size_t>(std::filesystem::file_size(file, no_matter)) + 1);

@@ -133,18 +133,18 @@ private:
             {}};
   }
 
-  // Isolines, and the tree of geodesics: the line has the sources, the distances, and 1 if the tree is wanted, with bars
-  // between.
+  // Isolines, and the tree of geodesics: the line has the sources, the distance from one isoline to the next, and 1 if the
+  // tree is wanted, with bars between.
   void run_field(Scene& scene, const std::string& line)
   {
     std::istringstream words(line);
-    std::string sources, levels, has_tree;
-    std::getline(std::getline(std::getline(words, sources, '|'), levels, '|'), has_tree);
+    std::string sources, spacing, has_tree;
+    std::getline(std::getline(std::getline(words, sources, '|'), spacing, '|'), has_tree);
     Field_request field;
     for(const double source : read_numbers(sources, "sources"))
       field.sources.push_back(read_vertex(m_mesh, source, "sources"));
-    field.levels = read_numbers(levels, "distances");
-    add(scene, field_curves(m_mesh, field, m_progress), std::nullopt);
+    field.spacing = read_numbers(spacing, "spacing").front();
+    add(scene, field_curves(m_mesh, field, m_progress).curves, std::nullopt);
     if(has_tree == "1")
       run(scene, {{}, {}, field.sources.front()}, 0);
   }

@@ -29,6 +29,7 @@ public:
       m_lines.push_back(line(curve, result));
     ++m_number_of_curves;
     m_is_tree |= result.is_of_tree;
+    m_are_pulled_tight &= result.is_pulled_tight;
     m_number_on_contracted += result.are_zero_edges_contracted ? 1 : 0;
     if(result.is_error())
       return;
@@ -45,12 +46,14 @@ public:
   void print(std::ostream& out) const
   {
     if(m_number_of_curves <= most_lines) {
-      out << "curve    source    target  segments     edge path      geodesic     flips  status               ms  "
-             "certificate\n";
+      out << (m_are_pulled_tight
+                  ? "curve    source    target  segments     edge path      geodesic     flips  status   "
+                    "            ms  certificate\n"
+                  : "curve   segments        length  status            what it is\n");
       for(const std::string& line : m_lines)
         out << line;
     }
-    print_counts(out << readable(m_number_of_curves) << " curves:", m_counts);
+    print_counts(out << counted(m_number_of_curves, "curve", "curves") << ':', m_counts);
     if(!m_verdicts.empty())
       print_counts(out << "certificates:", m_verdicts);
     if(m_number_on_contracted > 0)
@@ -82,15 +85,18 @@ private:
 
   static std::string line(std::size_t curve, const Curve_result& r)
   {
+    if(!r.is_pulled_tight)
+      return format("%5zu %10zu %13.6g  %-16s  %s\n", curve, r.initial_segments, r.length, r.status.c_str(),
+                    r.name.c_str());
     return format("%5zu %9s %9s %9zu %13.6g %13.6g %9zu  %-16s %8.3f  %s\n", curve, vertex(r.source).c_str(),
-                  vertex(r.target).c_str(), r.initial_segments, r.initial_length, r.length, r.flips,
-                  r.status.c_str(), 1e3 * (r.search_s + r.shorten_s + r.extract_s), r.certificate.c_str());
+                  vertex(r.target).c_str(), r.initial_segments, r.initial_length, r.length, r.flips, r.status.c_str(),
+                  1e3 * (r.search_s + r.shorten_s + r.extract_s), r.certificate.c_str());
   }
 
   static void print_counts(std::ostream& out, const std::map<std::string, std::size_t>& counts)
   {
     for(const auto& [name, count] : counts)
-      out << ' ' << count << ' ' << name;
+      out << ' ' << readable(count) << ' ' << name;
     out << '\n';
   }
 
@@ -115,6 +121,7 @@ private:
   std::vector<std::size_t> m_flips;
   std::vector<double> m_search, m_shorten, m_extract;
   bool m_is_tree = false; // then the engine says what matters
+  bool m_are_pulled_tight = true;
 };
 
 } // namespace program

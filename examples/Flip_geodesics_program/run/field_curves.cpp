@@ -12,11 +12,14 @@
 
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -24,6 +27,7 @@ namespace {
 
 namespace FG = CGAL::Flip_geodesics;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
+using Field = FG::Geodesic_distance_field<Triangulation>;
 using Polyline = FG::Located_polyline<Mesh>;
 
 // What is wanted, or else a thousandth of the diagonal of the mesh's box. One of less than a millionth would take more
@@ -46,6 +50,7 @@ Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, 
   Curve_result result;
   result.name = name;
   result.status = status;
+  result.is_pulled_tight = false;
   result.is_closed = polyline.is_closed;
   result.initial_segments = polyline.points.size() - 1;
   result.length = 0;
@@ -60,37 +65,87 @@ Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, 
   return result;
 }
 
+double farthest_distance(const Mesh& mesh, const Field& field)
+{
+  double result = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(const double distance = field.distance(Vertex_index(static_cast<Index>(v))); std::isfinite(distance))
+      result = (std::max)(result, distance);
+  return result;
+}
+
+std::vector<double> wanted_levels(const Field_request& request, double farthest)
+{
+  constexpr double most_levels = 10000;
+  std::vector<double> result = request.levels;
+  if(!(request.spacing > 0))
+    return result;
+  const double number = std::ceil(farthest / request.spacing) - 1;
+  if(number > most_levels) {
+    std::ostringstream message;
+    message << "--spacing " << request.spacing << " makes more than " << most_levels << " isolines; give at least "
+            << 1.001 * farthest / most_levels;
+    throw Bad_input(message.str());
+  }
+  for(double i = 1; i <= number; ++i)
+    result.push_back(i * request.spacing);
+  return result;
+}
+
+// Why there is no isoline at some levels.
+std::string missing_levels(const std::vector<double>& levels, const std::set<double>& found, double farthest,
+                           double tolerance)
+{
+  std::ostringstream out;
+  for(const double level : levels)
+    if(found.count(level) == 0) {
+      out << "no isoline at distance " << level << ": ";
+      if(level >= farthest)
+        out << "the farthest vertex is " << farthest << " away\n";
+      else
+        out << "the tolerance of " << tolerance << " does not tell it from a point\n";
+    }
+  return out.str();
+}
+
 } // namespace
 
-std::vector<Curve_result> field_curves(const Mesh& mesh, const Field_request& request, Progress& progress)
+Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progress& progress)
 {
   const double tolerance = usable_tolerance(mesh, request.tolerance);
   const Triangulation triangulation(mesh);
-  FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
+  Field field(triangulation, mesh);
   for(Vertex_index source : request.sources)
     field.add_source(source);
   progress.enter("computing distances");
   if(field.compute().status != FG::Distance_field_status::COMPLETE)
     throw std::runtime_error("--source: the distances of so large a mesh were given up");
 
-  std::vector<Curve_result> results;
+  Field_curves result;
   progress.enter("following isolines");
+  const double farthest = farthest_distance(mesh, field);
+  const std::vector<double> levels = wanted_levels(request, farthest);
+  std::set<double> found;
   const auto add_isoline = [&](const FG::Isoline<Mesh>& isoline) {
     std::ostringstream name;
     name << "at distance " << isoline.level;
-    results.push_back(curve_result(triangulation, mesh, isoline, name.str(), "ISOLINE"));
+    found.insert(isoline.level);
+    result.curves.push_back(curve_result(triangulation, mesh, isoline, name.str(), "ISOLINE"));
   };
-  FG::isolines(mesh, field, request.levels, boost::make_function_output_iterator(add_isoline), tolerance);
+  FG::isolines(mesh, field, levels, boost::make_function_output_iterator(add_isoline), tolerance);
+  result.remarks = missing_levels(levels, found, farthest, tolerance);
+  if(request.spacing > 0 && request.spacing >= farthest)
+    result.remarks += "no isoline at a multiple of --spacing: the farthest vertex is nearer\n";
 
   progress.enter("following boundaries");
   const auto add_boundary = [&](const FG::Voronoi_boundary<Mesh>& boundary) {
     const auto vertex = [&](int side) { return std::to_string(request.sources[boundary.sources[side]].idx()); };
-    results.push_back(
+    result.curves.push_back(
         curve_result(triangulation, mesh, boundary, "between vertices " + vertex(0) + " and " + vertex(1), "BOUNDARY"));
   };
   if(request.is_diagram)
     FG::voronoi_boundaries(mesh, field, boost::make_function_output_iterator(add_boundary), tolerance);
-  return results;
+  return result;
 }
 
 } // namespace program

@@ -7,6 +7,7 @@
 #include "run/curve_engine.h"
 #include "run/progress.h"
 
+#include <string>
 #include <vector>
 
 namespace program {
@@ -16,12 +17,19 @@ struct Field_request
 {
   std::vector<Vertex_index> sources;
   std::vector<double> levels; ///< of isolines
+  double spacing = 0;         ///< isolines at all multiples of this as well, as far as the vertices; none if it is zero
   bool is_diagram = false;    ///< are the boundaries of the Voronoi diagram wanted, too?
   double tolerance = 0;       ///< zero for a thousandth of the diagonal of the mesh's box
 };
 
-/// The isolines, in the order of the levels, and then the boundaries.
-std::vector<Curve_result> field_curves(const Mesh& mesh, const Field_request& request, Progress& progress);
+struct Field_curves
+{
+  std::vector<Curve_result> curves; ///< the isolines, in the order of the levels, and then the boundaries
+  std::string remarks;              ///< lines for people about levels that have no isoline
+};
+
+/// \throws Bad_input if the tolerance or the spacing is so small that the results would not fit anywhere
+Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progress& progress);
 
 } // namespace program
 

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_MESH_RESULTS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_MESH_RESULTS_H
 
+#include "readable.h"
 #include "run/curve_engine.h"
 #include "run/progress.h"
 
@@ -80,9 +81,13 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
       bounds.maximum_insertions = static_cast<std::size_t>(*options.most_vertices);
     progress.enter("refining", "vertices inserted");
     const FG::Refinement_report report = FG::refine(network, bounds, Refinement_progress(progress));
-    text << "refined  " << report.insertions << " vertices inserted, " << report.splits
-         << " edges split; smallest angle " << report.smallest_angle << " degrees, " << report.smallest_free_angle
-         << " without " << report.exempt << " exempt faces; " << report.missed << " missed" << ending(report) << '\n';
+    text << "refined  " << counted(report.insertions, "vertex", "vertices") << " inserted, "
+         << counted(report.splits, "edge", "edges") << " split; smallest angle " << report.smallest_angle
+         << " degrees";
+    if(report.exempt > 0)
+      text << ", " << report.smallest_free_angle << " without "
+           << counted(report.exempt, "exempt face", "exempt faces");
+    text << "; " << readable(report.missed) << " missed" << ending(report) << '\n';
   }
   return text.str();
 }

@@ -23,6 +23,16 @@ constexpr bool has_threads = true;
 constexpr bool has_threads = false;
 #endif
 
+/// So many threads as are wanted, but no more than the machine runs at the same time: others would only wait.
+inline int usable_threads(int wanted)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return (std::min)(wanted, tbb::this_task_arena::max_concurrency());
+#else
+  return wanted;
+#endif
+}
+
 /*!
  * Calls `sink(requests[i], results)` in the order of the requests, with what `run(requests[i])` of a runner returns.
  * Each thread has a runner of its own, made by `make_runner()`; portions of the requests are computed ahead.

@@ -34,6 +34,7 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
   name << "from vertex " << request.source.idx() << " at " << request.angle;
   result.name = name.str();
   result.source = request.source;
+  result.is_pulled_tight = false;
   try {
     if(triangulation.input().outgoing(request.source) == FG::null_index)
       throw FG::Vertex_out_of_range_error("vertex " + std::to_string(request.source.idx()) + " is in no face");

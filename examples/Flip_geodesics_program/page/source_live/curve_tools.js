@@ -12,7 +12,7 @@ export function pointText({ weights }, corners) {
   return `${corners.join(',')},${t},${u}`;
 }
 
-const through = (points) => points.map((p) => p.text).join(' ');
+export const through = (points) => points.map((p) => p.text).join(' ');
 
 // Each tool: what it needs, and what the engine and the program are asked for.
 export const tools = {
@@ -42,7 +42,7 @@ export const tools = {
     least: 1,
     kind: 'distances',
     isAtVertices: true,
-    line: (points, { levels, hasTree }) => `${points.map((p) => p.text).join(',')}|${levels.join(',')}|${hasTree ? 1 : 0}`,
-    command: (mesh, points, { levels }) => `${mesh} --source ${points.map((p) => p.text).join(',')} --isolines ${levels.map((x) => Number(x.toPrecision(4))).join(',')}`,
+    line: (points, { spacing, hasTree }) => `${points.map((p) => p.text).join(',')}|${spacing}|${hasTree ? 1 : 0}`,
+    command: (mesh, points, { spacing }) => `${mesh} --source ${points.map((p) => p.text).join(',')} --spacing ${spacing}`,
   },
 };

@@ -6,7 +6,7 @@ import { Color } from 'three';
 import { readResults, readMesh } from '../source/data.js';
 import { Playback } from '../source/playback.js';
 import { statusText, verdictText } from '../source/words.js';
-import { pointText, tools } from './curve_tools.js';
+import { pointText, through, tools } from './curve_tools.js';
 import { Engine } from './engine.js';
 import { exampleMesh } from './example_mesh.js';
 import { Live_stage } from './live_stage.js';
@@ -137,9 +137,8 @@ class Live_page {
   }
 
   settings() {
-    const count = Number(at('spacing').value);
-    const levels = Array.from({ length: 2 * count }, (_, i) => ((i + 1) * 2 * this.mesh.radius) / count);
-    return { levels, hasTree: at('tree').checked && !at('tree').disabled };
+    const spacing = Number(((2 * this.mesh.radius) / Number(at('spacing').value)).toPrecision(4)); // as the command shows it
+    return { spacing, hasTree: at('tree').checked && !at('tree').disabled };
   }
 
   // Asks the engine for the curve of the points as they are. While it computes, only the last change is kept.
@@ -369,10 +368,15 @@ class Live_page {
     if (file) await this.open({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
   }
 
+  // What a file of points has: a line of the program's, or the sources.
+  pointsLine() {
+    return this.tool === 'distances' ? through(this.points) : tools[this.tool].line(this.points, this.settings());
+  }
+
   async save(kind) {
     if (!this.results) return this.fail('There is no curve to save yet.');
     try {
-      const content = kind === 'points' ? `${tools[this.tool].line(this.points, this.settings())}\n` : await this.engine.save(kind.slice(0, 9));
+      const content = kind === 'points' ? `${this.pointsLine()}\n` : await this.engine.save(kind.slice(0, 9));
       const link = document.createElement('a');
       link.href = URL.createObjectURL(new Blob([content]));
       link.download = kind === 'points' ? 'points.txt' : `${this.name.replace(/\.[^.]*$/, '')}_curves.${kind}`;
