@@ -107,24 +107,36 @@ double length_of(const std::vector<Point>& points)
 
 Surface grid_mesh() { return to_mesh<Surface>(flat_grid(12, 12, Diagonal_rule::ALTERNATING)); }
 
-// From the middle vertex of the grid, in a direction in the plane: told in the face that it starts into.
-Traced trace_from_middle(const Surface& mesh, const Vector& v, double length, At_vertices at = At_vertices::GO_STRAIGHT)
+// From a vertex, in a direction in the plane of one of its faces: told in the face that it starts into.
+Traced trace_from(const Surface& mesh, Vertex start, const Vector& v, double length,
+                  At_vertices at = At_vertices::GO_STRAIGHT)
 {
-  const Vertex middle(grid_vertex(12, 6, 6));
-  for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(middle))) {
-    const Vector a = mesh.point(mesh.target(mesh.next(h))) - mesh.point(middle),
-                 b = mesh.point(mesh.source(h)) - mesh.point(middle);
-    if(a.x() * v.y() - a.y() * v.x() >= 0 && v.x() * b.y() - v.y() * b.x() > 0) {
+  for(const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(start))) {
+    const Vector a = mesh.point(mesh.target(mesh.next(h))) - mesh.point(start),
+                 b = mesh.point(mesh.source(h)) - mesh.point(start), normal = CGAL::cross_product(a, b);
+    if(v * normal == 0 && CGAL::cross_product(a, v) * normal >= 0 && CGAL::cross_product(v, b) * normal > 0) {
       Face_location source = {mesh.face(h), {0, 0, 0}};
       Halfedge corner = mesh.halfedge(source.first);
       for(double& weight : source.second) {
-        weight = mesh.source(corner) == middle ? 1 : 0;
+        weight = mesh.source(corner) == start ? 1 : 0;
         corner = mesh.next(corner);
       }
       return trace(mesh, source, v, length, at);
     }
   }
   throw std::logic_error("no face about the vertex has the direction");
+}
+
+// From the middle vertex of the grid.
+Traced trace_from_middle(const Surface& mesh, const Vector& v, double length, At_vertices at = At_vertices::GO_STRAIGHT)
+{
+  return trace_from(mesh, Vertex(grid_vertex(12, 6, 6)), v, length, at);
+}
+
+// A grid folded along each of its columns, so that these are by turns at height 0 and above: all angles are 2 pi.
+Surface folded_grid(int n, int m, double height, Diagonal_rule rule)
+{
+  return to_mesh<Surface>(grid(n, m, rule, [height](int i, int) { return height * (i % 2); }));
 }
 
 } // namespace
@@ -245,6 +257,114 @@ BOOST_AUTO_TEST_CASE(vertices_on_its_way_are_met_exactly)
       BOOST_TEST(passed.result.vertices == 1u);
       BOOST_TEST(distance(passed.points.back(), Point(6, 6, 0) + passed.result.length / size * first) < 1e-13);
     }
+}
+
+BOOST_AUTO_TEST_CASE(flat_vertices_are_passed_without_rounding)
+{
+  // Each step would miss the next vertex by rounding: the columns are by turns the roots of 1, 2, 25/16 and 10 wide.
+  constexpr int n = 60, m = 40;
+  for(const double height : {0.0, 1.0, 0.75, 3.0})
+    for(const Diagonal_rule rule : {Diagonal_rule::ALTERNATING, Diagonal_rule::RANDOM}) {
+      const Surface mesh = folded_grid(n, m, height, rule);
+      for(const auto& [a, b] : std::vector<std::pair<int, int>>{
+              {1, 0}, {1, 1}, {1, -1}, {2, 1}, {3, -2}, {3, 1}, {5, 3}, {1, 4}, {7, -2}, {0, 1}, {0, -1}})
+      {
+        const std::array<int, 2> start = {2, b > 0 ? 2 : (b < 0 ? 38 : 20)};
+        const Traced t = trace_from(mesh, Vertex(grid_vertex(n, start[0], start[1])), Vector(a, b, height * a), 1e3);
+        BOOST_TEST((t.result.end == Trace_end::BORDER));
+        std::size_t passed = 0, at = 0;
+        for(int x = start[0] + a, y = start[1] + b; x < n && y < m && y > 0; x += a, y += b, ++passed) {
+          const Point p = mesh.point(Vertex(grid_vertex(n, x, y)));
+          while(at < t.points.size() && t.points[at] != p)
+            ++at;
+        }
+        BOOST_TEST(at < t.points.size()); // all of them, in their order
+        BOOST_TEST(t.result.vertices == passed);
+        BOOST_TEST(t.result.statistics.unproven_zeros == 0u);
+        BOOST_TEST(std::abs(length_of(t.points) - t.result.length) < 1e-12);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(flat_vertices_are_passed_without_rounding_from_inside_a_face)
+{
+  constexpr int n = 40, m = 24;
+  const Surface mesh = folded_grid(n, m, 0, Diagonal_rule::RANDOM);
+  for(const Face f : {Face(300), Face(771)}) {
+    const Face_location source = {f, {0.25, 0.25, 0.5}};
+    const Point start = point_at(mesh, source);
+    for(int p = 1; p < 12; ++p)
+      for(int q = -9; q < 9; ++q) {
+        if(std::gcd(p, q) != 1)
+          continue;
+        const Traced t = trace(mesh, source, Vector(p, q, 0), 1e3);
+        std::size_t passed = 0; // all is in quarters
+        for(int x = int(4 * start.x()) + p, y = int(4 * start.y()) + q; x < 4 * n && y > 0 && y < 4 * m; x += p, y += q)
+          passed += x % 4 == 0 && y % 4 == 0 ? 1 : 0;
+        BOOST_TEST(t.result.vertices == passed);
+        const Point end = t.points.back();
+        BOOST_TEST(std::abs((end.x() - start.x()) * q - (end.y() - start.y()) * p) < 1e-12);
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(on_a_cube_it_comes_back_to_its_start_exactly)
+{
+  const Surface mesh = to_mesh<Surface>(cube(4));
+  const auto vertex_at = [&mesh](const Point& p) {
+    for(const Vertex v : mesh.vertices())
+      if(mesh.point(v) == p)
+        return v;
+    throw std::logic_error("no vertex is there");
+  };
+  // Around six faces, through 12 vertices in each round; edges are crossed where vertices are.
+  const double round = 12 * std::sqrt(2.0);
+  for(const Point& start : {Point(1, 2, 4), Point(2, 1, 4), Point(1, 2, 0)}) {
+    const Traced t = trace_from(mesh, vertex_at(start), Vector(1, 1, 0), 100 * round + 0.5);
+    BOOST_TEST(t.result.vertices == 1200u);
+    std::size_t visits = 0;
+    for(const Point& p : t.points)
+      visits += p == start ? 1 : 0;
+    BOOST_TEST(visits == 101u);
+    const double half = 0.5 / std::sqrt(2.0);
+    BOOST_TEST(distance(t.points.back(), start + Vector(half, half, 0)) < 1e-9); // of a length of 1700
+  }
+}
+
+BOOST_AUTO_TEST_CASE(lengths_say_that_vertices_are_flat)
+{
+  // A torus of congruent triangles has no curvature, whatever their sides are.
+  constexpr int n = 15, m = 8, steps = 300;
+  using Length_map = Surface::Property_map<Surface::Edge_index, double>;
+  using Metric = FG::Edge_length_metric<Surface, Length_map>;
+  using Triangulation = FG::Intrinsic_triangulation<Surface, FG::Intrinsic_triangulation_traits<Kernel>, Metric>;
+  Surface mesh = to_mesh<Surface>(torus(n, m, 2, 1));
+  const Length_map lengths = mesh.add_property_map<Surface::Edge_index, double>("e:length", 1).first;
+  for(const std::array<double, 3>& sides : {std::array<double, 3>{1, 1, 1}, {13, 14, 15}, {2, 3, 4}}) {
+    for(const auto e : mesh.edges()) {
+      const unsigned u = mesh.vertex(e, 0), v = mesh.vertex(e, 1);
+      lengths[e] = u / n == v / n ? sides[0] : (u % n == v % n ? sides[1] : sides[2]);
+    }
+    const Triangulation triangulation(mesh, Metric(mesh, lengths));
+    const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
+    const Halfedge along = mesh.halfedge(Vertex(0), Vertex(1)); // its face has the diagonal
+    const FG::Surface_location start = {triangulation.input().index(along), {{1, 0, 0}}};
+    for(const auto& [a, b] : std::vector<std::pair<int, int>>{{1, 0}, {0, 1}, {1, 1}, {2, 1}, {1, 3}, {5, 4}}) {
+      const double dot = 0.5 * (sides[0] * sides[0] + sides[2] * sides[2] - sides[1] * sides[1]);
+      const double step = std::sqrt(a * a * sides[0] * sides[0] + b * b * sides[2] * sides[2] + 2 * a * b * dot);
+      std::vector<FG::Index> expected, passed;
+      for(int k = 1; k <= steps; ++k)
+        expected.push_back(k * (a + b) % n + n * (k * b % m));
+      const FG::Trace trace = tracer.trace(start, {double(a), double(b)}, FG::Trace_limits<>{(steps + 0.5) * step},
+                                           [&passed, is_start = true](const FG::Surface_point& p) mutable {
+                                             if(p.a == p.b && !is_start)
+                                               passed.push_back(p.a.idx());
+                                             is_start = false;
+                                           });
+      BOOST_TEST((trace.end == Trace_end::LENGTH));
+      BOOST_TEST(passed == expected);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_vertex_that_it_misses_by_the_last_digit_is_missed)

@@ -7,10 +7,15 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
+#include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/rays/Direction_finder.h>
 #include <CGAL/Flip_geodesics/internal/rays/Ray.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -104,6 +109,7 @@ public:
              const Limits& limits, Visitor& visitor)
     : m_triangulation(triangulation)
     , m_exact_faces(exact_faces)
+    , m_directions(triangulation)
     , m_limits(limits)
     , m_visitor(visitor)
   {
@@ -132,13 +138,24 @@ private:
     bool is_at_gate = ray.leave_first_face();
     CGAL_assertion_code(const bool is_inside =) is_at_gate || ray.reach_first_corner();
     CGAL_assertion(is_inside);
-    while(is_at_gate) {
-      if(ends_at_gate(ray))
+    for(;;) {
+      while(is_at_gate) {
+        if(ends_at_gate(ray))
+          return false;
+        ++m_trace.edges;
+        is_at_gate = ray.pass_gate();
+      }
+      if(ends_at_corner(ray))
         return false;
-      ++m_trace.edges;
-      is_at_gate = ray.pass_gate();
+      ++m_trace.vertices;
+      m_visitor(surface_point(m_triangulation, {ray.corner(), {{1, 0, 0}}}));
+      if(!is_flat(ray.corner())) {
+        m_trace.length += ray.distance_of_corner();
+        start = m_directions.at_vertex(ray.corner(), straight_on(ray));
+        return true;
+      }
+      is_at_gate = ray.pass_corner();
     }
-    return goes_on_at_corner(ray, start);
   }
 
   bool ends_at_gate(const Ray& ray)
@@ -180,32 +197,49 @@ private:
     return true;
   }
 
-  bool goes_on_at_corner(const Ray& ray, Ray_start& start)
+  bool ends_at_corner(const Ray& ray)
   {
     const double length = m_trace.length + ray.distance_of_corner();
-    if(length > m_limits.length) {
-      end_inside(ray, false);
-      return false;
-    }
-    const Direction_finder<Triangulation> directions(m_triangulation);
+    if(length > m_limits.length)
+      return end_inside(ray, false);
     const Input_halfedge_index h = ray.corner();
-    const double total = directions.total_angle(h), back = ray.angle_at_corner();
-    const bool is_border = !std::isfinite(total), is_last = m_trace.edges + m_trace.vertices >= m_limits.most_crossings;
-    const double on = back + (is_border ? boost::math::constants::pi<double>() : total / 2);
-    m_trace.length = length;
-    const bool is_long = length == m_limits.length;
-    if(is_border || is_long || has_constrained_edge(h) || is_last || m_limits.at_vertices == At_vertices::STOP) {
-      end_at_corner(h, on);
-      m_trace.end = is_border                 ? Trace_end::BORDER
-                    : is_long                 ? Trace_end::LENGTH
-                    : has_constrained_edge(h) ? Trace_end::CONSTRAINED_EDGE
-                                              : (is_last ? Trace_end::CROSSING_LIMIT : Trace_end::VERTEX);
+    const bool is_border = !std::isfinite(m_directions.total_angle(h)), is_long = length == m_limits.length,
+               is_last = m_trace.edges + m_trace.vertices >= m_limits.most_crossings;
+    if(!is_border && !is_long && !has_constrained_edge(h) && !is_last && m_limits.at_vertices != At_vertices::STOP)
       return false;
-    }
-    start = directions.at_vertex(h, on);
-    m_visitor(surface_point(m_triangulation, start.place));
-    ++m_trace.vertices;
+    m_trace.length = length;
+    end_at_corner(h, straight_on(ray));
+    m_trace.end = is_border                 ? Trace_end::BORDER
+                  : is_long                 ? Trace_end::LENGTH
+                  : has_constrained_edge(h) ? Trace_end::CONSTRAINED_EDGE
+                                            : (is_last ? Trace_end::CROSSING_LIMIT : Trace_end::VERTEX);
     return true;
+  }
+
+  // With the same angle on both sides, from corner().
+  double straight_on(const Ray& ray) const
+  {
+    const double total = m_directions.total_angle(ray.corner());
+    return ray.angle_at_corner() + (std::isfinite(total) ? total / 2 : boost::math::constants::pi<double>());
+  }
+
+  // Are the angles about the tail of h exactly 2 pi, of faces with areas? Then a ray goes on as in a plane.
+  bool is_flat(Input_halfedge_index first)
+  {
+    constexpr double nearly = 1e-3; // far more than rounding, far less than pi
+    if(!(std::abs(m_directions.total_angle(first) - boost::math::constants::two_pi<double>()) < nearly))
+      return false;
+    Unfolding_chain turn;
+    Input_halfedge_index h = first;
+    do {
+      const Input_halfedge_index back = m_triangulation.input().previous(h);
+      const Exact_face& face = m_exact_faces(back); // its corner at the head of that
+      if(face.doubled_area_squared == 0)
+        return false;
+      turn.steps.push_back({Unfolding_step::Kind::CORNER, &face});
+      h = twin_index(back);
+    } while(h != first);
+    return Exact_sign(m_trace.statistics)({turn}) == ZERO;
   }
 
   void end_at_corner(Input_halfedge_index h, double angle)
@@ -229,6 +263,7 @@ private:
 
   const Triangulation& m_triangulation;
   const Exact_input_faces<Triangulation>& m_exact_faces;
+  Direction_finder<Triangulation> m_directions;
   const Limits& m_limits;
   Visitor& m_visitor;
   Trace m_trace;
@@ -249,7 +284,10 @@ struct No_visitor_of_points
  *
  * Which edges are crossed, and that a vertex is run into, is decided exactly: by the signs of the real numbers that
  * the place's weights, the direction and the input's coordinates define, taken as the doubles that they round to. A
- * direction that is given as an angle is rounded once, to a vector in the face; so it is where a vertex has been passed.
+ * direction that is given as an angle is rounded once, to a vector in the face. Where the angles about a vertex are
+ * \f$2\pi\f$, exactly, the geodesic goes on as in a plane, and nothing is rounded: so it is inside of flat parts, and on
+ * edges along which these are folded. At other vertices, and those with a face without area, half of all angles is
+ * rounded, and the direction on is.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
  */

@@ -225,7 +225,7 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  * Traces a straightest geodesic [PS98] from a place in a direction: the exponential map. It is straight over faces and
  * edges; at a vertex it goes on with the same angle on its left as on its right, or ends there. Which edges it crosses,
  * and that it runs into a vertex, is decided exactly. The direction is taken as it is rounded in its first face, and
- * again after each vertex.
+ * again after each vertex about which the angles are not exactly \f$2\pi\f$.
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for

@@ -49,6 +49,7 @@ public:
     , m_place(place)
     , m_direction(direction)
     , m_statistics(statistics)
+    , m_exact_side(place, direction)
     , m_halfedge(place.halfedge)
   {
     lay_out_first_face();
@@ -64,10 +65,7 @@ public:
   {
     for(int i = 0; i < 3; ++i)
       if(m_sides[i] == NEGATIVE && m_sides[(i + 1) % 3] == POSITIVE) {
-        m_right = m_corners[i];
-        m_left = m_corners[(i + 1) % 3];
-        m_gate = -m_vectors[i];
-        m_crossed.push_back(i == 0 ? m_halfedge : (i == 1 ? next(m_halfedge) : next(next(m_halfedge))));
+        leave_over(i);
         return true;
       }
     return false;
@@ -88,18 +86,39 @@ public:
    * \pre there is a face behind it */
   bool pass_gate()
   {
-    const Input_halfedge_index entered = twin_index(m_crossed.back());
     m_entry_distance = distance_of_gate();
     m_entry_sine = starts_on_gate() ? 1 : sine_at_gate();
     m_entry = {place_on_gate(), 1 - place_on_gate(), 0};
-    enter_face(entered);
+    enter_face(twin_index(m_crossed.back()));
     const Sign sign = side_of_apex();
     if(sign == ZERO)
       return false;
-    const bool is_apex_left = sign == POSITIVE;
-    (is_apex_left ? m_left : m_right) = m_corners[2];
-    m_gate = -m_vectors[is_apex_left ? 1 : 2];
-    m_crossed.push_back(is_apex_left ? next(entered) : next(next(entered)));
+    leave_over(sign == POSITIVE ? 1 : 2);
+    return true;
+  }
+
+  /*
+   * Passes the corner that the ray runs into, as if that lay on its left: around it over the faces on the right of the
+   * ray. Goes up to the next gate; false if it runs into another corner.
+   *
+   * \pre the angles about the corner are 2 pi, exactly, and the faces about it have areas
+   */
+  bool pass_corner()
+  {
+    m_exact_side.reach_corner(m_triangulation, m_exact_faces, m_crossed);
+    m_entry_distance = distance_of_corner();
+    Sign sign = NEGATIVE;
+    for(int side = (m_apex + 2) % 3; sign == NEGATIVE; side = 2) {
+      leave_over(side);
+      m_entry_sine = sine_at_gate();
+      m_entry = {1, 0, 0};
+      enter_face(twin_index(m_crossed.back()));
+      sign = side_of_apex();
+    }
+    m_exact_side.leave_corner(m_halfedge, m_crossed.size());
+    if(sign == ZERO)
+      return false;
+    leave_over(1);
     return true;
   }
 
@@ -135,10 +154,7 @@ public:
   }
 
   /* The corner that the ray runs into, by the halfedge of the last face that starts there; and how far it is. */
-  Input_halfedge_index corner() const
-  {
-    return m_apex == 0 ? m_halfedge : (m_apex == 1 ? next(m_halfedge) : next(next(m_halfedge)));
-  }
+  Input_halfedge_index corner() const { return side(m_apex); }
   double distance_of_corner() const { return magnitude(m_corners[m_apex].position); }
 
   /*
@@ -213,6 +229,12 @@ private:
     return result;
   }
 
+  // A side of the last face.
+  Input_halfedge_index side(int i) const
+  {
+    return i == 0 ? m_halfedge : (i == 1 ? next(m_halfedge) : next(next(m_halfedge)));
+  }
+
   // Which side of the last face.
   int number_of(Input_halfedge_index h) const { return h == m_halfedge ? 0 : (h == next(m_halfedge) ? 1 : 2); }
 
@@ -259,6 +281,15 @@ private:
     m_apex = 2;
   }
 
+  // The gate is a side of the last face now.
+  void leave_over(int i)
+  {
+    m_right = m_corners[i];
+    m_left = m_corners[(i + 1) % 3];
+    m_gate = -m_vectors[i];
+    m_crossed.push_back(side(i));
+  }
+
   /*
    * The side of a corner of the first face: weights and direction say it alone. Areas in the face are determinants of
    * barycentric coordinates.
@@ -284,7 +315,7 @@ private:
     const double bound = apex.error + (m_unit_error + 8 * std::numeric_limits<double>::epsilon()) * distance;
     if(std::abs(sine) > bound)
       return sine > 0 ? POSITIVE : NEGATIVE;
-    return m_exact_side(m_triangulation, m_exact_faces, m_place, m_direction, m_crossed, m_statistics);
+    return m_exact_side(m_triangulation, m_exact_faces, m_crossed, m_statistics);
   }
 
   const Triangulation& m_triangulation;
