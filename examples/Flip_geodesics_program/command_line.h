@@ -38,6 +38,7 @@ public:
                  "  flip_geodesics bunny.off --network curves.txt --page curves.html");
     add_mesh();
     add_curves_from_vertices();
+    add_other_ways();
     add_curves_from_files();
     add_curves_from_sources();
     add_arithmetic();
@@ -135,6 +136,15 @@ private:
     add("--trace", "VERTEX,ANGLE,LENGTH", m_options.traces,
         "A straightest geodesic from a vertex: its direction, in radians as in --map, and its length; may be repeated")
         ->allow_extra_args(false);
+  }
+
+  void add_other_ways()
+  {
+    m_group = "Other ways between vertices";
+    add("--ways", "NUMBER", m_options.ways,
+        "With --from, --pairs or --random: the shortest paths of so many homotopy classes, around handles and borders");
+    add("--avoid", "FILE", m_options.obstacles,
+        "With --ways: what they do not cross; a wall of edges per line, as vertices, or `f n n ...` faces");
   }
 
   void add_curves_from_files()

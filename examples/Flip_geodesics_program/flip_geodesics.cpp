@@ -18,6 +18,7 @@
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
 #include "run/machine_memory.h"
+#include "run/other_ways.h"
 #include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
 #include "run/progress.h"
 #include "run/traced_curves.h"
@@ -70,8 +71,9 @@ void check_names_of_results(const Options& options)
     for(const std::string& other : results)
       if(is_same_file(name, other))
         throw Bad_input(printable(name) + ": two results cannot go to one file; name another one");
-    for(const std::string& input : {options.mesh, options.pairs, options.edges, options.loop, options.network,
-                                    options.segmentation, options.points, options.bezier, options.draw})
+    for(const std::string& input :
+        {options.mesh, options.pairs, options.edges, options.loop, options.network, options.segmentation,
+         options.points, options.bezier, options.draw, options.obstacles})
       if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
         throw Bad_input(printable(name) + ": a result would replace what is read; name another file, or add --force");
     results.push_back(name);
@@ -93,6 +95,23 @@ void check_mesh_results(const Mesh_result_options& options, const std::string& r
     if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
       throw Bad_input(printable(name) +
                       ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
+}
+
+void check_other_ways(const Options& options)
+{
+  constexpr long long most_ways = 1000;
+  if(!options.obstacles.empty() && !options.ways)
+    throw Bad_input("--avoid belongs to --ways; give how many ways, 1 for the shortest");
+  if(!options.ways)
+    return;
+  if(*options.ways < 1 || *options.ways > most_ways)
+    throw Bad_input("--ways " + std::to_string(*options.ways) + ": give 1 to " + std::to_string(most_ways));
+  if(!options.has_pairs())
+    throw Bad_input("--ways belongs to --from with --to, --pairs and --random; give one of them");
+  if(options.mollify || options.kernel || options.stop_length || options.are_zero_edges_refused ||
+     options.meshes.is_any_wanted())
+    throw Bad_input("--ways gives no curves of one triangulation: --mollify, --refuse-zero-edges, --kernel, "
+                    "--stop-length, --delaunay, --refine, --subdivision, --insert and --cut do not go with it");
 }
 
 void check_field_options(const Options& options)
@@ -146,6 +165,7 @@ void check_options(const Options& options)
   if(!options.is_repaired && !options.results.repaired.empty())
     throw Bad_input("--repaired belongs to --repair; give both");
   check_field_options(options);
+  check_other_ways(options);
   if(!options.traces.empty() &&
      (options.mollify || options.kernel || options.stop_length || options.meshes.is_any_wanted()))
     throw Bad_input("--trace gives no curves of a triangulation: --mollify, --kernel, --stop-length, "
@@ -265,7 +285,8 @@ int run_at_once(const Options& options, const Input_mesh& input, const std::stri
       std::cerr << "flip_geodesics: " << remark << '\n';
   const std::vector<Curve_result> results = compute();
   progress.enter("writing");
-  outputs->write(results, std::nullopt);
+  for(const Curve_result& result : results)
+    outputs->write({result}, std::nullopt);
   outputs->close(input);
   if(!options.is_quiet)
     outputs->print_summary(std::cout << title);
@@ -303,6 +324,25 @@ Trace_request trace_request(const std::string& text, const Input_mesh& input)
     throw Bad_input("--trace " + printable(text) + ": the length must not be negative");
   result.source = input.vertex(source, "--trace");
   return result;
+}
+
+int run_other_ways(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
+{
+  constexpr double megabyte = 1e6;
+  Ways_request request = {{}, static_cast<std::size_t>(*options.ways), read_obstacles(options, input), std::nullopt};
+  for(const Network_request& network : read_requests(options, input))
+    request.pairs.push_back(network.curves.front());
+  if(options.most_memory)
+    request.most_memory = *options.most_memory * megabyte;
+  std::string others;
+  const int status = run_at_once(options, input, title, progress, [&] {
+    Ways ways = other_ways(input, request, progress);
+    others = ways.others;
+    return ways.curves;
+  });
+  if(!options.is_quiet)
+    std::cout << others;
+  return status;
 }
 
 int run_traces(const Options& options, const Input_mesh& input, const std::string& title, Progress& progress)
@@ -344,6 +384,8 @@ int run(const Options& options)
     title << metric.added_length() << " added to the length of every edge\n";
   if(!options.traces.empty())
     return run_traces(options, input, title.str(), progress);
+  if(options.ways)
+    return run_other_ways(options, input, title.str(), progress);
   if(number_of_jobs(options) == 0)
     return run_without_curves(options, input, title.str());
   return options.is_field_wanted() ? run_field(options, input, title.str(), progress)

@@ -40,6 +40,8 @@ struct Options
   std::optional<int> rounds;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
   std::vector<long long> sources;
+  std::optional<long long> ways;   ///< how many between the ends of each pair
+  std::string obstacles;           ///< their file
   std::vector<std::string> traces; ///< each three numbers
   std::vector<double> isolines;
   std::optional<double> spacing;
@@ -55,6 +57,9 @@ struct Options
   Result_names results;
   Mesh_result_options meshes;
   bool is_replacing_input = false, is_quiet = false;
+
+  /// Are the ends of curves given by pairs of vertices?
+  bool has_pairs() const { return from || to || random || !pairs.empty(); }
 
   /// Are curves wanted that follow from distances, and no tree?
   bool is_field_wanted() const { return !isolines.empty() || spacing || has_voronoi; }

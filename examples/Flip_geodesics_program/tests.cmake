@@ -197,6 +197,53 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_negative 2 "must not be negative" torus.off --trace 0,1,-2)
   flip_geodesics_add_program_test(trace_of_no_vertex 2 "--trace: vertex 288 does not exist" torus.off --trace 288,0,1)
   flip_geodesics_add_program_test(trace_and_random 2 "give the curves by one of" torus.off --trace 0,0,1 --random 3)
+  # Walls along meridians, which open the torus, and all of its faces.
+  set(meridian "0 1 2 3 4 5 6 7 8 9 10 11 0\n")
+  file(WRITE ${program_dir}/wall.txt "# a meridian\n${meridian}")
+  file(WRITE ${program_dir}/two_walls.txt "${meridian}144 145 146 147 148 149 150 151 152 153 154 155 144\n")
+  file(WRITE ${program_dir}/hole.txt "f 300 301\nf400")
+  set(all_faces "f")
+  foreach(face RANGE 575)
+    string(APPEND all_faces " ${face}")
+  endforeach()
+  file(WRITE ${program_dir}/all_faces.txt "${all_faces}\n")
+  file(WRITE ${program_dir}/no_faces.txt "f\n")
+  file(WRITE ${program_dir}/face_beyond.txt "f 5 576\n")
+  file(WRITE ${program_dir}/face_word.txt "f 5 x\n")
+  set(pair_beside_wall torus.off --from 13 --to 270)
+  flip_geodesics_add_program_test(ways 0 "4 curves: 4 PROVEN_SHORTEST.*ways     4 from 13 to 150, confirmed. any other"
+                                  torus.off --from 13 --to 150 --ways 4 --mesh ways.vtp --stats ways.csv)
+  flip_geodesics_add_program_test(ways_of_pairs 0 "4 curves: 4 PROVEN_SHORTEST.*from 0 to 150.*from 3 to 77" torus.off
+                                  --pairs pairs.txt --ways 2 --page ways.html)
+  flip_geodesics_add_program_test(ways_at_random 0 "6 curves: 6 PROVEN" torus.off --random 3 --seed 2 --ways 2)
+  flip_geodesics_add_program_test(no_other_ways 0 "1 curve: 1 PROVEN_SHORTEST.*there is no other" pyramid.off --repair
+                                  --from 0 --to 2 --ways 3)
+  flip_geodesics_add_program_test(ways_along_wall 0 "2 PROVEN_SHORTEST.*length   8.46715 of.*flips    85"
+                                  ${pair_beside_wall} --ways 2 --avoid wall.txt)
+  flip_geodesics_add_program_test(ways_past_hole 0 "5 PROVEN_SHORTEST" torus.off --from 13 --to 150 --ways 5 --avoid
+                                  hole.txt)
+  flip_geodesics_add_program_test(ways_walled_off 1 "from, --to.*: no path of edges joins vertex 13 and vertex 270"
+                                  ${pair_beside_wall} --ways 2 --avoid two_walls.txt)
+  flip_geodesics_add_program_test(ways_from_wall 2 "vertex 3 lies on a wall of --avoid" torus.off --from 3 --to 150
+                                  --ways 2 --avoid wall.txt)
+  flip_geodesics_add_program_test(ways_inside_obstacle 2 "vertex 13 lies inside of an obstacle" ${pair_beside_wall}
+                                  --ways 2 --avoid all_faces.txt)
+  flip_geodesics_add_program_test(ways_given_up 1 "the search was given up at .* vertices of the covering" torus.off
+                                  --from 13 --to 150 --ways 30 --most-memory 0.1)
+  flip_geodesics_add_program_test(no_ways 2 "--ways 0: give 1 to" torus.off --from 0 --to 1 --ways 0)
+  flip_geodesics_add_program_test(ways_of_loops 2 "--ways belongs to --from" torus.off --loop loop.txt --ways 2)
+  flip_geodesics_add_program_test(ways_double 2 "--ways gives no curves of one" torus.off --random 2 --ways 2 --kernel
+                                  double)
+  flip_geodesics_add_program_test(avoid_alone 2 "--avoid belongs to --ways" torus.off --from 0 --to 1 --avoid wall.txt)
+  flip_geodesics_add_program_test(avoid_gap 2 "gap.txt line 2.*1 and 5" torus.off --random 1 --ways 2 --avoid gap.txt)
+  flip_geodesics_add_program_test(avoid_nothing 2 "no_curve.txt: there is no obstacle" torus.off --random 1 --ways 2
+                                  --avoid no_curve.txt)
+  flip_geodesics_add_program_test(avoid_no_faces 2 "no_faces.txt line 1: there is no face" torus.off --random 1 --ways 2
+                                  --avoid no_faces.txt)
+  flip_geodesics_add_program_test(avoid_face_beyond 2 "face_beyond.txt line 1: face 576 does not exist. use 0 to 575"
+                                  torus.off --random 1 --ways 2 --avoid face_beyond.txt)
+  flip_geodesics_add_program_test(avoid_word 2 "face_word.txt line 1: 'x' is no whole number" torus.off --random 1
+                                  --ways 2 --avoid face_word.txt)
   flip_geodesics_add_program_test(trace_certified 2 "--trace gives no curves of a triangulation" torus.off --trace 0,0,1
                                   --kernel certified)
   flip_geodesics_add_program_test(far_isoline 0 "0 curves.*no isoline at distance 99: the farthest vertex is [0-9.]+ away"
@@ -340,6 +387,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_viewer_test(network --network network.txt)
   flip_geodesics_add_viewer_test(contracted --loop trivial_loop.txt)
   flip_geodesics_add_viewer_test(tree --source 0)
+  flip_geodesics_add_viewer_test(ways --from 13 --to 150 --ways 3 --avoid hole.txt)
   flip_geodesics_add_viewer_test(isolines --source 0,100 --isolines 0.3,0.5 --voronoi)
   if(Python3_Interpreter_FOUND AND FLIP_GEODESICS_CHROMIUM)
     add_test(

@@ -7,6 +7,7 @@
 #include "input/drawn_input.h"
 #include "input/input_text.h"
 #include "input/mesh_input.h"
+#include "input/obstacle_input.h"
 #include "input/point_input.h"
 
 #include <cstddef>
@@ -43,4 +44,9 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
   for(const Curve_request& curve : curves)
     requests.push_back({{curve}, {}, {}});
   return requests;
+}
+
+program::Obstacles program::read_obstacles(const Options& options, const Input_mesh& mesh)
+{
+  return options.obstacles.empty() ? Obstacles() : read_obstacles(mesh, read_text(options.obstacles));
 }

@@ -5,6 +5,7 @@
 
 #include "input/curve_requests.h"
 #include "input/input_mesh.h"
+#include "input/obstacles.h"
 #include "program_options.h"
 
 #include <string>
@@ -19,6 +20,9 @@ Input_mesh read_input_mesh(const Options& options);
 
 /// The independent runs: one curve each, or all curves of a network. \throws Bad_input
 std::vector<Network_request> read_requests(const Options& options, const Input_mesh& mesh);
+
+/// What paths must not cross; nothing if there is no file of it. \throws Bad_input
+Obstacles read_obstacles(const Options& options, const Input_mesh& mesh);
 
 } // namespace program
 

@@ -285,8 +285,8 @@ struct No_visitor_of_points
  * Which edges are crossed, and that a vertex is run into, is decided exactly: by the signs of the real numbers that
  * the place's weights, the direction and the input's coordinates define, taken as the doubles that they round to. A
  * direction that is given as an angle is rounded once, to a vector in the face. Where the angles about a vertex are
- * \f$2\pi\f$, exactly, the geodesic goes on as in a plane, and nothing is rounded: so it is inside of flat parts, and on
- * edges along which these are folded. At other vertices, and those with a face without area, half of all angles is
+ * \f$2\pi\f$, exactly, the geodesic goes on as in a plane, and nothing is rounded: so it is inside of flat parts, and
+ * on edges along which these are folded. At other vertices, and those with a face without area, half of all angles is
  * rounded, and the direction on is.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
