@@ -250,20 +250,20 @@ def case_progress(folder):
     quiet = folder.start('torus.off', *ENDLESS, '--quiet')
     tree = folder.start('fine.off', '--source', '0', '--shortest')
     random = folder.start('torus.off', *ENDLESS)
-    pattern = (r'flip_geodesics: [a-z ]+(?:, \d+ steps|, \d+ of 1 curves)?(?:, (\d+) of 500000 curves)?'
-               r'(?:, (\d+) flips)?, (\d+) s\n')
+    pattern = (r'flip_geodesics: [a-z ]+(?:, [\d ]+ steps|, \d+ of 1 curves)?(?:, ([\d ]+) of 500 000 curves)?'
+               r'(?:, ([\d ]+) flips)?, (\d+) s\n')
     lines, figures = [], []
     while len(figures) < 2:
         lines.append(random.stderr.readline())
         match = re.fullmatch(pattern, lines[-1])
         check(match, ''.join(lines))
         if match[2]:  # the first line or two may be from before the first curve
-            figures.append([int(figure) for figure in match.groups()])
+            figures.append([int(figure.replace(' ', '')) for figure in match.groups()])
     check(all(0 < one < other for one, other in zip(*figures)), 'the figures do not grow:\n' + ''.join(lines))
     line = tree.stderr.readline()
-    check(re.fullmatch(r'flip_geodesics: (reading the mesh|reading curves|growing the tree, \d+ steps(, \d+ flips)?|'
-                       r'looking for shorter paths, \d+ flips|taking curves from the tree, \d+ of 280000 vertices, '
-                       r'\d+ flips), \d+ s\n', line), line)
+    check(re.fullmatch(r'flip_geodesics: (reading the mesh|reading curves|growing the tree, [\d ]+ steps(, [\d ]+ flips)?|'
+                       r'looking for shorter paths, [\d ]+ flips|taking curves from the tree, [\d ]+ of 280 000 vertices, '
+                       r'[\d ]+ flips), \d+ s\n', line), line)
     for run in (quiet, tree, random):
         run.terminate()
     check(re.fullmatch(r'flip_geodesics: interrupted[^\n]*\n', quiet.communicate()[1]), 'it is not quiet')

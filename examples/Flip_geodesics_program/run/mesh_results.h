@@ -82,8 +82,7 @@ std::string improve_triangulation(const Mesh_result_options& options, Network& n
     progress.enter("refining", "vertices inserted");
     const FG::Refinement_report report = FG::refine(network, bounds, Refinement_progress(progress));
     text << "refined  " << counted(report.insertions, "vertex", "vertices") << " inserted, "
-         << counted(report.splits, "edge", "edges") << " split; smallest angle " << report.smallest_angle
-         << " degrees";
+         << counted(report.splits, "edge", "edges") << " split; smallest angle " << report.smallest_angle << " degrees";
     if(report.exempt > 0)
       text << ", " << report.smallest_free_angle << " without "
            << counted(report.exempt, "exempt face", "exempt faces");

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_PROGRESS_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_PROGRESS_H
 
+#include "readable.h"
+
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 
 #include <atomic>
@@ -46,11 +48,11 @@ public:
   void add_flips(std::size_t count) { m_flips.fetch_add(count, std::memory_order_relaxed); }
   void add_steps(std::size_t count) { m_steps.fetch_add(count, std::memory_order_relaxed); }
 
-  /// A line for people, as `reading the mesh, 2 s` or `reading curves off, 131 of 500 curves, 94413 flips, 4 s`.
+  /// A line for people, as `reading the mesh, 2 s` or `reading curves off, 131 of 500 curves, 94 413 flips, 4 s`.
   std::string line() const
   {
     const auto figure = [](const std::atomic<std::size_t>& count) {
-      return std::to_string(count.load(std::memory_order_relaxed));
+      return readable(count.load(std::memory_order_relaxed));
     };
     std::string text = m_phase.load(std::memory_order_relaxed);
     if(const char* const name = m_name_of_steps.load(std::memory_order_relaxed))

@@ -15,6 +15,7 @@ const palettes = {
 };
 const mostRows = 300; // of the legend
 const mostEnds = 300; // more curves than this are drawn without disks at their ends
+const mostThickOfTree = 300; // more edges of a tree than this are drawn a pixel wide
 const at = (id) => document.getElementById(id);
 const format = (x) => (x === null ? '?' : Number(x).toPrecision(6));
 const plural = (n, word) => `${n.toLocaleString('en')} ${word}${n === 1 ? '' : 's'}`;
@@ -193,7 +194,8 @@ class Page {
     const curves = [];
     this.scene.curves.forEach((_, i) => {
       if (!this.shown[i]) return;
-      curves.push({ pieces: this.curvePieces(i), ends: this.curveEnds(i), color: new Color(this.color(i)) });
+      const isThin = this.scene.curves[i].tree && this.scene.curves.length > mostThickOfTree;
+      curves.push({ pieces: this.curvePieces(i), ends: this.curveEnds(i), color: new Color(this.color(i)), isThin });
     });
     document.documentElement.dataset.curvePieces = this.stage.setCurves(curves);
   }

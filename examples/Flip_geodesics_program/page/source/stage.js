@@ -67,6 +67,20 @@ function disk() {
   return new CanvasTexture(canvas);
 }
 
+// The pieces of curves one after the other, and the colors of their ends.
+function joined(curves) {
+  const count = curves.reduce((sum, curve) => sum + curve.pieces.length, 0);
+  const pieces = new Float32Array(count);
+  const colors = new Float32Array(count);
+  let next = 0;
+  for (const curve of curves) {
+    const { r, g, b } = curve.color;
+    pieces.set(curve.pieces, next);
+    for (const end = next + curve.pieces.length; next < end; next += 3) colors.set([r, g, b], next);
+  }
+  return { pieces, colors };
+}
+
 /*
  * The surface, the lines on it, and the camera. Lines do not fight with the surface for the same depth, since the
  * surface is drawn a little behind where it is: by as much as it recedes over the width of a line.
@@ -217,27 +231,24 @@ export class Stage {
     return pieces.length / 6;
   }
 
-  // curves: objects with `pieces`, `color` (a Color), and the points `ends`.
+  // curves: objects with `pieces`, `color` (a Color), the points `ends`, and `isThin` for lines a pixel wide.
   setCurves(curves) {
     const count = curves.reduce((sum, curve) => sum + curve.pieces.length, 0);
-    const pieces = new Float32Array(count);
-    const colors = new Float32Array(count);
     const ends = [];
     const endColors = [];
-    let next = 0;
     for (const curve of curves) {
       const { r, g, b } = curve.color;
-      pieces.set(curve.pieces, next);
-      for (const end = next + curve.pieces.length; next < end; next += 3) colors.set([r, g, b], next);
       ends.push(...curve.ends);
       for (let i = 0; i < curve.ends.length; i += 3) endColors.push(r, g, b);
     }
-    const isThick = count / 6 <= mostThickPieces;
-    const segments = Stage.setPieces(this.curves, isThick ? pieces : [], colors);
+    const isThin = (curve) => Boolean(curve.isThin) || count / 6 > mostThickPieces;
+    const thick = joined(curves.filter((curve) => !isThin(curve)));
+    const thin = joined(curves.filter(isThin));
+    const segments = Stage.setPieces(this.curves, thick.pieces, thick.colors);
     this.thinCurves.geometry.dispose();
     this.thinCurves.geometry = new BufferGeometry();
-    this.thinCurves.geometry.setAttribute('position', new BufferAttribute(isThick ? new Float32Array() : pieces, 3));
-    this.thinCurves.geometry.setAttribute('color', new BufferAttribute(isThick ? new Float32Array() : colors, 3));
+    this.thinCurves.geometry.setAttribute('position', new BufferAttribute(thin.pieces, 3));
+    this.thinCurves.geometry.setAttribute('color', new BufferAttribute(thin.colors, 3));
     this.hiddenCurves.geometry = this.curves.geometry;
     this.hiddenCurves.visible = this.showsHidden && segments > 0;
     this.ends.geometry.dispose();

@@ -245,7 +245,7 @@ class Live_page {
     if (!this.stage) return;
     const colors = palettes[this.theme];
     const curves = (this.results?.curves ?? []).map((curve, i) => ({
-      pieces: this.pieces(i), ends: [], color: new Color(curve.tree ? colors.tree : colors.curve),
+      pieces: this.pieces(i), ends: [], color: new Color(curve.tree ? colors.tree : colors.curve), isThin: curve.tree,
     }));
     curves.push({ pieces: [], ends: this.points.flatMap((p) => p.position), color: new Color(colors.point) });
     mark('curvePieces', this.stage.setCurves(curves));
