@@ -424,4 +424,9 @@ BOOST_AUTO_TEST_CASE(a_needle_by_itself_leaves_no_surface)
     const Vertex_sequence ends = {FG::Vertex_index(first), FG::Vertex_index(first + i)};
     BOOST_CHECK_THROW(FG::halfedges_on_surface(left, ends, false), FG::Degenerate_face_error);
   }
+  // Nor are its two ends in one place a place of the surface.
+  const Mesh::Vertex_index v(static_cast<unsigned>(first + 1)), w(static_cast<unsigned>(first + 2));
+  std::vector<FG::Curve_point<Mesh, Mesh::Point>> points;
+  BOOST_CHECK_THROW(FG::geodesic_path(mesh, v, w, std::back_inserter(points)), FG::Degenerate_face_error);
+  BOOST_CHECK_THROW(FG::shortest_path(mesh, v, w, std::back_inserter(points)), FG::Degenerate_face_error);
 }

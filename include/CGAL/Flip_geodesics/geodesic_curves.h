@@ -133,6 +133,8 @@ template <class Form, class Triangulation, class TriangleMesh, class OutputItera
 Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh,
                                                   Vertex_index v, OutputIterator out)
 {
+  if(triangulation.input().outgoing(v) == null_index)
+    throw_no_surface_left(v);
   Shortening_report report;
   report.curves.push_back(report_of_point());
   note_contraction(triangulation, report);
