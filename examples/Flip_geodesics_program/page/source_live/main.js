@@ -89,7 +89,9 @@ class Live_page {
       return null;
     };
     const ends = [find(0.22, 0.5), find(0.78, 0.5)].filter(Boolean);
-    if (this.tool === 'path' && ends.length === 2) this.setPoints(ends);
+    if (this.tool !== 'path' || ends.length < 2) return;
+    this.isBeginning = true;
+    this.setPoints(ends);
   }
 
   get isAtVertices() {
@@ -175,9 +177,11 @@ class Live_page {
       this.showResults(readResults(answer));
       mark('line', text);
     } catch (error) {
+      if (this.isBeginning) this.points = []; // nobody has chosen them
       this.showResults(null);
-      this.fail(error.message);
+      if (!this.isBeginning) this.fail(error.message.replace(/^points line 1: /, ''));
     } finally {
+      this.isBeginning = false;
       clearTimeout(waiting);
     }
     return undefined;
