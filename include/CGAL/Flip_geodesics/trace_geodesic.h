@@ -229,7 +229,7 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  *
  * \param mesh a triangle mesh
  * \param source a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space, as for
- *        `geodesic_through()`
+ *        `geodesic_path_through()`
  * \param direction either a `std::pair` of a halfedge and an angle from there, in radians, counterclockwise on the
  *        surface: a side of a face that has the source; at a vertex the angle goes over all faces about it. Or a vector
  *        in space, which is projected to the plane of the face of a `Face_location`; it may leave that face at once
