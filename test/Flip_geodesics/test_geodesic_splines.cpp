@@ -525,6 +525,34 @@ BOOST_AUTO_TEST_CASE(strands_across_a_control_point_are_told)
   BOOST_CHECK_THROW(spline.refine(), FG::Crossing_curves_error);
 }
 
+// The second leg runs back over the first one, which it then leaves to its left or to its right.
+BOOST_AUTO_TEST_CASE(legs_over_one_another_are_put_in_order)
+{
+  const Bent_surface surface = surfaces().front();
+  int out_of_order = 0;
+  for(double side : {1.0, 7.0}) {
+    Triangulation t(surface.bent);
+    Network network(t);
+    const std::vector<Flat_point> polygon = {{1, 4}, {6, 4}, {3, 4}, {3, side}};
+    const FG::Curve_index curve = FG::add_curve_through(network, locations(t, surface, polygon));
+    out_of_order += network.is_valid() ? 0 : 1;
+    FG::Geodesic_spline<Network> spline(network, curve);
+    BOOST_TEST(network.is_valid());
+  }
+  BOOST_TEST(out_of_order == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_control_polygon_that_crosses_itself_is_refused)
+{
+  const Bent_surface surface = surfaces().front();
+  Triangulation t(surface.bent);
+  Network network(t);
+  const FG::Curve_index curve =
+      FG::add_curve_through(network, locations(t, surface, {{1, 4}, {7, 4}, {7, 7}, {3, 7}, {3, 1}}));
+  BOOST_CHECK_THROW((FG::Geodesic_spline<Network>(network, curve)), FG::Crossing_curves_error);
+  BOOST_CHECK_THROW(FG::Geodesic_spline<Network>::cubic_b_spline(network, curve), FG::Crossing_curves_error);
+}
+
 // A leg to and fro between two fixed nodes at one vertex.
 BOOST_AUTO_TEST_CASE(legs_that_shrink_to_a_point_are_refused)
 {

@@ -20,6 +20,7 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -198,6 +199,40 @@ BOOST_AUTO_TEST_CASE(an_empty_network)
 {
   Curve_setting setting(sphere(3));
   check_round_trip(setting, sphere(3));
+}
+
+// Networks one after the other come back one after the other, what is behind them stays, and a carriage return at the end
+// of each line does no harm.
+BOOST_AUTO_TEST_CASE(several_in_one_stream)
+{
+  const Mesh_soup soup = torus(16, 8, 2, 0.8);
+  Curve_setting first(soup), second(soup);
+  add_curves(first);
+  second.add_path(0_v, 60_v);
+  second.pull();
+  std::string text = saved(first) + saved(second) + "and more\n";
+  for(int round = 0; round < 2; ++round) {
+    std::istringstream in(text);
+    in.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+    Curve_setting one(soup), other(soup);
+    FG::read_network(in, one.network);
+    FG::read_network(in, other.network);
+    BOOST_TEST((saved(one) == saved(first)));
+    BOOST_TEST((saved(other) == saved(second)));
+    std::string rest;
+    BOOST_TEST((in >> rest && rest == "and"));
+    text = std::regex_replace(text, std::regex("\n"), "\r\n");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_stream_that_has_failed)
+{
+  Curve_setting setting(cube(2));
+  std::istringstream in(saved(setting));
+  in.setstate(std::ios::failbit);
+  BOOST_CHECK_EXCEPTION(FG::read_network(in, setting.network), FG::File_format_error, [](const FG::Error& error) {
+    return std::string(error.what()).find("nothing can be read") != std::string::npos;
+  });
 }
 
 // Any change of any character is noticed.

@@ -549,6 +549,8 @@ BOOST_AUTO_TEST_CASE(constrained_edges_and_limits_end_it)
   const Traced few = trace(mesh, middle, Vector(3, 0.5, 0), 100, CGAL::parameters::number_of_iterations(2));
   BOOST_TEST((few.result.end == Trace_end::CROSSING_LIMIT));
   BOOST_TEST(few.result.edges + few.result.vertices == 2u);
+  const auto negative = CGAL::parameters::number_of_iterations(-1);
+  BOOST_CHECK_THROW(trace(mesh, middle, Vector(3, 0.5, 0), 100, negative), FG::Invalid_parameter_error);
   const Traced rim = trace(mesh, middle, Vector(0, -1, 0), 100);
   BOOST_TEST((rim.result.end == Trace_end::BORDER));
   BOOST_TEST(std::abs(rim.result.length - 6) < 1e-14);

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <CGAL/assertions.h>
@@ -47,16 +48,19 @@ class Geodesic_spline
 public:
   /*!
    * One B&eacute;zier curve, whose control points are the ends and the fixed nodes of an open curve: the degree is one
-   * less than their number. Pulls the legs straight.
+   * less than their number. Pulls the legs straight. Where strands cross as they lie along shared edges, as after
+   * `add_curve_through()` with legs over one another, they are put in order by `order_overlapping_curves()`.
    *
-   * \pre the network is valid, the curve not closed
+   * \pre the curve is not closed
+   * \throws Crossing_curves_error, Ambiguous_order_error as `order_overlapping_curves()`
    * \throws as `shorten()`
    */
   Geodesic_spline(Network& network, Curve_index curve)
     : m_network(network)
     , m_curve(curve)
   {
-    CGAL_precondition(!network.is_closed(curve) && network.is_valid());
+    CGAL_precondition(!network.is_closed(curve));
+    put_in_order();
     m_legs.assign(number_of_fixed_heads(), {});
     m_legs.back().ends_piece = true;
     pull_straight();
@@ -67,8 +71,8 @@ public:
    * each leg into thirds, and cuts the corners off by lines. The cubic pieces meet at the middles of these. An open
    * spline starts and ends at the ends of the polygon; a closed one passes no control point.
    *
-   * \pre the network is valid; a closed curve has at least three fixed nodes
-   * \throws as `shorten()` and `refine()`
+   * \pre a closed curve has at least three fixed nodes
+   * \throws as the constructor and `refine()`
    */
   static Geodesic_spline cubic_b_spline(Network& network, Curve_index curve)
   {
@@ -179,13 +183,20 @@ private:
     bool frees_end = false;
   };
 
+  void put_in_order()
+  {
+    if(!m_network.is_valid())
+      order_overlapping_curves(m_network);
+  }
+
   Geodesic_spline(Network& network, Curve_index curve, Cubic_tag)
     : m_network(network)
     , m_curve(curve)
   {
     const bool is_closed = network.is_closed(curve);
     const std::size_t n = number_of_fixed_heads();
-    CGAL_precondition((!is_closed || n >= 3) && network.is_valid());
+    CGAL_precondition(!is_closed || n >= 3);
+    put_in_order();
     m_legs.assign(n, {});
     if(is_closed)
       m_start = network.triangulation().head(network.halfedge(end_of_leg(network.first_segment(curve))));

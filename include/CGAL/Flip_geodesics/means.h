@@ -74,7 +74,7 @@ struct Geodesic_mean_result
  * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`; `number_of_iterations`, how
  *        many steps may be tried, 100 by default
  * \throws Invalid_parameter_error if there is no point, the numbers of points and weights differ, a weight is negative
- *         or no finite number, or all are zero
+ *         or no finite number, or all are zero, or the number of iterations is negative
  * \throws Disconnected_endpoints_error, Vertex_out_of_range_error, Invalid_location_error
  * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
@@ -93,8 +93,7 @@ Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const
   const Geodesic_mean<Triangulation> mean(triangulation, mesh, std::move(locations),
                                           std::vector<double>(std::begin(weights), std::end(weights)));
   Mean_limits limits;
-  limits.most_iterations = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::number_of_iterations), static_cast<unsigned int>(100));
+  limits.most_iterations = internal::number_of_iterations(np, limits.most_iterations);
   Surface_location place = mean.heaviest();
   const Mean_report report = mean(place, limits);
   return {internal::face_location_of(triangulation, mesh, place), report};

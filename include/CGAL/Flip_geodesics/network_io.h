@@ -285,26 +285,39 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
     fail(log.size());
 }
 
-/* The text before its last line, which has to hold the fingerprint of it. */
+/*
+ * The text before its last line, which has to hold the fingerprint of it. What follows is left in the stream. Lines may
+ * end as those of other systems do.
+ */
 inline std::string checked_text(std::istream& in)
 {
-  std::ostringstream buffer;
-  buffer << in.rdbuf();
-  std::string text = buffer.str();
+  if(!in.good())
+    throw File_format_error("there is no saved network: nothing can be read from the stream");
+  std::istream lines(in.rdbuf()); // has no exceptions of its own
+  const std::string first_word = network_magic;
+  std::string text, line;
+  std::uint64_t expected = 0;
+  bool has_end = false;
+  while(!has_end && std::getline(lines, line)) {
+    if(!line.empty() && line.back() == '\r')
+      line.pop_back();
+    has_end = line.compare(0, 4, "end ") == 0 && std::istringstream(line.substr(4)) >> expected;
+    if(!has_end)
+      text += line + '\n';
+    if(text.compare(0, first_word.size(), first_word) != 0)
+      break;
+  }
   std::istringstream start(text);
   std::string magic;
   int version = 0;
-  if(!(start >> magic >> version) || magic != network_magic)
-    throw File_format_error("this is no saved network: it does not start with " + std::string(network_magic), {0});
+  if(!(start >> magic >> version) || magic != first_word)
+    throw File_format_error("this is no saved network: it does not start with " + first_word, {0});
   if(version != network_version)
     throw File_format_error("the saved network has version " + std::to_string(version) + ", and only version " +
                                 std::to_string(network_version) + " is known",
                             {1});
-  const std::size_t end = text.rfind("end ");
-  std::uint64_t expected = 0;
-  if(end == std::string::npos || !(std::istringstream(text.substr(end + 4)) >> expected))
+  if(!has_end)
     throw File_format_error("the saved network is cut off: its last line is missing");
-  text.resize(end);
   Fingerprint fingerprint;
   fingerprint.add(text.data(), text.size());
   if(fingerprint.value() != expected)
@@ -358,11 +371,14 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * all flips again, and puts the curves back. The same bits come back, ids of segments included, so that a shortening
  * goes on as it would have. Vertices that were inserted come back, too.
  *
+ * It reads up to the end of the line with the checksum. So several networks can be read from one stream. Lines may end
+ * as on any system.
+ *
  * If it throws, the triangulation and the network are as before.
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \throws File_format_error if the text is no saved network of a known version, was damaged, or was written with traits
- *         that compute otherwise
+ *         that compute otherwise; or if nothing can be read from the stream
  * \throws Input_mismatch_error if it was saved for another mesh, or another metric
  *
  * Complexity: linear in the mesh, for its fingerprint, in the flips, and in the segments.

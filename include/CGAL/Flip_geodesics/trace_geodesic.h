@@ -162,9 +162,7 @@ template <class Triangulation, class TriangleMesh, class NamedParameters>
 auto make_trace_limits(const Triangulation& triangulation, const TriangleMesh& mesh, double length,
                        At_vertices at_vertices, const NamedParameters& np)
 {
-  const std::size_t most =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations),
-                                   static_cast<unsigned int>(Trace_limits<>().most_crossings));
+  const std::size_t most = number_of_iterations(np, Trace_limits<>().most_crossings);
   if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>) {
     const auto map = parameters::get_parameter(np, internal_np::edge_is_constrained);
     using Map = std::decay_t<decltype(map)>;
@@ -244,7 +242,7 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  * \return a `Trace_result`. From its `location` in its `direction` it can be traced on
  * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
  * \throws Invalid_parameter_error for a length or a direction that is not finite, a negative length, a vector without
- *         length in the plane of its face, or another halfedge
+ *         length in the plane of its face, another halfedge, or a negative number of iterations
  * \throws Degenerate_face_error if it meets a face with a side of length zero, or starts into a face without area
  * \throws Invalid_coordinate_error, Invalid_mesh_error
  *

@@ -462,6 +462,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_mean_is_refused)
   using Weights = std::vector<double>;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_THROW(FG::geodesic_mean(mesh, none), FG::Invalid_parameter_error);
+  BOOST_CHECK_THROW(FG::geodesic_mean(mesh, two, CGAL::parameters::number_of_iterations(-1)),
+                    FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(FG::geodesic_mean(mesh, two, Weights{1}), FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(FG::geodesic_mean(mesh, two, Weights{1, -1}), FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(FG::geodesic_mean(mesh, two, Weights{1, nan}), FG::Invalid_parameter_error);

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/metric/Default_traits.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -18,7 +19,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <functional>
+#include <string>
 #include <type_traits>
 
 // What the named parameters of the one-call functions mean, in one place.
@@ -149,6 +152,20 @@ auto with_options(const Options& options, const Function& function)
     return function(Never_stop_predicate(), options);
   else
     return function(options, parameters::default_values());
+}
+
+/* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
+template <class NamedParameters>
+std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard)
+{
+  const auto number =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), standard);
+  using Number = std::decay_t<decltype(number)>;
+  static_assert(std::is_integral<Number>::value, "number_of_iterations() is a whole number");
+  if constexpr(std::is_signed<Number>::value)
+    if(number < 0)
+      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", and not at least 0");
+  return static_cast<std::size_t>(number);
 }
 
 } // namespace internal
