@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/', re.DOTALL)
-SPAN = re.compile(r'`([^`\n]+)`')
+SPAN = re.compile(r'`([^`\n]+(?:\n[^`\n]+)?)`')  # maybe over the end of a line
 CALL = re.compile(r'(?<![\w:])((?:\w+::)*)(\w+)\(')
 OTHERS = re.compile(r'(?:std|boost|Eigen|CGAL::(?!Flip_geodesics::).*)::$|CGAL::$')
 LANGUAGE = {'for', 'sizeof', 'static_cast'}
@@ -27,6 +27,7 @@ def prose(path):
     if path.suffix == '.h':
         return ''.join(re.sub(r'^ *(?:///<?|/\*!|/\*|\*/|\*|//)|\*/', ' ', line) + '\n'
                        for line in text.split('\n') if re.match(r' *(/?\*|//)', line) or '///<' in line)
+    text = re.sub(r'^```.*?^```', '', text, flags=re.MULTILINE | re.DOTALL)
     return '\n'.join(line for line in text.split('\n') if not line.startswith('    '))
 
 

@@ -42,8 +42,9 @@ private:
 /// \ingroup PkgFlipGeodesicsErrors
 /// The connectivity is not that of an oriented triangulated surface: a face is not a triangle, an edge is in no face,
 /// vertices or edges of a `Surface_mesh` have been removed but are still there, or there are more elements than indices.
-/// Or sheets meet in a vertex only, where the class of a curve is asked for. Or the surface bounds no solid, where handles
-/// and tunnels are asked for. `elements()` are the vertices of the face, eight at most, or of the edge, or that vertex.
+/// Or sheets meet in a vertex only, where the class of a curve, or the angle of directions there, is asked for. Or the
+/// surface bounds no solid, where handles and tunnels are asked for. `elements()` are the vertices of the face, eight at
+/// most, or of the edge, or that vertex.
 class Invalid_mesh_error : public Error
 {
 public:

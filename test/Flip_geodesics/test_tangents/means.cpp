@@ -8,6 +8,8 @@
 #include <CGAL/Flip_geodesics/Geodesic_mean.h>
 #include <CGAL/Flip_geodesics/Located_curve.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/means.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
@@ -20,6 +22,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <random>
 #include <utility>
 #include <vector>
@@ -481,4 +484,28 @@ BOOST_AUTO_TEST_CASE(what_has_no_mean_is_refused)
   FG::Surface_location start = mean.heaviest();
   BOOST_CHECK_THROW(mean(start, {nan, 1}), FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(mean(start, {-1, 1}), FG::Invalid_parameter_error);
+}
+
+// Two triangles have a vertex in common and nothing else. Paths pass it, but directions there have no angle.
+BOOST_AUTO_TEST_CASE(sheets_that_meet_in_a_vertex_have_no_directions_in_common)
+{
+  const Mesh mesh = to_mesh<Mesh>({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}});
+  const auto is_told = [](const FG::Error& error) { return error.elements() == std::vector<std::size_t>{0}; };
+  const Mesh_vertex v(0), a(1), b(3);
+  std::map<Mesh_vertex, double> distances;
+  FG::geodesic_distances(mesh, a, boost::make_assoc_property_map(distances));
+  BOOST_TEST(distances[b] == 2);
+  int told = 0;
+  for(const Mesh_vertex end : {a, b}) // one of them is in the sheet that angles are told in
+    try {
+      FG::geodesic_midpoint(mesh, v, end);
+    } catch(const FG::Invalid_mesh_error& error) {
+      told += is_told(error) ? 1 : 0;
+    }
+  BOOST_TEST(told == 1);
+  const std::vector<Mesh_vertex> to_a = {v, a}, to_b = {v, b};
+  BOOST_CHECK_EXCEPTION(FG::angle_between_curves(mesh, to_a, to_b), FG::Invalid_mesh_error, is_told);
+  std::map<Mesh_vertex, FG::Polar_coordinates> polar;
+  BOOST_CHECK_EXCEPTION(FG::polar_coordinates(mesh, v, boost::make_assoc_property_map(polar)), FG::Invalid_mesh_error,
+                        is_told);
 }

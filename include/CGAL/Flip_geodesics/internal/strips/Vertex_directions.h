@@ -5,10 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
-
-#include <CGAL/assertions.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -16,6 +15,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +32,7 @@ class Vertex_directions
 public:
   Vertex_directions(const Triangulation& triangulation, Vertex_index vertex)
     : m_triangulation(triangulation)
+    , m_vertex(vertex)
   {
     if(triangulation.is_inserted(vertex))
       start_at(triangulation.location(vertex));
@@ -43,11 +44,15 @@ public:
   double total() const { return m_total; }
   bool has_border() const { return m_has_border; }
 
-  /* The angle at which an input halfedge starts at the vertex. */
+  /* The angle at which an input halfedge starts at the vertex.
+   * \throws Invalid_mesh_error if it is one of another sheet, that meets the first one in the vertex only */
   double of_input(Input_halfedge_index h) const
   {
     const auto found = std::find(m_spokes.begin(), m_spokes.end(), h);
-    CGAL_assertion(found != m_spokes.end());
+    if(found == m_spokes.end())
+      throw Invalid_mesh_error("sheets of the surface meet in vertex " + std::to_string(m_vertex.idx()) +
+                                   " only, so that directions there have no angles between them",
+                               {static_cast<std::size_t>(m_vertex.idx())});
     return m_angles[static_cast<std::size_t>(found - m_spokes.begin())];
   }
 
@@ -120,6 +125,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Vertex_index m_vertex;
   std::vector<Input_halfedge_index> m_spokes;
   std::vector<double> m_angles;
   double m_total = 0;
