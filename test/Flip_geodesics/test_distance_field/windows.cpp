@@ -124,6 +124,28 @@ BOOST_AUTO_TEST_CASE(flat_faces_are_told)
   }
 }
 
+// From a vertex on the longest side of a face without area, and past it, light goes on into the face beyond.
+BOOST_AUTO_TEST_CASE(light_passes_faces_without_area)
+{
+  // A square with one vertex on its diagonal, and with two.
+  const std::vector<Mesh_soup> soups = {
+      {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}}, {{0, 1, 4}, {1, 2, 4}, {0, 4, 2}, {0, 2, 3}}},
+      {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {3, 3, 0}},
+       {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {0, 4, 5}, {0, 5, 2}, {0, 2, 3}}}};
+  for(const Mesh_soup& soup : soups) {
+    const Asked_surface s(soup);
+    for(Vertex_index v : descriptors<Vertex_index>(s.triangulation.number_of_vertices())) {
+      Field field(s.triangulation, s.mesh);
+      field.add_source(v);
+      BOOST_TEST(field.compute().has_flat_face);
+      for(Vertex_index w : descriptors<Vertex_index>(s.triangulation.number_of_vertices())) {
+        const double expected = distance(soup.points[v.idx()], soup.points[w.idx()]);
+        BOOST_TEST(std::abs(field.distance(w) - expected) <= 1e-12 * expected, v << " to " << w);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_default_limit_grows_like_the_windows)
 {
   double windows = 0;

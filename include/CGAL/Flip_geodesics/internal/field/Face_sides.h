@@ -137,7 +137,8 @@ private:
     const auto v = input_face_geometry(m_triangulation, h);
     const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
     const double length = v[0].x, next = std::hypot(v[1].x, v[1].y), previous = std::hypot(v[2].x, v[2].y);
-    const double height = v[1].y, x = length + v[1].x, area = length * height;
+    // Light passes a face without area, too: from a vertex on its longest side into the face beyond.
+    const double height = (std::max)(v[1].y, 0x1p-60 * length), x = length + v[1].x, area = length * height;
     const double xn = -length * v[1].x / next, xp = -(v[1].x * v[2].x + v[1].y * v[2].y) / previous;
     return {{{length, x, height, x / previous, height / previous, hn, input.tail(h)},
              {next, xn, area / next, xn / length, area / (next * length), hp, input.tail(hn)},

@@ -97,6 +97,7 @@ public:
 
 private:
   static constexpr double rounding = 1e-12; // of sums of angles, towards more windows
+  static constexpr double thin = 1e-12;
 
   // A face, counterclockwise of a halfedge that starts at the vertex.
   struct Fan_face
@@ -152,9 +153,10 @@ private:
       return;
     const Input_halfedge_index opposite = sides.known(h).next;
     const Face_side& f = sides.known(opposite);
-    const double first = face.angle < least ? hit(f, least - face.angle) : 0;
-    const double last = face.angle + face.corner > most ? hit(f, most - face.angle) : f.length;
-    if(!(first < last && f.y > 0))
+    const bool is_thin = f.y < thin * f.length; // where a ray meets the side says nothing of its direction then
+    const double first = face.angle < least && !is_thin ? hit(f, least - face.angle) : 0;
+    const double last = face.angle + face.corner > most && !is_thin ? hit(f, most - face.angle) : f.length;
+    if(!(first < last))
       return;
     m_openings.back().opposite = opposite;
     m_openings.back().window = {first, last, f.x, f.y, record.distance, v.idx(), 0, false, Window_state::WAITING};
