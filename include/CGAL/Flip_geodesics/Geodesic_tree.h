@@ -167,9 +167,10 @@ public:
 
   /*!
    * Replaces paths by others, as `make_shortest()` does. The tree grows again from what it has: to what was taken off
-   * and not hung up, and to what new edges lead to by shorter ways.
+   * and not hung up, and to what new edges lead to by shorter ways. Linear in the mesh, besides what is grown.
    *
    * \param function is called with a `Grafts&`. It may flip edges that the tree does not have then
+   * \return what growing the tree has done so far, with `grow()`; flips of `function` are not counted
    * \pre `grow()` was not stopped
    */
   template <class Function>
@@ -330,28 +331,50 @@ private:
       m_labels.forget(v);
     for(Vertex_index v : m_orphans) {
       internal::collect_spokes(*m_triangulation, v, m_spokes);
-      for(const Walker& spoke : m_spokes)
-        if(Triangulation::edge(spoke.index()) != edge)
-          relax(spoke.twin());
+      double least = infinity;
+      Halfedge_index best = null_index;
+      for(const Walker& spoke : m_spokes) {
+        const Walker h = spoke.twin();
+        const Vertex_index u = h.tail();
+        if(!is_reached(u) || u == v || m_labels.distance(u) >= least || Triangulation::edge(spoke.index()) == edge)
+          continue;
+        const double distance = m_labels.distance(u) + h.length();
+        best = distance < least ? h.index() : best;
+        least = (std::min)(distance, least);
+      }
+      if(best != null_index)
+        m_labels.offer(v, least, best);
     }
   }
 
   // Looks at the way along h from a vertex that is accepted.
   void relax(const Walker& h)
   {
-    const Vertex_index u = h.tail(), v = h.twin().tail();
-    if(!is_reached(u) || u == v || v == m_source)
+    const double distance = useful_way(h);
+    if(distance == infinity)
       return;
-    const double distance = m_labels.distance(u) + h.length();
+    const Vertex_index u = h.tail(), v = h.twin().tail();
     if(is_reached(v)) {
-      if(distance >= m_labels.distance(v) * (1 - rounding))
-        return;
       reopen(v);
       if(!is_reached(u)) // it hung on v
         return;
     }
     if(m_labels.is_unknown(v) || distance < m_labels.distance(v))
       m_labels.offer(v, distance, h.index());
+  }
+
+  // The length of the way along h, if it leads from a vertex that is accepted and is shorter than what there is.
+  double useful_way(const Walker& h) const
+  {
+    const Vertex_index u = h.tail(), v = h.twin().tail();
+    if(!is_reached(u) || u == v || v == m_source)
+      return infinity;
+    const double start = m_labels.distance(u);
+    const double needed = m_labels.is_unknown(v) ? infinity : m_labels.distance(v) * (is_reached(v) ? 1 - rounding : 1);
+    if(start >= needed) // without a root: one way or the other it is so, along any edge
+      return infinity;
+    const double distance = start + h.length();
+    return distance < needed ? distance : infinity;
   }
 
   // Grows paths to what was taken off and not hung up again.
@@ -433,6 +456,7 @@ private:
     return true;
   }
 
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double straight = 3;     // above all keys, which round to 2 close to pi
   static constexpr double rounding = 1e-12; // relative, of lengths and their sums
 

@@ -49,7 +49,7 @@ public:
   Vertex_index tail() const { return store().known(m_slot).tail; }
   Placed_halfedge twin() const { return at(twin_slot(m_slot)); }
   Placed_halfedge next() const { return at(store().known(m_slot).next()); }
-  Placed_halfedge previous() const { return next().next(); }
+  Placed_halfedge previous() const { return at(store()[store().known(m_slot).next()].next()); }
 
   Placed_halfedge clockwise() const
   {
@@ -57,7 +57,11 @@ public:
     return at(record.is_border() ? Slot::NONE : record.next());
   }
 
-  Placed_halfedge counterclockwise() const { return is_border() ? at(Slot::NONE) : previous().twin(); }
+  Placed_halfedge counterclockwise() const
+  {
+    const Record& record = store().known(m_slot);
+    return at(record.is_border() ? Slot::NONE : twin_slot(store()[record.next()].next()));
+  }
 
   double length() const
   {

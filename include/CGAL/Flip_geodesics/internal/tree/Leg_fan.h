@@ -74,11 +74,11 @@ public:
     const Input_halfedge_index h = first->reference;
     const Face& face = known_face(h);
     const Vector right(face[0].real(), 0), gate = face[1], left = -face[2];
-    push({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
+    m_gates.push_back({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
     while(!m_gates.empty()) {
-      const Gate here = m_gates.back();
+      Gate here = m_gates.back();
       m_gates.pop_back();
-      if(!m_triangulation.input().is_border(twin_index(here.crossed)))
+      while(is_crossed(here) && !m_triangulation.input().is_border(twin_index(here.crossed)))
         cross(here);
     }
   }
@@ -115,15 +115,17 @@ private:
     return face;
   }
 
-  // If one of its legs crosses so many edges.
-  void push(const Gate& gate)
+  // Does one of its legs cross so many edges?
+  bool is_crossed(const Gate& gate) const
   {
     for(std::size_t i = gate.first; i < gate.last; ++i)
       if(m_legs[i].crossings >= gate.crossings)
-        return m_gates.push_back(gate);
+        return true;
+    return false;
   }
 
-  void cross(const Gate& here)
+  // To the next gate; where legs part, to the left one, and the right one is left for later.
+  void cross(Gate& here)
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index entered = twin_index(here.crossed), to_apex = input.next(entered);
@@ -135,19 +137,42 @@ private:
     const bool is_near_right = std::norm(from_right) < std::norm(to_left);
     const Vector apex = is_near_right ? here.right + from_right : here.left - to_left;
     const double margin = near_angle() * std::sqrt(std::norm(apex));
-    std::size_t i = here.first;
-    while(i < here.last && cross(apex, m_directions[i]) > margin)
-      ++i;
+    const std::size_t i = end_of_left(here, apex, margin);
     std::size_t j = i;
     for(; j < here.last && cross(apex, m_directions[j]) >= -margin; ++j)
       end(m_legs[j], here, apex, input.next(to_apex), to_left);
     const bool is_right_of_apex = cross(here.rightmost, apex) > 0, is_left_of_apex = cross(apex, here.leftmost) > 0;
-    if(i > here.first)
-      push({input.next(to_apex), apex, here.left, -to_left, is_right_of_apex ? apex : here.rightmost, here.leftmost,
-            here.first, i, here.crossings + 1});
-    if(j < here.last)
-      push({to_apex, here.right, apex, -from_right, here.rightmost, is_left_of_apex ? apex : here.leftmost, j,
-            here.last, here.crossings + 1});
+    const auto turn_right = [&](Gate& gate) {
+      gate.crossed = to_apex;
+      gate.left = apex;
+      gate.across = -from_right;
+      gate.leftmost = is_left_of_apex ? apex : gate.leftmost;
+      gate.first = j;
+    };
+    ++here.crossings;
+    if(i == here.first)
+      return turn_right(here);
+    if(j < here.last) {
+      m_gates.push_back(here);
+      turn_right(m_gates.back());
+    }
+    here.crossed = input.next(to_apex);
+    here.right = apex;
+    here.across = -to_left;
+    here.rightmost = is_right_of_apex ? apex : here.rightmost;
+    here.last = i;
+  }
+
+  // Past the legs that pass a gate clearly on the left of the apex behind it.
+  std::size_t end_of_left(const Gate& gate, const Vector& apex, double margin) const
+  {
+    constexpr std::size_t few = 8;
+    const auto is_on_left = [&](const Vector& direction) { return cross(apex, direction) > margin; };
+    const auto first = m_directions.begin() + static_cast<std::ptrdiff_t>(gate.first);
+    const auto last = m_directions.begin() + static_cast<std::ptrdiff_t>(gate.last);
+    const auto end = gate.last - gate.first < few ? std::find_if_not(first, last, is_on_left)
+                                                  : std::partition_point(first, last, is_on_left);
+    return static_cast<std::size_t>(end - m_directions.begin());
   }
 
   // A leg comes near to the corner opposite to a gate, from which `h` leads to the left.

@@ -138,10 +138,11 @@ private:
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const std::vector<Halfedge_index>& around = m_around;
     collect_spokes(m_triangulation, u, m_around);
-    if(std::none_of(around.begin(), around.end(), [this](Halfedge_index h) { return is_leg(h); }))
-      return infinity;
-    if(std::all_of(around.begin(), around.end(), [this](Halfedge_index h) { return !is_leg(h) || is_measured(h); }))
-      return remember(around);
+    m_leg_spokes.clear();
+    std::copy_if(around.begin(), around.end(), std::back_inserter(m_leg_spokes),
+                 [this](Halfedge_index h) { return is_leg(h); });
+    if(std::all_of(m_leg_spokes.begin(), m_leg_spokes.end(), [this](Halfedge_index h) { return is_measured(h); }))
+      return remember();
     const Directions directions(m_triangulation, u);
     legs(around, directions, arrival);
     const Halfedge_index before = m_tree.incoming(u);
@@ -157,21 +158,20 @@ private:
       m_measured[leg.head] = {angle,           leg.arrival, leg.halfedge, before, version(leg.halfedge),
                               version(before), true,        is_bent};
     }
-    return remember(around);
+    return remember();
   }
 
-  // The smallest angle where paths go on along some halfedges, that have been measured; opens their ends.
-  double remember(const std::vector<Halfedge_index>& around)
+  // The smallest angle where paths go on from a vertex, all of which have been measured; opens their ends.
+  double remember()
   {
     double smallest = std::numeric_limits<double>::infinity();
-    for(Halfedge_index h : around) {
-      if(!is_leg(h))
-        continue;
-      const Measured_leg& leg = m_measured[m_triangulation.head(h)];
+    for(Halfedge_index h : m_leg_spokes) {
+      const Vertex_index v = m_triangulation.head(h);
+      const Measured_leg& leg = m_measured[v];
       smallest = (std::min)(smallest, leg.angle);
       if(leg.is_bent)
-        m_bent.emplace_back(m_triangulation.tail(h), m_triangulation.head(h));
-      m_open.push_back({m_triangulation.head(h), leg.arrival});
+        m_bent.emplace_back(m_triangulation.tail(h), v);
+      m_open.push_back({v, leg.arrival});
     }
     return smallest;
   }
@@ -282,7 +282,7 @@ private:
   Measured_legs& m_measured;
   Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
-  std::vector<Halfedge_index> m_around; // the vertex that is measured
+  std::vector<Halfedge_index> m_around, m_leg_spokes; // of the vertex that is measured
   std::vector<Fan_leg> m_legs;
   std::vector<Open_vertex> m_open;
   std::vector<std::pair<Vertex_index, Vertex_index>> m_bent; // and their parents
