@@ -149,11 +149,13 @@ private:
     const auto vectors = input_face_geometry(m_triangulation, h);
     const Vector a(vectors[0].x, vectors[0].y), b(vectors[1].x, vectors[1].y), c(vectors[2].x, vectors[2].y);
     const double la = a.real(), lb = std::sqrt(std::norm(b)), lc = std::sqrt(std::norm(c));
-    add({la, -c.real() / lc, b.imag() / lc, h, input.tail(h)});
-    add({lb, -b.real() / lb, b.imag() / lb, hn, input.tail(hn)});
+    // Of a face without area, too, each angle is turned by, and light passes it.
+    const double height = (std::max)(b.imag(), 0x1p-60 * la);
+    add({la, -c.real() / lc, height / lc, h, input.tail(h)});
+    add({lb, -b.real() / lb, height / lb, hn, input.tail(hn)});
     // The sine of a small angle would not survive a product of the vectors.
     const double product = b.real() * c.real() + b.imag() * c.imag();
-    add({lc, -product / (lb * lc), la * b.imag() / (lb * lc), hp, input.tail(hp)});
+    add({lc, -product / (lb * lc), la * height / (lb * lc), hp, input.tail(hp)});
   }
 
   void add(const Side& side)
