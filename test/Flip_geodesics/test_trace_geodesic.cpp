@@ -17,6 +17,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -329,6 +330,40 @@ BOOST_AUTO_TEST_CASE(on_a_cube_it_comes_back_to_its_start_exactly)
     const double half = 0.5 / std::sqrt(2.0);
     BOOST_TEST(distance(t.points.back(), start + Vector(half, half, 0)) < 1e-9); // of a length of 1700
   }
+}
+
+// The faces of a tetrahedron with equal opposite edges unfold to a tiling of the plane with translated lines: an edge is
+// crossed wherever a barycentric coordinate passes an integer. Doubles do not decide all corners of such a long ray, and
+// numbers of any fixed number of digits would not if their errors grew by a factor with each face.
+BOOST_AUTO_TEST_CASE(rays_over_two_hundred_thousand_edges_are_decided_by_few_digits)
+{
+  const Point points[] = {{0, 0, 0}, {3, 4, 0}, {3, 0, 5}, {0, 4, 5}};
+  Surface mesh;
+  CGAL::make_tetrahedron(points[0], points[1], points[2], points[3], mesh);
+  std::size_t by_precision = 0;
+  for(const double slope : {0.381966, 1.7320508}) {
+    const Face face(0);
+    const Halfedge h = mesh.halfedge(face);
+    const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                &r = mesh.point(mesh.target(mesh.next(h)));
+    const Vector v = (q - p) + slope * (r - p);
+    const double length = 500000, rate = length / std::sqrt(v.squared_length());
+    const Traced t = trace(mesh, Face_location(face, {0.25, 0.375, 0.375}), v, length);
+    BOOST_TEST((t.result.end == Trace_end::LENGTH));
+    std::size_t crossed = 0;
+    for(const auto& [start, change] :
+        {std::make_pair(0.25, -1 - slope), std::make_pair(0.375, 1.0), std::make_pair(0.375, slope)})
+    {
+      const double end = start + rate * change, beyond = std::abs(end - std::round(end));
+      BOOST_TEST(beyond > 1e-6);
+      crossed += static_cast<std::size_t>(std::abs(std::floor(end)));
+    }
+    BOOST_TEST(t.result.edges == crossed);
+    BOOST_TEST(crossed > 200000u);
+    BOOST_TEST(t.result.statistics.by_roots == 0u);
+    by_precision += t.result.statistics.by_precision;
+  }
+  BOOST_TEST(by_precision > 0u);
 }
 
 BOOST_AUTO_TEST_CASE(lengths_say_that_vertices_are_flat)

@@ -154,6 +154,8 @@ private:
 };
 
 using Chains = std::vector<Unfolding_chain>;
+using Roots = FI::Complex_pairs<FI::Multiquadratic_ring>;
+using Residues = FI::Complex_pairs<FI::Residue_ring>;
 
 std::vector<Integer> squared_roots(const Chains& chains)
 {
@@ -168,11 +170,11 @@ std::vector<Integer> squared_roots(const Chains& chains)
 void check_sign(const Chains& chains, int expected)
 {
   const FI::Root_base base(squared_roots(chains));
-  const FI::Multiquadratic_ring roots(base);
-  BOOST_TEST(roots.sign(FI::Chain_arithmetic<FI::Multiquadratic_ring>(roots).sine(chains)) == expected);
+  const Roots roots(base);
+  BOOST_TEST(roots.sign(FI::Chain_arithmetic<Roots>(roots).sine(chains)) == expected);
   BOOST_TEST(FI::Vanishing_proof(chains, base)() == (expected == 0));
-  const FI::Residue_ring residues(base, FI::random_prime(80));
-  BOOST_TEST(residues.is_zero(FI::Chain_arithmetic<FI::Residue_ring>(residues).sine(chains)) == (expected == 0));
+  const Residues residues(base, FI::random_prime(80));
+  BOOST_TEST(residues.is_zero(FI::Chain_arithmetic<Residues>(residues).sine(chains)) == (expected == 0));
   const Fixed fixed(400);
   const CGAL::Uncertain<CGAL::Sign> by_digits = fixed.sign(FI::Chain_arithmetic<Fixed>(fixed).sine(chains));
   BOOST_TEST(by_digits.is_certain() == (expected != 0));

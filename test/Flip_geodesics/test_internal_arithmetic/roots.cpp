@@ -10,6 +10,11 @@ namespace {
 
 const std::vector<Integer> radicands = {0, 1, 2, 3, 4, 6, 8, 9, 12, 18, 36, 49, 50, 72, 98, 105, 1001, 11025, 1 << 20};
 
+std::array<Real, 2> product(const std::array<Real, 2>& a, const std::array<Real, 2>& b)
+{
+  return {a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]};
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(roots_are_products_of_roots_of_coprime_numbers)
@@ -94,17 +99,49 @@ BOOST_AUTO_TEST_CASE(fixed_point_numbers_hold_what_they_stand_for)
     const int sign = random.below(2) == 0 ? 1 : -1;
     const Fixed::Side side = ring.side(dot, square, sign, divisor);
     const Real x = real(dot) / real(divisor), y = sign * sqrt(real(square)) / real(divisor);
-    BOOST_TEST((holds(side.dot, x) && holds(side.root, y)));
-    Fixed::Number a = side.dot; // errors grow from product to product
-    Real value = x;
+    const Integer radius = Fixed::side_radius;
+    BOOST_TEST((holds({side.dot, radius}, x) && holds({side.root, radius}, y)));
+    const Real size = ldexp(sqrt(x * x + y * y), fixed_bits);
+    BOOST_TEST((size - 4 < real(side.size) && real(side.size) < size * (1 + Real(1e-12)) + 8));
+    const Integer n = random.below(19) - 9;
+    const Fixed::Complex q = ring.combination(side, n);
+    const std::array<Real, 2> value_of_q = {x, y * real(n)};
+    Fixed::Complex z = q; // errors grow from product to product
+    std::array<Real, 2> value = value_of_q;
     for(int k = 0; k < 6; ++k) {
-      a = ring.add(ring.multiply(a, side.root), ring.negate(ring.times_integer(side.dot, k)));
-      value = value * y - x * k;
-      BOOST_TEST(holds(a, value));
-      const CGAL::Uncertain<CGAL::Sign> found = ring.sign(a);
-      BOOST_TEST((!found.is_certain() || found.make_certain() == value.sign()));
+      z = ring.multiply(ring.times_side(ring.conjugate(z), side), q);
+      value = product(product({value[0], -value[1]}, {x, y}), value_of_q);
+      z = ring.add(z, ring.negate(ring.times_integer(q, k)));
+      value = {value[0] - k * value_of_q[0], value[1] - k * value_of_q[1]};
+      BOOST_TEST((holds({z.re, z.radius}, value[0]) && holds({z.im, z.radius}, value[1])));
+      const CGAL::Uncertain<CGAL::Sign> found = ring.sign(ring.imaginary_part(z));
+      BOOST_TEST((!found.is_certain() || found.make_certain() == value[1].sign()));
     }
   }
+}
+
+// A way around a polygon of many sides, again and again: with errors of real and imaginary part apart, which grow by a
+// quarter with each turn, nothing would be known after five hundred.
+template <class Ring>
+void check_many_turns(const Ring& ring)
+{
+  auto z = ring.one();
+  Real cosine = 1, sine = 0;
+  for(int k = 1; k <= 20000; ++k) { // (3 + 4 i) / 5
+    z = ring.times_side(z, ring.side(3, 16, 1, 5));
+    const Real before = cosine;
+    cosine = (3 * before - 4 * sine) / 5;
+    sine = (4 * before + 3 * sine) / 5;
+    const CGAL::Uncertain<CGAL::Sign> found = ring.sign(ring.imaginary_part(z));
+    BOOST_REQUIRE(found.is_certain());
+    BOOST_REQUIRE(found.make_certain() == sine.sign());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(errors_do_not_grow_with_turns)
+{
+  check_many_turns(FI::Ball_ring<50>());
+  check_many_turns(Fixed(160));
 }
 
 BOOST_AUTO_TEST_CASE(fixed_point_numbers_within_their_error_have_no_sign)

@@ -31,13 +31,20 @@ public:
   struct Number
   {
     Float middle;
-    double radius, size; // the middle's, rounded: the conversion takes about as long as a product
+    double radius;
   };
 
-  /* The factor (dot + sign i sqrt(squared_root)) / divisor. */
+  struct Complex
+  {
+    Float re, im;
+    double radius, size; // the size not below that of re + i im, and at most twice it
+  };
+
+  /* The factor (dot + sign i sqrt(squared_root)) / divisor, and a close bound of its size. */
   struct Side
   {
-    Number dot, root;
+    Float dot, root;
+    double size;
   };
 
   Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& divisor) const
@@ -48,21 +55,42 @@ public:
       m_inverse = 1 / Float(divisor.number());
       m_root = root_of(squared_root) * m_inverse;
     }
-    return {rounded(Float(dot.number()) * m_inverse, 0), rounded(sign > 0 ? m_root : Float(-m_root), 0)};
+    const Float x = Float(dot.number()) * m_inverse;
+    const double size = std::hypot(as_double(x), as_double(m_root));
+    return {x, sign > 0 ? m_root : Float(-m_root), size * (1 + 1e-14)};
   }
 
-  Number integer(int n) const { return {Float(n), 0, std::abs(static_cast<double>(n))}; }
-  Number rescale(const Number& a, const Integer& /* factor */) const { return a; }
-  Number times_integer(const Number& a, const Integer& n) const { return multiply(a, rounded(Float(n.number()), 0)); }
-  Number times_dot(const Number& a, const Side& side) const { return multiply(a, side.dot); }
-  Number times_root(const Number& a, const Side& side) const { return multiply(a, side.root); }
-  Number add(const Number& a, const Number& b) const { return rounded(a.middle + b.middle, a.radius + b.radius); }
-  Number negate(const Number& a) const { return {-a.middle, a.radius, a.size}; }
+  Complex one() const { return {1, 0, 0, 1}; }
+  Complex zero() const { return {0, 0, 0, 0}; }
 
-  Number multiply(const Number& a, const Number& b) const
+  /* The dot of a side, and its root times n. */
+  Complex combination(const Side& q, const Integer& n) const { return rounded(q.dot, q.root * Float(n.number()), 0); }
+
+  Complex rescale(const Complex& z, const Integer& /* factor */) const { return z; }
+  Complex add(const Complex& a, const Complex& b) const
   {
-    return rounded(a.middle * b.middle, a.size * b.radius + b.size * a.radius + a.radius * b.radius);
+    return rounded(a.re + b.re, a.im + b.im, a.radius + b.radius);
   }
+  Complex negate(const Complex& z) const { return {-z.re, -z.im, z.radius, z.size}; }
+  Complex conjugate(const Complex& z) const { return {z.re, -z.im, z.radius, z.size}; }
+
+  Complex multiply(const Complex& a, const Complex& b) const
+  {
+    return product(a, b.re, b.im, a.size * b.radius + b.size * a.radius + a.radius * b.radius, b.size);
+  }
+
+  Complex times_side(const Complex& z, const Side& q) const
+  {
+    return product(z, q.dot, q.root, z.radius * q.size, q.size);
+  }
+
+  Complex times_integer(const Complex& z, const Integer& n) const
+  {
+    const Float factor(n.number());
+    return rounded(z.re * factor, z.im * factor, z.radius * std::abs(as_double(factor)));
+  }
+
+  Number imaginary_part(const Complex& z) const { return {z.im, z.radius}; }
 
   Uncertain<Sign> sign(const Number& a) const
   {
@@ -85,14 +113,27 @@ private:
     return boost::multiprecision::ldexp(Float(x * inverse), half_exponent);
   }
 
-  // Adds the rounding of the last few operations, generously, and that of the radius itself. A radius too small for a
-  // double is kept from vanishing.
-  static Number rounded(const Float& middle, double radius)
+  static double as_double(const Float& x) { return x.template convert_to<double>(); }
+
+  // With a radius, and rounding.
+  static Complex product(const Complex& z, const Float& re, const Float& im, double radius, double size)
+  {
+    return rounded(z.re * re - z.im * im, z.re * im + z.im * re, radius + z.size * size * unit());
+  }
+
+  // Of the last few operations, generously.
+  static double unit()
   {
     static_assert(Digits <= 290, "the radius is a double");
-    static const double unit = std::pow(10.0, 2 - static_cast<int>(Digits));
-    const double size = std::abs(middle.template convert_to<double>());
-    return {middle, (radius + size * unit) * (1 + 1e-12) + (std::numeric_limits<double>::min)(), size};
+    static const double result = std::pow(10.0, 2 - static_cast<int>(Digits));
+    return result;
+  }
+
+  // Adds rounding, and that of the radius itself. A radius too small for a double is kept from vanishing.
+  static Complex rounded(const Float& re, const Float& im, double radius)
+  {
+    const double size = (std::abs(as_double(re)) + std::abs(as_double(im))) * (1 + 1e-14);
+    return {re, im, (radius + size * unit()) * (1 + 1e-12) + (std::numeric_limits<double>::min)(), size};
   }
 
   // Of the last face: two sides of it are asked for one after the other.

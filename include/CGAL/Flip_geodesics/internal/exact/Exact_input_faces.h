@@ -54,8 +54,8 @@ private:
 };
 
 template <class Triangulation>
-class Exact_input_faces<Triangulation, std::void_t<decltype(std::declval<const Triangulation&>().exact_input_face(
-                                           Input_halfedge_index()))>>
+class Exact_input_faces<
+    Triangulation, std::void_t<decltype(std::declval<const Triangulation&>().exact_input_face(Input_halfedge_index()))>>
 {
 public:
   explicit Exact_input_faces(const Triangulation& triangulation)

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/exact/Ball_ring.h>
+#include <CGAL/Flip_geodesics/internal/exact/Complex_pairs.h>
 #include <CGAL/Flip_geodesics/internal/exact/Corner_product.h>
 #include <CGAL/Flip_geodesics/internal/exact/Fixed_point_ring.h>
 #include <CGAL/Flip_geodesics/internal/exact/Multiquadratic.h>
@@ -100,8 +101,9 @@ private:
 
   Sign sign_by_roots(const Root_base& base, const std::vector<Unfolding_chain>& chains) const
   {
-    const Multiquadratic_ring ring(base);
-    const Sign sign = ring.sign(Chain_arithmetic<Multiquadratic_ring>(ring).sine(chains));
+    using Ring = Complex_pairs<Multiquadratic_ring>;
+    const Ring ring(base);
+    const Sign sign = ring.sign(Chain_arithmetic<Ring>(ring).sine(chains));
     if(sign == ZERO)
       return zero_by_roots();
     ++m_statistics.by_roots;
@@ -134,8 +136,9 @@ private:
         bits += number_of_bits(weight);
     }
     const unsigned size = security + static_cast<unsigned>(base.generators().size()) + number_of_bits(Integer(bits));
-    const Residue_ring ring(base, random_prime(size));
-    return ring.is_zero(Chain_arithmetic<Residue_ring>(ring).sine(chains));
+    using Ring = Complex_pairs<Residue_ring>;
+    const Ring ring(base, random_prime(size));
+    return ring.is_zero(Chain_arithmetic<Ring>(ring).sine(chains));
   }
 
   static unsigned number_of_bits(const Integer& n) { return n == 0 ? 1 : static_cast<unsigned>(n.highest_bit()) + 1; }

@@ -220,7 +220,11 @@ private:
   Exact_input_faces<Triangulation> m_faces;
 };
 
-/* Computes chains in a ring that knows the roots. A ring may divide by squared lengths or scale by them. */
+/*
+ * Computes chains in a ring that knows the roots, and has complex numbers. A ring may divide by squared lengths or scale
+ * by them. One with errors bounds them by one radius for a complex number: with one each for real and imaginary part a
+ * turn would enlarge them by up to sqrt(2), and all digits be used up after some hundred faces.
+ */
 template <class Ring>
 class Chain_arithmetic
 {
@@ -228,11 +232,7 @@ class Chain_arithmetic
 
 public:
   using Number = typename Ring::Number;
-
-  struct Complex
-  {
-    Number re, im;
-  };
+  using Complex = typename Ring::Complex;
 
   /*
    * The ends of a gate, and the vector from the left one to the right one: a product of corners, never a difference of
@@ -251,25 +251,20 @@ public:
   /* The imaginary part of a product. */
   Number sine(const std::vector<Unfolding_chain>& chains) const
   {
-    Complex product = {m_ring.integer(1), m_ring.integer(0)};
+    Complex product = m_ring.one();
     bool is_one = true;
     for(const Unfolding_chain& chain : chains) {
       if(chain.steps.empty())
         continue;
       const Complex z = value(chain);
-      product = is_one ? z : multiply(product, z);
+      product = is_one ? z : m_ring.multiply(product, z);
       is_one = false;
     }
-    return product.im;
+    return m_ring.imaginary_part(product);
   }
 
   /* The gate before the first step. */
-  Gate first_gate() const
-  {
-    return {{m_ring.integer(1), m_ring.integer(0)},
-            {m_ring.integer(0), m_ring.integer(0)},
-            {m_ring.integer(0), m_ring.integer(0)}};
-  }
+  Gate first_gate() const { return {m_ring.one(), m_ring.zero(), m_ring.zero()}; }
 
   /* Takes a step of a chain with a gate. */
   void apply(const Unfolding_chain& chain, const Unfolding_step& step, Gate& gate) const
@@ -281,30 +276,25 @@ public:
     }
     const auto q = m_ring.side(step.dot(), step.squared_root(), 1, length);
     if(step.kind == Kind::CORNER) {
-      gate.right = times(gate.right, q);
+      gate.right = m_ring.times_side(gate.right, q);
       return;
     }
-    const Complex to_apex = times(step.kind == Kind::START ? gate.right : gate.to_right, q);
-    gate.right = rescale(gate.right, length);
-    const Complex apex = add(gate.right, to_apex);
+    const Complex to_apex = m_ring.times_side(step.kind == Kind::START ? gate.right : gate.to_right, q);
+    gate.right = m_ring.rescale(gate.right, length);
+    const Complex apex = m_ring.add(gate.right, to_apex);
     if(step.kind == Kind::POINT) {
-      gate.right = add(add(times(rescale(gate.left, length), chain.weights[0]), times(gate.right, chain.weights[1])),
-                       times(apex, chain.weights[2]));
+      gate.right = m_ring.add(m_ring.add(m_ring.times_integer(m_ring.rescale(gate.left, length), chain.weights[0]),
+                                         m_ring.times_integer(gate.right, chain.weights[1])),
+                              m_ring.times_integer(apex, chain.weights[2]));
     } else if(step.kind == Kind::NEW_RIGHT) {
       const auto p = m_ring.side(step.face->dot_previous, step.squared_root(), -1, length);
-      gate.to_right = negate(times(gate.to_right, p));
-      gate.left = rescale(gate.left, length);
+      gate.to_right = m_ring.negate(m_ring.times_side(gate.to_right, p));
+      gate.left = m_ring.rescale(gate.left, length);
       gate.right = apex;
     } else {
-      gate.to_right = negate(to_apex);
+      gate.to_right = m_ring.negate(to_apex);
       gate.left = apex;
     }
-  }
-
-  Complex multiply(const Complex& a, const Complex& b) const
-  {
-    return {m_ring.add(m_ring.multiply(a.re, b.re), m_ring.negate(m_ring.multiply(a.im, b.im))),
-            m_ring.add(m_ring.multiply(a.re, b.im), m_ring.multiply(a.im, b.re))};
   }
 
   /* The number of a chain. */
@@ -313,36 +303,14 @@ public:
     Gate gate = first_gate();
     for(const Unfolding_step& step : chain.steps)
       apply(chain, step, gate);
-    Complex result = chain.reads_left ? gate.left : gate.right;
-    if(chain.is_conjugate)
-      result.im = m_ring.negate(result.im);
-    return result;
+    const Complex& result = chain.reads_left ? gate.left : gate.right;
+    return chain.is_conjugate ? m_ring.conjugate(result) : result;
   }
 
 private:
   Complex combined(const Unfolding_step& step, const Side_combination& c) const
   {
-    const auto side = m_ring.side(c.number, step.squared_root(), 1, step.squared_length());
-    const Number one = m_ring.integer(1);
-    return {m_ring.times_dot(one, side), m_ring.times_integer(m_ring.times_root(one, side), c.root_coefficient)};
-  }
-
-  Complex times(const Complex& z, const typename Ring::Side& q) const
-  {
-    return {m_ring.add(m_ring.times_dot(z.re, q), m_ring.negate(m_ring.times_root(z.im, q))),
-            m_ring.add(m_ring.times_dot(z.im, q), m_ring.times_root(z.re, q))};
-  }
-
-  Complex times(const Complex& z, const Integer& n) const
-  {
-    return {m_ring.times_integer(z.re, n), m_ring.times_integer(z.im, n)};
-  }
-
-  Complex add(const Complex& a, const Complex& b) const { return {m_ring.add(a.re, b.re), m_ring.add(a.im, b.im)}; }
-  Complex negate(const Complex& a) const { return {m_ring.negate(a.re), m_ring.negate(a.im)}; }
-  Complex rescale(const Complex& a, const Integer& n) const
-  {
-    return {m_ring.rescale(a.re, n), m_ring.rescale(a.im, n)};
+    return m_ring.combination(m_ring.side(c.number, step.squared_root(), 1, step.squared_length()), c.root_coefficient);
   }
 
   const Ring& m_ring;

@@ -74,7 +74,7 @@ public:
     const Unfolding_step last = step(triangulation, faces, crossed, crossed.size() - 1);
     Arithmetic::Gate gate = state.gate;
     arithmetic.apply(state.corner, last, gate);
-    const Uncertain<Sign> quick = ring.sign(arithmetic.multiply(state.value, gate.right).im);
+    const Uncertain<Sign> quick = ring.sign(ring.imaginary_part(ring.multiply(state.value, gate.right)));
     if(quick.is_certain()) {
       ++statistics.by_precision;
       return quick.make_certain();
