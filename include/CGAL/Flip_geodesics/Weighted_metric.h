@@ -84,10 +84,7 @@ public:
   /// The weighted length of halfedge `h`. \throws Invalid_coordinate_error, Degenerate_face_error
   double length(const Mesh& mesh, Input_halfedge_index h) const
   {
-    const double length = weight(mesh, h);
-    if(!internal::is_usable_length(length))
-      internal::throw_unusable_length(length, mesh.tail(h), mesh.tail(internal::twin_index(h)));
-    return length;
+    return internal::usable_length(*this, mesh, h);
   }
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
@@ -119,17 +116,13 @@ public:
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-    const double a = length(mesh, h), b = length(mesh, hn), c = length(mesh, hp);
-    internal::check_triangle_inequality(mesh, h, a, b, c);
-    return traits.construct_face_from_lengths_object()(a, b, c);
+    return internal::face_from_lengths(*this, mesh, h, traits);
   }
 
   /// The same face in exact numbers; the lengths are taken as the doubles they are.
   internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
-    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-    return internal::exact_face_from_lengths({length(mesh, h), length(mesh, hn), length(mesh, hp)});
+    return internal::exact_face_from_lengths(internal::face_lengths(*this, mesh, h));
   }
 
   /// False: lengths do not say what lies in one plane.

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
+#include <CGAL/Flip_geodesics/internal/metric/face_lengths.h>
 #include <CGAL/Flip_geodesics/internal/metric/planar_sine.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -26,50 +27,6 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-namespace internal {
-
-/* Lengths whose squares and products of squares stay normal doubles. */
-inline bool is_usable_length(double length) { return length > 1e-70 && length < 1e70; }
-
-/* The same for searches along edges, which pass edges of length zero. */
-inline bool is_zero_or_usable_length(double length) { return length == 0 || is_usable_length(length); }
-
-/* Is a > b + c, exactly? By the rounding error of the sum, which is a double [Knuth, TwoSum]. */
-inline bool is_longer_than_sum(double a, double b, double c)
-{
-  const double sum = b + c, rest = sum - b;
-  const double error = (b - (sum - rest)) + (c - rest);
-  return a > sum || (a == sum && error < 0);
-}
-
-[[noreturn]] inline void throw_unusable_length(double length, Vertex_index v, Vertex_index w)
-{
-  const std::string edge = "the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx());
-  const std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())};
-  if(length == 0)
-    throw Degenerate_face_error(
-        edge + " has length zero; contract such edges (Zero_length_edges) or lengthen them (Mollified_metric)",
-        elements);
-  std::ostringstream number;
-  number << length;
-  throw Invalid_coordinate_error(
-      edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
-}
-
-/* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
-template <class Input_mesh>
-void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, double a, double b, double c)
-{
-  if(!is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b))
-    return;
-  const Index u = mesh.tail(h).idx(), v = mesh.tail(mesh.next(h)).idx(), w = mesh.tail(mesh.previous(h)).idx();
-  throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(u) + ", " +
-                                  std::to_string(v) + ", " + std::to_string(w) + " violate the triangle inequality",
-                              {static_cast<std::size_t>(u), static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsMetrics
@@ -218,10 +175,7 @@ public:
   /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
   double length(const Mesh& mesh, Input_halfedge_index h) const
   {
-    const double length = weight(mesh, h);
-    if(!internal::is_usable_length(length))
-      internal::throw_unusable_length(length, mesh.tail(h), mesh.tail(internal::twin_index(h)));
-    return length;
+    return internal::usable_length(*this, mesh, h);
   }
 
   /// Nothing: lengths alone do not say where a vertex is.
@@ -251,17 +205,13 @@ public:
   template <class Traits>
   typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
   {
-    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-    const double a = length(mesh, h), b = length(mesh, hn), c = length(mesh, hp);
-    internal::check_triangle_inequality(mesh, h, a, b, c);
-    return traits.construct_face_from_lengths_object()(a, b, c);
+    return internal::face_from_lengths(*this, mesh, h, traits);
   }
 
   /// The same face in exact numbers; the lengths are taken as the doubles they round to.
   internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {
-    const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-    return internal::exact_face_from_lengths({length(mesh, h), length(mesh, hn), length(mesh, hp)});
+    return internal::exact_face_from_lengths(internal::face_lengths(*this, mesh, h));
   }
 
   /// False: lengths do not say what lies in one plane.
