@@ -4,6 +4,8 @@
 
 #include "test_hostile_traits/checked_shortening.h"
 
+#include <CGAL/Flip_geodesics/make_shortest.h>
+
 using namespace Flip_geodesics_test;
 
 // Edges are not flipped that could be, so that arcs are longer than what they replace.
@@ -273,6 +275,9 @@ BOOST_AUTO_TEST_CASE(trees_among_lies_end)
       const bool is_bent = report.smallest_angle < FG::Straightness::straight_angle();
       told += report.status == FG::Shortening_status::PRECISION_LIMIT ? 1 : 0;
       BOOST_TEST((is_bent ? report.status == FG::Shortening_status::PRECISION_LIMIT : true));
+
+      // Of paths that stay as they are, the same is told.
+      BOOST_TEST((FG::make_shortest(tree, FG::Window_limit(1)).status == report.status));
     }
   BOOST_TEST(told > 0);
 }

@@ -108,6 +108,9 @@ public:
   /// The source of the tree, `null_index` before `grow()`.
   Vertex_index source() const { return m_source; }
 
+  /// What growing it has done, with what `replace_paths()` grew since.
+  const Geodesic_tree_report& report() const { return m_report; }
+
   /// No path longer than this was wanted.
   double max_distance() const { return m_max_distance; }
 

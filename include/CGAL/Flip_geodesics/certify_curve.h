@@ -61,8 +61,8 @@ struct Given_curve_certificate
   std::size_t number = 0;
   Side side = Side::LEFT; ///< of a bent joint, the side; in a segment, the one on which `vertex` lies
   /// By the numbers of the given places, where straight segments cross these edges, from 0 at the source of the halfedge
-  /// to 1 at its target; rounded, by the length of the segment over that of the edge times a unit in the last place. For
-  /// what is no crossed edge 0. Empty if the curve is bent.
+  /// to 1 at its target; rounded, by the length of the segment over that of the edge and over the sine of the angle at
+  /// which it crosses it, times a unit in the last place. For what is no crossed edge 0. Empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< how the comparisons were decided
 

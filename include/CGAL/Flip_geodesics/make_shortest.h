@@ -36,7 +36,7 @@ struct Shortest_tree_report
   /// Was the search not given up, were there no degenerate faces, and was no path of the tree shorter than the one that
   /// was found? Then the figures are exact up to rounding.
   bool is_confirmed = false;
-  /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it?
+  /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
 };
 
@@ -89,7 +89,7 @@ double longest_wanted(const Tree& tree)
  * never cross. Vertices within the tree's limit that it did not find are added.
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and for each path that is replaced the degree of its end and
- * the edges that its last leg crosses.
+ * the edges that its last leg crosses; if any is, linear in the size of the mesh on top.
  *
  * \param tree a tree that has been grown to its end
  * \param limit beyond it the search is given up, and the tree stays as it is
@@ -111,6 +111,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
   if(tree.triangulation().network_place().has_curves())
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   Shortest_tree_report report;
+  report.status = tree.report().status;
   const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
   using Search = internal::Window_propagation<Triangulation>;
   Search search(tree.triangulation(), false);
