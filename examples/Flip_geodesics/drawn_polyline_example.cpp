@@ -10,12 +10,21 @@
 #include <CGAL/Flip_geodesics.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <cmath>
 #include <cstdlib>
@@ -31,11 +40,17 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Triangulation = FG::Intrinsic_triangulation<Mesh>;
 using Network = FG::Edge_path_network<Triangulation>;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+#if CGAL_VERSION_NR >= 1060000000
+using Tree_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+using Tree_traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
 
 // Where the mesh is nearest to some points of a circle above it.
 std::vector<FG::Surface_location> pen_positions(const Triangulation& triangulation, const Mesh& mesh)
 {
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>> tree;
+  CGAL::AABB_tree<Tree_traits> tree;
   PMP::build_AABB_tree(mesh, tree);
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const Kernel::Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, box.zmax());
