@@ -387,6 +387,9 @@ public:
     return result;
   }
 
+  /* What its windows say; for tangents. */
+  Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
+
 private:
   // Refuses an offset for a source in the face of a halfedge; null if it has none.
   void check_addition(double offset, Input_halfedge_index h) const
@@ -481,8 +484,6 @@ private:
       throw Invalid_parameter_error("a field of vertices only is asked for another place");
     return query()(at.halfedge, internal::normalized(at.weights));
   }
-
-  Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
 
   const Triangulation& m_triangulation;
   const Triangle_mesh& m_mesh;

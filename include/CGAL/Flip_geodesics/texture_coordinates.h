@@ -6,10 +6,12 @@
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Located_curve.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -49,18 +51,19 @@ public:
   using Corners = std::array<Vector, 3>;
 
   Tangent_plane_layout(const Triangulation& triangulation, const Geodesic_logarithm<Triangulation>& logarithm,
-                       const Vector& axis)
+                       const Surface_location& source, const Vector& axis)
     : m_triangulation(triangulation)
     , m_logarithm(logarithm)
+    , m_everywhere(triangulation, logarithm, source)
     , m_axis(axis)
   {
     for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices()))
-      m_vertices.push_back(in_plane(logarithm(v)));
+      m_vertices.push_back(in_plane(m_everywhere(v)));
   }
 
   /* The corners of the face of h, from its tail on; not finite if one is too far. `is_torn` is set if they are not where
    * the vertices are. */
-  Corners operator()(Input_halfedge_index h, bool& is_torn) const
+  Corners operator()(Input_halfedge_index h, bool& is_torn)
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index hn = input.next(h);
@@ -77,8 +80,8 @@ public:
   }
 
 private:
-  static constexpr double most_stretch = 2;  // of a side; curvature stretches less over one face
-  static constexpr double least_sine = 1e-9; // of a corner; behind a vertex at which paths bend the map is a line
+  static constexpr double most_stretch = 2;    // of a side; curvature stretches less over one face
+  static constexpr double least_height = 1e-9; // over a side; behind a vertex at which paths bend the map is a line
 
   Vector in_plane(const Polar_coordinates& p) const
   {
@@ -100,19 +103,19 @@ private:
   static bool is_up(const Corners& corners)
   {
     const Vector first = corners[1] - corners[0], second = corners[2] - corners[1];
-    return std::imag(std::conj(first) * second) > least_sine * std::abs(first) * std::abs(second);
+    const double longest = (std::max)({std::abs(first), std::abs(second), std::abs(first + second)});
+    return std::imag(std::conj(first) * second) > least_height * longest * longest; // of a line it is a rounding
   }
 
   // Laid out from where the shortest path to its center arrives. Corners that are near their vertices are put there,
   // unless the face would turn over.
-  Corners about_center(Input_halfedge_index h, const Corners& sides, const Corners& vertices) const
+  Corners about_center(Input_halfedge_index h, const Corners& sides, const Corners& vertices)
   {
-    const Surface_location center = {h, {{1, 1, 1}}};
-    const Polar_coordinates p = m_logarithm(center);
+    const auto [p, carried] = m_everywhere(h, {{1.0 / 3, 1.0 / 3, 1.0 / 3}});
     const Vector place = in_plane(p);
     if(p.radius == 0 || !(p.radius < std::numeric_limits<double>::infinity()))
       return vertices;
-    const Vector turn = place / p.radius * std::polar(1.0, -m_logarithm.transported(center, p.angle).angle);
+    const Vector turn = place / p.radius * std::polar(1.0, -carried);
     const Corners alone = {place + turn * (sides[2] - sides[0]) / 3.0, place + turn * (sides[0] - sides[1]) / 3.0,
                            place + turn * (sides[1] - sides[2]) / 3.0};
     Corners result = alone;
@@ -125,6 +128,7 @@ private:
 
   const Triangulation& m_triangulation;
   const Geodesic_logarithm<Triangulation>& m_logarithm;
+  Logarithm_everywhere<Triangulation> m_everywhere;
   Vector m_axis;
   Indexed_by<Vertex_index, std::vector<Vector>> m_vertices;
 };
@@ -175,8 +179,8 @@ Value picture_place(double x, double y)
  * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
  * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
- * Complexity: a `Geodesic_distance_field` as far as the corners of the picture and the longest side of the mesh, and a
- * `Geodesic_logarithm` for each vertex there.
+ * Complexity: a `Geodesic_distance_field` as far as the corners of the picture and the longest side of the mesh, and at
+ * most all its windows once more. Where roundings decide which path is the shortest, the path is walked.
  */
 template <class TriangleMesh, class Source, class CornerMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -199,7 +203,7 @@ Texture_report texture_coordinates(
   const double angle =
       angle_between(triangulation, middle, {logarithm.halfedge(), 0}, {input.index(right.first), right.second});
   const auto [x, y] = logarithm.in_plane({1, angle});
-  const internal::Tangent_plane_layout<Triangulation> layout(triangulation, logarithm, {x, y});
+  internal::Tangent_plane_layout<Triangulation> layout(triangulation, logarithm, middle, {x, y});
 
   Texture_report report;
   for(const auto& f : faces(mesh)) {

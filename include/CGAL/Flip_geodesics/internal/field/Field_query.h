@@ -49,6 +49,9 @@ public:
   {
   }
 
+  const Triangulation& triangulation() const { return m_triangulation; }
+  const Propagation& propagation() const { return m_propagation; }
+
   /* \pre h is not on the border; the weights sum to one */
   Arrival operator()(Input_halfedge_index h, const Face_weights& weights) const
   {

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H
+
+#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Last_legs.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
+#include <CGAL/Flip_geodesics/logarithmic_map.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * What a `Geodesic_logarithm` says of many places: a path to a place is one to the vertex at which it bends last, and a
+ * straight leg, so that only that leg is new. Where windows do not tell it, or a path could be pulled tighter, that
+ * logarithm is asked.
+ */
+template <class Triangulation>
+class Logarithm_everywhere
+{
+  using Vector = std::complex<double>;
+  using Frame = Place_frame<Triangulation>;
+
+public:
+  /* A path's polar coordinates at the source, and what its direction there becomes where it ends. */
+  struct Arrival
+  {
+    Polar_coordinates polar;
+    double carried; // an angle from the halfedge by which the place is told
+  };
+
+  /* \param source that of the logarithm */
+  Logarithm_everywhere(const Triangulation& triangulation, const Geodesic_logarithm<Triangulation>& logarithm,
+                       const Surface_location& source)
+    : m_triangulation(triangulation)
+    , m_logarithm(logarithm)
+    , m_source(triangulation, canonical_location(triangulation.input(), source))
+    , m_field(logarithm.distance_field())
+    , m_legs(m_field.query())
+    , m_vertices(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
+  {
+  }
+
+  /* Of a vertex of the input. */
+  Polar_coordinates operator()(Vertex_index v)
+  {
+    std::vector<std::pair<Vertex_index, std::optional<Straight_leg>>> open; // each the root of the one before it
+    for(std::optional<Vertex_index> w = v; w && !m_vertices[*w];) {
+      open.emplace_back(*w, leg_to(*w));
+      const auto& leg = open.back().second;
+      w = leg && is_vertex(leg->root) ? std::optional(Vertex_index(leg->root)) : std::nullopt;
+    }
+    for(; !open.empty(); open.pop_back())
+      m_vertices[open.back().first] = end_at(open.back().first, open.back().second);
+    return m_vertices[v]->polar;
+  }
+
+  /* Of a point inside the face of h. */
+  Arrival operator()(Input_halfedge_index h, const Face_weights& weights)
+  {
+    const Surface_location location = {h, weights};
+    const std::optional<Straight_leg> leg = m_legs(h, weights);
+    if(const auto on = leg ? continued(*leg) : std::nullopt; on && on->polar.radius < m_field.reach()) {
+      const Vector arriving = leg->end * direction_of_side(m_triangulation, h, leg->last);
+      return {on->polar, std::arg(arriving) + on->bend};
+    }
+    const Polar_coordinates p = m_logarithm(location);
+    return {p, p.radius > 0 && p.radius < infinity ? m_logarithm.transported(location, p.angle).angle : 0};
+  }
+
+private:
+  static constexpr double pi = boost::math::constants::pi<double>();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double rounding = 1e-11; // of sums of angles
+
+  // A vertex as one at which paths can bend. Directions are positions in its `Place_frame`.
+  struct End
+  {
+    Polar_coordinates polar;
+    double back = std::numeric_limits<double>::quiet_NaN(); // from where the path comes; NaN if that is not known
+    double carried = 0;                                     // what the path's direction at the source becomes
+  };
+
+  // A path with one more leg, and the angle to that from what the path's direction at the source has become.
+  struct Continued
+  {
+    Polar_coordinates polar;
+    double bend;
+  };
+
+  const auto& input() const { return m_triangulation.input(); }
+  bool is_vertex(Index root) const { return root < input().number_of_vertices(); }
+  Frame frame(Vertex_index v) const { return {m_triangulation, {input().outgoing(v), {{1, 0, 0}}}}; }
+
+  std::optional<Straight_leg> leg_to(Vertex_index v)
+  {
+    const bool has_leg = m_field.distance(v) < infinity && m_field.distance(v) > 0;
+    return has_leg ? m_legs(v) : std::nullopt;
+  }
+
+  End end_at(Vertex_index v, const std::optional<Straight_leg>& leg)
+  {
+    End result;
+    if(m_field.distance(v) == 0)
+      result.polar.radius = 0;
+    if(result.polar.radius == 0 || !(m_field.distance(v) < infinity))
+      return result;
+    const Frame here = frame(v);
+    if(leg)
+      result.back = here.position(leg->last, -leg->end);
+    if(const auto on = leg ? continued(*leg) : std::nullopt) {
+      result.polar = on->polar;
+      result.carried = result.back + (on->bend + pi) / here.stretch();
+      return result;
+    }
+    result.polar = m_logarithm(v);
+    const Surface_direction end = m_logarithm.transported(m_triangulation.location(v), result.polar.angle);
+    result.carried = here.position(end.halfedge) + end.angle;
+    return result;
+  }
+
+  // None if the path can be pulled tighter at the start of the leg.
+  std::optional<Continued> continued(const Straight_leg& leg)
+  {
+    const double length = std::abs(leg.end);
+    if(!is_vertex(leg.root) || (*this)(Vertex_index(leg.root)).radius == 0)
+      return Continued{{length, m_source.angle(m_source.position(leg.first, leg.start), m_logarithm.halfedge())}, 0};
+    const Vertex_index v(leg.root);
+    const End& end = *m_vertices[v];
+    const Vertex_directions<Triangulation> directions(m_triangulation, v);
+    const double on = directions.of_input(leg.first) + std::arg(leg.start);
+    const double wedge =
+        (std::min)(directions.counterclockwise(on, end.back), directions.counterclockwise(end.back, on));
+    if(!(wedge >= pi - rounding))
+      return std::nullopt;
+    const double bend = end.carried - on;
+    return Continued{{end.polar.radius + length, end.polar.angle},
+                     directions.has_border() ? bend : std::remainder(2 * pi / directions.total() * bend, 2 * pi)};
+  }
+
+  const Triangulation& m_triangulation;
+  const Geodesic_logarithm<Triangulation>& m_logarithm;
+  Frame m_source;
+  const Geodesic_distance_field<Triangulation>& m_field;
+  Last_legs<Triangulation> m_legs;
+  Indexed_by<Vertex_index, std::vector<std::optional<End>>> m_vertices;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H
