@@ -2,117 +2,24 @@
 
 #define BOOST_TEST_MODULE geodesic_tree
 
-#include "Curve_setting.h"
-#include "Double_triangulation.h"
 #include "closed_forms.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
+#include "test_geodesic_tree/trees.h"
 
-#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
-#include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
-namespace FG = CGAL::Flip_geodesics;
-using FG::Halfedge_index;
-using FG::Index;
-using FG::Vertex_index;
-using FG::internal::twin_index;
-using namespace Flip_geodesics_test;
-
-using Certified_setting = Basic_curve_setting<
-    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>>;
-
-namespace {
-
-constexpr double tolerance = 1e-10;
-
-bool is_close(double a, double b, double scale = 1) { return std::abs(a - b) <= tolerance * scale; }
-
-template <class Setting>
-struct Tree_setting : Setting
-{
-  using Tree = FG::Geodesic_tree<typename Setting::Triangulation>;
-
-  explicit Tree_setting(const Mesh_soup& soup)
-    : Setting(soup)
-    , tree(this->triangulation)
-  {
-  }
-
-  Index size() const { return this->triangulation.number_of_vertices(); }
-  auto vertices() const { return FG::internal::descriptors<Vertex_index>(size()); }
-
-  Tree tree;
-};
-
-using Double_tree_setting = Tree_setting<Curve_setting>;
-
-// What must hold of any tree: the invariant, a locally shortest path to every vertex, and no crossing among them, which
-// putting them all into one network shows.
-template <class Setting>
-void check_tree(Setting& setting, const FG::Geodesic_tree_report& report)
-{
-  BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
-  BOOST_TEST(report.smallest_angle >= FG::Straightness::straight_angle());
-  BOOST_TEST(setting.tree.is_valid());
-  BOOST_TEST(setting.triangulation.is_valid());
-  for(Vertex_index v : setting.vertices()) {
-    const std::vector<Halfedge_index> path = setting.tree.path(v);
-    if(path.empty())
-      continue;
-    BOOST_TEST(setting.triangulation.tail(path.front()) == setting.tree.source());
-    BOOST_TEST(setting.triangulation.head(path.back()) == v);
-    const FG::Curve_index curve = setting.network.add_curve(path, false);
-    BOOST_TEST(is_close(setting.network.length(curve), setting.tree.distance(v), setting.tree.distance(v)));
-  }
-  const auto pulled = setting.pull();
-  BOOST_TEST(pulled.flip_outs == 0u);
-  BOOST_TEST(pulled.is_complete());
-  setting.network.clear();
-}
-
-// The angle from the ray of direction 0 to a point of the plane, in [0, 2 pi).
-double plane_angle(double x, double y)
-{
-  const double angle = std::atan2(y, x);
-  return angle < 0 ? angle + 2 * pi : angle;
-}
-
-// Angles that differ by a full turn are the same.
-bool is_same_angle(double a, double b, double total)
-{
-  const double difference = std::remainder(a - b, total);
-  return std::abs(difference) <= 1e-9;
-}
-
-// The edge from one vertex to another, before it is flipped.
-FG::Input_halfedge_index direction(const Double_tree_setting& setting, Vertex_index from, Vertex_index to)
-{
-  return FG::internal::as_input(FG::halfedges_through(setting.triangulation, Vertex_sequence{from, to}, false).front());
-}
-
-struct Impatient : FG::Default_shortening_visitor
-{
-  int steps = 0, flips = 0;
-  template <class Triangulation>
-  void on_flip(const Triangulation&, Halfedge_index)
-  {
-    ++flips;
-  }
-  bool go_further() { return ++steps <= 100; }
-};
-
-} // namespace
+using namespace tree_test;
 
 BOOST_AUTO_TEST_CASE(plane)
 {
@@ -282,166 +189,6 @@ BOOST_AUTO_TEST_CASE(curved_meshes)
         BOOST_TEST(setting.tree.is_reached(v));
     }
   }
-}
-
-// Edges of a tree are measured from each vertex all at once: as by their words, one after the other.
-BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
-{
-  using Triangulation = Double_tree_setting::Triangulation;
-  using Straightness = FG::internal::Tree_straightness<Double_tree_setting::Tree>;
-  int found = 0, along = 0, all = 0, vertices = 0;
-  for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), genus_3_plate(2), saddle_disk(12, 5, 9),
-                               cone_disk(10, 6, 4.5), grid_with_hole(9, 9, 3, 6, 3, 6), random_convex_polyhedron(60, 2),
-                               mapped(bumpy_sphere(7, 0.3, 3), [](const Coordinates& p) {
-                                 return Coordinates{p[0], p[1], 0.01 * p[2]};
-                               })})
-  {
-    Double_tree_setting setting(soup);
-    const Triangulation& t = setting.triangulation;
-    setting.tree.grow(17_v);
-    Straightness::Measured_legs measured(static_cast<std::size_t>(t.number_of_vertices()));
-    Straightness straightness(setting.tree, measured);
-    std::vector<std::pair<Vertex_index, FG::internal::Spoke_place>> open = {{17_v, {}}};
-    while(!open.empty()) {
-      const auto [u, arrival] = open.back();
-      open.pop_back();
-      const FG::internal::Vertex_directions<Triangulation> directions(t, u);
-      const std::vector<FG::internal::Fan_leg> legs =
-          straightness.legs(FG::internal::spokes(t, u), directions, arrival);
-      for(const FG::internal::Fan_leg& leg : legs) {
-        BOOST_TEST(leg.head == t.head(leg.halfedge));
-        open.emplace_back(leg.head, leg.arrival);
-        ++all;
-        if(!leg.is_found)
-          continue;
-        const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(leg.halfedge));
-        BOOST_TEST(strip.bend() == 0);
-        const double direction = directions.of_input(leg.reference) + leg.angle;
-        BOOST_TEST(is_same_angle(direction, directions(strip), directions.total()));
-        const FG::internal::Vertex_directions<Triangulation> at_head(t, leg.head);
-        const double back = at_head.of_input(leg.arrival.reference) + leg.arrival.angle;
-        BOOST_TEST(is_same_angle(back, at_head(t.twin(leg.halfedge)), at_head.total()));
-        BOOST_TEST(leg.arrival.is_along == (t.crossings(t.edge(leg.halfedge)) < 0));
-        ++(leg.arrival.is_along ? along : found);
-      }
-    }
-    vertices += t.number_of_vertices() - 1;
-    BOOST_TEST(all == vertices);
-  }
-  BOOST_TEST(along > 100);
-  BOOST_TEST(found + along > 0.98 * all);
-}
-
-// Where the angles about a vertex have drifted, by the same for all edges beyond, one word is enough for all of them.
-BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once_where_angles_have_drifted)
-{
-  using Triangulation = Double_tree_setting::Triangulation;
-  using Straightness = FG::internal::Tree_straightness<Double_tree_setting::Tree>;
-  constexpr double drift = 3e-8;
-  int together = 0, all = 0;
-  for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), saddle_disk(12, 5, 9)}) {
-    Double_tree_setting setting(soup);
-    const Triangulation& t = setting.triangulation;
-    setting.tree.grow(17_v);
-    Straightness::Measured_legs measured(static_cast<std::size_t>(t.number_of_vertices()));
-    Straightness straightness(setting.tree, measured);
-    std::vector<std::pair<Vertex_index, FG::internal::Spoke_place>> open = {{17_v, {}}};
-    while(!open.empty()) {
-      auto [u, arrival] = open.back();
-      open.pop_back();
-      const FG::internal::Vertex_directions<Triangulation> directions(t, u);
-      const std::vector<FG::Halfedge_index> around = FG::internal::spokes(t, u);
-      const std::vector<FG::internal::Fan_leg> legs = straightness.legs(around, directions, arrival);
-      arrival.angle += drift;
-      const std::vector<FG::internal::Fan_leg> drifted = straightness.legs(around, directions, arrival);
-      BOOST_REQUIRE(drifted.size() == legs.size());
-      for(std::size_t i = 0; i < legs.size(); ++i) {
-        open.emplace_back(legs[i].head, legs[i].arrival);
-        if(!legs[i].is_found || legs[i].arrival.is_along)
-          continue;
-        const auto has_same_place = [&](std::size_t j) {
-          return j < legs.size() && j != i && legs[j].reference == legs[i].reference && !legs[j].arrival.is_along;
-        };
-        ++all;
-        if(!has_same_place(i + 1) && !has_same_place(i - 1))
-          continue;
-        BOOST_TEST(drifted[i].is_found);
-        BOOST_TEST(std::abs(drifted[i].angle - legs[i].angle) < 1e-13);
-        ++together;
-      }
-    }
-  }
-  BOOST_TEST(together > 0.2 * all);
-}
-
-namespace {
-
-using Measured_legs = FG::internal::Tree_straightness<Double_tree_setting::Tree>::Measured_legs;
-
-Measured_legs copied(const Measured_legs& measured, std::size_t size)
-{
-  Measured_legs result(size);
-  for(Vertex_index v(0); v.idx() < static_cast<FG::Index>(size); ++v)
-    result[v] = measured[v];
-  return result;
-}
-
-// Is it of the edges that the path to v has now?
-bool is_of_these_edges(const FG::internal::Measured_leg& leg, const Double_tree_setting& setting, Vertex_index v)
-{
-  const auto& t = setting.triangulation;
-  const FG::Halfedge_index last = setting.tree.incoming(v), before = setting.tree.incoming(t.tail(last));
-  return leg.last == last && leg.before == before && leg.last_version == t.version(t.edge(last)) &&
-         leg.before_version == (before == FG::null_index ? 0 : t.version(t.edge(before)));
-}
-
-} // namespace
-
-// What has been measured is measured again only where the tree has other edges: as if it were from the beginning.
-BOOST_AUTO_TEST_CASE(measurements_are_remembered)
-{
-  using Straightness = FG::internal::Tree_straightness<Double_tree_setting::Tree>;
-  int remembered = 0, replaced = 0;
-  for(const Mesh_soup& soup : {bumpy_sphere(10, 0.5, 1), genus_3_plate(2), torus(24, 12, 3, 1)}) {
-    Double_tree_setting setting(soup);
-    const auto n = static_cast<std::size_t>(setting.triangulation.number_of_vertices());
-    setting.tree.grow(17_v);
-    Straightness::Measured_legs measured(n), afresh(n);
-    std::vector<Vertex_index> bent;
-    Straightness(setting.tree, measured)(std::back_inserter(bent));
-    std::vector<FG::Halfedge_index> before;
-    for(Vertex_index v : setting.vertices()) {
-      before.push_back(setting.tree.incoming(v));
-      measured[v].arrival.angle += 1e-13; // so that it can be told from what is measured again
-    }
-    FG::make_shortest(setting.tree);
-    const Straightness::Measured_legs old = copied(measured, n);
-    const double smallest = Straightness(setting.tree, measured)(std::back_inserter(bent));
-    BOOST_TEST(std::abs(smallest - Straightness(setting.tree, afresh)(std::back_inserter(bent))) < 1e-12);
-    double least = std::numeric_limits<double>::infinity();
-    for(Vertex_index v : setting.vertices()) {
-      if(v == 17_v)
-        continue;
-      least = (std::min)(least, afresh[v].angle);
-      BOOST_TEST((measured[v].last == setting.tree.incoming(v)));
-      BOOST_TEST((measured[v].arrival.angle == old[v].arrival.angle) == is_of_these_edges(old[v], setting, v));
-      BOOST_TEST((measured[v].angle == afresh[v].angle || std::abs(measured[v].angle - afresh[v].angle) < 1e-12));
-      remembered += measured[v].arrival.angle != afresh[v].arrival.angle ? 1 : 0;
-      replaced += before[static_cast<std::size_t>(v.idx())] != setting.tree.incoming(v) ? 1 : 0;
-      // If it were of other edges.
-      const auto leg = afresh[v];
-      FG::Index& version = v.idx() % 2 == 0 ? afresh[v].last_version : afresh[v].before_version;
-      version += v.idx() % 3 == 0 ? 0 : 1;
-      afresh[v].before = v.idx() % 3 == 0 ? leg.last : leg.before;
-      afresh[v].angle = 7;
-      Straightness(setting.tree, afresh)(std::back_inserter(bent));
-      BOOST_TEST((afresh[v].angle == leg.angle || std::abs(afresh[v].angle - leg.angle) < 1e-12));
-    }
-    BOOST_TEST(std::abs(smallest - least) < 1e-12);
-    BOOST_TEST(bent.empty());
-  }
-  BOOST_TEST(remembered > 300);
-  BOOST_TEST(replaced > 10);
 }
 
 // Decided exactly, ties and all.

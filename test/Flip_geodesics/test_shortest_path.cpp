@@ -8,6 +8,7 @@
 #include "generated_meshes.h"
 #include "random_curves.h"
 #include "test_scale.h"
+#include "test_shortest_path/shortest.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
@@ -16,88 +17,14 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <vector>
 
-namespace FG = CGAL::Flip_geodesics;
-using FG::Edge_index;
-using FG::Vertex_index;
-using FG::internal::descriptors;
-using namespace Flip_geodesics_test;
-
-namespace {
-
-constexpr double tolerance = 1e-9;
-
-using Setting = Curve_setting;
-using Tree = FG::Geodesic_tree<Setting::Triangulation>;
-using Distances = FG::internal::Indexed_by<Vertex_index, std::vector<double>>;
-
-FG::Shortest_path_report shortest(Setting& setting, Vertex_index s, Vertex_index t,
-                                  const FG::Window_limit& limit = FG::Window_limit())
-{
-  Setting::Search search(setting.triangulation);
-  const auto report = FG::add_shortest_path(setting.network, search, s, t, limit);
-  BOOST_TEST(setting.triangulation.is_valid());
-  BOOST_TEST(setting.network.is_valid());
-  BOOST_TEST(setting.triangulation.tail(setting.network.halfedges(0_c).front()) == s);
-  BOOST_TEST(setting.triangulation.head(setting.network.halfedges(0_c).back()) == t);
-  BOOST_TEST(std::abs(setting.network.length(0_c) - report.length) <= tolerance * report.length);
-  BOOST_TEST(report.length <= report.first_length * (1 + tolerance));
-  BOOST_TEST(FG::to_string(report.shortening.curves[0].status) == "LOCALLY_SHORTEST");
-  setting.network.clear();
-  setting.triangulation.rollback();
-  return report;
-}
-
-// Paths and trees against the distance in closed form.
-template <class Distance>
-void check_against(const char* name, const Mesh_soup& soup, const Distance& distance)
-{
-  BOOST_TEST_CONTEXT(name)
-  {
-    Setting setting(soup);
-    Random_numbers random(7);
-    const int n = static_cast<int>(soup.points.size());
-    int improved = 0;
-    for(int i = 0; i < 60; ++i) {
-      const int s = random.below(n), t = (s + 1 + random.below(n - 1)) % n;
-      const auto report = shortest(setting, Vertex_index(s), Vertex_index(t));
-      BOOST_TEST(report.is_confirmed(), s << " to " << t);
-      BOOST_TEST(std::abs(report.length - distance(s, t)) <= tolerance * distance(s, t), s << " to " << t);
-      BOOST_TEST(report.gap() <= tolerance * report.length);
-      improved += report.length < report.first_length * (1 - tolerance) ? 1 : 0;
-    }
-    BOOST_TEST_MESSAGE(name << ": " << improved << " of 60 paths improved");
-
-    for(Vertex_index source : {0_v, Vertex_index(n / 2), Vertex_index(n - 1)}) {
-      Tree tree(setting.triangulation);
-      tree.grow(source);
-      const FG::Shortest_tree_report report = FG::make_shortest(tree);
-      BOOST_TEST(report.is_confirmed);
-      BOOST_TEST(report.longer == 0u);
-      BOOST_TEST(report.largest_excess <= tolerance);
-      BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");
-      BOOST_TEST(report.vertices == static_cast<std::size_t>(n - 1));
-      BOOST_TEST(tree.is_valid(tolerance));
-      BOOST_TEST(setting.triangulation.is_valid());
-      for(Vertex_index v : descriptors<Vertex_index>(n)) {
-        const double expected = distance(source.idx(), v.idx());
-        BOOST_TEST(std::abs(tree.distance(v) - expected) <= tolerance * (1 + expected), source.idx()
-                                                                                            << " to " << v.idx());
-      }
-      for(Vertex_index v : descriptors<Vertex_index>(n))
-        if(v != source)
-          setting.network.add_curve(tree.path(v), false);
-      BOOST_TEST(setting.pull().flip_outs == 0u);
-      setting.network.clear();
-      setting.triangulation.rollback();
-    }
-  }
-}
-
-} // namespace
+using namespace shortest_path_test;
 
 BOOST_AUTO_TEST_CASE(closed_forms)
 {
@@ -243,162 +170,6 @@ BOOST_AUTO_TEST_CASE(no_path_over_faces_without_area_is_confirmed_if_there_is_a_
     }
   }
   BOOST_TEST(confirmed > 500);
-}
-
-// Whatever the mesh, no distance is less than a sweep says; on smooth ones it says nearly all of it.
-BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
-{
-  const auto check = [](const Mesh_soup& soup, double deficit) {
-    Setting setting(soup);
-    auto& triangulation = setting.triangulation;
-    FG::internal::Unfolded_faces<Setting::Triangulation> faces(triangulation);
-    FG::internal::Window_search<Setting::Triangulation> windows(triangulation, faces, 1_v);
-    windows.run(1e9);
-    Vertex_index farthest = 0_v;
-    for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices()))
-      farthest = windows.distance(v) > windows.distance(farthest) ? v : farthest;
-    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, farthest);
-    sweep.run(3 * windows.distance(farthest));
-    double sum = 0;
-    for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices())) {
-      BOOST_TEST(sweep.distance_lower_bound(v) <= windows.distance(v) * (1 + 1e-13), "vertex " << v.idx());
-      sum += v == 1_v ? 0 : 1 - sweep.distance_lower_bound(v) / windows.distance(v);
-    }
-    BOOST_TEST(sum <= deficit * triangulation.number_of_vertices());
-    return sweep.is_useful();
-  };
-  BOOST_TEST(check(flat_grid(10, 10, Diagonal_rule::RANDOM), 0.01));
-  BOOST_TEST(check(jittered_grid(12, 12, Diagonal_rule::RANDOM, 0.24, 5), 0.01));
-  BOOST_TEST(check(bumpy_sphere(12, 0.3, 1), 0.02));
-  BOOST_TEST(check(torus(26, 14, 3, 1), 0.02));
-  BOOST_TEST(check(saddle_disk(12, 8, 9), 0.02));
-  BOOST_TEST(check(grid_with_hole(12, 14, 3, 8, 4, 11), 0.02));
-  // Fronts meet on long edges: cones that fit badly there would lower one another until the bounds are of no use.
-  if(stride == 1) { // a search without bounds, as the check does it, has long heaps here
-    BOOST_TEST(check(shaken(torus(12, 60, 3, 1), 0.05, 1), 0.03));
-    BOOST_TEST(check(shaken(torus(20, 60, 3, 1), 0.09, 1), 0.06));
-  }
-  int useful = 0;
-  const std::vector<Mesh_soup> rough = {box(5, 4, 3, 1),
-                                        tetrahedron(3),
-                                        cone_disk(9, 9, 2),
-                                        needle_strip(20, 6, 1e-3),
-                                        lantern(10, 40),
-                                        genus_3_plate(2),
-                                        cylinder(24, 3, 1, 30, true),
-                                        random_convex_polyhedron(150, 7),
-                                        mapped(bumpy_sphere(7, 0.2, 2), [](const Coordinates& p) {
-                                          return Coordinates{p[0], p[1], 1e-4 * p[2]};
-                                        })};
-  for(const Mesh_soup& soup : rough)
-    useful += check(soup, 1) ? 1 : 0;
-  BOOST_TEST_MESSAGE(useful << " of " << rough.size() << " sweeps over rough meshes are of use");
-}
-
-// What a sweep says of paths over a part of an edge, to a point beyond it, against the distances of places there.
-BOOST_AUTO_TEST_CASE(sweeps_bound_paths_over_edges)
-{
-  for(const Mesh_soup& soup :
-      {jittered_grid(10, 10, Diagonal_rule::RANDOM, 0.24, 5), shaken(torus(20, 60, 3, 1), 0.09, 2),
-       shaken(torus(26, 14, 3, 1), 0.25, 2), shaken(genus_3_plate(2), 0.3, 4), random_convex_polyhedron(150, 7),
-       needle_strip(8, 6, 1e-2), saddle_disk(12, 8, 9), mapped(bumpy_sphere(8, 0.3, 1), [](const Coordinates& p) {
-         return Coordinates{p[0], 0.1 * p[1], p[2]};
-       })})
-  {
-    Setting setting(soup);
-    const auto& triangulation = setting.triangulation;
-    FG::Geodesic_distance_field<Setting::Triangulation> field(triangulation, setting.mesh);
-    field.add_source(1_v);
-    field.compute();
-    Vertex_index farthest = 0_v;
-    for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices()))
-      farthest = field.distance(v) > field.distance(farthest) ? v : farthest;
-    FG::internal::Unfolded_faces<Setting::Triangulation> faces(triangulation);
-    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, farthest);
-    sweep.run(3 * field.distance(farthest));
-    if(!sweep.is_useful())
-      continue;
-    Random_numbers random(3);
-    std::size_t from_the_left = 0;
-    for(FG::Index e = 0; e < triangulation.input().number_of_halfedges(); e += stride) {
-      const FG::Input_halfedge_index h(e);
-      if(triangulation.input().is_border(h))
-        continue;
-      const double length = faces[faces.number(h)].length;
-      for(int i = 0; i < 4; ++i) {
-        const FG::internal::Cone cone = {random.uniform(-length, 2 * length), random.uniform(0, length), 0};
-        const double from = random.uniform(0, 0.9 * length), to = random.uniform(from, length);
-        const double bound = sweep.through(h, length, cone, from, to);
-        for(int k = 1; k < 10; ++k) {
-          const double place = from + (to - from) * k / 10, t = place / length;
-          const FG::Surface_location at = {h, {{1 - t, t, 0}}};
-          if(field.gradient(at)[1] > 0) // the shortest path comes from the other face
-            continue;
-          BOOST_TEST(bound <= (cone(place) + field.distance(at)) * (1 + 1e-13), h.idx() << " at " << t);
-          ++from_the_left;
-        }
-      }
-    }
-    BOOST_TEST(from_the_left > 0u);
-  }
-}
-
-namespace {
-
-// The path that a search finds in a corridor against that of one which goes everywhere.
-void check_corridor(Setting& setting, Vertex_index source, Vertex_index target, double distance)
-{
-  const auto report = shortest(setting, source, target);
-  BOOST_TEST(report.is_confirmed());
-  BOOST_TEST(std::abs(report.length - distance) <= 1e-10 * report.length, source.idx() << " to " << target.idx());
-}
-
-} // namespace
-
-// A search that a sweep narrows finds what one finds that goes everywhere: on rough meshes, where fronts meet on long
-// edges, and lines pass vertices closely.
-BOOST_AUTO_TEST_CASE(a_corridor_loses_no_path)
-{
-  for(const Mesh_soup& soup :
-      {grid(14, 14, Diagonal_rule::RANDOM, [](int i, int j) { return ((i * 7 + j * 13) % 5) * 0.9; }),
-       shaken(genus_3_plate(2), 0.3, 4), random_convex_polyhedron(150, 7), shaken(torus(26, 14, 3, 1), 0.25, 2),
-       mapped(bumpy_sphere(8, 0.3, 1), [](const Coordinates&p) {
-         return Coordinates{p[0], 0.2 * p[1], p[2]};
-       })})
-  {
-    Setting setting(soup);
-    const int n = setting.triangulation.number_of_vertices();
-    Random_numbers random(11);
-    for(int i = 0; i < 6; i += stride) {
-      const Vertex_index source(random.below(n));
-      FG::internal::Unfolded_faces<Setting::Triangulation> faces(setting.triangulation);
-      FG::internal::Window_search<Setting::Triangulation> windows(setting.triangulation, faces, source);
-      windows.run(1e9);
-      for(int j = 0; j < 20; ++j) {
-        const Vertex_index target(random.below(n));
-        if(target != source)
-          check_corridor(setting, source, target, windows.distance(target));
-      }
-    }
-  }
-}
-
-// Bounds are wrong if paths by way of a vertex count only where a shortest path can turn: here a fitted cone's rays go
-// past the edge that they should hit, and the paths found were longer by up to 1e-4.
-BOOST_AUTO_TEST_CASE(a_corridor_counts_paths_by_way_of_all_vertices)
-{
-  struct Example
-  {
-    unsigned seed;
-    Vertex_index source, target;
-  };
-  for(const auto& [seed, source, target] : {Example{2, 648_v, 1175_v}, Example{5, 611_v, 367_v}}) {
-    Setting setting(shaken(torus(20, 60, 3, 1), 0.09, seed));
-    FG::Geodesic_distance_field<Setting::Triangulation> field(setting.triangulation, setting.mesh);
-    field.add_source(source);
-    field.compute();
-    check_corridor(setting, source, target, field.distance(target));
-  }
 }
 
 // Given up, the search still says how much shorter a path could be.
