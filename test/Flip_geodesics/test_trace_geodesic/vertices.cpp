@@ -117,9 +117,9 @@ BOOST_AUTO_TEST_CASE(on_a_cube_it_comes_back_to_its_start_exactly)
   }
 }
 
-// The faces of a tetrahedron with equal opposite edges unfold to a tiling of the plane with translated lines: an edge is
-// crossed wherever a barycentric coordinate passes an integer. Doubles do not decide all corners of such a long ray, and
-// numbers of any fixed number of digits would not if their errors grew by a factor with each face.
+// The faces of a tetrahedron with equal opposite edges unfold to a tiling of the plane with translated lines: an edge
+// is crossed wherever a barycentric coordinate passes an integer. Doubles do not decide all corners of such a long ray,
+// and numbers of any fixed number of digits would not if their errors grew by a factor with each face.
 BOOST_AUTO_TEST_CASE(rays_over_two_hundred_thousand_edges_are_decided_by_few_digits)
 {
   const Point points[] = {{0, 0, 0}, {3, 4, 0}, {3, 0, 5}, {0, 4, 5}};
