@@ -6,15 +6,11 @@
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include"
      "${PROJECT_SOURCE_DIR}/include/CGAL/*.h")
 
-# What most headers include. A header gets what it includes anyway, itself or by our others, so that nothing that it lacks
-# is hidden.
-set(precompiled_graph
-    <CGAL/Iterator_range.h> <CGAL/boost/graph/properties.h> <boost/graph/graph_traits.hpp>
-    <boost/iterator/iterator_facade.hpp> <algorithm> <array> <functional> <memory> <ostream> <stdexcept> <string> <vector>)
-set(precompiled_numbers
-    ${precompiled_graph} <CGAL/Kernel_traits.h> <CGAL/Named_function_parameters.h> <CGAL/Simple_cartesian.h>
-    <boost/math/constants/constants.hpp> <boost/multiprecision/cpp_bin_float.hpp> <boost/multiprecision/cpp_int.hpp>
-    <complex> <deque> <map> <optional> <random> <sstream> <unordered_map>)
+# Compiled once for many headers: the last of these that a header includes anyway, itself or by our others, so that
+# nothing that it lacks is hidden. They are compiled alone as well, as every header is.
+set(precompiled_headers Descriptors.h internal/input/Indexed_mesh.h internal/exact/Integer.h internal/exact/Exact_sign.h
+                        metrics.h internal/insertion/Point_insertion.h internal/soup/Soup_mesh.h)
+list(TRANSFORM precompiled_headers PREPEND "CGAL/Flip_geodesics/")
 
 # Sets `result` to everything in <> that `header` includes, itself or by our others.
 function(flip_geodesics_includes_of header result)
@@ -37,15 +33,13 @@ function(flip_geodesics_includes_of header result)
   set(${result} "${includes}" PARENT_SCOPE)
 endfunction()
 
-# Sets `result` to what can be precompiled for `header`: graph, numbers or nothing.
+# Sets `result` to what is precompiled for `header`, or to nothing.
 function(flip_geodesics_precompiled_for header result)
   flip_geodesics_includes_of("${header}" includes)
   set(${result} nothing PARENT_SCOPE)
-  foreach(group graph numbers)
-    set(absent ${precompiled_${group}})
-    list(REMOVE_ITEM absent ${includes})
-    if(NOT absent)
-      set(${result} ${group} PARENT_SCOPE)
+  foreach(precompiled IN LISTS precompiled_headers)
+    if("<${precompiled}>" IN_LIST includes)
+      set(${result} "${precompiled}" PARENT_SCOPE)
     endif()
   endforeach()
 endfunction()
@@ -63,13 +57,13 @@ endfunction()
 set(header_folder "${CMAKE_CURRENT_BINARY_DIR}/headers")
 set(everything "")
 set(number_of_headers 0)
-foreach(group nothing graph numbers)
-  set(sources_with_${group} "")
+foreach(group nothing ${precompiled_headers})
+  set("sources_with_${group}" "")
 endforeach()
 # Adds a source with these lines to those of `group`.
 macro(flip_geodesics_add_header_source name group lines)
   file(CONFIGURE OUTPUT "${header_folder}/${name}.cpp" CONTENT "${lines}")
-  list(APPEND sources_with_${group} "${header_folder}/${name}.cpp")
+  list(APPEND "sources_with_${group}" "${header_folder}/${name}.cpp")
   string(APPEND everything "${lines}")
   math(EXPR number_of_headers "${number_of_headers} + 1")
 endmacro()
@@ -105,13 +99,18 @@ if(FLIP_GEODESICS_PRECOMPILE_HEADERS AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   file(CONFIGURE OUTPUT "${header_folder}/everything.cpp" CONTENT "${everything}")
   flip_geodesics_add_headers(all_headers "${header_folder}/everything.cpp")
 elseif(FLIP_GEODESICS_PRECOMPILE_HEADERS)
-  foreach(group nothing graph numbers)
-    flip_geodesics_add_headers(headers_with_${group} ${sources_with_${group}})
+  foreach(group nothing ${precompiled_headers})
+    get_filename_component(name "${group}" NAME_WE)
+    flip_geodesics_add_headers(headers_with_${name} ${sources_with_${group}})
     if(NOT group STREQUAL "nothing")
-      target_precompile_headers(headers_with_${group} PRIVATE ${precompiled_${group}})
+      target_precompile_headers(headers_with_${name} PRIVATE "<${group}>")
     endif()
   endforeach()
 else()
-  flip_geodesics_add_headers(headers_alone ${sources_with_nothing} ${sources_with_graph} ${sources_with_numbers})
+  set(sources "")
+  foreach(group nothing ${precompiled_headers})
+    list(APPEND sources ${sources_with_${group}})
+  endforeach()
+  flip_geodesics_add_headers(headers_alone ${sources})
 endif()
 add_test(NAME headers COMMAND headers_together)
