@@ -5,14 +5,15 @@
 // vertex is nearer to; and the continuous Dijkstra method of Surface_mesh_shortest_path, where it is not left out. Writes
 // a line per source, with a header:
 //
-//   mesh,triangles,source,field_s,field_windows,everywhere_s,question_s,search_s,search_windows,exact_s,difference,
-//   one_thread_s,threads_s
+//   mesh,triangles,source,field_s,field_windows,everywhere_s,question_s,search_s,search_windows,exact_s,difference
 //
-// Seconds are of processor time, but those of the last two columns of a clock: the field of vertices only, by one thread
-// and by all, the least of five runs each. `question_s` is for one distance inside a face; `difference` the largest one of the field to another method, as a part
-// of the distance.
+// Seconds are of processor time. `question_s` is for one distance inside a face; `difference` the largest one of the
+// field to another method, as a part of the distance. With the word threads it measures by a clock instead, on a machine
+// that does nothing else: the field of vertices only, by one thread and by all in turn, the least of five runs each:
 //
-// Usage: compare_distance_fields SOURCES EXACT MESH...   EXACT is 0 or 1
+//   mesh,triangles,source,one_thread_s,threads_s
+//
+// Usage: compare_distance_fields SOURCES EXACT MESH...   EXACT is 0 or 1, or threads
 
 #include "benchmark_meshes.h"
 #include "processor_time.h"
@@ -51,20 +52,27 @@ using Threads = CGAL::Parallel_tag;
 using Threads = CGAL::Sequential_tag;
 #endif
 
-// The least of several runs, by the clock.
+// By the clock.
 template <class ConcurrencyTag>
 double clock_seconds(const Triangulation& triangulation, const Mesh& mesh, FG::Vertex_index source)
 {
-  double result = std::numeric_limits<double>::infinity();
+  const auto start = std::chrono::steady_clock::now();
+  Field field(triangulation, mesh, FG::Distance_field_extent::VERTICES_ONLY);
+  field.add_source(source);
+  field.compute<ConcurrencyTag>();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  return seconds.count();
+}
+
+void compare_threads(const Mesh& mesh, const std::string& name, FG::Vertex_index source)
+{
+  const Triangulation triangulation(mesh);
+  double one = std::numeric_limits<double>::infinity(), all = one;
   for(int i = 0; i < 5; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    Field field(triangulation, mesh, FG::Distance_field_extent::VERTICES_ONLY);
-    field.add_source(source);
-    field.compute<ConcurrencyTag>();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    result = (std::min)(result, seconds.count());
+    one = (std::min)(one, clock_seconds<CGAL::Sequential_tag>(triangulation, mesh, source));
+    all = (std::min)(all, clock_seconds<Threads>(triangulation, mesh, source));
   }
-  return result;
+  std::cout << name << ',' << mesh.number_of_faces() << ',' << source.idx() << ',' << one << ',' << all << std::endl;
 }
 
 double seconds_of_question(const Field& field, const Mesh& mesh)
@@ -118,9 +126,7 @@ void compare(const Mesh& mesh, const std::string& name, FG::Vertex_index source,
   }
   std::cout << name << ',' << mesh.number_of_faces() << ',' << source.idx() << ',' << field_s << ',' << report.windows
             << ',' << everywhere_s << ',' << seconds_of_question(field, mesh) << ',' << search_s << ','
-            << search.number_of_windows() << ',' << exact_s << ',' << difference << ','
-            << clock_seconds<CGAL::Sequential_tag>(triangulation, mesh, source) << ','
-            << clock_seconds<Threads>(triangulation, mesh, source) << std::endl;
+            << search.number_of_windows() << ',' << exact_s << ',' << difference << std::endl;
 }
 
 } // namespace
@@ -130,16 +136,22 @@ int main(int argc, char** argv)
   try {
     if(argc < 4)
       throw std::runtime_error("usage: compare_distance_fields SOURCES EXACT MESH...");
-    std::cout << "mesh,triangles,source,field_s,field_windows,everywhere_s,question_s,search_s,search_windows,exact_s,"
-                 "difference,one_thread_s,threads_s\n";
+    const bool is_of_threads = argv[2] == std::string("threads");
+    std::cout << (is_of_threads ? "mesh,triangles,source,one_thread_s,threads_s\n"
+                                : "mesh,triangles,source,field_s,field_windows,everywhere_s,question_s,search_s,"
+                                  "search_windows,exact_s,difference\n");
     for(int i = 3; i < argc; ++i) {
       Mesh mesh;
       CGAL::copy_face_graph(benchmark_meshes::make_mesh(argv[i]), mesh);
       std::mt19937 random(1);
-      for(unsigned long k = std::stoul(argv[1]); k > 0; --k)
-        compare(mesh, benchmark_meshes::short_name(argv[i]),
-                FG::Vertex_index(static_cast<FG::Index>(random() % mesh.number_of_vertices())),
-                argv[2] == std::string("1"));
+      const std::string name = benchmark_meshes::short_name(argv[i]);
+      for(unsigned long k = std::stoul(argv[1]); k > 0; --k) {
+        const FG::Vertex_index source(static_cast<FG::Index>(random() % mesh.number_of_vertices()));
+        if(is_of_threads)
+          compare_threads(mesh, name, source);
+        else
+          compare(mesh, name, source, argv[2] == std::string("1"));
+      }
     }
   } catch(const std::exception& error) {
     std::cerr << "compare_distance_fields: " << error.what() << '\n';
