@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,10 +71,37 @@ public:
   }
 
 private:
+  // What an option holds that may lack.
+  template <class Value>
+  struct Held
+  {
+    using Type = Value;
+  };
+  template <class Value>
+  struct Held<std::optional<Value>>
+  {
+    using Type = Value;
+  };
+  template <class Value>
+  using Number_of = typename Held<Value>::Type;
+
+  // What is wrong with a number that is too large: it would be read as the largest one.
+  template <class Number>
+  static std::string in_range(const std::string& text)
+  {
+    const char* const first = text.data() + (text.substr(0, 1) == "+" ? 1 : 0);
+    Number number = 0;
+    const bool is_in_range = from_chars(first, text.data() + text.size(), number).ec != std::errc::result_out_of_range;
+    return is_in_range ? std::string() : text + " is beyond the range of the numbers here";
+  }
+
   template <class Value>
   CLI::Option* add(const char* name, const char* type, Value& value, const char* description)
   {
-    return m_app.add_option(name, value, description)->type_name(type)->group(m_group);
+    CLI::Option* const option = m_app.add_option(name, value, description)->type_name(type)->group(m_group);
+    if constexpr(std::is_arithmetic<Number_of<Value>>::value)
+      option->check(in_range<Number_of<Value>>);
+    return option;
   }
 
   void add(const char* name, bool& value, const char* description)
@@ -104,7 +133,9 @@ private:
       numbers.emplace_back();
       const auto [stop, error] = from_chars(next, comma, numbers.back());
       if(error != std::errc() || stop != comma)
-        throw CLI::ValidationError(name, "'" + std::string(next, comma) + "' in '" + text + "' is no number");
+        throw CLI::ValidationError(
+            name, "'" + std::string(next, comma) + "' in '" + text + "' is " +
+                      (error == std::errc::result_out_of_range ? "beyond the range of the numbers here" : "no number"));
       if(comma == end)
         return;
       next = comma + 1;

@@ -270,6 +270,16 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --isolines 0.1,)
   flip_geodesics_add_program_test(left_out_source 2 "--source: '' in '0,,1' is no number" torus.off --source 0,,1
                                   --isolines 1)
+  flip_geodesics_add_program_test(source_too_large 2 "'99999999999999999999' in '0,99999999999999999999' is beyond"
+                                  torus.off --source 0,99999999999999999999 --isolines 1)
+  flip_geodesics_add_program_test(vertex_too_large 2 "--from: 99999999999999999999 is beyond the range" torus.off
+                                  --from 99999999999999999999 --to 3)
+  flip_geodesics_add_program_test(seed_too_large 2 "--seed: 99999999999999999999 is beyond the range" torus.off
+                                  --random 1 --seed 99999999999999999999)
+  flip_geodesics_add_program_test(threads_too_many 2 "--threads: 99999999999 is beyond the range" torus.off
+                                  --random 1 --threads 99999999999)
+  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: 1e999 is beyond the range" torus.off --source 0
+                                  --spacing 1e999)
   flip_geodesics_add_program_test(isolines_of_nothing 2 "belong to --source" torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest" torus.off --source 0 --isolines 1 --shortest)

@@ -210,6 +210,12 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a.stl", "solid\n"), "a.stl line 1: the file ends without endsolid");
   check_has(message("a.stl", "facet\n"), "too few for a binary STL file");
   check_has(message("a.ts", "VRTX 1 0 0 0\nTRGL 1 1 2\n"), "a.ts line 2: face 0 has a vertex that does not come");
+  // A file of another kind.
+  check_has(message("a.ts", "hello\nworld\n"), "a.ts: no line starts with GOCAD, VRTX or TRGL, so that this is no TS");
+  check_has(message("a.ts", "END\n"), "this is no TS file");
+  check_has(message("a.ts", "GOCAD TSurf 1\n"), "a.ts line 1: the file ends without END");
+  check_has(message("a.obj", "OFF\n3 1 0\n"),
+            "a.obj: no line is a vertex, `v`, or a face, `f`, so that this is no OBJ");
   check_has(message("a\nb.xyz", ""), "a?b.xyz: the format is not known");
 }
 

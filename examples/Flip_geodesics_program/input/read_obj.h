@@ -11,6 +11,7 @@
 #include <cctype>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -35,6 +36,7 @@ public:
   /// \param texture where the texture goes; null if it is not wanted
   explicit Obj_reader(const Input_text& input, Texture* texture)
     : m_words(input, '#', true)
+    , m_name(input.name())
     , m_texture(texture)
   {
   }
@@ -52,6 +54,9 @@ public:
       else if(keyword == "f")
         read_face();
     }
+    if(m_soup.points.empty() && m_soup.faces.empty())
+      throw Bad_input(m_name + ": no line is a vertex, `v`, or a face, `f`, so that this is no OBJ file of a surface; "
+                               "correct the file or its extension");
     if(m_last_vertex >= static_cast<long long>(m_soup.points.size()))
       fail_without_vertex(*m_words_at_last_vertex, m_face_of_last_vertex);
     check_unclean_vertices();
@@ -167,6 +172,7 @@ private:
   }
 
   Text_scanner m_words;
+  std::string m_name; // of the file
   Texture* m_texture;
   Soup m_soup;
   std::vector<std::pair<Element, Text_scanner>> m_unclean; // vertices, each with the beginning of its line

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -24,15 +25,17 @@ class Ts_reader
 public:
   explicit Ts_reader(const Input_text& input)
     : m_words(input)
+    , m_name(input.name())
   {
   }
 
   /// \throws Bad_input
   Soup read()
   {
-    bool is_ended = false;
+    bool is_ended = false, is_known = false;
     while(m_words.next_line()) {
       const std::string_view keyword = m_words.next_word();
+      is_known = is_known || is_of_ts(keyword);
       if(keyword == "GOCAD")
         m_vertices.clear();
       else if(keyword == "VRTX" || keyword == "PVRTX")
@@ -43,12 +46,24 @@ public:
         read_triangle();
       is_ended = keyword.empty() ? is_ended : keyword == "END";
     }
+    if(!is_known)
+      throw Bad_input(m_name +
+                      ": no line starts with GOCAD, VRTX or TRGL, so that this is no TS file; correct the file "
+                      "or its extension");
     if(!is_ended)
       m_words.fail("the file ends without END; complete it");
     return std::move(m_soup);
   }
 
 private:
+  static bool is_of_ts(std::string_view keyword)
+  {
+    for(const char* known : {"GOCAD", "VRTX", "PVRTX", "ATOM", "PATOM", "TRGL"})
+      if(keyword == known)
+        return true;
+    return false;
+  }
+
   long long read_number(const Element& element) { return m_words.number<long long>(m_words.next_word(), element); }
 
   void add(long long number, std::size_t vertex, const Element& element)
@@ -92,6 +107,7 @@ private:
   }
 
   Text_scanner m_words;
+  std::string m_name; // of the file
   Soup m_soup;
   std::unordered_map<long long, std::size_t> m_vertices; // by their numbers
 };

@@ -134,7 +134,8 @@ public:
    *         number
    * \throws Invalid_location_error for the start, or a point, that is none
    * \throws Invalid_parameter_error if the tolerance is not a number of at least 0
-   * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+   * \throws Degenerate_face_error also at a vertex of which all faces have an angle of 0: it has no directions
+   * \throws Invalid_coordinate_error, Invalid_mesh_error
    *
    * Complexity: a `Geodesic_distance_field` as far as the farthest point for each step that is tried.
    */
@@ -203,10 +204,21 @@ private:
       sum[1] += m_weights[i] * y;
       result.variance += m_weights[i] * p.radius * p.radius;
     }
+    if(!(logarithm.total_angle() > 0 || result.variance == 0))
+      throw_no_directions(place);
     const Polar_coordinates mean = logarithm.from_plane(sum);
     result.direction = {logarithm.halfedge(), mean.angle};
     result.residual = mean.radius;
     return result;
+  }
+
+  [[noreturn]] void throw_no_directions(const Surface_location& place) const
+  {
+    const Vertex_index v =
+        m_triangulation.input().tail(internal::canonical_location(m_triangulation.input(), place).halfedge);
+    throw Degenerate_face_error("all faces of vertex " + std::to_string(v.idx()) +
+                                    " have an angle of 0 there, so that the way to a mean has no direction",
+                                {static_cast<std::size_t>(v.idx())});
   }
 
   // Along a part of the vector, up to the border; of length 0 if it leads out of the surface.

@@ -24,6 +24,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -127,6 +128,21 @@ BOOST_AUTO_TEST_CASE(a_face_without_area_has_no_normal)
   FG::sample_curve(mesh, std::vector<Face_location>{from, to}, 2, std::back_inserter(samples));
   for(const Sample& sample : samples)
     BOOST_TEST((sample.normal == Vector(0, 0, 0)));
+}
+
+// At the ends of the line no face has an angle, and there are no directions.
+BOOST_AUTO_TEST_CASE(a_mean_on_a_line_says_what_is_missing)
+{
+  const Mesh mesh =
+      to_mesh<Mesh>({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+  const std::vector<Mesh_vertex> ends = {Mesh_vertex(0), Mesh_vertex(3)}, inside = {Mesh_vertex(1), Mesh_vertex(2)};
+  const auto is_clear = [](const FG::Degenerate_face_error& error) {
+    return std::string(error.what()).find("vertex 0 have an angle of 0") != std::string::npos &&
+           error.elements()[0] == 0;
+  };
+  BOOST_CHECK_EXCEPTION(FG::geodesic_mean(mesh, ends), FG::Degenerate_face_error, is_clear);
+  BOOST_TEST(std::abs(FG::geodesic_mean(mesh, inside).report.variance - 0.25) < 1e-14);
+  BOOST_TEST((FG::geodesic_mean(mesh, std::vector<Mesh_vertex>{ends[0]}).report.status == FG::Mean_status::CONVERGED));
 }
 
 // However places are told: a vertex by any face about it, and weights up to rounding.
