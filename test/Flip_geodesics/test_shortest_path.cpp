@@ -10,6 +10,7 @@
 #include "test_scale.h"
 #include "test_shortest_path/shortest.h"
 
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
@@ -22,6 +23,8 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <string>
 #include <vector>
 
 using namespace shortest_path_test;
@@ -170,6 +173,39 @@ BOOST_AUTO_TEST_CASE(no_path_over_faces_without_area_is_confirmed_if_there_is_a_
     }
   }
   BOOST_TEST(confirmed > 500);
+}
+
+// Lengths of 1, 2 and 3, of which three in many faces make one without area. There the leg that is to be inserted gets
+// lost, and the path is left as it was.
+BOOST_AUTO_TEST_CASE(a_leg_that_gets_lost_among_faces_without_area_is_in_nothings_way)
+{
+  using Traits = FG::Certified_intrinsic_triangulation_traits<Length_metric::Kernel>;
+  using Length_setting = Basic_curve_setting<FG::Intrinsic_triangulation<Surface, Traits, Length_metric>>;
+  const auto corner = [](int i, int j) { return i % 4 * 4 + j % 4; };
+  Mesh_soup soup;
+  for(int i = 0; i < 4; ++i)
+    for(int j = 0; j < 4; ++j) {
+      soup.points.push_back({0, 0, 0});
+      soup.triangles.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)});
+      soup.triangles.push_back({corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)});
+    }
+  const Surface mesh = to_mesh<Surface>(soup);
+  std::map<boost::graph_traits<Surface>::edge_descriptor, double> lengths;
+  for(char digit : std::string("212312211233312323212132133321132231213322322231")) {
+    const auto e = Surface::Edge_index(static_cast<Surface::size_type>(lengths.size()));
+    lengths[e] = digit - '0';
+  }
+  Length_setting setting(soup, Length_metric(mesh, Length_map(lengths)));
+  const Vertex_index source = 13_v, target = 10_v;
+  FG::Geodesic_distance_field<Length_setting::Triangulation> field(setting.triangulation, setting.mesh);
+  field.add_source(source);
+  field.compute();
+  Length_setting::Search search(setting.triangulation);
+  const auto path = FG::add_shortest_path(setting.network, search, source, target);
+  BOOST_TEST(setting.triangulation.is_valid());
+  BOOST_TEST(setting.network.is_valid());
+  BOOST_TEST(path.lower_bound <= field.distance(target) * (1 + tolerance));
+  BOOST_TEST((path.length <= field.distance(target) * (1 + tolerance) || !path.is_confirmed()));
 }
 
 // Given up, the search still says how much shorter a path could be.

@@ -296,6 +296,39 @@ BOOST_AUTO_TEST_CASE(out_of_the_surface_it_ends_at_once)
   BOOST_TEST(distance(on.points.back(), Point(6, 0, 0)) < 1e-14);
 }
 
+// Along the border from a place on an edge of it, told from any side of the face: rounding must not lead out.
+BOOST_AUTO_TEST_CASE(along_the_border_it_stays_on_the_border)
+{
+  const Surface mesh = to_mesh<Surface>({{{0, 0, 0}, {1.3, 0.2, 0.1}, {0.1, 1.7, 0.4}}, {{0, 1, 2}}});
+  const FG::Intrinsic_triangulation<Surface> triangulation(mesh);
+  const FG::Geodesic_tracer<FG::Intrinsic_triangulation<Surface>> tracer(triangulation);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> weight(0.1, 0.9);
+  for(int i = 0; i < 600; ++i) {
+    const Halfedge edge = mesh.next(mesh.halfedge(Face(0))), told_from = i % 2 == 0 ? edge : mesh.next(edge);
+    const double place = weight(random);
+    const FG::Surface_location at = {triangulation.input().index(edge), {{1 - place, place, 0}}};
+    // Angles inside of the face, from `told_from` on to the edge.
+    const Point p = mesh.point(mesh.source(edge)), q = mesh.point(mesh.target(edge)),
+                r = mesh.point(mesh.target(mesh.next(edge)));
+    const double corner = std::acos((p - q) * (r - q) / (distance(p, q) * distance(r, q)));
+    const double to_edge = (told_from == edge ? 0 : corner - pi) + 2 * pi * (i % 3) + (i % 5 < 2 ? pi : 0);
+    const double length = 0.05 * distance(p, q);
+    const FG::Trace t = tracer.trace(at, triangulation.input().index(told_from), to_edge, FG::Trace_limits<>{length});
+    BOOST_TEST((t.end == Trace_end::LENGTH));
+    BOOST_TEST(std::abs(t.length - length) < 1e-14);
+    const FG::Trace on = tracer.trace(t.location, t.halfedge, t.angle, FG::Trace_limits<>{length});
+    BOOST_TEST((on.end == Trace_end::LENGTH));
+    // What does not run along it does leave the surface.
+    for(double outward : {1e-9, -1e-9}) {
+      const FG::Trace none =
+          tracer.trace(at, triangulation.input().index(told_from), to_edge + outward, FG::Trace_limits<>{length});
+      const bool leads_out = (i % 5 < 2) == (outward > 0);
+      BOOST_TEST((none.end == (leads_out ? Trace_end::BORDER : Trace_end::LENGTH)));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {
   const Surface mesh = grid_mesh();

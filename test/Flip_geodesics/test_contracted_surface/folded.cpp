@@ -10,6 +10,9 @@
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+#include <CGAL/Flip_geodesics/with_metric.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
@@ -342,6 +345,30 @@ BOOST_AUTO_TEST_CASE(lengths_tell_what_is_folded)
     BOOST_CHECK_EQUAL(left.is_contracted(), share == 1.5);
     BOOST_CHECK_EQUAL(left.contracted_vertex(2_v) == left.contracted_vertex(3_v), share == 1.5);
   }
+}
+
+// By lengths, two faces of a tetrahedron fold 2 and 3 onto one place. The edge between these, of length 1, is a loop.
+// The other faces are equilateral. Over the middle of the loop the path from 0 to 1 is as long as two of their heights.
+BOOST_AUTO_TEST_CASE(an_edge_between_vertices_in_one_place_is_a_loop)
+{
+  using Lengths = std::map<boost::graph_traits<Mesh>::edge_descriptor, double>;
+  using Map = boost::const_associative_property_map<Lengths>;
+  const Mesh mesh = to_mesh<Mesh>(
+      Mesh_soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+  Lengths lengths;
+  for(const auto e : edges(mesh))
+    lengths[e] = (std::max)(source(e, mesh), target(e, mesh)) == vertex(1) ? 2 : 1;
+  const FG::Edge_length_metric<Mesh, Map> metric(mesh, Map(lengths));
+  const auto path_between = [&](int s, int t) {
+    std::vector<FG::Curve_place<Mesh>> places;
+    return FG::shortest_path(mesh, vertex(s), vertex(t), std::back_inserter(places), FG::with_metric(metric)).report;
+  };
+  const FG::Shortest_path_report across = path_between(0, 1), in_place = path_between(2, 3);
+  BOOST_CHECK_SMALL(across.length - std::sqrt(3.0), 1e-14);
+  BOOST_CHECK(across.is_confirmed());
+  BOOST_CHECK_EQUAL(in_place.length, 0);
+  BOOST_CHECK(in_place.shortening.curves.front().status == FG::Shortening_status::CONTRACTED);
+  BOOST_CHECK(in_place.shortening.curves.front().are_zero_edges_contracted);
 }
 
 // The segment from 6 to 7 has 13 in its middle, but the faces between lead there only past its end, 7.

@@ -341,9 +341,11 @@ private:
     auto left = std::make_shared<Mesh>();
     for(Index v = 0; v < m_number_of_vertices; ++v)
       left->add_vertex();
-    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(static_cast<Index>(contraction.next.size())))
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(static_cast<Index>(contraction.next.size()))) {
       if(is_first_side(h))
-        left->add_edge(vertex(contraction.tail[h]), vertex(contraction.tail[twin_index(h)]));
+        left->add_edge(); // whose ends can be one vertex
+      left->set_target(own_halfedge(h), vertex(contraction.tail[twin_index(h)]));
+    }
     connect(*left, contraction);
     m_number_of_halfedges = static_cast<Index>(contraction.next.size());
     this->m_origin = std::make_shared<Uncontracted<Indexed_mesh>>(

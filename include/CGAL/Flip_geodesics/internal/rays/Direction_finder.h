@@ -196,10 +196,12 @@ private:
     constexpr double far_less = 1.0 / 16;
     Input_halfedge_index best = h, side = h;
     double best_angle = angle, least = far_less * length(h) * length(input().next(input().next(h)));
+    double angle_at_edge = angle;
     for(int i = 0; i < 2; ++i) {
       const double before = length(side);
       side = input().next(side);
       angle -= boost::math::constants::pi<double>() - corner(side);
+      angle_at_edge = side == at.halfedge ? angle : angle_at_edge;
       if(before * length(side) < least) { // twice the area is this times the sine of the corner
         least = before * length(side);
         best = side;
@@ -207,7 +209,20 @@ private:
       }
     }
     const Face_direction direction = in_face(best, std::cos(best_angle), std::sin(best_angle));
+    // An angle along the border is along it, though rounding leads out of the surface, or into it a little.
+    const double off = std::abs(std::sin(angle_at_edge));
+    if(kind(at) == Location_kind::EDGE && input().is_border(twin_index(at.halfedge)) &&
+       off <= (away_from_side(at.halfedge, best, direction) < 0 ? 1e-12 : 1e-14))
+      return {at, {std::copysign(1, std::cos(angle_at_edge)), 0}, false, 0};
     return {{best, weights_in_face(input(), at, best)}, direction, false, 0};
+  }
+
+  // How the weight opposite to a side of a face changes in a direction that is told from any side; its sign is exact.
+  double away_from_side(Input_halfedge_index side, Input_halfedge_index told_from, const Face_direction& d) const
+  {
+    if(side == told_from)
+      return d[1];
+    return input().next(side) == told_from ? d[0] : -d[0] - d[1];
   }
 
   double length(Input_halfedge_index h) const { return m_triangulation.metric().length(input(), h); }

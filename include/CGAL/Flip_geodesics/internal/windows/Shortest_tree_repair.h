@@ -237,7 +237,9 @@ private:
     }
     const Halfedge_index h = crossed.back();
     const Vertex_index w = m_triangulation.head(h);
-    m_in_the_way = m_tree.incoming(w) == h ? w : m_triangulation.tail(h);
+    // Else it got lost among faces without area.
+    if(is_in_tree(h))
+      m_in_the_way = m_tree.incoming(w) == h ? w : m_triangulation.tail(h);
     return {};
   }
 
