@@ -164,13 +164,13 @@ public:
 
   /*!
    * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()`. Segments on an
-   * edge that is split become two each, with a joint that is not fixed; their order stays. `near` is as there.
+   * edge that is split become two each, with a joint that is not fixed; their order stays. `close_by` is as there.
    * \return the new vertex, or the one that is there already
    * \throws as `Intrinsic_triangulation::insert()`
    */
-  Vertex_index insert(const Surface_location& location, Known_piece* near = nullptr)
+  Vertex_index insert(const Surface_location& location, Known_piece* close_by = nullptr)
   {
-    return Division(*m_triangulation, m_segments).insert(location, near);
+    return Division(*m_triangulation, m_segments).insert(location, close_by);
   }
 
   /*!

@@ -331,16 +331,16 @@ public:
    * As above. Where an edge is split, `on_split` is called with two halfedges: `first`, which is now half as long, and
    * `second`, which leads on from the new vertex to the old head of `first`. If it throws, the insertion is taken back.
    *
-   * `near` is for `refine()`, which knows where the point is: many edges in the input face need not be passed then.
+   * `close_by` is for `refine()`, which knows where the point is: many edges in the input face need not be passed then.
    */
   template <class OnSplit>
-  Vertex_index insert(const Surface_location& location, const OnSplit& on_split, Known_piece* near = nullptr)
+  Vertex_index insert(const Surface_location& location, const OnSplit& on_split, Known_piece* close_by = nullptr)
   {
     const Surface_location point = internal::canonical_location(input(), location);
     if(kind(point) == Location_kind::VERTEX)
       return input().tail(point.halfedge);
     const internal::Point_locator<Intrinsic_triangulation> locate(*this, m_statistics);
-    const internal::Located_point place = near == nullptr ? locate(point) : locate(point, *near);
+    const internal::Located_point place = close_by == nullptr ? locate(point) : locate(point, *close_by);
     if(place.vertex != null_index)
       return place.vertex;
     return internal::insert_point(*this, editor(), place, point, on_split);

@@ -111,8 +111,8 @@ public:
       const int longest = static_cast<int>((std::max_element)(l.begin(), l.end()) - l.begin());
       const Vector_3& u = e[(longest + 1) % 3];
       const Vector_3& v = e[(longest + 2) % 3];
-      const auto minor = [&](int i, int j) { return internal::unfused(u[i] * v[j]) - internal::unfused(u[j] * v[i]); };
-      const Vector_3 n = {minor(1, 2), minor(2, 0), minor(0, 1)};
+      const auto entry = [&](int i, int j) { return internal::unfused(u[i] * v[j]) - internal::unfused(u[j] * v[i]); };
+      const Vector_3 n = {entry(1, 2), entry(2, 0), entry(0, 1)};
       return std::sqrt(dot(n, n));
     }
   };

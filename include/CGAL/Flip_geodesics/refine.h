@@ -64,10 +64,10 @@ namespace internal {
 template <class Triangulation>
 struct Triangulation_splitter
 {
-  Vertex_index insert(const Surface_location& location, Known_piece* near)
+  Vertex_index insert(const Surface_location& location, Known_piece* close_by)
   {
     return triangulation.insert(
-        location, [](const auto&) {}, near);
+        location, [](const auto&) {}, close_by);
   }
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
@@ -108,7 +108,7 @@ Refinement_status refinement_status(End end, std::size_t missed)
 }
 
 /* Beyond these bounds a refinement goes on to its limit, whatever the mesh. \throws Invalid_parameter_error */
-inline void check(const Refinement_options& options)
+inline void check_options(const Refinement_options& options)
 {
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
     throw Invalid_parameter_error("the smallest angle of a refinement is to be " +
@@ -123,7 +123,7 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
                          Visitor& visitor)
 {
   constexpr double degree = boost::math::constants::degree<double>();
-  check(options);
+  check_options(options);
   const double angle = options.smallest_angle * degree;
   Refinement_report report;
   const Delaunay_report flipped =

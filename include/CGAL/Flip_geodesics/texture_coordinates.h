@@ -119,9 +119,9 @@ private:
     const Corners alone = {place + turn * (sides[2] - sides[0]) / 3.0, place + turn * (sides[0] - sides[1]) / 3.0,
                            place + turn * (sides[1] - sides[2]) / 3.0};
     Corners result = alone;
-    const double near = (std::max)({std::abs(sides[0]), std::abs(sides[1]), std::abs(sides[2])}) / 2;
+    const double close_by = (std::max)({std::abs(sides[0]), std::abs(sides[1]), std::abs(sides[2])}) / 2;
     for(std::size_t i = 0; i < 3; ++i)
-      if(std::abs(result[i] - vertices[i]) <= near)
+      if(std::abs(result[i] - vertices[i]) <= close_by)
         result[i] = vertices[i];
     return is_up(result) ? result : alone;
   }

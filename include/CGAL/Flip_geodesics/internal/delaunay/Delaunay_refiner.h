@@ -263,9 +263,9 @@ private:
       const auto place = Face_chart<Triangulation>(m_triangulation, center.halfedge).locate(center.point);
       if(!place || !has_room(place->location, std::abs(center.point)))
         return null_index;
-      Known_piece near = {place->halfedge, place->gap, m_letters + letters_per_point};
-      const Vertex_index x = m_splitter.insert(place->location, &near);
-      m_letters = near.letters;
+      Known_piece close_by = {place->halfedge, place->gap, m_letters + letters_per_point};
+      const Vertex_index x = m_splitter.insert(place->location, &close_by);
+      m_letters = close_by.letters;
       return x == wanted ? x : null_index;
     } catch(const Insertion_error&) {
       return null_index;

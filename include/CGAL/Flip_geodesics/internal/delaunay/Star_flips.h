@@ -40,7 +40,7 @@ public:
     m_flipped.clear();
     Recorder<Visitor> recorder = {visitor, m_flipped, x};
     try {
-      m_flips += m_lawson.flip(std::numeric_limits<std::size_t>::max(), recorder);
+      m_flips += m_lawson.flip((std::numeric_limits<std::size_t>::max)(), recorder);
       if(!recorder.has_lost_its_way() &&
          std::all_of(m_flipped.begin(), m_flipped.end(), [this](Halfedge_index h) { return has_right_word(h); }))
         return true;

@@ -286,8 +286,8 @@ inline Integer greatest_common_divisor(Integer x, Integer y)
   }
   if(y == 0)
     return x;
-  const auto small = static_cast<std::uint64_t>(y);
-  return Integer(std::gcd(small, static_cast<std::uint64_t>(x % small)));
+  const auto low = static_cast<std::uint64_t>(y);
+  return Integer(std::gcd(low, static_cast<std::uint64_t>(x % low)));
 }
 
 } // namespace internal

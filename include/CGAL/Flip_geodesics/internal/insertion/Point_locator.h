@@ -76,18 +76,18 @@ public:
    * The same for a point that lies close to a known piece. From a corner of the input face, as above, so that it ends
    * as above; but from the known piece if the corner is too far away, past what was inserted before.
    */
-  Located_point operator()(const Surface_location& point, Known_piece& near) const
+  Located_point operator()(const Surface_location& point, Known_piece& close_by) const
   {
-    if(const std::optional<Gap> corner = first_piece(point.halfedge, near.letters))
-      if(const std::optional<Located_point> found = search(point, *corner, near.letters))
+    if(const std::optional<Gap> corner = first_piece(point.halfedge, close_by.letters))
+      if(const std::optional<Located_point> found = search(point, *corner, close_by.letters))
         return *found;
     std::size_t letters = no_limit;
-    return *search(point, {near.halfedge, near.gap}, letters);
+    return *search(point, {close_by.halfedge, close_by.gap}, letters);
   }
 
 private:
   static constexpr double largest_miss = 1e-6; // relative to the length of the edge
-  static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
   // Takes the word of h from what a search may cost. Returns false if nothing is left then.
   bool spend(Halfedge_index h, std::size_t& letters_left) const

@@ -138,7 +138,7 @@ public:
         throw Degenerate_face_error("faces without area are in the way of loops through vertex " +
                                         std::to_string(input().tail(generator(0)).idx()),
                                     {static_cast<std::size_t>(input().tail(generator(0)).idx())});
-    check();
+    check_matrix();
   }
 
   /* The projector -N: row i has the part of class i that bounds outside. */
@@ -272,7 +272,7 @@ private:
 
   void cover(Piece& piece, const Direction& direction) const
   {
-    const Places_in_space::Coordinates a = m_places.near(piece.from), b = m_places.near(piece.to);
+    const Places_in_space::Coordinates a = m_places.close_by(piece.from), b = m_places.close_by(piece.to);
     for(int k = 0; k < 2; ++k) {
       const double scale = static_cast<double>(direction[2]), slope = static_cast<double>(direction[k]);
       const double x = a[k] * scale - a[2] * slope, y = b[k] * scale - b[2] * slope;
@@ -324,7 +324,7 @@ private:
   }
 
   // Of a projector, the trace is the rank. Squared modulo 2^64, with a vector that nobody has chosen.
-  void check() const
+  void check_matrix() const
   {
     std::vector<std::uint64_t> vector, once;
     std::uint64_t trace = 0;

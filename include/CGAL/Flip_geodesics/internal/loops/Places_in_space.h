@@ -59,7 +59,7 @@ public:
   }
 
   /* From the first vertex to a place, rounded. */
-  Coordinates near(const Weighted_place& p) const
+  Coordinates close_by(const Weighted_place& p) const
   {
     Coordinates result = {0, 0, 0};
     for(int i = 0; i < 3; ++i)
@@ -98,7 +98,7 @@ public:
    */
   std::array<double, 2> volume(const std::array<Weighted_place, 3>& p) const
   {
-    const Coordinates a = near(p[0]), b = near(p[1]), c = near(p[2]);
+    const Coordinates a = close_by(p[0]), b = close_by(p[1]), c = close_by(p[2]);
     return {determinant(a, b, c), error(a, b, c)};
   }
 
@@ -139,7 +139,7 @@ private:
 
   Coordinates vector(const Weighted_place& a, const Weighted_place& b) const
   {
-    const Coordinates p = near(a), q = near(b);
+    const Coordinates p = close_by(a), q = close_by(b);
     return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   }
 

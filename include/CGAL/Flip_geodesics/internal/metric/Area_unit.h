@@ -108,11 +108,11 @@ private:
 /* A positive integer without the squares in it that are easily found. */
 inline Integer without_squares(Integer n)
 {
-  constexpr int small = 1000;
-  for(int p = 2; p < small; ++p)
+  constexpr int limit = 1000;
+  for(int p = 2; p < limit; ++p)
     while(n % (p * p) == 0)
       n /= p * p;
-  for(int factor = 1; factor < small; ++factor)
+  for(int factor = 1; factor < limit; ++factor)
     if(n % factor == 0 && is_perfect_square(n / factor))
       return factor;
   return n;

@@ -41,9 +41,9 @@ public:
     const Segment_index x = joint.incoming, y = m_segments.next(x);
     const Strand_end after = survivor_clockwise(old.first, old.second);
     // A joint that turns back also uncovers the ends beside it at its far node.
-    const Halfedge_index far = Triangulation::twin(old.first.halfedge);
+    const Halfedge_index far_end = Triangulation::twin(old.first.halfedge);
     const Strand_end after_far =
-        arc.empty() ? survivor_clockwise({far, old.second.segment}, {far, old.first.segment}) : Strand_end{};
+        arc.empty() ? survivor_clockwise({far_end, old.second.segment}, {far_end, old.first.segment}) : Strand_end{};
 
     const Segment_index upstream = m_segments.next(y) == x ? null_index : m_segments.previous(x);
     const Segment_index first = m_segments.replace_joint(joint, arc);

@@ -28,12 +28,12 @@ public:
   {
   }
 
-  Vertex_index insert(const Surface_location& location, Known_piece* near)
+  Vertex_index insert(const Surface_location& location, Known_piece* close_by)
   {
     const auto on_split = [this](const auto& halves) {
       m_segments.divide_stack(halves.first, {{halves.first, halves.second}});
     };
-    return m_triangulation.insert(location, on_split, near);
+    return m_triangulation.insert(location, on_split, close_by);
   }
 
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)

@@ -438,7 +438,7 @@ private:
   {
     const Index next_number = Faces::next(number), previous_number = Faces::previous(number);
     const bool is_mirrored = entrance == Entrance::AFTER; // seen in a mirror, from the head
-    const auto &near = m_faces[is_mirrored ? next_number : number], &side = m_faces[number];
+    const auto &close_by = m_faces[is_mirrored ? next_number : number], &side = m_faces[number];
     const double length = m_faces[is_mirrored ? next_number : previous_number].length;
     const Wave* const wave = entering(number, entrance);
     if(wave == nullptr)
@@ -446,7 +446,7 @@ private:
     const Edge_cones cones = is_mirrored ? wave->cones.mirrored(length) : wave->cones;
     Lit_end end;
     end.apex_value = cones.last(length)(length);
-    const Light_through_side light(cones, length, Vector(near.cosine, near.sine), m_error);
+    const Light_through_side light(cones, length, Vector(close_by.cosine, close_by.sine), m_error);
     end.place = light.add_to(parts, side.length, is_mirrored);
     return end;
   }
