@@ -4,8 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_SWEEP_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
-#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/Written_records.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_wave.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 #include <CGAL/Flip_geodesics/internal/windows/Light_through_side.h>
@@ -16,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -140,8 +140,8 @@ private:
 
   struct Vertex_record
   {
-    double distance, to_goal;
-    bool is_reached, is_waiting, has_bound;
+    double distance = 0, to_goal = 0;
+    bool is_reached = false, is_waiting = false, has_bound = false;
   };
 
   struct Entry
@@ -180,10 +180,13 @@ private:
   // Carries the wave of a side into the face on the other side of the edge.
   void enter_face(Index left_side)
   {
-    const Input_halfedge_index h = twin_index(m_faces[left_side].halfedge);
-    if(m_triangulation.input().is_border(h))
-      return;
-    const Index side = m_faces.number(h);
+    Index side = m_faces.known_twin(left_side);
+    if(side < 0) {
+      const Input_halfedge_index h = twin_index(m_faces[left_side].halfedge);
+      if(m_triangulation.input().is_border(h))
+        return;
+      side = m_faces.number(h);
+    }
     const Index next = Faces::next(side), previous = Faces::previous(side);
     if(known_wave(left_side)->is_borrowed &&
        !(is_unmoved(next, Entrance::BEFORE) && is_unmoved(previous, Entrance::AFTER)))
@@ -198,7 +201,7 @@ private:
   // All edges opposite to a vertex, and the vertices beside it.
   void leave_vertex(Vertex_index v)
   {
-    Vertex_record& record = m_vertices[v];
+    Vertex_record& record = m_vertices.write(v);
     if(!record.is_waiting)
       return;
     record.is_waiting = false;
@@ -219,9 +222,8 @@ private:
     } while(h != first);
   }
 
-  double to_goal(Vertex_index v)
+  double to_goal(Vertex_record& record, Vertex_index v)
   {
-    Vertex_record& record = m_vertices[v];
     if(!record.has_bound) {
       const auto& metric = m_triangulation.metric();
       record.to_goal = metric.distance_lower_bound(metric.place(m_triangulation.input(), v), m_goal_place);
@@ -231,17 +233,18 @@ private:
   }
 
   // A path to v. It is left a little later, once it has been passed: then there is less that is done twice.
-  void reach(Vertex_index v, double distance, double delay)
+  Vertex_record& reach(Vertex_index v, double distance, double delay)
   {
-    Vertex_record& record = m_vertices[v];
+    Vertex_record& record = m_vertices.write(v);
     if(record.is_reached && record.distance <= distance)
-      return;
+      return record;
     record.distance = distance;
     record.is_reached = true;
-    if(distance + to_goal(v) > m_bound + m_total_error)
-      return;
+    if(distance + to_goal(record, v) > m_bound + m_total_error)
+      return record;
     record.is_waiting = true;
     m_queue.push({ordered_bits((std::max)(distance + delay, 0.0)), -1 - v.idx()});
+    return record;
   }
 
   // The wave of a side, if there is one.
@@ -262,7 +265,7 @@ private:
   void update(Index side, Entrance changed)
   {
     if(m_waves.size() < m_faces.size())
-      m_waves.resize(m_faces.size());
+      m_waves.resize(m_faces.size(), Wave());
     if(m_waves[static_cast<std::size_t>(side)].is_set ? !holds(side, changed) : !borrow(side))
       fit(side);
   }
@@ -395,11 +398,11 @@ private:
     ++wave.version;
     const double length = m_faces[side].length;
     const Vertex_index tail = m_faces[side].tail, head = m_faces[Faces::next(side)].tail;
-    reach(tail, wave.at_tail, length);
-    reach(head, wave.at_head, length);
+    const double from_tail = to_goal(reach(tail, wave.at_tail, length), tail);
+    const double from_head = to_goal(reach(head, wave.at_head, length), head);
     // A cone is not steeper than 1.
     wave.is_waiting =
-        (std::max)(wave.at_head + to_goal(tail), wave.at_tail + to_goal(head)) - length <= m_bound + m_total_error;
+        (std::max)(wave.at_head + from_tail, wave.at_tail + from_head) - length <= m_bound + m_total_error;
     if(wave.is_waiting)
       m_queue.push({wave.key(), side});
   }
@@ -472,8 +475,8 @@ private:
   Faces& m_faces;
   Vertex_index m_source;
   typename Triangulation::Metric::Place m_goal_place;
-  std::vector<Wave> m_waves; // of sides, that is, of halfedges that have been laid out
-  Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
+  Block_array<Wave> m_waves; // of sides, that is, of halfedges that have been laid out
+  Written_records<Vertex_index, Vertex_record> m_vertices;
   int m_free_updates;
   Heap_of_four<Entry> m_queue;
   double m_bound = infinity, m_error = 0, m_total_error = 0;

@@ -41,6 +41,7 @@ public:
     double length, cosine, sine;
     Input_halfedge_index halfedge;
     Vertex_index tail;
+    Index twin = -1; // the number of the other halfedge of the edge, if its face has been laid out
   };
 
   /* A direction from a vertex: an angle on from a halfedge that leaves it, in the face on the left. */
@@ -68,7 +69,7 @@ public:
 
   /* The same where the face has been laid out, otherwise -1; also for the other halfedge of the edge. */
   Index known_number(Input_halfedge_index h) const { return m_number[h] - 1; }
-  Index known_twin(Index side) const { return known_number(twin_index((*this)[side].halfedge)); }
+  Index known_twin(Index side) const { return (*this)[side].twin; }
 
   const Side& operator[](Index side) const { return m_sides[static_cast<std::size_t>(side)]; }
   static Index next(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
@@ -160,8 +161,12 @@ private:
 
   void add(const Side& side)
   {
+    const Index number = static_cast<Index>(m_sides.size()), twin = known_number(twin_index(side.halfedge));
     m_sides.push_back(side);
-    m_number[side.halfedge] = static_cast<Index>(m_sides.size());
+    m_sides.back().twin = twin;
+    if(twin >= 0)
+      m_sides[static_cast<std::size_t>(twin)].twin = number;
+    m_number[side.halfedge] = number + 1;
   }
 
   // Turns by the angles, and counts the half turns.

@@ -4,7 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_WINDOW_SEARCH_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/Block_array.h>
+#include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
+#include <CGAL/Flip_geodesics/internal/base/Written_records.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
@@ -83,11 +85,10 @@ public:
     if(!is_reached(m_source))
       offer(m_source, {0, 0, 0, 0}, {});
     while(!m_heap.empty() && m_windows.size() <= most_windows) {
-      const Entry entry = m_heap.front();
+      const Entry entry = m_heap.top();
       if(entry.priority >= (m_sweep == nullptr ? bound : (std::min)(bound, longest_tie(m_sweep->source()))))
         return;
-      std::pop_heap(m_heap.begin(), m_heap.end());
-      m_heap.pop_back();
+      m_heap.pop();
       if(!entry.is_vertex)
         propagate(entry.id);
       else if(const Vertex_index v(entry.id); is_due(m_vertices[v], entry.least))
@@ -96,7 +97,7 @@ public:
   }
 
   /* No path to the target, or to a vertex that is not reached yet, is shorter than this unless it is known. */
-  double lower_bound() const { return m_heap.empty() ? infinity : m_heap.front().priority; }
+  double lower_bound() { return m_heap.empty() ? infinity : m_heap.top().priority; }
 
   /* The length of the shortest path found to a vertex; infinite if there is none yet. */
   double distance(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.computed : infinity; }
@@ -161,7 +162,7 @@ private:
     Arrival arrival;
     double promised; // from which length the rays have to start at most that start here, for what they replace
     double started;  // from which they have started
-    bool is_reached, has_started, has_tie;
+    bool is_reached = false, has_started = false, has_tie = false;
   };
 
   // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
@@ -207,25 +208,20 @@ private:
     Index id; // of a window or a vertex
     bool is_vertex;
 
-    // std heaps hand out the largest.
-    bool operator<(const Entry& other) const
+    static std::size_t is_before(const Entry& a, const Entry& b)
     {
-      if(priority != other.priority)
-        return priority > other.priority;
-      return is_vertex != other.is_vertex ? other.is_vertex : id > other.id;
+      if(a.priority != b.priority)
+        return static_cast<std::size_t>(a.priority < b.priority);
+      return static_cast<std::size_t>(a.is_vertex != b.is_vertex ? a.is_vertex : a.id < b.id);
     }
   };
 
-  void push(double priority, double least, Index id, bool is_vertex)
-  {
-    m_heap.push_back({priority, least, id, is_vertex});
-    std::push_heap(m_heap.begin(), m_heap.end());
-  }
+  void push(double priority, double least, Index id, bool is_vertex) { m_heap.push({priority, least, id, is_vertex}); }
 
   // A path to v has been found.
   void offer(Vertex_index v, const Length& length, const Arrival& arrival)
   {
-    Vertex_record& record = m_vertices[v];
+    Vertex_record& record = m_vertices.write(v);
     if(!record.is_reached) {
       record.length = {infinity, infinity, infinity, 0};
       record.promised = infinity;
@@ -278,7 +274,7 @@ private:
   // No path to v that is known is shorter than this.
   void lower(Vertex_index v, double least, double error)
   {
-    Vertex_record& record = m_vertices[v];
+    Vertex_record& record = m_vertices.write(v);
     if(least >= record.length.least)
       return;
     record.length.least = least;
@@ -311,8 +307,9 @@ private:
     const Length before = m_vertices[v].length;
     const double allowance = m_faces.is_flat(v) ? row_allowance * before.error : 0.0;
     const double sigma = (std::min)(before.least - allowance, m_vertices[v].promised);
-    m_vertices[v].started = sigma;
-    m_vertices[v].has_started = true;
+    Vertex_record& record = m_vertices.write(v);
+    record.started = sigma;
+    record.has_started = true;
     const Input_halfedge_index first = input.outgoing(v);
     if(first == null_index)
       return;
@@ -372,7 +369,7 @@ private:
     if(offset > 32 * w.radius || !(2 * farthest < m_faces.nearest_edge(v)))
       return false;
     const double least = w.least(place) - 2 * offset;
-    Vertex_record& record = m_vertices[v];
+    Vertex_record& record = m_vertices.write(v);
     if(record.has_started)
       return record.started <= least;
     if(least < record.promised) {
@@ -433,7 +430,7 @@ private:
     if(!(length.most < infinity))
       return {true, true};
     if(m_splits.size() < m_faces.size())
-      m_splits.resize(m_faces.size());
+      m_splits.resize(m_faces.size(), Split());
     Split& split = m_splits[static_cast<std::size_t>(side)];
     const bool is_worse = split.is_set && length.least > split.length;
     const double allowed = error + split.error;
@@ -484,10 +481,10 @@ private:
   Faces& m_faces;
   Vertex_index m_source;
   const Sweep* m_sweep;
-  Indexed_by<Vertex_index, Lazy_array<Vertex_record>> m_vertices;
-  std::vector<Split> m_splits; // of sides
+  Written_records<Vertex_index, Vertex_record> m_vertices;
+  Block_array<Split> m_splits; // of sides
   std::vector<Window> m_windows;
-  std::vector<Entry> m_heap;
+  Heap_of_four<Entry> m_heap;
 };
 
 } // namespace internal
