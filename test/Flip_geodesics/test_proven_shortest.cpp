@@ -7,12 +7,15 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -204,6 +207,45 @@ BOOST_AUTO_TEST_CASE(faces_without_area)
       BOOST_TEST(report.windows < 8000u, s << " to " << t);
     });
   }
+}
+
+// Of two lights that meet on an edge, as from two vertices: what is fitted to them is nowhere above them, and a cone
+// that is flatter by a hair is.
+BOOST_AUTO_TEST_CASE(fitted_cones_touch_what_they_are_fitted_to)
+{
+  using namespace FG::internal;
+  std::mt19937 random(1);
+  const auto number = [&](double from, double to) { return from + (to - from) * (random() / 4294967296.0); };
+  std::size_t touching = 0, fitted = 0;
+  for(int i = 0; i < 10000; ++i) {
+    const double length = number(0.1, 3), middle = length * number(0.1, 0.9);
+    const Cone first = {number(-2, 5), number(0.01, 5), 0};
+    const Cone moved = {first.x + number(-0.1, 0.1), first.y * number(0.9, 1.1), 0};
+    const Cone second = {moved.x, moved.y, first(middle) - moved(middle)};
+    Lit_parts parts;
+    parts.add(first, 0, middle);
+    parts.add(second, middle, length);
+    const double start = parts.least_at(0).value, end = parts.least_at(length).value;
+    const Cone cone = fitted_cone({0, start}, {length, end}, parts, 1e-14);
+    const auto excess = [&](const Cone& of) {
+      double most = -1;
+      for(int j = 0; j <= 200; ++j) {
+        const double q = length * j / 200;
+        most = (std::max)(most, of(q) - parts.part[q < middle ? 0 : 1].cone(q));
+      }
+      return (std::max)(most, of(middle) - first(middle));
+    };
+    BOOST_TEST(excess(cone) <= 1e-13);
+    BOOST_TEST(std::abs(cone(0) - start) <= 1e-13);
+    BOOST_TEST(std::abs(cone(length) - end) <= 1e-13);
+    if(cone.sigma <= (std::min)(first.sigma, second.sigma))
+      continue; // as flat as may be
+    ++fitted;
+    const Cones_through_ends cones(length, start, end);
+    touching += excess(cones(cone.sigma - 1e-3 * std::abs(cones.largest_sigma() - cone.sigma))) > 1e-14 ? 1 : 0;
+  }
+  BOOST_TEST(fitted > 3000u);
+  BOOST_TEST(touching * 100 > fitted * 95);
 }
 
 BOOST_AUTO_TEST_CASE(verdicts)

@@ -64,6 +64,10 @@ public:
   {
   }
 
+  double length() const { return m_length; }
+  double at_start() const { return m_start; }
+  double at_end() const { return m_end; }
+
   /* That of the lowest, which falls and rises with slope 1. */
   double largest_sigma() const { return 0.5 * (m_start + m_end - m_length); }
 
@@ -78,6 +82,12 @@ public:
     return value + ((1 - t) * a * a + t * b * b - place * (m_length - place)) / (2 * sag);
   }
 
+  /* That of the flattest one that does not rise more than this at the first end; minus infinity if all do not. */
+  double sigma_at_start(double slope) const { return m_start + sigma_from_end(slope * m_length + m_start - m_end); }
+
+  /* That of the flattest one that does not rise less than this at the second end; minus infinity if all do not. */
+  double sigma_at_end(double slope) const { return m_end + sigma_from_end(m_end - m_start - slope * m_length); }
+
   Cone operator()(double sigma) const
   {
     const double a = m_start - sigma, b = m_end - sigma;
@@ -86,6 +96,15 @@ public:
   }
 
 private:
+  // Less the distance from the first end to the point: the slope there, times the length, is what the values rise from
+  // that end on, less `(length^2 - rise^2) / (2 distance)`. `steepness` is what it may be, less the rise.
+  double sigma_from_end(double steepness) const
+  {
+    const double rise = m_end - m_start;
+    return steepness < 0 ? 0.5 * (std::max)((m_length - rise) * (m_length + rise), 0.0) / steepness
+                         : -std::numeric_limits<double>::infinity();
+  }
+
   double m_length, m_start, m_end;
 };
 

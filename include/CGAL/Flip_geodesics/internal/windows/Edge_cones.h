@@ -121,6 +121,27 @@ inline double sigma_below(const Cone& cone, const Cones_through_ends& cones, con
 }
 
 /*
+ * The sigma of the flattest cone that is not above a part at the ends of the part; at an end that the part shares with
+ * the edge, the cone does not rise over it from there. Mostly it is not above the part in between then, since two cones
+ * have two places in common at most.
+ */
+inline double sigma_at_ends(const Lit_part& part, const Cones_through_ends& cones, double error)
+{
+  const auto& [cone, from, to] = part;
+  const double at_from = cone(from), at_to = cone(to);
+  double before = -Lit_parts::infinity, after = -Lit_parts::infinity;
+  if(from > 0)
+    before = cones.sigma(from, at_from);
+  else if(at_from <= cones.at_start() + error && at_from > cone.sigma)
+    before = cones.sigma_at_start((from - cone.x) / (at_from - cone.sigma));
+  if(to < cones.length())
+    after = cones.sigma(to, at_to);
+  else if(at_to <= cones.at_end() + error && at_to > cone.sigma)
+    after = cones.sigma_at_end((to - cone.x) / (at_to - cone.sigma));
+  return (std::max)(before, after);
+}
+
+/*
  * The flattest cone that has the given values at two places, is below all parts between them, and whose point is no
  * farther away than theirs.
  *
@@ -130,8 +151,9 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
 {
   const double length = end.place - start.place;
   const auto moved_back = [&start](const Cone& cone) { return Cone{cone.x + start.place, cone.y, cone.sigma}; };
+  const Cones_through_ends cones(length, start.value, end.value);
   Lit_parts parts;
-  double sigma = Lit_parts::infinity, middle = Lit_parts::infinity;
+  double sigma = Lit_parts::infinity, least = -Lit_parts::infinity;
   for(std::size_t i = 0; i < all.size; ++i) {
     const auto& [cone, from, to] = all.part[i];
     const Cone moved = {cone.x - start.place, cone.y, cone.sigma};
@@ -140,13 +162,10 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
       continue;
     parts.add(moved, begin, finish);
     sigma = (std::min)(sigma, cone.sigma);
-    if(begin <= 0.5 * length && 0.5 * length <= finish)
-      middle = (std::min)(middle, moved(0.5 * length));
+    least = (std::max)(least, sigma_at_ends({moved, begin, finish}, cones, error));
   }
-  const Cones_through_ends cones(length, start.value, end.value);
-  if(middle < Lit_parts::infinity)
-    sigma = (std::max)(sigma, cones.sigma(0.5 * length, middle));
-  // Where it touches a part, it may be a little too high beside that place: a little more, then.
+  sigma = (std::max)(sigma, least);
+  // Where it touches a part in the middle, it may be a little too high beside that place: a little more, then.
   for(double more = 3e-3; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
     const Cone cone = cones(sigma);
     const double lower = sigma_below(cone, cones, parts, error);
