@@ -48,7 +48,7 @@ enum class Distance_field_status {
   COMPLETE,            ///< all distances are known
   RADIUS_REACHED,      ///< those up to the radius
   TARGETS_REACHED,     ///< those of the targets
-  WINDOW_LIMIT_REACHED ///< those up to `Geodesic_distance_field::reach()`
+  WINDOW_LIMIT_REACHED ///< those up to `Geodesic_distance_field::reach()`; also if faces without area lead rays round
 };
 
 /// \ingroup PkgFlipGeodesicsDistances
@@ -248,7 +248,7 @@ public:
       const std::size_t next_look = m_propagation.number_of_windows() + between_looks;
       m_propagation.template run<ConcurrencyTag>(bound, limits.targets.empty() ? most : (std::min)(most, next_look));
       m_reach = m_propagation.reach();
-      if(m_reach == infinity || m_reach >= bound || m_propagation.number_of_windows() > most) {
+      if(m_reach == infinity || m_reach >= bound || m_propagation.is_given_up(most)) {
         report.status = status_at(limits, bound);
         break;
       }

@@ -146,6 +146,24 @@ BOOST_AUTO_TEST_CASE(light_passes_faces_without_area)
   }
 }
 
+// All corners of a tetrahedron on one line: rays go round and round those in between.
+BOOST_AUTO_TEST_CASE(rays_that_go_round_faces_without_area_are_given_up)
+{
+  const Asked_surface s(
+      Mesh_soup{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+  for(Vertex_index v : descriptors<Vertex_index>(4)) {
+    Field field(s.triangulation, s.mesh);
+    field.add_source(v);
+    const auto report = field.compute();
+    BOOST_TEST(report.has_flat_face);
+    BOOST_TEST(report.windows < 100000u);
+    BOOST_TEST((report.status == FG::Distance_field_status::COMPLETE) == (field.reach() == infinity));
+    for(Vertex_index w : descriptors<Vertex_index>(4))
+      if(field.distance(w) < infinity)
+        BOOST_TEST(std::abs(field.distance(w) - std::abs(v.idx() - w.idx())) < 1e-12);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_default_limit_grows_like_the_windows)
 {
   double windows = 0;

@@ -85,6 +85,8 @@ public:
   std::size_t capacity() const { return m_capacity; }
   /* Of how many windows there is room in blocks that have been given back. */
   std::size_t spare() const { return m_spare; }
+  /* How many windows an edge has had at most. */
+  std::size_t most_on_an_edge() const { return m_most_on_an_edge; }
 
   /* Takes the windows of an edge away. */
   void clear(Edge_windows& windows, Index edge)
@@ -260,6 +262,7 @@ private:
     }
     std::copy(m_result.begin(), m_result.end(), l.first + first);
     l.size = size;
+    m_most_on_an_edge = (std::max)(m_most_on_an_edge, static_cast<std::size_t>(size));
   }
 
   static constexpr std::uint32_t room(std::uint32_t block) { return 1u << (block - 1); }
@@ -308,7 +311,7 @@ private:
   Window* m_next = nullptr;                      // unused in the last chunk
   std::size_t m_left = 0;                        // how many windows there are behind it
   std::array<std::vector<Window*>, 32> m_unused; // blocks, by the logarithm of their room
-  std::size_t m_made = 0, m_capacity = 0, m_spare = 0;
+  std::size_t m_made = 0, m_capacity = 0, m_spare = 0, m_most_on_an_edge = 0;
   // Of the insertion that is going on:
   std::vector<Window> m_result;
   std::vector<Interval> m_lost, m_old_lost; // parts of the new window, and of an old one

@@ -46,6 +46,7 @@ class Window_propagation
   using State = Field_state<Triangulation>;
   using Worker = Round_worker<Triangulation>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t most_on_an_edge = 5000; // windows
 
 public:
   /* \param keeps_windows if not, windows are given back once the front has passed them */
@@ -98,7 +99,7 @@ public:
     make_workers(team.most_members());
     if(m_workers.size() > 1)
       m_state->sides.share();
-    while(number_of_windows() <= most_windows && reach() < bound) {
+    while(!is_given_up(most_windows) && reach() < bound) {
       if(m_is_populated)
         take_round(team, bound);
       else
@@ -143,6 +144,15 @@ public:
   bool has_flat_face() const
   {
     return std::any_of(m_workers.begin(), m_workers.end(), [](const auto& w) { return w->has_flat_face(); });
+  }
+
+  /* Are there too many windows? Or so many on one edge that rays go round and round vertices that faces without area put
+   * into one place? They would for as long as roundings let them. */
+  bool is_given_up(std::size_t most_windows) const
+  {
+    const auto is_crowded = [](const auto& w) { return w->inserter().most_on_an_edge() > most_on_an_edge; };
+    return number_of_windows() > most_windows ||
+           (has_flat_face() && std::any_of(m_workers.begin(), m_workers.end(), is_crowded));
   }
 
 private:
