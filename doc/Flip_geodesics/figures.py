@@ -561,6 +561,12 @@ def flattening(tools):
     return panels
 
 
+def is_torn(points, plane, face):
+    """Is a side of a face much longer in a plane than in space, as where shortest paths arrive from two sides?"""
+    return any(math.dist(plane[v], plane[w]) > 6 * math.dist(points[v], points[w])
+               for v, w in zip(face, face[1:] + face[:1]))
+
+
 @figure(1160)
 def logarithmic_map(tools):
     """The plane about one vertex, a grid and circles, laid over a scan by the logarithmic map."""
@@ -574,6 +580,8 @@ def logarithmic_map(tools):
     for numbers in (([x for x, _ in plane], [y for _, y in plane]), ([math.hypot(x, y) for x, y in plane],)):
         panel = surface_panel(points, data['f'])
         near = [f for f in data['f'] if all(math.hypot(*plane[v]) < 0.62 for v in f)]
+        if len(numbers) > 1:  # circles do not tear
+            near = [f for f in near if not is_torn(points, plane, f)]
         for values, name in zip(numbers, (RESULT, SECOND)):
             panel.contours(points, near, values, [0.05 * k + 0.001 for k in range(-13, 13)], name, 0.0035)
         panel.balls([points[source]], FIXED, 0.022)
