@@ -71,7 +71,7 @@ public:
     return result;
   }
 
-  /* More than what coordinates of `near()` are off. */
+  /* More than what coordinates of `close_by()` are off. */
   double rounding() const { return 8 * 0x1p-53 * m_size; }
 
   /* Is c on the left of the line from a to b, as seen against a direction? */
