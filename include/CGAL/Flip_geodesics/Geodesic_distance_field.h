@@ -387,7 +387,7 @@ public:
     return result;
   }
 
-  /* What its windows say; for tangents. */
+  /// What its windows say, as functions of this package ask them; it can change with any version.
   Query query() const { return Query(m_triangulation, m_propagation, m_parts_by_face); }
 
 private:
