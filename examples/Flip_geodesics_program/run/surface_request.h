@@ -125,9 +125,9 @@ inline void put_on_mesh(const Curve_request& request, Curve_result& result)
     return;
   result.source = request.vertices.front();
   result.target = request.vertices.back();
-  for(auto [point, v] :
-      {std::make_pair(&result.points.front(), result.source), std::make_pair(&result.points.back(), result.target)})
-    point->on_surface.a = point->on_surface.b = v;
+  const auto put = [](Curve_point& point, Vertex_index v) { point.on_surface.a = point.on_surface.b = v; };
+  put(result.points.front(), result.source);
+  put(result.points.back(), result.target);
 }
 
 } // namespace program
