@@ -113,6 +113,9 @@ foreach(case "flattening_example flattening.obj 0 1 2" "geodesic_tree_example lo
 endforeach()
 
 # The listing of README.md.
+if(NOT TARGET readme_example)
+  return()
+endif()
 file(WRITE ${example_dir}/no_vertex.off "OFF\n0 0 0\n")
 file(WRITE ${example_dir}/one_vertex.off "OFF\n1 0 0\n0 0 0\n")
 file(WRITE ${example_dir}/two_parts.off

@@ -14,7 +14,12 @@ constexpr int scale = 1;
 
 /// One in so many cases is looked at where the standard library checks, for instance, all of a heap for each change, or
 /// a sanitizer checks each access.
-#if defined(_GLIBCXX_DEBUG) || defined(__SANITIZE_ADDRESS__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) // as clang++ says it
+#define FLIP_GEODESICS_TEST_SANITIZED
+#endif
+#endif
+#if defined(_GLIBCXX_DEBUG) || defined(__SANITIZE_ADDRESS__) || defined(FLIP_GEODESICS_TEST_SANITIZED)
 constexpr int stride = 5;
 #else
 constexpr int stride = 1;
