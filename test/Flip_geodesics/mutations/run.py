@@ -8,6 +8,7 @@
   python3 test/Flip_geodesics/mutations/run.py --build DIR --table         what is known so far
   python3 test/Flip_geodesics/mutations/run.py --build DIR --record        the same, into results.csv beside the list
   python3 test/Flip_geodesics/mutations/run.py --check                     is the list up to date?
+  python3 test/Flip_geodesics/mutations/run.py --parse                     does clang++ understand it? half a minute
 
 To compile each test program once and not once per mutation, all mutations are put into one copy of the headers: an
 expression E with a mutation M becomes (::mutation::is_active(17) ? (M) : (E)), a statement S that is dropped becomes
@@ -298,6 +299,17 @@ def copy_headers(include, target, change):
             write_if_changed(os.path.join(target, relative), change(header, text))
 
 
+def copy_with_all(include, tree, entries, ranges):
+    """Copies the headers, with all mutations that are decided while running, to the folder `tree`, and returns that."""
+    per_header = collections.defaultdict(list)
+    for e in entries:
+        if e.kind != "alone" and e.number in ranges:
+            per_header[e.header].append(e)
+    copy_headers(include, tree,
+                 lambda header, text: with_all(text, per_header[header], ranges) if header in per_header else text)
+    return tree
+
+
 # ---------------------------------------------------------------- compiling
 
 
@@ -381,6 +393,30 @@ class Compiler:
         name = os.path.join(self.build, "plain", "switch.h")
         write_if_changed(name, SWITCH)
         return name
+
+
+def parse(include, entries, ranges):
+    """Do all mutations parse, with names that are known where templates are read? clang++ looks at them together, in one
+    source with all headers, and goes on after errors. Prints what does not parse; entries `alone` are not looked at."""
+    with tempfile.TemporaryDirectory() as build:
+        tree = copy_with_all(include, os.path.join(build, "include"), entries, ranges)
+        write_if_changed(os.path.join(build, "switch.h"), SWITCH)
+        headers = sorted(os.path.relpath(os.path.join(folder, name), tree) for folder, _, names in os.walk(tree)
+                         for name in names if name.endswith(".h"))
+        source = os.path.join(build, "all.cpp")
+        write_if_changed(source, "".join(f"#include <{header}>\n" for header in headers))
+        command = ["clang++", "-std=c++17", "-fsyntax-only", "-w", "-frounding-math", "-ferror-limit=0", "-I", tree,
+                   "-isystem", "/usr/include/eigen3", "-include", os.path.join(build, "switch.h"), source]
+        try:
+            result = subprocess.run(command, stderr=subprocess.PIPE, universal_newlines=True, check=False)
+        except FileNotFoundError:
+            fail("--parse needs clang++")
+        for name, line, message in re.findall(r"^(.*):(\d+):\d+: (?:fatal )?error: (.*)$", result.stderr, re.M):
+            text = open(name, encoding="utf-8").read().split("\n")[int(line) - 1]
+            numbers = re.findall(r"::mutation::is_active\((\d+)\)", text)
+            print(f"DOES NOT PARSE: {' or '.join(numbers) or 'mutations'} of {os.path.relpath(name, tree)}: {message}")
+        print("all headers with all mutations parse" if result.returncode == 0 else "some mutations do not parse")
+        return result.returncode == 0
 
 
 # ---------------------------------------------------------------- running
@@ -562,6 +598,7 @@ def arguments():
     parser.add_argument("--shard", default="0/1", help="i/n: every n-th entry, from the i-th on")
     parser.add_argument("--again", action="store_true", help="what survived is run again")
     parser.add_argument("--check", action="store_true", help="only checks the list against the headers")
+    parser.add_argument("--parse", action="store_true", help="only checks list and syntax of mutations, by clang++")
     parser.add_argument("--table", action="store_true", help="only prints the table")
     parser.add_argument("--record", action="store_true", help="only writes what is known beside the list")
     parser.add_argument("--skip-alone", action="store_true", help="without those that are compiled by themselves")
@@ -583,8 +620,9 @@ def main():
     entries = read_list(options.list)
     ranges, stale = locate_all(entries, options.include)
     print(f"{len(entries)} mutations of {len({e.header for e in entries})} headers, {len(stale)} stale")
-    if options.check:
-        sys.exit(1 if stale else 0)
+    if options.check or options.parse:
+        parses = not options.parse or parse(options.include, entries, ranges)
+        sys.exit(1 if stale or not parses else 0)
     if not options.build:
         fail("--build is missing")
     build = os.path.abspath(options.build)
@@ -598,13 +636,7 @@ def main():
         sys.exit(1 if stale else 0)
 
     fresh = [e for e in entries if e.number in ranges]
-    per_header = collections.defaultdict(list)
-    for e in fresh:
-        if e.kind != "alone":
-            per_header[e.header].append(e)
-    tree = os.path.join(build, "include")
-    copy_headers(options.include, tree,
-                 lambda header, text: with_all(text, per_header[header], ranges) if header in per_header else text)
+    tree = copy_with_all(options.include, os.path.join(build, "include"), fresh, ranges)
     compiler = Compiler(options, build)
     names = sorted(n[:-4] for n in os.listdir(TESTS) if n.startswith("test_") and n.endswith(".cpp"))
     programs = {}
