@@ -9,6 +9,7 @@
 #include "generated_meshes.h"
 #include "rolled_out_surfaces.h"
 
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
@@ -373,18 +374,94 @@ BOOST_AUTO_TEST_CASE(a_leg_is_proven_if_and_only_if_it_is_straight)
     Triangulation t(mesh);
     const auto at = [&](int x, int y) { return t.location(FG::Vertex_index(grid_vertex(n, x, y))); };
     const int step = i % 4 < 2 ? 1 : -1; // from above or below
-    Editor editor(t, {at(0, n / 2), at(n, n / 2 + 3 * step)});
+    Editor editor(t, {at(0, n / 2), at(n, n / 2 + 3 * step), at(n, step > 0 ? n : 0)});
+    FG::Move_report report;
     for(int y : {2, 1, 0}) {
-      const FG::Move_report report = editor.move(1, at(n, n / 2 + y * step));
+      report = editor.move(1, at(n, n / 2 + y * step));
       BOOST_TEST(report.legs_by_flips == 0u); // as they prove no more, with traits in doubles
     }
-    BOOST_TEST(std::abs(editor.length() - n) < 1e-14);
+    BOOST_TEST(std::abs(editor.leg_length(0) - n) < 1e-14);
     const bool is_straight = is_on_line(t, editor.leg(0));
     BOOST_TEST((editor.verdict(0) == FG::Certificate_verdict::PROVEN) == is_straight);
+    BOOST_TEST(is_geodesic(editor.verdict(1)));
+    BOOST_TEST(is_geodesic(report.verdict) == is_straight); // the worst of both
     ++(is_straight ? straight : bent);
+    // With certified decisions flips prove what doubles do not.
+    FG::Intrinsic_triangulation<Surface, FG::Certified_intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>>
+        certified(mesh);
+    FG::Curve_editor<decltype(certified)> proven(certified, {at(0, n / 2), at(n, n / 2 + step)});
+    BOOST_TEST((proven.move(1, at(n, n / 2)).legs_by_flips == 1u) == !is_straight);
+    BOOST_TEST((proven.verdict(0) == FG::Certificate_verdict::PROVEN));
   }
   BOOST_TEST(straight > 5u);
   BOOST_TEST(bent > 5u);
+}
+
+BOOST_AUTO_TEST_CASE(angles_from_leg_to_leg_go_round_their_vertex)
+{
+  Curve_setting s(flat_grid(7, 7, Diagonal_rule::RISING));
+  struct Seen
+  {
+    FG::Crossing_word word;
+    FG::internal::Word_angle angle;
+  };
+  const auto seen = [&](int x, int y) { // from the vertex (2, 2)
+    s.network.clear();
+    s.triangulation.rollback();
+    s.add_path(FG::Vertex_index(grid_vertex(7, 2, 2)), FG::Vertex_index(grid_vertex(7, x, y)));
+    FG::shorten(s.network);
+    Seen result;
+    s.network.for_each_segment(0_c, [&](FG::Segment_index segment) {
+      result.word = s.triangulation.crossing_word(s.network.halfedge(segment));
+    });
+    const FG::internal::Strip<Curve_setting::Triangulation> strip(s.triangulation, result.word);
+    result.angle = FG::internal::tail_angle(strip);
+    return result;
+  };
+  FG::Decision_statistics statistics;
+  const auto compare = [&](const Seen& a, const Seen& b) {
+    return FG::internal::compare_clockwise(s.triangulation, statistics, {a.word, true, a.angle},
+                                           {b.word, true, b.angle});
+  };
+  const Seen low = seen(5, 3), high = seen(4, 3), left = seen(1, 4); // the first two in one corner
+  s.network.clear();
+  s.triangulation.rollback();
+  BOOST_TEST(compare(high, low) == CGAL::SMALLER);
+  BOOST_TEST(compare(low, high) == CGAL::LARGER);
+  BOOST_TEST(compare(left, low) == CGAL::SMALLER);
+  BOOST_TEST(compare(low, left) == CGAL::LARGER);
+  Seen same = low; // but for rounding
+  same.angle.angle += same.angle.error;
+  BOOST_TEST(compare(low, same) == CGAL::SMALLER);
+  BOOST_TEST(compare(same, low) == CGAL::SMALLER);
+}
+
+BOOST_AUTO_TEST_CASE(polylines_are_divided_anywhere)
+{
+  const Curve_setting s(flat_grid(4, 4, Diagonal_rule::RISING));
+  const auto at = [&](const Flat_point& p) {
+    return FG::internal::canonical_location(
+        s.triangulation.input(), FG::surface_location(s.triangulation, s.mesh, location_on_grid(s.mesh, s.mesh, p)));
+  };
+  const FG::internal::Polyline_measure<Curve_setting::Triangulation> measure(s.triangulation);
+  const Polyline polyline = {at({0.75, 0.5}), at({1, 0.5}), at({1.5, 0.5})};
+  const double length = measure.length(polyline);
+  BOOST_TEST(length == 0.75);
+  for(double distance : {-0.1, 0.0, 0.1, 0.25, 0.7, 0.75, 0.8}) {
+    const auto [first, second] = measure.divided(polyline, distance);
+    const double expected = std::min(std::max(distance, 0.0), length);
+    BOOST_TEST(std::abs(measure.length(first) - expected) < 1e-15);
+    BOOST_TEST(std::abs(measure.length(second) - (length - expected)) < 1e-15);
+    BOOST_TEST(first.size() + second.size() == 5u);
+    BOOST_TEST(is_same(first.back(), second.front()));
+    for(double weight : first.back().weights)
+      BOOST_TEST((weight >= 0 && weight <= 1));
+  }
+  // By rounding next to the edge is on the edge.
+  BOOST_TEST((kind(measure.divided(polyline, std::nextafter(0.25, 0)).first.back()) == FG::Location_kind::EDGE));
+  const Polyline one_place = {polyline[0], polyline[0]};
+  for(const Surface_location& p : measure.divided(one_place, 0).first)
+    BOOST_TEST(measure.length({p, polyline[0]}) == 0);
 }
 
 // Along the border, from both sides of its edges, off it, and back.
@@ -467,6 +544,9 @@ BOOST_AUTO_TEST_CASE(no_move_after_bad_input)
   BOOST_CHECK_THROW(editor.move_along(0, {}), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(editor.move_along(0, {at(1.4, 1.2), at(1.4, 1.3)}), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(editor.move_along(0, {editor.point(0), at(3.4, 1.3)}), FG::Invalid_curve_error);
+  Surface_location beside = editor.point(0); // in the same face
+  std::swap(beside.weights[0], beside.weights[1]);
+  BOOST_CHECK_THROW(editor.move_along(0, {beside, editor.point(0)}), FG::Invalid_curve_error);
   BOOST_TEST(is_unchanged());
   BOOST_TEST(editor.move_along(0, {editor.point(0)}).legs == 0u);
   BOOST_TEST(is_unchanged());
@@ -484,6 +564,22 @@ BOOST_AUTO_TEST_CASE(no_move_after_bad_input)
   editor.move(2, at(3.4, 3.3));
   editor.forget_moves();
   BOOST_TEST(!editor.undo());
+}
+
+BOOST_AUTO_TEST_CASE(a_way_can_start_at_a_vertex_as_any_halfedge_tells_it)
+{
+  const Curve_setting s(flat_grid(4, 4, Diagonal_rule::RISING));
+  Triangulation t(s.mesh);
+  const FG::Vertex_index v(grid_vertex(4, 2, 2));
+  Editor editor(t, {t.location(FG::Vertex_index(0)), t.location(v)});
+  int told = 0;
+  for(FG::Input_halfedge_index h : FG::internal::descriptors<FG::Input_halfedge_index>(t.number_of_halfedges()))
+    if(t.input().tail(h) == v) {
+      editor.move_along(1, {{h, {{1, 0, 0}}}, t.location(FG::Vertex_index(grid_vertex(4, 3, 2)))});
+      BOOST_TEST(editor.undo());
+      ++told;
+    }
+  BOOST_TEST(told == 6);
 }
 
 BOOST_AUTO_TEST_CASE(a_way_says_in_which_class_a_leg_goes_on)
