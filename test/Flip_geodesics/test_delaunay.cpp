@@ -134,6 +134,21 @@ BOOST_AUTO_TEST_CASE(ties_are_delaunay_both_ways)
   }
 }
 
+BOOST_AUTO_TEST_CASE(ties_are_ties_in_all_units)
+{
+  // Two triangles with one circumcircle, on either side of a chord of it.
+  const Coordinates a = {16, -63, 0}, b = {16, 63, 0};
+  for(int exponent = -230; exponent <= 220; exponent += exponent < -100 || exponent > 100 ? 5 : 29)
+    for(double right : {25., 33., 39., 52., 56., 60., 63., 65.})
+      for(double left : {-16., -25., -33., -39., -52., -56., -60., -63.}) {
+        const Coordinates c = {right, std::sqrt(65 * 65 - right * right), 0};
+        const Coordinates d = {left, -std::sqrt(65 * 65 - left * left), 0};
+        const Certified_setting s(scaled({{a, b, c, d}, {{{1, 0, 2}}, {{0, 1, 3}}}}, std::ldexp(1, exponent)));
+        BOOST_CHECK_MESSAGE(FG::is_delaunay(s.triangulation),
+                            "points at " << right << " and " << left << ", in units of 2^" << exponent);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(from_any_triangulation_to_one)
 {
   // Without ties the Delaunay triangulation is unique, whatever the flips before; the double and the exact traits

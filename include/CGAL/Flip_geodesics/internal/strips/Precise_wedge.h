@@ -113,12 +113,13 @@ public:
     const Comparison_result quick = m_angle.compare_with_straight();
     if(quick != EQUAL || !has_bound())
       return quick;
-    // Near pi, the sine tells; errors are relative, as numbers are, to the product of lengths.
+    // Near pi, the sine tells; errors are relative, as numbers are, to the product of lengths. Of two wedges that is a
+    // fourth power, of which no square can be had: it is below the least double where lengths are below 2^-134.
     Double_double_vector rotation = {{1, 0}, {}};
     double error = 0;
     for(const Precise_wedge<Triangulation>& wedge : m_wedges)
       wedge.extend(rotation, error);
-    if(!(std::abs(rotation.y.high) > 2 * error * length(rotation)))
+    if(!(std::abs(rotation.y.high) > 2 * error * (std::abs(rotation.x.high) + std::abs(rotation.y.high))))
       return EQUAL;
     return rotation.y.high > 0 ? SMALLER : LARGER;
   }
