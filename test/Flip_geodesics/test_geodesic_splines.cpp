@@ -523,6 +523,7 @@ BOOST_AUTO_TEST_CASE(strands_across_a_control_point_are_told)
   FG::order_overlapping_curves(network);
   FG::Geodesic_spline<Network> spline(network, curve);
   BOOST_CHECK_THROW(spline.refine(), FG::Crossing_curves_error);
+  BOOST_TEST(network.is_valid());
 }
 
 // The second leg runs back over the first one, which it then leaves to its left or to its right.

@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
 
@@ -234,9 +235,9 @@ BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_all_valid)
 BOOST_AUTO_TEST_CASE(a_failed_allocation_leaves_a_loop_valid)
 {
   const Vertex_sequence loop = disk_ring(6, 1);
-  const std::size_t failures =
-      fail_each_allocation(thirteen_vertex_cone_disk(), [&](Setting& failing) { failing.add(loop, true); },
-                           [](Setting& failing) { BOOST_TEST_REQUIRE(failing.pull().is_complete()); });
+  const std::size_t failures = fail_each_allocation(
+      thirteen_vertex_cone_disk(), [&](Setting& failing) { failing.add(loop, true); },
+      [](Setting& failing) { BOOST_TEST_REQUIRE(failing.pull().is_complete()); });
   BOOST_TEST(failures > 10u);
 }
 
@@ -386,6 +387,42 @@ BOOST_AUTO_TEST_CASE(a_field_goes_on_when_there_is_memory_again)
     }
     BOOST_TEST(failures > 30u);
   }
+}
+
+// What adds a curve by flips takes them back, so that the next one can be added.
+template <class Add>
+void add_while_each_allocation_fails(const Mesh_soup& soup, std::size_t least_failures, const Add& add)
+{
+  std::size_t failures = 0;
+  bool is_added = false;
+  for(std::size_t allocations = 0; !is_added; ++allocations) {
+    Setting setting(soup);
+    Setting::Search search(setting.triangulation);
+    const std::vector<Halfedge_index> path = search(Vertex_index(0), Vertex_index(27));
+    allocations_left = allocations;
+    try {
+      add(setting, search, path);
+      is_added = true;
+    } catch(const std::bad_alloc&) {
+      ++failures;
+    }
+    allocations_left = std::numeric_limits<std::size_t>::max();
+    BOOST_TEST_REQUIRE(setting.network.number_of_curves() == (is_added ? 1 : 0));
+    BOOST_TEST_REQUIRE((is_added || setting.triangulation.log_position() == 0));
+    BOOST_TEST_REQUIRE(setting.triangulation.is_valid());
+  }
+  BOOST_TEST(failures > least_failures);
+}
+
+BOOST_AUTO_TEST_CASE(a_path_is_added_by_flips_or_nothing_is_flipped)
+{
+  const Mesh_soup soup = bumpy_sphere(4, 0.2, 1);
+  add_while_each_allocation_fails(soup, 10u, [](Setting& setting, auto&, const std::vector<Halfedge_index>& path) {
+    FG::add_straightened_path(setting.network, path);
+  });
+  add_while_each_allocation_fails(soup, 10u, [](Setting& setting, auto& search, const auto&) {
+    FG::add_shortest_path(setting.network, search, Vertex_index(0), Vertex_index(27));
+  });
 }
 
 // Streams tell of a failed allocation by their state, so that a text can seem to be cut off.

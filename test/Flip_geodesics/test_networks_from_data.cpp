@@ -9,12 +9,14 @@
 
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -264,4 +266,42 @@ BOOST_AUTO_TEST_CASE(marked_edges_that_end_inside)
   BOOST_TEST(FG::add_marked_edges(setting.network, setting.mesh, is_marked) == 1);
   BOOST_TEST(setting.network.halfedges(0_c).size() == 2u);
   BOOST_TEST(!setting.network.is_closed(0_c));
+}
+
+// The map of a program's own ends it at each of its calls; so does a length, among the curves that are added.
+BOOST_AUTO_TEST_CASE(what_throws_leaves_an_empty_network)
+{
+  struct Interruption
+  {
+  };
+  bool is_done = false;
+  int after_a_curve = 0;
+  for(int calls = 0; !is_done; ++calls) {
+    Setting setting(bumpy_sphere(2, 0.1, 3));
+    const Region_map regions = label(setting.mesh, octant);
+    int left = calls;
+    const auto region = [&](Surface::Face_index f) {
+      if(left-- == 0) {
+        after_a_curve += setting.network.number_of_curves() > 0 ? 1 : 0;
+        throw Interruption();
+      }
+      return regions[f];
+    };
+    try {
+      FG::add_region_boundaries(setting.network, setting.mesh,
+                                boost::make_function_property_map<Surface::Face_index, int>(region), Junctions::FREE);
+      is_done = true;
+    } catch(const Interruption&) {
+      BOOST_TEST_REQUIRE(setting.network.number_of_curves() == 0);
+    }
+  }
+  BOOST_TEST(after_a_curve > 10);
+
+  Setting setting(flat_grid(4, 4, Diagonal_rule::RISING));
+  auto is_marked = setting.mesh.add_property_map<Surface::Edge_index, bool>("e:marked", false).first;
+  for(const auto e : setting.mesh.edges())
+    is_marked[e] = true;
+  setting.mesh.point(Surface::Vertex_index(24)) = {1, 1, std::numeric_limits<double>::quiet_NaN()};
+  BOOST_CHECK_THROW(FG::add_marked_edges(setting.network, setting.mesh, is_marked), FG::Invalid_coordinate_error);
+  BOOST_TEST(setting.network.number_of_curves() == 0);
 }

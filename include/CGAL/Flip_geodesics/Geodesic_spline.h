@@ -82,7 +82,8 @@ public:
   /*!
    * Divides every piece at its middle, and so doubles their number.
    * \throws Insertion_error if the curve is divided more finely than numbers can tell
-   * \throws Crossing_curves_error if a strand crosses the curve at a control point that is freed
+   * \throws Crossing_curves_error if a strand crosses the curve at a control point that is freed; the network is valid
+   *         then, and the spline of no use any more
    * \throws Invalid_curve_error if a leg has shrunk to a point
    */
   void refine()
@@ -352,10 +353,12 @@ private:
       return;
     m_network.set_head_fixed(s, false);
     const Halfedge_index h = m_network.halfedge(s);
-    if(!m_network.is_non_crossing_at({Triangulation::twin(h), s}))
+    if(!m_network.is_non_crossing_at({Triangulation::twin(h), s})) {
+      m_network.set_head_fixed(s, true);
       throw Crossing_curves_error("a strand crosses the control polygon at vertex " +
                                       std::to_string(m_network.triangulation().head(h).idx()),
                                   {static_cast<std::size_t>(m_network.triangulation().head(h).idx())});
+    }
   }
 
   Network& m_network;

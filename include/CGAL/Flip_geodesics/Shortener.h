@@ -94,7 +94,8 @@ public:
 
   /// The steps taken so far in all runs [SC20, Algorithm 1].
   std::size_t number_of_steps() const { return m_state.steps; }
-  /// The edges flipped so far in all runs.
+  /// The edges flipped so far in all runs, those of steps that were taken back included: each run that is stopped adds
+  /// some.
   std::size_t number_of_flips() const { return m_state.flips; }
 
   /// The network's length, kept from step to step and not summed: constant time, and off by the rounding of the steps.

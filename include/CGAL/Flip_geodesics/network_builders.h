@@ -162,6 +162,21 @@ Indexed_by<Vertex_index, std::vector<Index>> degrees(const Triangulation& triang
   return result;
 }
 
+/* Calls `add()`, which adds curves. Returns how many; if it throws, a network that was empty is empty again. */
+template <class Network, class Add>
+Index add_all_or_none(Network& network, const Add& add)
+{
+  const Index before = network.number_of_curves();
+  try {
+    add();
+  } catch(...) {
+    if(before == 0)
+      network.clear();
+    throw;
+  }
+  return network.number_of_curves() - before;
+}
+
 /* Adds the chains of a set of edges between the vertices for which `is_node(v)` holds, and the closed ones. Returns how
  * many. \pre two edges end at each vertex of the set that is no node */
 template <class Network, class IsNode>
@@ -186,14 +201,14 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
     return chain;
   };
 
-  const Index before = network.number_of_curves();
-  for(Halfedge_index h : descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
-    if(is_open[Network::Triangulation::edge(h)] != 0 && is_node(triangulation.tail(h)))
-      network.add_curve(walk(h), false);
-  for(Edge_index e : descriptors<Edge_index>(triangulation.number_of_edges()))
-    if(is_open[e] != 0)
-      network.add_curve(walk(first_side(e)), true);
-  return network.number_of_curves() - before;
+  return add_all_or_none(network, [&] {
+    for(Halfedge_index h : descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
+      if(is_open[Network::Triangulation::edge(h)] != 0 && is_node(triangulation.tail(h)))
+        network.add_curve(walk(h), false);
+    for(Edge_index e : descriptors<Edge_index>(triangulation.number_of_edges()))
+      if(is_open[e] != 0)
+        network.add_curve(walk(first_side(e)), true);
+  });
 }
 
 } // namespace internal
@@ -203,7 +218,7 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
  *
  * Adds the network formed by the marked edges of the input mesh: a curve for each chain between vertices where other
  * than two marked edges meet, which are its fixed ends. A loop without such a vertex becomes a closed one. Curves are
- * numbered by their smallest edge. Linear in the mesh.
+ * numbered by their smallest edge. If it throws, a network that was empty is empty again. Linear in the mesh.
  *
  * \param mesh the triangulation's mesh
  * \param is_marked a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as values

@@ -146,7 +146,7 @@ private:
  * Between the curves of three regions that have met at one vertex, a gap opens, which belongs to none of them. Regions
  * still do not overlap, and every curve keeps its isotopy class among the others.
  *
- * Linear in the mesh.
+ * If it throws, or `regions` does, the network is empty again. Linear in the mesh.
  *
  * \param network an empty network in a triangulation whose edges are the input's
  * \param mesh the triangulation's mesh
@@ -170,18 +170,18 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
     return get(regions, internal::graph_face(triangulation.input().halfedge(internal::as_input(h)), mesh));
   };
   internal::Region_boundaries<Triangulation, decltype(region)> boundaries(triangulation, region);
-  const Index before = network.number_of_curves();
-  boundaries.for_each(
-      [&](const std::vector<Halfedge_index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
-  for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
-  { // each strand on the side of its region
-    std::vector<Segment_index> stack = network.stack(e);
-    if(stack.size() == 2 && network.halfedge(stack.front()) != internal::first_side(e)) {
-      std::swap(stack.front(), stack.back());
-      network.set_stack(e, stack);
+  return internal::add_all_or_none(network, [&] {
+    boundaries.for_each(
+        [&](const std::vector<Halfedge_index>& chain, bool is_closed) { network.add_curve(chain, is_closed); });
+    for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
+    { // each strand on the side of its region
+      std::vector<Segment_index> stack = network.stack(e);
+      if(stack.size() == 2 && network.halfedge(stack.front()) != internal::first_side(e)) {
+        std::swap(stack.front(), stack.back());
+        network.set_stack(e, stack);
+      }
     }
-  }
-  return network.number_of_curves() - before;
+  });
 }
 
 /*!
@@ -189,7 +189,7 @@ Index add_region_boundaries(Network& network, const TriangleMesh& mesh, FaceRegi
  *
  * Adds the seams of a texture as a network: the edges at whose ends the two faces have different texture coordinates,
  * at one end or both. Curves end where other than two seams meet, and so do those that end inside the surface or on its
- * border, which is no seam. Linear in the mesh.
+ * border, which is no seam. If it throws, or `texture` does, the network is empty again. Linear in the mesh.
  *
  * \param network an empty network in a triangulation whose edges are the input's
  * \param mesh the triangulation's mesh

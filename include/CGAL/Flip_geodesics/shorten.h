@@ -21,7 +21,9 @@ namespace Flip_geodesics {
  * Always ends. Deterministic: the smallest angle first, then the older segment, then the left side. A flip takes
  * constant time.
  *
- * \param network the curves; they are moved, and the edges around them flipped
+ * \param network the curves; they are moved, and the edges around them flipped. Where they share edges,
+ *        `order_overlapping_curves()` has to put them in order first. Curves that cross go on crossing, and no status
+ *        tells; `Edge_path_network::is_valid()` does.
  * \param stop a model of `FlipOutStopPredicate`
  * \param visitor a model of `FlipOutVisitor`
  * \throws Degenerate_face_error, Invalid_coordinate_error if a face that is touched is no triangle; the network and its

@@ -240,7 +240,8 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
  * \param limit beyond it the rest of the gap is reported
  * \param visitor a model of `FlipOutVisitor`, for the shortening
  * \return what is known; the path is the network's only curve
- * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`
+ * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`; the network is empty then, and
+ *         nothing is flipped, also if the visitor throws
  */
 template <class Network, class Search, class Visitor = Default_shortening_visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_index source, Vertex_index target,
@@ -249,6 +250,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  internal::Taken_back_on_failure<Network> guard(network);
   const std::vector<Vertex_index> ends = {source, target};
   const std::vector<Halfedge_index> edge_path = shortest_halfedges_through(search, ends);
   network.add_curve(edge_path, false);
@@ -299,6 +301,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_
                                     (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
   report.verdict = internal::verdict_of(report);
   report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
+  guard.dismiss();
   return report;
 }
 

@@ -58,6 +58,31 @@ std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_stra
   return path;
 }
 
+/* Empties a network and takes all flips back where it goes out of scope, unless it is dismissed before. */
+template <class Network>
+class Taken_back_on_failure
+{
+public:
+  explicit Taken_back_on_failure(Network& network)
+    : m_network(&network)
+  {
+  }
+  Taken_back_on_failure(const Taken_back_on_failure&) = delete;
+  Taken_back_on_failure& operator=(const Taken_back_on_failure&) = delete;
+  ~Taken_back_on_failure()
+  {
+    if(m_network == nullptr)
+      return;
+    m_network->clear();
+    m_network->triangulation().rollback(0);
+  }
+
+  void dismiss() { m_network = nullptr; }
+
+private:
+  Network* m_network;
+};
+
 } // namespace internal
 
 /*!
@@ -81,7 +106,8 @@ std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_stra
  *        itself is added
  * \return the number of flips
  *
- * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path
+ * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path; the network
+ *         is empty then, and nothing is flipped
  *
  * Complexity: that of some rounds over the strip, of which there are about as many as rows of vertices between the path
  * and the geodesic. The flips are linear in the edges that the geodesic crosses.
@@ -93,6 +119,7 @@ std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_i
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  internal::Taken_back_on_failure<Network> guard(network);
   internal::Strip_straightener<Triangulation> straightener(triangulation);
   std::size_t flips = 0;
   std::vector<Halfedge_index> straight;
@@ -103,10 +130,12 @@ std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_i
   {
     triangulation.rollback(0);
     network.add_curve(path, false);
+    guard.dismiss();
     return flips;
   }
   network.add_curve(straight, false);
   network.set_initial_length(Curve_index(0), straightener.path_length());
+  guard.dismiss();
   return flips;
 }
 
