@@ -94,6 +94,37 @@ BOOST_AUTO_TEST_CASE(plane_coordinates)
   }
 }
 
+// From any edge at an inner vertex on; on the border, and at an inserted vertex, from where they start anyway.
+BOOST_AUTO_TEST_CASE(angles_start_where_it_is_told)
+{
+  constexpr int n = 6;
+  Double_tree_setting setting(jittered_grid(n, n, Diagonal_rule::RISING, 0.2, 5));
+  const auto& input = setting.triangulation.input();
+  const Vertex_index inserted = setting.triangulation.insert({FG::Input_halfedge_index(0), {{1, 2, 0}}});
+  for(Vertex_index source : {Vertex_index(grid_vertex(n, 3, 3)), Vertex_index(grid_vertex(n, n, 2)), inserted}) {
+    setting.tree.grow(source);
+    const FG::Logarithmic_map usual = FG::logarithmic_map(setting.tree);
+    const bool is_inner = source == Vertex_index(grid_vertex(n, 3, 3));
+    for(FG::Input_halfedge_index h : FG::internal::descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
+      if(input.tail(h) != source && source != inserted)
+        continue;
+      const FG::Logarithmic_map map = FG::logarithmic_map(setting.tree, h);
+      for(Vertex_index v : setting.vertices()) {
+        const FG::Polar_coordinates &p = map.vertices[v], &q = usual.vertices[v];
+        if(v == source)
+          continue;
+        BOOST_TEST((is_inner || p.angle == q.angle));
+        BOOST_TEST((p.angle >= 0 && p.angle < map.total_angle + tolerance));
+        if(map.is_on_border) {
+          BOOST_TEST(is_close(map.in_plane(v)[0], p.radius * std::cos(p.angle), n));
+          BOOST_TEST(is_close(map.in_plane(v)[1], p.radius * std::sin(p.angle), n));
+        }
+      }
+    }
+    BOOST_TEST((is_inner || source == inserted || usual.is_on_border));
+  }
+}
+
 // The map of a cylinder unrolls it: each vertex comes to lie over one of the places that it has in the unrolled plane.
 BOOST_AUTO_TEST_CASE(cylinder_unrolls)
 {

@@ -6,6 +6,11 @@
 
 #include "test_surface_points/inserted_points.h"
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <array>
+#include <cstddef>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(points_in_flipped_triangulations)
@@ -77,6 +82,40 @@ BOOST_AUTO_TEST_CASE(locations_told_in_other_words_are_one_vertex)
   BOOST_TEST((kind(t.location(inside)) == FG::Location_kind::FACE));
   BOOST_TEST((kind(t.location(on_edge)) == FG::Location_kind::EDGE));
   BOOST_TEST((kind(t.location(2_v)) == FG::Location_kind::VERTEX));
+}
+
+// Where the border's halfedges are the first of their edges as well, and from each side.
+BOOST_AUTO_TEST_CASE(a_location_has_one_canonical_form)
+{
+  Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
+  for(int removed : {0, 1, 2}) {
+    const Plain t(mesh);
+    const auto& input = t.input();
+    std::size_t first_on_border = 0;
+    for(FG::Input_halfedge_index h : descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
+      const FG::Surface_location on_edge = FG::internal::canonical_location(input, {h, {{1, 3, 0}}}),
+                                 other = FG::internal::canonical_location(input, {twin_index(h), {{3, 1, 0}}});
+      BOOST_TEST(on_edge.halfedge == other.halfedge);
+      BOOST_TEST((on_edge.weights == other.weights));
+      BOOST_TEST(!input.is_border(on_edge.halfedge));
+      const double at_tail = on_edge.halfedge == h ? 1 : 3;
+      BOOST_TEST((on_edge.weights == std::array<double, 3>{{at_tail, 4 - at_tail, 0}}));
+      first_on_border += input.is_border(h) && FG::internal::is_first_side(h) ? 1 : 0;
+      const FG::Surface_location vertex = FG::internal::canonical_location(input, {h, {{0, 7, 0}}});
+      BOOST_TEST((vertex.weights == std::array<double, 3>{{1, 0, 0}}));
+      BOOST_TEST(input.tail(vertex.halfedge) == input.tail(twin_index(h)));
+    }
+    BOOST_TEST((first_on_border > 0) == (removed > 0));
+    CGAL::Euler::remove_face(mesh.halfedge(*mesh.faces().begin()), mesh);
+    mesh.collect_garbage();
+  }
+  Mesh square;
+  square.add_face(square.add_vertex(Point(0, 0, 0)), square.add_vertex(Point(1, 0, 0)),
+                  square.add_vertex(Point(1, 1, 0)), square.add_vertex(Point(0, 1, 0)));
+  const Plain t(square);
+  const FG::Input_halfedge_index h = t.input().is_border(0_input_h) ? 1_input_h : 0_input_h;
+  BOOST_CHECK_THROW(FG::internal::check_location(t.input(), {h, {{1, 1, 1}}}), FG::Invalid_mesh_error);
+  BOOST_CHECK_NO_THROW(FG::internal::check_location(t.input(), {h, {{1, 0, 0}}}));
 }
 
 BOOST_AUTO_TEST_CASE(bad_locations_are_refused_and_change_nothing)

@@ -4,6 +4,8 @@
 
 #include "test_surface_points/inserted_points.h"
 
+#include <boost/math/constants/constants.hpp>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
@@ -150,4 +152,23 @@ BOOST_AUTO_TEST_CASE(points_in_rational_numbers)
     BOOST_TEST(t.is_valid());
   }
   BOOST_TEST(refused > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_is_as_straight_as_its_worst_place)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  FG::Straightness straightness;
+  BOOST_TEST(straightness.is_locally_shortest());
+  straightness.note_bend(1e-9);
+  straightness.note_angle(pi - 1e-9);
+  BOOST_TEST(straightness.is_locally_shortest());
+  FG::Straightness bent = straightness, turned = straightness;
+  for(double bend : {1e-3, 1e-9})
+    bent.note_bend(bend);
+  BOOST_TEST(bent.largest_bend == 1e-3);
+  BOOST_TEST(!bent.is_locally_shortest());
+  for(double angle : {3.0, 4.0})
+    turned.note_angle(angle);
+  BOOST_TEST(turned.smallest_angle == 3);
+  BOOST_TEST(!turned.is_locally_shortest());
 }
