@@ -5,8 +5,8 @@
 
 #include "Curve_network_archetype.h"
 #include "Double_triangulation.h"
-#include "Plain_triangulation.h"
 #include "Edge_path_graph_archetype.h"
+#include "Plain_triangulation.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
 #include "mesh_soup.h"
@@ -18,6 +18,8 @@
 #include <CGAL/Flip_geodesics/Dirichlet_problem.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Operators.h>
+#include <CGAL/Flip_geodesics/Tangent_spaces.h>
+#include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -26,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <vector>
@@ -218,8 +221,21 @@ BOOST_AUTO_TEST_CASE(problems_without_a_solution_and_bad_input_are_refused)
   for(FG::Index v = 0; v < last; ++v)
     BOOST_TEST(std::abs(solution[v] - 4) < 1e-12);
   BOOST_TEST(std::isnan(solution[last]));
+  Vector density = Vector::Zero(triangulation.number_of_vertices());
+  density[1] = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_THROW(problem.solve(density, values), FG::Invalid_coordinate_error);
   values[other] = std::numeric_limits<double>::infinity();
   BOOST_CHECK_THROW(problem.solve(Vector(), values), FG::Invalid_coordinate_error);
+
+  std::vector<FG::Vertex_index> all; // nothing is left to be solved
+  for(FG::Index v = 0; v < triangulation.number_of_vertices(); ++v)
+    all.push_back(FG::Vertex_index(v));
+  values = Vector::LinSpaced(triangulation.number_of_vertices(), 0, 1);
+  BOOST_TEST((Problem(operators, all).solve(Vector(), values) == values));
+  std::vector<FG::Intrinsic_face> faces;
+  FG::intrinsic_faces(triangulation, std::back_inserter(faces));
+  BOOST_TEST(
+      (FG::Tangent_spaces<Triangulation>(triangulation, faces).reference(FG::Vertex_index(last)) == FG::null_index));
 
   Mesh_soup flat = flat_grid(2, 2, Diagonal_rule::RISING);
   flat.points[4] = flat.points[0]; // may be refused by the metric or for its area
