@@ -189,6 +189,28 @@ BOOST_AUTO_TEST_CASE(curves_in_one_place_have_no_length)
   BOOST_CHECK_EQUAL(points.size(), 2);
 }
 
+// On a line all faces are without area. A loop there is a point, whichever of its edges comes first.
+BOOST_AUTO_TEST_CASE(loops_on_a_line_are_points)
+{
+  Mesh mesh;
+  for(int i = 0; i < 4; ++i)
+    mesh.add_vertex(Point(i, 0, 0));
+  for(const auto& [a, b, c] : {std::array<int, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    mesh.add_face(vertex(a), vertex(b), vertex(c));
+  std::vector<Point> points;
+  for(int a = 0; a < 4; ++a)
+    for(int b = 0; b < 4; ++b) {
+      if(a == b)
+        continue;
+      const auto result =
+          FG::geodesic_loop(mesh, std::vector<Vertex>{vertex(a), vertex(b)}, std::back_inserter(points));
+      BOOST_CHECK(result.status() == FG::Shortening_status::CONTRACTED);
+      BOOST_CHECK(result.verdict() == FG::Certificate_verdict::PROVEN);
+      BOOST_CHECK_EQUAL(result.length(), 0);
+      BOOST_CHECK(points.empty());
+    }
+}
+
 BOOST_AUTO_TEST_CASE(networks_keep_their_curves_in_order)
 {
   Mesh_soup soup = flat_grid(8, 8, Diagonal_rule::RISING);

@@ -115,14 +115,14 @@ public:
     for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
       report.curves.push_back({status(c, straightness[c], verdicts[c]), m_network.initial_length(c),
                                m_network.length(c), straightness[c].smallest_angle, m_state.curves[c].flips,
-                               verdicts[c]});
+                               verdict(c, verdicts[c])});
     return report;
   }
 
 private:
   Shortening_status status(Curve_index curve, const Straightness& straightness, Certificate_verdict verdict) const
   {
-    const Shortening_status status = m_state.curves[curve].status;
+    const Shortening_status status = is_point(curve) ? Shortening_status::CONTRACTED : m_state.curves[curve].status;
     if(status != Shortening_status::LOCALLY_SHORTEST)
       return status;
     if(m_end != Shortening_status::LOCALLY_SHORTEST && has_free_wedge(curve))
@@ -133,6 +133,14 @@ private:
       return Shortening_status::FLAT_FACES;
     return status;
   }
+
+  Certificate_verdict verdict(Curve_index curve, Certificate_verdict verdict) const
+  {
+    return !Traits::Has_drift::value && is_point(curve) ? Certificate_verdict::PROVEN : verdict;
+  }
+
+  // Has a loop no length? Faces without area have loops of edges that are points.
+  bool is_point(Curve_index curve) const { return m_network.is_closed(curve) && m_network.length(curve) == 0; }
 
   bool has_free_wedge(Curve_index curve) const
   {

@@ -115,11 +115,13 @@ OutputIterator convert_points(const std::vector<Surface_point>& points, const Co
   return out;
 }
 
-/* Writes a curve of a network in the form that the output takes. */
+/* Writes a curve of a network in the form that the output takes; nothing if it is a loop that is a point. */
 template <class Form, class Network, class TriangleMesh, class OutputIterator>
 OutputIterator write_curve(const Network& network, const TriangleMesh& mesh, Curve_index curve, OutputIterator out)
 {
   using Triangulation = typename Network::Triangulation;
+  if(network.is_closed(curve) && network.length(curve) == 0)
+    return out;
   Curve_extractor<Network> extractor(network);
   if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value)
     return extractor.curve_points(curve, mesh, out);
