@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
 
+#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
@@ -215,6 +216,73 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
   return report;
 }
 
+/* Adds a shortest path to a network; landmarks, if there are any, tell where it can run. */
+template <class Network, class Search, class Visitor>
+Shortest_path_report add_shortest_path(Network& network, Search& search, const Geodesic_landmarks* landmarks,
+                                       Vertex_index source, Vertex_index target, const Window_limit& limit,
+                                       Visitor&& visitor)
+{
+  using Triangulation = typename Network::Triangulation;
+  Triangulation& triangulation = network.triangulation();
+  if(landmarks != nullptr)
+    landmarks->check_input(triangulation);
+  CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  Taken_back_on_failure<Network> guard(network);
+  const std::vector<Vertex_index> ends = {source, target};
+  const std::vector<Halfedge_index> edge_path = shortest_halfedges_through(search, ends);
+  network.add_curve(edge_path, false);
+  Shortest_path_report report;
+  report.shortening = shorten(network, Never_stop_predicate(), visitor);
+  report.length = report.first_length = network.length(Curve_index(0));
+
+  constexpr double tolerance = Shortest_path_report::tolerance();
+  Unfolded_faces<Triangulation> faces(triangulation);
+  const Landmark_rows* const rows = landmarks == nullptr ? nullptr : &landmarks->rows();
+  Cone_sweep<Triangulation> sweep(triangulation, faces, target, {triangulation, source, rows});
+  Window_search<Triangulation> windows(triangulation, faces, source, &sweep);
+  const bool is_sound =
+      run_between(sweep, windows, report.length, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
+  report.windows = windows.number_of_windows();
+  if(windows.distance(target) < report.length * (1 - Shortest_path_report::proof_tolerance())) {
+    const Shortening_report before = report.shortening;
+    network.clear();
+    triangulation.rollback(0);
+    std::size_t flips = 0;
+    std::vector<Halfedge_index> path = insert_path(triangulation, windows, source, target, flips);
+    const auto is_found = [&] {
+      double length = 0;
+      for(Halfedge_index h : path)
+        length += triangulation.length(h);
+      return !path.empty() && length <= windows.distance(target) * (1 + tolerance);
+    };
+    if(!is_found()) {
+      triangulation.rollback(0);
+      path = insert_path_in_tree(triangulation, windows, source, target, flips);
+    }
+    if(!is_found()) {
+      triangulation.rollback(0);
+      path = edge_path;
+    }
+    network.add_curve(path, false);
+    report.shortening = shorten(network, Never_stop_predicate(), visitor);
+    report.shortening.curves[0].initial_length = before.curves[0].initial_length;
+    report.shortening.flips += before.flips + flips;
+    report.shortening.flip_outs += before.flip_outs;
+    report.length = network.length(Curve_index(0));
+  }
+
+  const auto& metric = triangulation.metric();
+  report.lower_bound = (1 - 0x1p-48) * metric.distance_lower_bound(metric.place(triangulation.input(), source),
+                                                                   metric.place(triangulation.input(), target));
+  if(is_sound && !triangulation.input().has_split_point())
+    report.lower_bound = (std::max)(report.lower_bound,
+                                    (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
+  report.verdict = verdict_of(report);
+  report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
+  guard.dismiss();
+  return report;
+}
+
 } // namespace internal
 
 /*!
@@ -247,63 +315,59 @@ template <class Network, class Search, class Visitor = Default_shortening_visito
 Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_index source, Vertex_index target,
                                        const Window_limit& limit = Window_limit(), Visitor&& visitor = Visitor())
 {
-  using Triangulation = typename Network::Triangulation;
-  Triangulation& triangulation = network.triangulation();
-  CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
-  internal::Taken_back_on_failure<Network> guard(network);
-  const std::vector<Vertex_index> ends = {source, target};
-  const std::vector<Halfedge_index> edge_path = shortest_halfedges_through(search, ends);
-  network.add_curve(edge_path, false);
-  Shortest_path_report report;
-  report.shortening = shorten(network, Never_stop_predicate(), visitor);
-  report.length = report.first_length = network.length(Curve_index(0));
-
-  constexpr double tolerance = Shortest_path_report::tolerance();
-  internal::Unfolded_faces<Triangulation> faces(triangulation);
-  internal::Cone_sweep<Triangulation> sweep(triangulation, faces, target, source);
-  internal::Window_search<Triangulation> windows(triangulation, faces, source, &sweep);
-  const bool is_sound = internal::run_between(sweep, windows, report.length,
-                                              limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
-  report.windows = windows.number_of_windows();
-  if(windows.distance(target) < report.length * (1 - Shortest_path_report::proof_tolerance())) {
-    const Shortening_report before = report.shortening;
-    network.clear();
-    triangulation.rollback(0);
-    std::size_t flips = 0;
-    std::vector<Halfedge_index> path = internal::insert_path(triangulation, windows, source, target, flips);
-    const auto is_found = [&] {
-      double length = 0;
-      for(Halfedge_index h : path)
-        length += triangulation.length(h);
-      return !path.empty() && length <= windows.distance(target) * (1 + tolerance);
-    };
-    if(!is_found()) {
-      triangulation.rollback(0);
-      path = internal::insert_path_in_tree(triangulation, windows, source, target, flips);
-    }
-    if(!is_found()) {
-      triangulation.rollback(0);
-      path = edge_path;
-    }
-    network.add_curve(path, false);
-    report.shortening = shorten(network, Never_stop_predicate(), visitor);
-    report.shortening.curves[0].initial_length = before.curves[0].initial_length;
-    report.shortening.flips += before.flips + flips;
-    report.shortening.flip_outs += before.flip_outs;
-    report.length = network.length(Curve_index(0));
-  }
-
-  const auto& metric = triangulation.metric();
-  report.lower_bound = (1 - 0x1p-48) * metric.distance_lower_bound(metric.place(triangulation.input(), source),
-                                                                   metric.place(triangulation.input(), target));
-  if(is_sound && !triangulation.input().has_split_point())
-    report.lower_bound = (std::max)(report.lower_bound,
-                                    (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
-  report.verdict = internal::verdict_of(report);
-  report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
-  guard.dismiss();
-  return report;
+  return internal::add_shortest_path(network, search, nullptr, source, target, limit, visitor);
 }
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The same where landmarks of the mesh are known, for many paths on one mesh: they narrow the sweep and the search.
+ * The bound is proven as well. It may differ in the last digits, and where several paths are as short, the path may be
+ * another of them.
+ *
+ * \param network, search, source, target, limit, visitor as above
+ * \param landmarks made for this mesh and its metric
+ * \return what is known; the path is the network's only curve
+ * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()`; otherwise as above
+ */
+template <class Network, class Search, class Visitor = Default_shortening_visitor>
+Shortest_path_report add_shortest_path(Network& network, Search& search, const Geodesic_landmarks& landmarks,
+                                       Vertex_index source, Vertex_index target,
+                                       const Window_limit& limit = Window_limit(), Visitor&& visitor = Visitor())
+{
+  return internal::add_shortest_path(network, search, &landmarks, source, target, limit, visitor);
+}
+
+namespace internal {
+
+template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks* landmarks,
+                                                   const Source& source, const Target& target, OutputIterator out,
+                                                   const Limit& limit, const NamedParameters& np)
+{
+  static_assert(is_mesh_vertex<TriangleMesh, Source> && is_mesh_vertex<TriangleMesh, Target>,
+                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
+  static_assert(is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  using Form = Curve_form<typename Types::Triangulation, OutputIterator>;
+  using Result = Shortest_path_result<OutputIterator>;
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    const Mesh_vertex<TriangleMesh> from = source, to = target;
+    const Vertex_index s = triangulation.index(from), t = triangulation.index(to);
+    if(triangulation.input().is_contracted() && s == t) {
+      const auto point = path_in_one_place<Form>(triangulation, mesh, s, out);
+      return Result{point.out, report_of_no_length(point.report)};
+    }
+    Shortest_edge_path<typename Types::Triangulation> search(triangulation);
+    typename Types::Network network(triangulation);
+    auto visitor = make_visitor(np);
+    Shortest_path_report report = add_shortest_path(network, search, landmarks, s, t, limit, visitor.get());
+    note_contraction(triangulation, report.shortening);
+    return Result{write_curve<Form>(network, mesh, Curve_index(0), out), report};
+  });
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
@@ -323,26 +387,7 @@ template <class TriangleMesh, class Source, class Target, class OutputIterator, 
 Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Source& source, const Target& target,
                                                    OutputIterator out, const Limit& limit, const NamedParameters& np)
 {
-  static_assert(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>,
-                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
-  static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
-  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
-  using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
-  using Result = Shortest_path_result<OutputIterator>;
-  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
-    const Mesh_vertex<TriangleMesh> from = source, to = target;
-    const Vertex_index s = triangulation.index(from), t = triangulation.index(to);
-    if(triangulation.input().is_contracted() && s == t) {
-      const auto point = internal::path_in_one_place<Form>(triangulation, mesh, s, out);
-      return Result{point.out, internal::report_of_no_length(point.report)};
-    }
-    Shortest_edge_path<typename Types::Triangulation> search(triangulation);
-    typename Types::Network network(triangulation);
-    auto visitor = internal::make_visitor(np);
-    Shortest_path_report report = add_shortest_path(network, search, s, t, limit, visitor.get());
-    internal::note_contraction(triangulation, report.shortening);
-    return Result{internal::write_curve<Form>(network, mesh, Curve_index(0), out), report};
-  });
+  return internal::shortest_path(mesh, nullptr, source, target, out, limit, np);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -356,6 +401,56 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
   return internal::with_limit(options, [&](const auto& limit, const auto& np) {
     return Flip_geodesics::shortest_path(mesh, source, target, out, limit, np);
   });
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Computes the same where landmarks of the mesh are known, which pays if there are many pairs. The bound is proven as
+ * well. It may differ in the last digits, and where several paths are as short, the path may be another of them.
+ *
+ * \param mesh a triangle mesh
+ * \param landmarks made for this mesh and its metric, by `Geodesic_landmarks` or `geodesic_landmarks()`
+ * \param source, target, out, limit, np as above
+ * \return the end of the output, and the report
+ * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()`; otherwise as above
+ */
+template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks& landmarks,
+                                                   const Source& source, const Target& target, OutputIterator out,
+                                                   const Limit& limit, const NamedParameters& np)
+{
+  return internal::shortest_path(mesh, &landmarks, source, target, out, limit, np);
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with either a limit or named parameters, or neither.
+template <class TriangleMesh, class Source, class Target, class OutputIterator,
+          class Options = parameters::Default_named_parameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks& landmarks,
+                                                   const Source& source, const Target& target, OutputIterator out,
+                                                   const Options& options = parameters::default_values())
+{
+  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
+    return internal::shortest_path(mesh, &landmarks, source, target, out, limit, np);
+  });
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Makes landmarks for many calls of `shortest_path()` on one mesh.
+ *
+ * \param mesh a triangle mesh
+ * \param number of landmarks in each component
+ * \param np the named parameters of `geodesic_path()` that say what lengths are
+ * \throws as `Geodesic_landmarks`
+ */
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t number = Geodesic_landmarks::default_number,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  return Geodesic_landmarks(internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE), number);
 }
 
 } // namespace Flip_geodesics

@@ -9,6 +9,7 @@
 
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Geodesic_mean.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
@@ -218,6 +219,9 @@ private:
     for(const auto& path :
         {directed(Vertex(0), m_last), FG::shortest_intrinsic_edge_path(triangulation, Vertex(0), m_last)})
       m_record.halfedges(path);
+    const FG::Geodesic_landmarks bounds(triangulation, 2);
+    bounds.check_input(triangulation);
+    BOOST_TEST(bounds.distance_lower_bound(Vertex(0), m_last) >= 0);
     const auto polyline = FG::complete_polyline(triangulation, points(triangulation));
     m_record.halfedges(FG::halfedges_on_surface(triangulation, FG::snap_polyline(triangulation, polyline), false));
     m_record.polyline(FG::points_on_surface(triangulation, points(triangulation)));

@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_distances)
     Vertex_index farthest = 0_v;
     for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices()))
       farthest = windows.distance(v) > windows.distance(farthest) ? v : farthest;
-    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, farthest);
+    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, {triangulation, farthest});
     sweep.run(3 * windows.distance(farthest));
     double sum = 0;
     for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices())) {
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(sweeps_bound_paths_over_edges)
     for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices()))
       farthest = field.distance(v) > field.distance(farthest) ? v : farthest;
     FG::internal::Unfolded_faces<Setting::Triangulation> faces(triangulation);
-    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, farthest);
+    FG::internal::Cone_sweep<Setting::Triangulation> sweep(triangulation, faces, 1_v, {triangulation, farthest});
     sweep.run(3 * field.distance(farthest));
     if(!sweep.is_useful())
       continue;

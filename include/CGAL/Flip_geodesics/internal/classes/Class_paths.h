@@ -39,7 +39,7 @@ public:
     , m_source(triangulation.metric().place(triangulation.input(), source))
     , m_goal(triangulation.metric().place(triangulation.input(), goal))
     , m_faces(triangulation)
-    , m_sweep(triangulation, m_faces, source, goal, free_updates)
+    , m_sweep(triangulation, m_faces, source, {triangulation, goal}, free_updates)
   {
     m_sweep.run(bound);
   }

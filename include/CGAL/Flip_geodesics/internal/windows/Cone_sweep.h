@@ -9,10 +9,12 @@
 #include <CGAL/Flip_geodesics/internal/base/Written_records.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_wave.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
+#include <CGAL/Flip_geodesics/internal/windows/Goal_bound.h>
 #include <CGAL/Flip_geodesics/internal/windows/Light_through_side.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,12 +66,12 @@ class Cone_sweep
 public:
   /* \param goal where the paths go that matter
    * \param free_updates of a cone, that are exact; more of them are dear on needles, and keep the sweep useful there */
-  Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source, Vertex_index goal,
-             int free_updates = 6)
+  Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source,
+             const Goal_bound<Triangulation>& goal, int free_updates = 6)
     : m_triangulation(triangulation)
     , m_faces(faces)
     , m_source(source)
-    , m_goal_place(triangulation.metric().place(triangulation.input(), goal))
+    , m_goal(goal)
     , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
     , m_free_updates(free_updates)
   {
@@ -79,12 +81,17 @@ public:
    * Sweeps over all that paths from the source to the goal pass which are not longer than `bound`.
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
    */
-  void run(double bound)
+  void run(double bound) { run_from(std::array<Vertex_index, 1>{{m_source}}, bound); }
+
+  /* The same from the nearest of several vertices. */
+  template <class Vertices>
+  void run_from(const Vertices& sources, double bound)
   {
     m_bound = bound;
     m_error = 0x1p-46 * bound;
     m_total_error = 2 * static_cast<double>(m_triangulation.number_of_halfedges()) * m_error;
-    reach(m_source, 0, 0);
+    for(const Vertex_index v : sources)
+      reach(v, 0, 0);
     while(!m_queue.empty() && is_useful())
       pass_first();
   }
@@ -225,8 +232,7 @@ private:
   double to_goal(Vertex_record& record, Vertex_index v)
   {
     if(!record.has_bound) {
-      const auto& metric = m_triangulation.metric();
-      record.to_goal = metric.distance_lower_bound(metric.place(m_triangulation.input(), v), m_goal_place);
+      record.to_goal = m_goal(v);
       record.has_bound = true;
     }
     return record.to_goal;
@@ -474,7 +480,7 @@ private:
   const Triangulation& m_triangulation;
   Faces& m_faces;
   Vertex_index m_source;
-  typename Triangulation::Metric::Place m_goal_place;
+  Goal_bound<Triangulation> m_goal;
   Block_array<Wave> m_waves; // of sides, that is, of halfedges that have been laid out
   Written_records<Vertex_index, Vertex_record> m_vertices;
   int m_free_updates;
