@@ -202,3 +202,24 @@ BOOST_AUTO_TEST_CASE(errors)
   const Setting degenerate(pointed);
   BOOST_CHECK_THROW(FG::Geodesic_landmarks(degenerate.triangulation, 2), FG::Degenerate_face_error);
 }
+
+// Where there is nothing to sweep over.
+BOOST_AUTO_TEST_CASE(meshes_without_edges)
+{
+  Surface mesh;
+  BOOST_TEST(FG::geodesic_landmarks(mesh).number_of_landmarks() == FG::Geodesic_landmarks::default_number);
+  mesh.add_vertex(Surface::Point(1, 2, 3));
+  mesh.add_vertex(Surface::Point(3, 2, 1));
+  const FG::Geodesic_landmarks apart = FG::geodesic_landmarks(mesh);
+  BOOST_TEST(apart.distance_lower_bound(0_v, 1_v) == 0);
+  mesh.add_face(mesh.add_vertex(Surface::Point(0, 0, 0)), mesh.add_vertex(Surface::Point(3, 4, 0)),
+                mesh.add_vertex(Surface::Point(0, 4, 0)));
+  const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh);
+  BOOST_TEST(landmarks.distance_lower_bound(2_v, 3_v) > 4.9);
+  BOOST_TEST(landmarks.distance_lower_bound(2_v, 3_v) <= 5);
+  std::vector<Surface::Point> points;
+  const auto v = mesh.vertices().begin();
+  BOOST_TEST(FG::shortest_path(mesh, landmarks, *(v + 2), *(v + 3), std::back_inserter(points)).length() == 5);
+  BOOST_CHECK_THROW(FG::shortest_path(mesh, apart, *(v + 2), *(v + 3), std::back_inserter(points)),
+                    FG::Input_mismatch_error);
+}

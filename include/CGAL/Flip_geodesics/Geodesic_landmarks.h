@@ -67,8 +67,9 @@ public:
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
   /*!
-   * Asks whether they can have been made for the input of a triangulation. Compares the numbers of elements and the
-   * length of an edge at each landmark. So it finds another mesh and another metric, but not each vertex that has moved.
+   * Asks whether they can have been made for the input of a triangulation. Compares the numbers of elements, and the
+   * lengths of `number_of_landmarks()` edges at landmarks. So it finds another mesh and another metric, but not each
+   * vertex that has moved.
    *
    * \throws Input_mismatch_error if they cannot
    */
@@ -160,7 +161,7 @@ private:
     m_rows = internal::Landmark_rows(static_cast<std::size_t>(m_number_of_vertices), number, largest);
     internal::Unfolded_faces<Triangulation> faces(triangulation);
     for(std::size_t i = 0; i < number; ++i) {
-      note_edges(triangulation, choice.landmarks());
+      note_edge(triangulation, choice.landmarks(), i);
       internal::Cone_sweep<Triangulation> sweep(triangulation, faces, null_index,
                                                 internal::Goal_bound<Triangulation>(triangulation), free_updates);
       sweep.run_from(choice.landmarks(), largest);
@@ -180,10 +181,13 @@ private:
         m_rows.set(v, i, value);
   }
 
+  // At the landmark of each component in turn, unless it is an isolated vertex.
   template <class Triangulation>
-  void note_edges(const Triangulation& triangulation, const std::vector<Vertex_index>& landmarks)
+  void note_edge(const Triangulation& triangulation, const std::vector<Vertex_index>& landmarks, std::size_t i)
   {
-    const Input_halfedge_index h = triangulation.input().outgoing(landmarks[m_edges.size() % landmarks.size()]);
+    if(landmarks.empty())
+      return;
+    const Input_halfedge_index h = triangulation.input().outgoing(landmarks[i % landmarks.size()]);
     if(h != null_index)
       m_edges.push_back({h, triangulation.metric().length(triangulation.input(), h)});
   }
