@@ -16,7 +16,10 @@ find_package(boost_serialization QUIET CONFIG)
 if(TARGET Boost::mpi)
   find_package(MPI QUIET COMPONENTS CXX)
 endif()
-if(TARGET MPI::MPI_CXX AND TARGET Boost::mpi AND TARGET Boost::serialization)
+if(CMAKE_CXX_FLAGS MATCHES "_GLIBCXX_DEBUG")
+  # Containers with checked iterators are not those that the library was compiled with.
+  message(STATUS "Flip_geodesics: Boost.MPI is NOT used with checked iterators")
+elseif(TARGET MPI::MPI_CXX AND TARGET Boost::mpi AND TARGET Boost::serialization)
   add_library(Flip_geodesics_MPI INTERFACE IMPORTED)
   set_target_properties(Flip_geodesics_MPI PROPERTIES INTERFACE_LINK_LIBRARIES
                                                       "Boost::mpi;Boost::serialization;MPI::MPI_CXX")
@@ -27,7 +30,7 @@ find_path(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/ArrayKernel.hh)
 find_library(FLIP_GEODESICS_OPENMESH_LIBRARY OpenMeshCore)
 mark_as_advanced(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR FLIP_GEODESICS_OPENMESH_LIBRARY)
 if(CMAKE_CXX_FLAGS MATCHES "_GLIBCXX_DEBUG")
-  # Containers with checked iterators are not those that the library was compiled with.
+  # As above.
   message(STATUS "Flip_geodesics: meshes of OpenMesh are NOT tested with checked iterators")
 elseif(FLIP_GEODESICS_OPENMESH_INCLUDE_DIR AND FLIP_GEODESICS_OPENMESH_LIBRARY)
   add_library(Flip_geodesics_OpenMesh INTERFACE IMPORTED)

@@ -85,8 +85,9 @@ public:
       first_anchor = across(m_word.tail, *first, first_anchor);
     for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last)
       last_anchor = across(end, twin_index(*(last - 1)), last_anchor);
-    m_word.crossed.erase(last, m_word.crossed.end());
-    m_word.crossed.erase(m_word.crossed.begin(), first);
+    const auto skipped = first - m_word.crossed.begin();
+    m_word.crossed.erase(last, m_word.crossed.end()); // with it goes `first`, where all is taken back
+    m_word.crossed.erase(m_word.crossed.begin(), m_word.crossed.begin() + skipped);
     if(m_word.crossed.empty())
       place_in_face(first_anchor, last_anchor);
     return std::move(m_word);
