@@ -12,6 +12,9 @@
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -201,6 +204,42 @@ BOOST_AUTO_TEST_CASE(errors)
   pointed.points[5] = pointed.points[6];
   const Setting degenerate(pointed);
   BOOST_CHECK_THROW(FG::Geodesic_landmarks(degenerate.triangulation, 2), FG::Degenerate_face_error);
+}
+
+// A face more or less leaves all vertices and edges: bounds of the mesh that lacks it are no bounds on the whole one.
+BOOST_AUTO_TEST_CASE(faces_that_one_mesh_lacks)
+{
+  const Surface whole = to_mesh<Surface>(torus(16, 10, 3, 1));
+  const auto without = [&](std::size_t face) {
+    Surface mesh = whole;
+    const auto h = halfedge(*std::next(faces(mesh).begin(), static_cast<std::ptrdiff_t>(face)), mesh);
+    CGAL::Euler::remove_face(h, mesh);
+    mesh.collect_garbage();
+    BOOST_TEST(num_edges(mesh) == num_edges(whole));
+    return mesh;
+  };
+  const Surface holed = without(7), holed_elsewhere = without(100);
+  const auto s = *vertices(whole).begin(), t = *std::next(vertices(whole).begin(), 83);
+  std::vector<Surface::Point> points;
+  for(const Surface* mine : {&whole, &holed, &holed_elsewhere}) {
+    const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(*mine);
+    for(const Surface* other : {&whole, &holed, &holed_elsewhere})
+      if(mine == other)
+        BOOST_TEST(FG::shortest_path(*other, landmarks, s, t, std::back_inserter(points)).report.is_confirmed());
+      else
+        BOOST_CHECK_THROW(FG::shortest_path(*other, landmarks, s, t, std::back_inserter(points)),
+                          FG::Input_mismatch_error);
+  }
+
+  const std::vector<Surface::Face_index> all(whole.faces().begin(), whole.faces().end());
+  using Filtered = CGAL::Face_filtered_graph<Surface>;
+  const Filtered all_faces(whole, all), less_faces(whole, std::vector<Surface::Face_index>(all.begin() + 1, all.end())),
+      other_faces(whole, std::vector<Surface::Face_index>(all.begin(), all.end() - 1));
+  const FG::Intrinsic_triangulation<Filtered> of_all(all_faces), of_less(less_faces), of_others(other_faces);
+  const FG::Geodesic_landmarks landmarks(of_less);
+  landmarks.check_input(of_less);
+  BOOST_CHECK_THROW(landmarks.check_input(of_all), FG::Input_mismatch_error);
+  BOOST_CHECK_THROW(landmarks.check_input(of_others), FG::Input_mismatch_error);
 }
 
 // Where there is nothing to sweep over.

@@ -55,7 +55,9 @@ public:
   explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number)
     : m_number_of_vertices(triangulation.input().number_of_vertices())
     , m_number_of_halfedges(triangulation.input().number_of_halfedges())
+    , m_number_of_faces(triangulation.input().number_of_faces())
   {
+    note_borders(triangulation);
     sweep(triangulation, number);
   }
 
@@ -67,9 +69,12 @@ public:
   double distance_lower_bound(Vertex_index v, Vertex_index w) const { return m_rows.distance_lower_bound(v, w); }
 
   /*!
-   * Asks whether they can have been made for the input of a triangulation. Compares the numbers of elements, and the
-   * lengths of `number_of_landmarks()` edges at landmarks. So it finds another mesh and another metric, but not each
-   * vertex that has moved.
+   * Asks whether they can have been made for the input of a triangulation. Compares the numbers of vertices, edges and
+   * faces, whether there are the same borders, and the lengths of an edge of each border and of
+   * `number_of_landmarks()` edges at landmarks. So it finds another mesh, a face more or less, and another metric, but
+   * not each vertex that has moved: bounds hold for the mesh that they were made for.
+   *
+   * Complexity: linear in the numbers of landmarks and of borders.
    *
    * \throws Input_mismatch_error if they cannot
    */
@@ -77,10 +82,11 @@ public:
   void check_input(const Triangulation& triangulation) const
   {
     const auto& input = triangulation.input();
-    bool is_same =
-        input.number_of_vertices() == m_number_of_vertices && input.number_of_halfedges() == m_number_of_halfedges;
+    bool is_same = input.number_of_vertices() == m_number_of_vertices &&
+                   input.number_of_halfedges() == m_number_of_halfedges && input.number_of_faces() == m_number_of_faces;
     for(std::size_t i = 0; is_same && i < m_edges.size(); ++i)
-      is_same = triangulation.metric().length(input, m_edges[i].halfedge) == m_edges[i].length;
+      is_same = input.is_border(m_edges[i].halfedge) == m_edges[i].is_border &&
+                triangulation.metric().length(input, m_edges[i].halfedge) == m_edges[i].length;
     if(!is_same)
       throw Input_mismatch_error("the landmarks were made for another mesh, or another metric");
   }
@@ -89,10 +95,11 @@ public:
   const internal::Landmark_rows& rows() const { return m_rows; }
 
 private:
-  // An edge at a landmark.
+  // At a landmark, or on a border.
   struct Edge
   {
     Input_halfedge_index halfedge;
+    bool is_border;
     double length;
   };
 
@@ -189,10 +196,33 @@ private:
       return;
     const Input_halfedge_index h = triangulation.input().outgoing(landmarks[i % landmarks.size()]);
     if(h != null_index)
-      m_edges.push_back({h, triangulation.metric().length(triangulation.input(), h)});
+      note(triangulation, h);
   }
 
-  Index m_number_of_vertices, m_number_of_halfedges;
+  // An edge of each. If there are as many faces in all, and each of these is on a border, then borders are the same
+  // unless one is in another place that has this edge, too.
+  template <class Triangulation>
+  void note_borders(const Triangulation& triangulation)
+  {
+    const auto& input = triangulation.input();
+    internal::Indexed_by<Input_halfedge_index, std::vector<char>> is_seen(
+        static_cast<std::size_t>(m_number_of_halfedges), 0);
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(m_number_of_halfedges)) {
+      if(!input.is_border(h) || is_seen[h] != 0)
+        continue;
+      note(triangulation, h);
+      for(Input_halfedge_index side = h; is_seen[side] == 0; side = input.next(side))
+        is_seen[side] = 1;
+    }
+  }
+
+  template <class Triangulation>
+  void note(const Triangulation& triangulation, Input_halfedge_index h)
+  {
+    m_edges.push_back({h, triangulation.input().is_border(h), triangulation.metric().length(triangulation.input(), h)});
+  }
+
+  Index m_number_of_vertices, m_number_of_halfedges, m_number_of_faces;
   std::vector<Edge> m_edges;
   internal::Landmark_rows m_rows;
 };

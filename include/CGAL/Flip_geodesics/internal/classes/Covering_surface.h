@@ -9,6 +9,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -62,6 +63,12 @@ public:
 
   Index number_of_vertices() const { return static_cast<Index>(m_outgoing.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
+  /* In linear time. */
+  Index number_of_faces() const
+  {
+    const auto borders = std::count(m_is_border.begin(), m_is_border.end(), char(1));
+    return (number_of_halfedges() - static_cast<Index>(borders)) / 3;
+  }
   Input_halfedge_index next(Input_halfedge_index h) const { return m_next[h]; }
   Input_halfedge_index previous(Input_halfedge_index h) const { return m_previous[h]; }
   Vertex_index tail(Input_halfedge_index h) const { return m_tail[h]; }
@@ -220,6 +227,7 @@ public:
 
   Index number_of_vertices() const { return m_surface->number_of_vertices(); }
   Index number_of_halfedges() const { return m_surface->number_of_halfedges(); }
+  Index number_of_faces() const { return m_surface->number_of_faces(); }
   Vertex_index vertex(Vertex_index v) const { return v; }
   Input_halfedge_index halfedge(Input_halfedge_index h) const { return h; }
   Vertex_index index(Vertex_index v) const { return v; }

@@ -155,6 +155,8 @@ public:
 
   Index number_of_vertices() const { return static_cast<Index>(m_vertices.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }
+  /* If all are triangles. */
+  Index number_of_faces() const { return (number_of_halfedges() - m_number_of_border_halfedges) / 3; }
 
   vertex_descriptor vertex(Vertex_index v) const { return m_vertices[v]; }
   halfedge_descriptor halfedge(Input_halfedge_index h) const { return m_halfedges[this->uncontracted_halfedge(h)]; }
@@ -230,6 +232,7 @@ private:
 
   void link_previous()
   {
+    m_number_of_border_halfedges = static_cast<Index>(std::count(m_is_border.begin(), m_is_border.end(), char(1)));
     m_previous.resize(m_next.size());
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(number_of_halfedges())) {
       if(m_next[h] == null_index)
@@ -258,6 +261,7 @@ private:
   Indexed_by<Input_halfedge_index, std::vector<Vertex_index>> m_tail;
   Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> m_outgoing;
   Indexed_by<Input_halfedge_index, std::vector<char>> m_is_border;
+  Index m_number_of_border_halfedges = 0;
 };
 
 /*
@@ -285,6 +289,7 @@ public:
 
   Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_halfedges() const { return m_number_of_halfedges; }
+  Index number_of_faces() const { return static_cast<Index>(m_mesh->number_of_faces()); }
 
   vertex_descriptor vertex(Vertex_index v) const { return vertex_descriptor(static_cast<std::uint32_t>(v.idx())); }
   halfedge_descriptor halfedge(Input_halfedge_index h) const { return own_halfedge(this->uncontracted_halfedge(h)); }
