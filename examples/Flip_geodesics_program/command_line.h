@@ -13,7 +13,6 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -64,10 +63,7 @@ public:
         const std::string meant = nearest_option(unknown[1] == '-' ? unknown : '-' + unknown);
         return unknown + " is not known; " + (meant.empty() ? "see --help" : "did you mean " + meant + "?");
       }
-    const std::string unreadable = "Could not convert: ", text = error.what();
-    if(text.rfind(unreadable, 0) == 0)
-      return text.substr(unreadable.size()) + ": not what the option takes; see --help";
-    return text + "; see --help";
+    return error.what() + std::string("; see --help");
   }
 
 private:
@@ -85,23 +81,38 @@ private:
   template <class Value>
   using Number_of = typename Held<Value>::Type;
 
-  // What is wrong with a number that is too large: it would be read as the largest one.
+  // Decimal, as numbers are in files; CLI11 itself would take them for octal after a zero.
   template <class Number>
-  static std::string in_range(const std::string& text)
+  static Number number(const std::string& name, const std::string& text)
   {
-    const char* const first = text.data() + (text.substr(0, 1) == "+" ? 1 : 0);
-    Number number = 0;
-    const bool is_in_range = from_chars(first, text.data() + text.size(), number).ec != std::errc::result_out_of_range;
-    return is_in_range ? std::string() : text + " is beyond the range of the numbers here";
+    Number result = 0;
+    if(const char* const error = parse_number(text, result))
+      throw CLI::ValidationError(name, "'" + text + "' " + error);
+    return result;
   }
 
-  template <class Value>
-  CLI::Option* add(const char* name, const char* type, Value& value, const char* description)
+  CLI::Option* add(const char* name, const char* type, std::string& value, const char* description)
   {
-    CLI::Option* const option = m_app.add_option(name, value, description)->type_name(type)->group(m_group);
-    if constexpr(std::is_arithmetic<Number_of<Value>>::value)
-      option->check(in_range<Number_of<Value>>);
-    return option;
+    return m_app.add_option(name, value, description)->type_name(type)->group(m_group);
+  }
+  CLI::Option* add(const char* name, const char* type, std::optional<std::string>& value, const char* description)
+  {
+    return m_app.add_option(name, value, description)->type_name(type)->group(m_group);
+  }
+  CLI::Option* add(const char* name, const char* type, std::vector<std::string>& value, const char* description)
+  {
+    return m_app.add_option(name, value, description)->type_name(type)->group(m_group);
+  }
+
+  // A number, or none that is given.
+  template <class Value>
+  void add(const char* name, const char* type, Value& value, const char* description)
+  {
+    const auto read = [name, &value](const std::string& text) { value = number<Number_of<Value>>(name, text); };
+    CLI::Option* const option =
+        m_app.add_option_function<std::string>(name, read, description)->type_name(type)->group(m_group);
+    if constexpr(std::is_arithmetic<Value>::value)
+      option->default_str(std::to_string(value));
   }
 
   void add(const char* name, bool& value, const char* description)
@@ -130,12 +141,10 @@ private:
     const char* const end = next + text.size();
     while(true) {
       const char* const comma = std::find(next, end, ',');
+      const std::string item(next, comma);
       numbers.emplace_back();
-      const auto [stop, error] = from_chars(next, comma, numbers.back());
-      if(error != std::errc() || stop != comma)
-        throw CLI::ValidationError(
-            name, "'" + std::string(next, comma) + "' in '" + text + "' is " +
-                      (error == std::errc::result_out_of_range ? "beyond the range of the numbers here" : "no number"));
+      if(const char* const error = parse_number(item, numbers.back()))
+        throw CLI::ValidationError(name, "'" + item + "' in '" + text + "' " + error);
       if(comma == end)
         return;
       next = comma + 1;
@@ -163,7 +172,7 @@ private:
     add("--to", "VERTEX", m_options.to, "Target of one geodesic");
     add("--pairs", "FILE", m_options.pairs, "A geodesic per line `source target`; # starts a comment");
     add("--random", "NUMBER", m_options.random, "So many geodesics between random vertices of a component");
-    add("--seed", "NUMBER", m_options.seed, "Seed of --random")->capture_default_str();
+    add("--seed", "NUMBER", m_options.seed, "Seed of --random");
     add("--trace", "VERTEX,ANGLE,LENGTH", m_options.traces,
         "A straightest geodesic from a vertex: its direction, in radians as in --map, and its length; may be repeated")
         ->allow_extra_args(false);
@@ -226,7 +235,7 @@ private:
     add("--search", "NAME", m_options.search,
         "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
         ->capture_default_str();
-    add("--threads", "NUMBER", m_options.threads, "Compute so many curves at the same time")->capture_default_str();
+    add("--threads", "NUMBER", m_options.threads, "Compute so many curves at the same time");
   }
 
   void add_limits()

@@ -5,11 +5,15 @@
 
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <type_traits>
 #include <version>
@@ -73,6 +77,33 @@ inline std::string decimal_text(double x)
 }
 
 #endif
+
+/// Numbers next to zero are taken as what they round to; libraries differ in whether from_chars() does that.
+template <class T>
+bool rounds_to_zero(std::string_view word, T& value)
+{
+  std::istringstream in{std::string(word)};
+  in.imbue(std::locale::classic());
+  return static_cast<bool>(in >> value) && std::abs(value) < 1;
+}
+
+/// Reads a decimal number that is the whole word. \return what is wrong with the word, or null
+template <class T>
+const char* parse_number(std::string_view word, T& value)
+{
+  std::string_view digits = word;
+  if(digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
+    digits.remove_prefix(1);
+  const auto [end, error] = from_chars(digits.data(), digits.data() + digits.size(), value);
+  if(error == std::errc::invalid_argument || end != digits.data() + digits.size())
+    return std::is_integral<T>::value ? "is no whole number" : "is no number";
+  if constexpr(std::is_floating_point<T>::value) {
+    if(error == std::errc::result_out_of_range && !rounds_to_zero(digits, value))
+      return "is beyond the range of the numbers here";
+    return std::isfinite(value) ? nullptr : "is not a finite number";
+  }
+  return error == std::errc::result_out_of_range ? "is beyond the range of the numbers here" : nullptr;
+}
 
 } // namespace program
 

@@ -31,7 +31,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
-#include <locale>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -312,13 +311,12 @@ int run_field(const Options& options, const Input_mesh& input, const std::string
 
 Trace_request trace_request(const std::string& text, const Input_mesh& input)
 {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
+  const std::size_t first = text.find(','), second = first == std::string::npos ? first : text.find(',', first + 1);
   long long source = 0;
   Trace_request result = {Vertex_index(), 0, 0};
-  char first = 0, second = 0;
-  if(!(in >> source >> first >> result.angle >> second >> result.length && first == ',' && second == ',' &&
-       in.peek() == std::istringstream::traits_type::eof()))
+  if(second == std::string::npos || parse_number(text.substr(0, first), source) != nullptr ||
+     parse_number(text.substr(first + 1, second - first - 1), result.angle) != nullptr ||
+     parse_number(text.substr(second + 1), result.length) != nullptr)
     throw Bad_input("--trace " + printable(text) + ": give a vertex, an angle and a length as VERTEX,ANGLE,LENGTH");
   if(!(result.length >= 0))
     throw Bad_input("--trace " + printable(text) + ": the length must not be negative");

@@ -260,7 +260,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(spacing_zero 2 "--spacing must be greater than 0" torus.off --source 0 --spacing 0)
   flip_geodesics_add_program_test(spacing_and_isolines 2 "--spacing and --isolines do not go" torus.off --source 0
                                   --spacing 1 --isolines 1)
-  flip_geodesics_add_program_test(isoline_no_number 2 "--isolines takes distances greater than 0; nan" torus.off
+  flip_geodesics_add_program_test(isoline_no_number 2 "--isolines: 'nan' in '1,nan' is not a finite number" torus.off
                                   --source 0 --isolines 1,nan --mesh no_isolines.vtp)
   flip_geodesics_add_program_test(negative_isoline 2 "--isolines takes distances greater than 0; -2" torus.off
                                   --source 0 --isolines 1,-2)
@@ -268,18 +268,36 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --isolines 0.1,,0.2)
   flip_geodesics_add_program_test(left_out_last_isoline 2 "--isolines: '' in '0.1,' is no number" torus.off --source 0
                                   --isolines 0.1,)
-  flip_geodesics_add_program_test(left_out_source 2 "--source: '' in '0,,1' is no number" torus.off --source 0,,1
+  flip_geodesics_add_program_test(left_out_source 2 "--source: '' in '0,,1' is no whole number" torus.off --source 0,,1
                                   --isolines 1)
   flip_geodesics_add_program_test(source_too_large 2 "'99999999999999999999' in '0,99999999999999999999' is beyond"
                                   torus.off --source 0,99999999999999999999 --isolines 1)
-  flip_geodesics_add_program_test(vertex_too_large 2 "--from: 99999999999999999999 is beyond the range" torus.off
+  flip_geodesics_add_program_test(vertex_too_large 2 "--from: '99999999999999999999' is beyond the range" torus.off
                                   --from 99999999999999999999 --to 3)
-  flip_geodesics_add_program_test(seed_too_large 2 "--seed: 99999999999999999999 is beyond the range" torus.off
+  flip_geodesics_add_program_test(seed_too_large 2 "--seed: '99999999999999999999' is beyond the range" torus.off
                                   --random 1 --seed 99999999999999999999)
-  flip_geodesics_add_program_test(threads_too_many 2 "--threads: 99999999999 is beyond the range" torus.off
+  flip_geodesics_add_program_test(threads_too_many 2 "--threads: '99999999999' is beyond the range" torus.off
                                   --random 1 --threads 99999999999)
-  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: 1e999 is beyond the range" torus.off --source 0
+  flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' is beyond the range" torus.off --source 0
                                   --spacing 1e999)
+  # Decimal everywhere, as in files; finite; and the option is named.
+  flip_geodesics_add_program_test(leading_zero 0 "0  *10  *150  .*1 LOCALLY_SHORTEST" torus.off --from 010 --to 0150)
+  flip_geodesics_add_program_test(leading_zeros 0 "from vertex 10 .*from vertex 9 .*from vertex 10 .*3 curves"
+                                  torus.off --trace 010,00.5,01 --trace 9,0,1 --trace +10,1,1)
+  flip_geodesics_add_program_test(zeros_in_limits 0 "8 LOCALLY_SHORTEST" torus.off --random 08 --seed 09 --threads 01)
+  flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is no whole number; see" torus.off --from 0 --to 0x1)
+  flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is no whole number" torus.off --bezier
+                                  bezier.txt --rounds 0x1)
+  flip_geodesics_add_program_test(hexadecimal_trace 2 "--trace 0x1,0,1: give a vertex" torus.off --trace 0x1,0,1)
+  flip_geodesics_add_program_test(blank_number 2 "--from: ' 1' is no whole number" torus.off "--from= 1" --to 0)
+  flip_geodesics_add_program_test(isoline_infinite 2 "--isolines: 'inf' in 'inf' is not a finite number" torus.off
+                                  --source 0 --isolines inf)
+  flip_geodesics_add_program_test(tolerance_infinite 2 "--tolerance: 'inf' is not a finite number" torus.off --source 0
+                                  --isolines 1 --tolerance inf)
+  flip_geodesics_add_program_test(spacing_infinite 2 "--spacing: 'inf' is not a finite number" torus.off --source 0
+                                  --spacing inf)
+  flip_geodesics_add_program_test(no_angle 2 "--refine: 'nan' is not a finite number" torus.off --from 0 --to 9 --refine
+                                  nan --subdivision refined.off)
   flip_geodesics_add_program_test(isolines_of_nothing 2 "belong to --source" torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest" torus.off --source 0 --isolines 1 --shortest)
@@ -327,7 +345,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(version 0 "^flip_geodesics ${PROJECT_VERSION}" --version)
   flip_geodesics_add_program_test(misspelt 2 "--radnom is not known; did you mean --random." torus.off --radnom 3)
   flip_geodesics_add_program_test(one_dash 2 "-randm is not known; did you mean --random." torus.off -randm 3)
-  flip_geodesics_add_program_test(no_vertex 2 "--from = zero: not what the option takes" torus.off --from zero --to 5)
+  flip_geodesics_add_program_test(no_vertex 2 "--from: 'zero' is no whole number" torus.off --from zero --to 5)
   flip_geodesics_add_program_test(begun 2 "--seg is not known; did you mean --segmentation." torus.off --seg=x)
   flip_geodesics_add_program_test(unlike_any 2 "--xyzzyx is not known; see" torus.off --xyzzyx)
   flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
