@@ -298,6 +298,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --spacing inf)
   flip_geodesics_add_program_test(no_angle 2 "--refine: 'nan' is not a finite number" torus.off --from 0 --to 9 --refine
                                   nan --subdivision refined.off)
+  flip_geodesics_add_program_test(isoline_next_to_the_source 0 "1 curve: 1 ISOLINE" torus.off --source 0 --isolines
+                                  1e-150)
   flip_geodesics_add_program_test(isolines_of_nothing 2 "belong to --source" torus.off --isolines 1)
   flip_geodesics_add_program_test(isolines_of_no_vertex 2 "vertex 288" torus.off --source 0,288 --isolines 1)
   flip_geodesics_add_program_test(isolines_and_tree 2 "--shortest" torus.off --source 0 --isolines 1 --shortest)

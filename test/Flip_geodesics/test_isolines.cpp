@@ -2,7 +2,11 @@
 
 #define BOOST_TEST_MODULE Isolines
 
+#include "descriptors.h"
 #include "test_isolines/closed_field.h"
+
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 
 using namespace Flip_geodesics_test;
 
@@ -29,6 +33,26 @@ BOOST_AUTO_TEST_CASE(circles_in_the_plane)
       BOOST_TEST(area > 0);
     }
   }
+}
+
+// The numbers of a place next to a vertex are less than those that a location may have; its isoline is about the vertex.
+BOOST_AUTO_TEST_CASE(levels_next_to_zero)
+{
+  using Triangulation = CGAL::Flip_geodesics::Intrinsic_triangulation<Mesh>;
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  const Triangulation triangulation(mesh);
+  CGAL::Flip_geodesics::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
+  field.add_source(12_v);
+  field.compute();
+  for(double level : {1e-15, 1e-99, 1e-100, 1e-101, 1e-150, 1e-300, std::numeric_limits<double>::denorm_min()})
+    for(double tolerance : {1e-2, 1e-6, 1e-13}) {
+      std::vector<Isoline> curves;
+      CGAL::Flip_geodesics::isolines(mesh, field, std::vector<double>{level}, std::back_inserter(curves), tolerance);
+      BOOST_TEST_REQUIRE(curves.size() == 1u, level);
+      BOOST_TEST(curves.front().is_closed);
+      for(const auto& [face, weights] : curves.front().locations)
+        BOOST_TEST(field(face, weights).distance <= level + 1e-12, level);
+    }
 }
 
 // Not more evaluations than the documentation says, also in needles, and however long the edges are.

@@ -65,6 +65,17 @@ Curve_result curve_result(const Triangulation& triangulation, const Mesh& mesh, 
   return result;
 }
 
+// Calls what takes a tolerance, and names the option if that cannot be had; levels are finite.
+template <class Function>
+void with_tolerance(const Function& function)
+{
+  try {
+    function();
+  } catch(const FG::Invalid_parameter_error& error) {
+    throw Bad_input(std::string("--tolerance: ") + error.what() + "; give a larger one");
+  }
+}
+
 double farthest_distance(const Mesh& mesh, const Field& field)
 {
   double result = 0;
@@ -132,7 +143,8 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
     found.insert(isoline.level);
     result.curves.push_back(curve_result(triangulation, mesh, isoline, name.str(), "ISOLINE"));
   };
-  FG::isolines(mesh, field, levels, boost::make_function_output_iterator(add_isoline), tolerance);
+  with_tolerance(
+      [&] { FG::isolines(mesh, field, levels, boost::make_function_output_iterator(add_isoline), tolerance); });
   result.remarks = missing_levels(levels, found, farthest, tolerance);
   if(request.spacing > 0 && request.spacing >= farthest)
     result.remarks += "no isoline at a multiple of --spacing: the farthest vertex is nearer\n";
@@ -144,7 +156,8 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
         curve_result(triangulation, mesh, boundary, "between vertices " + vertex(0) + " and " + vertex(1), "BOUNDARY"));
   };
   if(request.is_diagram)
-    FG::voronoi_boundaries(mesh, field, boost::make_function_output_iterator(add_boundary), tolerance);
+    with_tolerance(
+        [&] { FG::voronoi_boundaries(mesh, field, boost::make_function_output_iterator(add_boundary), tolerance); });
   return result;
 }
 

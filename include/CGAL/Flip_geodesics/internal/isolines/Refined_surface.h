@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_ISOLINES_REFINED_SURFACE_H
 
 #include <CGAL/Flip_geodesics/Numbered_mesh.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
@@ -40,9 +41,15 @@ struct Sample
   std::size_t source;
 };
 
+/* A weight that no location can have is none. */
 inline Weights_in_face between(const Weights_in_face& a, const Weights_in_face& b, double t)
 {
-  return {{(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]}};
+  Weights_in_face result;
+  for(std::size_t i = 0; i < 3; ++i) {
+    const double weight = (1 - t) * a[i] + t * b[i];
+    result[i] = weight < least_weight ? 0 : weight;
+  }
+  return result;
 }
 
 /*
