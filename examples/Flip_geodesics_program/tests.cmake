@@ -382,7 +382,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   endforeach()
 
   if(Python3_Interpreter_FOUND AND UNIX)
-    foreach(case inputs results page places interruption full_disk closed_streams progress)
+    foreach(case inputs results failed_curves page places interruption full_disk closed_streams progress)
       add_test(NAME program_files_${case}
                COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_program_files.py --program
                        $<TARGET_FILE:flip_geodesics> --torus $<TARGET_FILE:generate_torus> ${case})

@@ -204,6 +204,34 @@ def case_interruption(folder):
         check(folder.names() == before and folder.text('curves.txt') == 'earlier\n', 'the files are others')
 
 
+def case_failed_curves(folder):
+    """Files for curves, trees and meshes stay as they are where all curves fail; one that does not is written."""
+    points, faces = '0 0 0\n1 0 0\n1 1 0\n9 9 0\n9 9 0\n', '3 0 1 2\n3 0 2 3\n3 3 2 4\n'
+    (folder.path / 'degenerate.off').write_text('OFF\n5 3 0\n' + points + faces)
+    (folder.path / 'one_fails.txt').write_text('0 4\n0 1\n')
+    names = {'polylines': 'curves.txt', 'mesh': 'scene.obj', 'page': 'page.html', 'subdivision': 'common.off',
+             'insert': 'inserted.off', 'cut': 'cut.off'}
+    files = [word for option, name in names.items() for word in ('--' + option, name)]
+    tree = ['--source', '0', '--polylines', 'curves.txt', '--map', 'map.csv']
+    before = folder.names()
+    for curves in (['--from', '0', '--to', '4', *files], tree):
+        _, errors = folder.run(1, 'degenerate.off', '--refuse-zero-edges', *curves)
+        check('curve 0 ' in errors, errors)
+        check(folder.names() == before, f'{" ".join(curves)}: there are files without a result')
+    for name in [*names.values(), 'map.csv', 'scene.polylines.txt']:
+        (folder.path / name).write_text('earlier\n')
+    for curves in (['--from', '0', '--to', '4', *files], tree,
+                   ['--from', '0', '--to', '4', '--mesh', 'scene.polylines.txt', '--stats', 'stats.csv']):
+        folder.run(1, 'degenerate.off', '--refuse-zero-edges', *curves)
+        for name in [*names.values(), 'map.csv', 'scene.polylines.txt']:
+            check(folder.text(name) == 'earlier\n', f'{" ".join(curves)}: {name} has been replaced')
+    check('ERROR' in folder.text('stats.csv'), 'no line for a curve that failed')
+    folder.run(1, 'degenerate.off', '--refuse-zero-edges', '--pairs', 'one_fails.txt', '--polylines', 'curves.txt')
+    check(folder.text('curves.txt').startswith('1 0 0 '), 'a curve is missing')
+    folder.run(0, 'torus.off', '--source', '0', '--isolines', '99', '--polylines', 'curves.txt')
+    check(folder.text('curves.txt') == '', 'there are other curves than those of the run, which are none')
+
+
 def case_full_disk(folder):
     """What cannot be written to its end is told when it happens; the other results are written."""
     def small_files():

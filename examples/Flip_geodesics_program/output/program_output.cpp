@@ -48,6 +48,7 @@ public:
       if(!run[i].error.empty())
         std::cerr << "flip_geodesics: curve " << m_curve << " (" << run[i].name << "): " << run[i].error << '\n';
       m_has_failed = m_has_failed || !run[i].error.empty();
+      m_has_curve = m_has_curve || run[i].error.empty() || !run[i].points.empty();
     }
     ++m_run;
     if(!m_page.is_wanted())
@@ -68,14 +69,16 @@ public:
   void close(const Mesh& mesh) override
   {
     m_map.close();
-    m_polylines.close();
-    m_stats.close();
+    m_stats.close(); // which has lines of curves that failed
     if(m_repaired.is_wanted()) {
       m_repaired.write(mesh);
       m_repaired.close();
     }
-    m_viewer.write(mesh, m_scene);
-    m_page.write(mesh, m_scene);
+    if(m_has_curve || !m_has_failed) {
+      m_polylines.close();
+      m_viewer.write(mesh, m_scene);
+      m_page.write(mesh, m_scene);
+    }
     m_live.write(mesh, m_scene.title);
   }
 
@@ -113,7 +116,7 @@ private:
   std::size_t m_run = 0, m_most_recorded_points = 1000000; // 16 megabytes on the page
   Run_summary m_summary;
   std::size_t m_curve = 0;
-  bool m_has_failed = false;
+  bool m_has_failed = false, m_has_curve = false;
 };
 
 } // namespace

@@ -88,14 +88,14 @@ public:
   explicit Map_file(const std::string& name)
     : m_file(name)
   {
-    if(m_file.is_wanted())
-      m_file.stream() << "vertex,distance,angle,x,y\n";
   }
 
   void write(const CGAL::Flip_geodesics::Logarithmic_map& map)
   {
     if(!m_file.is_wanted())
       return;
+    m_has_map = true;
+    m_file.stream() << "vertex,distance,angle,x,y\n";
     Vertex_index v(0);
     for(const CGAL::Flip_geodesics::Polar_coordinates& p : map.vertices) {
       const auto [x, y] = map.in_plane(v);
@@ -104,10 +104,16 @@ public:
     }
   }
 
-  void close() { m_file.close(); }
+  // Without a map what was there stays.
+  void close()
+  {
+    if(m_has_map)
+      m_file.close();
+  }
 
 private:
   Output_file m_file;
+  bool m_has_map = false;
 };
 
 } // namespace program
