@@ -242,11 +242,24 @@ BOOST_AUTO_TEST_CASE(faces_that_one_mesh_lacks)
   BOOST_CHECK_THROW(landmarks.check_input(of_others), FG::Input_mismatch_error);
 }
 
+// More than there are vertices would be the same ones again, and take all memory.
+BOOST_AUTO_TEST_CASE(more_landmarks_than_vertices)
+{
+  Setting setting(tetrahedron(2));
+  const std::size_t n = static_cast<std::size_t>(setting.triangulation.number_of_vertices());
+  const FG::Geodesic_landmarks all(setting.triangulation, n);
+  for(std::size_t number : {n + 1, std::size_t(1) << 40, static_cast<std::size_t>(-1)}) {
+    const FG::Geodesic_landmarks landmarks(setting.triangulation, number);
+    BOOST_TEST(landmarks.number_of_landmarks() == n);
+    BOOST_TEST(landmarks.distance_lower_bound(0_v, 1_v) == all.distance_lower_bound(0_v, 1_v));
+  }
+}
+
 // Where there is nothing to sweep over.
 BOOST_AUTO_TEST_CASE(meshes_without_edges)
 {
   Surface mesh;
-  BOOST_TEST(FG::geodesic_landmarks(mesh).number_of_landmarks() == FG::Geodesic_landmarks::default_number);
+  BOOST_TEST(FG::geodesic_landmarks(mesh).number_of_landmarks() == 0u);
   mesh.add_vertex(Surface::Point(1, 2, 3));
   mesh.add_vertex(Surface::Point(3, 2, 1));
   const FG::Geodesic_landmarks apart = FG::geodesic_landmarks(mesh);

@@ -31,7 +31,7 @@ namespace Flip_geodesics {
  *
  * The bounds hold for the mesh as its numbers say, rounding included, as `Shortest_path_report::lower_bound` does.
  *
- * Each component has its own landmarks, as many as have been asked for. They take two bytes a landmark and vertex, and
+ * Each component has its own landmarks, `number_of_landmarks()` of them. They take two bytes a landmark and vertex, and
  * may be read by several threads at once.
  */
 class Geodesic_landmarks
@@ -46,7 +46,7 @@ public:
    * Complexity: \f$O(n \log n)\f$ for each landmark, on meshes of needles more.
    *
    * \param triangulation a triangulation of the mesh; flips do not matter. It is not kept
-   * \param number of landmarks in each component
+   * \param number of landmarks in each component; more than the mesh has vertices are of no use, and none
    * \throws Degenerate_face_error for an edge of length zero, wherever it is
    * \throws Invalid_coordinate_error, Invalid_mesh_error for any face, as `Intrinsic_triangulation` does where it is
    *         asked
@@ -58,10 +58,11 @@ public:
     , m_number_of_faces(triangulation.input().number_of_faces())
   {
     note_borders(triangulation);
-    sweep(triangulation, number);
+    sweep(triangulation, (std::min)(number, static_cast<std::size_t>(m_number_of_vertices)));
   }
 
-  /// The number of landmarks of a component.
+  /// The number of landmarks of a component: as many as have been asked for, but no more than the mesh has vertices. If
+  /// a component has fewer vertices, some are landmarks several times.
   std::size_t number_of_landmarks() const { return m_rows.number_of_functions(); }
 
   /// No path between two vertices is shorter. Linear in the number of landmarks.
