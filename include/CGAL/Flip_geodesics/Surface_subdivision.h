@@ -29,11 +29,11 @@ namespace Flip_geodesics {
 /// Where a vertex of a `Surface_subdivision` comes from.
 struct Subdivision_vertex
 {
-  Surface_point on_input;                ///< its place on the input mesh
+  Surface_point on_input;                     ///< its place on the input mesh
   Vertex_index intrinsic_vertex = null_index; ///< the triangulation's vertex; or else:
   Halfedge_index intrinsic_halfedge =
-      null_index;                        ///< the first halfedge of the intrinsic edge on which the vertex lies,
-  double intrinsic_t = 0;                ///< and where on it, strictly between 0 at its tail and 1 at its head
+      null_index;         ///< the first halfedge of the intrinsic edge on which the vertex lies,
+  double intrinsic_t = 0; ///< and where on it, strictly between 0 at its tail and 1 at its head
 };
 
 /*!
@@ -47,6 +47,9 @@ struct Subdivision_vertex
  * a cut also copies of vertices. Connectivity is exact, whatever the rounding of positions. The mesh is oriented and
  * manifold, with the components, borders and genus of the input unless it is cut open. Positions are rounded, and faces
  * that are thinner than rounding may be degenerate in them.
+ *
+ * No two edges have the same two ends, with one exception: a common subdivision of a mesh on which two faces share all
+ * three vertices, or two edges both ends. It can have such edges, and files of points and faces cannot.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and not be flipped
  *         meanwhile
@@ -81,7 +84,8 @@ public:
   /// Where a vertex comes from.
   Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
 
-  /// The smallest halfedge of the input face that a face lies in.
+  /// The smallest halfedge of the input face that a face lies in. In the input mesh, it is the halfedge
+  /// `triangulation.input().halfedge(input_face(f))`, and the input face is the face of that.
   Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
 
   /// The smallest halfedge of the intrinsic face that a face lies in; `null_index` if not all intrinsic edges are in

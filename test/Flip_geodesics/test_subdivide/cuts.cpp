@@ -4,6 +4,8 @@
 
 #include "test_subdivide/cuts.h"
 
+#include <CGAL/Flip_geodesics/delaunay.h>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(a_path_cuts_a_slit)
@@ -160,6 +162,19 @@ BOOST_AUTO_TEST_CASE(short_loops_are_cut)
     s.network.add_curve(Halfedge_sequence{h}, true);
     check_inserted(s, 2);
     BOOST_CHECK_EQUAL(number_of_parts(cut_open(s).mesh()), 2);
+  }
+
+  // A common subdivision keeps two edges with the same ends there, and is a surface all the same.
+  Curve_setting s(pillow);
+  s.triangulation.insert({0_input_h, {{0.3, 0.3, 0.4}}});
+  FG::flip_to_delaunay(s.triangulation);
+  const auto both = FG::common_subdivision(s.triangulation, s.mesh);
+  BOOST_CHECK(CGAL::is_valid_polygon_mesh(both.mesh()));
+  BOOST_CHECK_EQUAL(euler_characteristic(both.mesh()), 2);
+  for(const auto f : faces(both.mesh())) {
+    const auto on_input = s.triangulation.input().halfedge(both.input_face(f));
+    for(const auto h : halfedges_around_face(halfedge(face(on_input, s.mesh), s.mesh), s.mesh))
+      BOOST_CHECK_LE(both.input_face(f), s.triangulation.input().index(h));
   }
 }
 
