@@ -7,6 +7,11 @@
 
 #include "test_refine/checked_refinement.h"
 
+#include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/certify.h>
+
+#include <boost/math/constants/constants.hpp>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(surfaces_without_curves_reach_the_bound)
@@ -145,6 +150,22 @@ BOOST_AUTO_TEST_CASE(bounds_that_make_no_sense_are_refused)
   options.smallest_angle = 20;
   options.longest_edge = 0;
   BOOST_CHECK_THROW(FG::refine(s.triangulation, options), FG::Invalid_parameter_error);
+}
+
+// The exact certificate may find bends where curves are split, but they are roundings.
+BOOST_AUTO_TEST_CASE(split_curves_bend_by_roundings)
+{
+  Curve_setting s(torus(24, 12, 3, 1));
+  s.add_path(0_v, 150_v);
+  s.pull();
+  BOOST_CHECK(FG::certify(s.network).curves[0].verdict == FG::Certificate_verdict::PROVEN);
+  FG::Refinement_options options;
+  options.smallest_angle = 20;
+  BOOST_CHECK_GT(FG::refine(s.network, options).splits, 0u);
+  BOOST_CHECK(FG::certify(s.network).curves[0].verdict != FG::Certificate_verdict::BENT_SEGMENT);
+  const FG::Straightness straightness = FG::Straightness_meter<Curve_setting::Network>(s.network)(0_c);
+  BOOST_CHECK_GT(straightness.smallest_angle, boost::math::constants::pi<double>() - 1e-13);
+  BOOST_CHECK_LT(straightness.largest_bend, 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(edges_have_the_wanted_length)

@@ -158,6 +158,10 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * row does not fall by a tenth while as many faces are treated. Then the worst of them are given up, and with them all
  * that have as short a side. The others are mended until these sums do not fall either.
  *
+ * Edges that are too long are not given up. They are divided, longest first, until none is left or the limit is reached:
+ * edges of length L take about A/L^2 vertices on a surface of area A. So a bound that no edge meets spreads the vertices
+ * that are allowed.
+ *
  * Some faces are exempt from the bound on angles. In one kind the smallest angle lies between two constrained edges
  * that meet under less than 60 degrees, or about a vertex whose angles sum to less. No insertion could make that angle
  * larger. In the other the shortest side joins two constrained edges at equal distances from such a vertex. An
