@@ -85,8 +85,8 @@ void check_mesh_results(const Mesh_result_options& options, const std::string& r
     throw Bad_input("--refine takes the smallest angle, in degrees, between 0 and 30");
   if((options.longest_edge || options.most_vertices) && !options.refine)
     throw Bad_input("--longest-edge and --most-vertices belong to --refine; give an angle, 0 for any");
-  if(options.longest_edge && !(*options.longest_edge > 0))
-    throw Bad_input("--longest-edge must be greater than 0");
+  if(options.longest_edge && !(*options.longest_edge >= 1e-70))
+    throw Bad_input("--longest-edge must be at least 1e-70: no edge is shorter");
   if(options.most_vertices && *options.most_vertices < 0)
     throw Bad_input("--most-vertices must not be negative");
   const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};

@@ -280,6 +280,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   --random 1 --threads 99999999999)
   flip_geodesics_add_program_test(spacing_too_long 2 "--spacing: '1e999' is beyond the range" torus.off --source 0
                                   --spacing 1e999)
+  flip_geodesics_add_program_test(edges_too_short 2 "--longest-edge must be at least 1e-70" torus.off --from 0 --to 9
+                                  --refine 20 --longest-edge 1e-300 --subdivision refined.off)
   # Decimal everywhere, as in files; finite; and the option is named.
   flip_geodesics_add_program_test(leading_zero 0 "0  *10  *150  .*1 LOCALLY_SHORTEST" torus.off --from 010 --to 0150)
   flip_geodesics_add_program_test(leading_zeros 0 "from vertex 10 .*from vertex 9 .*from vertex 10 .*3 curves"

@@ -148,6 +148,10 @@ BOOST_AUTO_TEST_CASE(bounds_that_make_no_sense_are_refused)
     BOOST_CHECK_THROW(FG::refine(s.triangulation, options), FG::Invalid_parameter_error);
   }
   options.smallest_angle = 20;
+  for(double shorter_than_any : {1e-71, 1e-300, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options.longest_edge = shorter_than_any;
+    BOOST_CHECK_THROW(FG::refine(s.triangulation, options), FG::Invalid_parameter_error);
+  }
   options.longest_edge = 0;
   BOOST_CHECK_THROW(FG::refine(s.triangulation, options), FG::Invalid_parameter_error);
 }
@@ -166,6 +170,26 @@ BOOST_AUTO_TEST_CASE(split_curves_bend_by_roundings)
   const FG::Straightness straightness = FG::Straightness_meter<Curve_setting::Network>(s.network)(0_c);
   BOOST_CHECK_GT(straightness.smallest_angle, boost::math::constants::pi<double>() - 1e-13);
   BOOST_CHECK_LT(straightness.largest_bend, 1e-13);
+}
+
+// Edges that are too long are not given up: the vertices that are allowed are spread over the surface.
+BOOST_AUTO_TEST_CASE(a_length_that_no_edge_has_spreads_the_vertices)
+{
+  for(double length : {1e-60, 1e-6}) {
+    Curve_setting s(cube(2));
+    FG::Refinement_options options;
+    options.longest_edge = length;
+    options.maximum_insertions = 1000;
+    const double mean = std::sqrt(area(s.triangulation) / 1000);
+    const FG::Refinement_report report = FG::refine(s.network, options);
+    BOOST_CHECK(report.status == FG::Refinement_status::VERTEX_LIMIT);
+    BOOST_CHECK_EQUAL(report.insertions + report.splits, 1000u);
+    BOOST_CHECK_EQUAL(report.given_up, 0u);
+    for(FG::Edge_index e : descriptors<FG::Edge_index>(s.triangulation.number_of_edges())) {
+      BOOST_CHECK_LE(s.triangulation.length(first_side(e)), 3 * mean);
+      BOOST_CHECK_GE(s.triangulation.length(first_side(e)), mean / 5);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(edges_have_the_wanted_length)

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -27,7 +28,7 @@ namespace Flip_geodesics {
 struct Refinement_options
 {
   double smallest_angle = 25; ///< in degrees, of every face; 0 is no bound. At most 30, above which few inputs end
-  double longest_edge = std::numeric_limits<double>::infinity(); ///< of every edge, in the units of the mesh
+  double longest_edge = std::numeric_limits<double>::infinity(); ///< of every edge, at least 1e-70, in the mesh's units
   std::size_t maximum_insertions = 1000000;                      ///< of vertices, those that split edges included
 };
 
@@ -110,12 +111,16 @@ Refinement_status refinement_status(End end, std::size_t missed)
 /* Beyond these bounds a refinement goes on to its limit, whatever the mesh. \throws Invalid_parameter_error */
 inline void check_options(const Refinement_options& options)
 {
+  constexpr double shortest_edge = 1e-70;
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
     throw Invalid_parameter_error("the smallest angle of a refinement is to be " +
                                   std::to_string(options.smallest_angle) + " degrees, which is not between 0 and 30");
-  if(!(options.longest_edge > 0))
-    throw Invalid_parameter_error("the longest edge of a refinement is to be " + std::to_string(options.longest_edge) +
-                                  " long, which is not positive");
+  if(!(options.longest_edge >= shortest_edge)) {
+    std::ostringstream number;
+    number << options.longest_edge;
+    throw Invalid_parameter_error("the longest edge of a refinement is to be " + number.str() +
+                                  " long, which is no number of at least 1e-70: no edge is shorter");
+  }
 }
 
 template <class Triangulation, class Splitter, class Visitor>
@@ -149,7 +154,8 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  * Refines a triangulation until no angle is too small and no edge too long. It flips the triangulation to Delaunay.
  * Then it inserts vertices at the circumcentres of bad faces, worst first, each followed by flips [SSC19, section 4.3].
  * Curves and the border are constrained: where they are in the way, they are split at vertices on them, and so stay
- * geodesics, with the same length. The surface does not change.
+ * geodesics, with the same length. The surface does not change. The places of vertices on curves are rounded, so that
+ * `certify()` finds them bent there, by a rounding: ask it before.
  *
  * Faces that cannot be mended are left. They are *refused* where numbers are too coarse for a point. They are *given
  * up* where `Refinement_options::maximum_insertions` vertices are too few by far, as on a tube a million times as long
