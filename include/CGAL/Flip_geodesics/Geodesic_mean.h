@@ -70,6 +70,8 @@ struct Mean_limits
  * geodesic. Where the sum gets larger, it goes on by half of it, and half again. In the plane one step is enough.
  *
  * What it finds is a local minimum. If the points lie close together, as compared with the curvature, there is one only.
+ * On a mesh of needles vectors may be less precise than the tolerance. Then the status can differ between two numberings
+ * of one mesh: one search ends as `CONVERGED`, the other as `ITERATION_LIMIT`.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
  */

@@ -31,6 +31,10 @@ namespace Flip_geodesics {
  * | `bool is_contracted()` | were edges of length zero contracted, see `Zero_length_edges`? |
  * | `const Numbered_mesh& uncontracted()` | the mesh before, or itself |
  *
+ * So a number that a result holds leads back to the mesh. Of the `Input_halfedge_index h` of a place or a face,
+ * `triangulation.input().halfedge(h)` is the mesh's halfedge, and `face(triangulation.input().halfedge(h), mesh)` its
+ * face.
+ *
  * Constant time each, but `index()`, which takes logarithmic time unless the mesh is a `Surface_mesh`. Construction is
  * \f$O(n \log n)\f$, but for a `Surface_mesh`, which is numbered already and not copied.
  *

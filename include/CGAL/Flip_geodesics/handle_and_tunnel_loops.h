@@ -35,6 +35,9 @@ struct Handle_and_tunnel_loops
  * before. Where they are not enough, as on a tube that is knotted, others are put together of several loops of a
  * `Loop_basis`. These may pass edges more than once, and cross themselves.
  *
+ * The places are those that the numbering of the mesh gives. The same mesh, numbered otherwise, can have other loops,
+ * some percent shorter or longer.
+ *
  * \param triangulation a model of `IntrinsicTriangulationOfMesh`, whose metric has points. Its input is read
  * \pre the surface does not cross or touch itself. Where that is noticed, it is an error
  * \throws Invalid_mesh_error if the mesh is no closed surface of triangles, or is seen to cross itself
