@@ -211,6 +211,30 @@ BOOST_AUTO_TEST_CASE(loops_on_a_line_are_points)
     }
 }
 
+// To contract edges has been tried there: that is no advice.
+BOOST_AUTO_TEST_CASE(meshes_on_a_line_are_told_truly)
+{
+  Mesh_soup soup = flat_grid(3, 3, Diagonal_rule::RISING);
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    soup.points[i] = {static_cast<double>((i / 4 * 7 + i % 4 * 3) % 5), 0, 0};
+  const Mesh mesh = to_mesh<Mesh>(soup);
+  const auto s = *vertices(mesh).begin(), t = *std::next(vertices(mesh).begin(), 11);
+  const auto is_true = [](const FG::Degenerate_face_error& error) {
+    const std::string what = error.what();
+    return what.find("has length zero") != std::string::npos &&
+           what.find("no surface joins the ends") != std::string::npos &&
+           what.find("contract such edges") == std::string::npos && error.elements().size() == 2;
+  };
+  std::vector<Mesh::Point> points;
+  BOOST_CHECK_EXCEPTION(FG::geodesic_path(mesh, s, t, std::back_inserter(points)), FG::Degenerate_face_error, is_true);
+  BOOST_CHECK_EXCEPTION(FG::shortest_path(mesh, s, t, std::back_inserter(points)), FG::Degenerate_face_error, is_true);
+  std::vector<FG::Geodesic_path<Mesh::Point>> paths;
+  const std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> pairs = {{s, t}};
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths));
+  BOOST_REQUIRE_EQUAL(paths.size(), 1u);
+  BOOST_CHECK_EXCEPTION(std::rethrow_exception(paths.front().error), FG::Degenerate_face_error, is_true);
+}
+
 BOOST_AUTO_TEST_CASE(networks_keep_their_curves_in_order)
 {
   Mesh_soup soup = flat_grid(8, 8, Diagonal_rule::RISING);

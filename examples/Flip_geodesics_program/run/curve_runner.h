@@ -170,7 +170,7 @@ private:
       return results;
     } catch(const FG::Disconnected_endpoints_error&) { // by faces without area, or in a point
       m_on_surface.reset();
-      return failures(request, why);
+      return failures(request, FG::internal::contracted_in_vain(why));
     } catch(const std::exception& error) {
       m_on_surface.reset();
       return failures(request, message(error));

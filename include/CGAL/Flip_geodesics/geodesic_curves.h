@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -56,6 +57,18 @@ struct Geodesics_result
 
 namespace internal {
 
+/* What is told of an edge of length zero if no surface joins the ends of a curve once such edges are contracted, by what
+ * was told before. */
+inline std::string contracted_in_vain(const std::string& why)
+{
+  const std::string advice = "; contract such edges";
+  const std::size_t end = why.find(advice);
+  return end == std::string::npos
+             ? why
+             : why.substr(0, end) + "; once such edges are contracted, no surface joins the ends of the curve, "
+                                    "since faces without area are gone; lengthen them (Mollified_metric)";
+}
+
 /*
  * Calls `compute(triangulation)` over a mesh; and if that meets an edge of length zero, again over the surface that is
  * left when such edges are contracted. Where that does not help either, what was wrong first is thrown.
@@ -66,15 +79,15 @@ auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, con
   try {
     auto triangulation = make_triangulation(mesh, np);
     return compute(triangulation);
-  } catch(const Degenerate_face_error&) {
+  } catch(const Degenerate_face_error& error) {
     auto triangulation = make_triangulation(mesh, np, Zero_length_edges::CONTRACT);
     if(!triangulation.input().is_contracted())
       throw;
     try {
       return compute(triangulation);
     } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
+      throw Degenerate_face_error(contracted_in_vain(error.what()), error.elements());
     }
-    throw;
   }
 }
 

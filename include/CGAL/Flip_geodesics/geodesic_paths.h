@@ -39,9 +39,9 @@ namespace Flip_geodesics {
 template <class Point>
 struct Geodesic_path
 {
-  std::vector<Point> points;   ///< from the source to the target; none if there is an error
-  Curve_report report;         ///< what became of the curve, if there is no error
-  std::exception_ptr error;    ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
+  std::vector<Point> points; ///< from the source to the target; none if there is an error
+  Curve_report report;       ///< what became of the curve, if there is no error
+  std::exception_ptr error;  ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
 };
 
 namespace internal {
@@ -72,11 +72,13 @@ public:
   {
     try {
       return compute(m_state, Zero_length_edges::REFUSE, source, target);
-    } catch(const Degenerate_face_error&) {
-      const Result refused = failed();
+    } catch(const Degenerate_face_error& error) {
       try {
         return compute(m_contracted_state, Zero_length_edges::CONTRACT, source, target);
       } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
+        Result refused;
+        refused.error =
+            std::make_exception_ptr(Degenerate_face_error(contracted_in_vain(error.what()), error.elements()));
         return refused;
       } catch(...) {
         return failed();
