@@ -299,6 +299,16 @@ BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
   BOOST_CHECK_THROW(std::rethrow_exception(directed_paths[1].error), FG::Disconnected_endpoints_error);
   for(const std::size_t i : {0u, 2u})
     BOOST_TEST(directed_paths[i].report.length == paths[i].report.length, boost::test_tools::tolerance(1e-12));
+
+  // Landmarks of another mesh have no distances of further vertices.
+  mesh.add_vertex(Kernel::Point_3(0, 0, 9));
+  const FG::Intrinsic_triangulation<Mesh> larger(mesh);
+  BOOST_CHECK_THROW(Search(larger, landmarks), FG::Input_mismatch_error);
+  directed_paths.clear();
+  FG::geodesic_paths(mesh, landmarks, pairs, std::back_inserter(directed_paths));
+  BOOST_TEST(directed_paths.size() == pairs.size());
+  for(const Path& path : directed_paths)
+    BOOST_CHECK_THROW(std::rethrow_exception(path.error), FG::Input_mismatch_error);
 }
 
 BOOST_AUTO_TEST_CASE(a_search_towards_a_point_that_is_no_number_says_so)

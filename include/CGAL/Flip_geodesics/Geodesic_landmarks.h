@@ -46,7 +46,7 @@ public:
    * Complexity: \f$O(n \log n)\f$ for each landmark, on meshes of needles more.
    *
    * \param triangulation a triangulation of the mesh; flips do not matter. It is not kept
-   * \param number of landmarks in each component; more than the mesh has vertices are of no use, and none
+   * \param number of landmarks in each component; a larger one than that of the mesh's vertices counts as that
    * \throws Degenerate_face_error for an edge of length zero, wherever it is
    * \throws Invalid_coordinate_error, Invalid_mesh_error for any face, as `Intrinsic_triangulation` does where it is
    *         asked

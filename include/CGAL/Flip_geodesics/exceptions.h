@@ -196,7 +196,7 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// What is loaded was saved for another mesh, or another metric.
+/// What is loaded was saved for another mesh, or another metric; or landmarks were made for one.
 class Input_mismatch_error : public Error
 {
 public:

@@ -245,7 +245,8 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
  * may take another way round a hole or a bump than without, which is about as long.
  *
  * \param mesh a triangle mesh
- * \param landmarks made for this mesh and its metric
+ * \param landmarks made for this mesh and its metric; if it has more vertices, or fewer, each path has an
+ *        Input_mismatch_error
  * \param pairs a range of `std::pair`s of vertices, source and target
  * \param out, stop, np as above
  * \return the end of the output

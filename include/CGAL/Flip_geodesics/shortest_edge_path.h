@@ -68,12 +68,15 @@ public:
   }
 
   /// Looks back and is directed by landmarks, which have to live as long; the bound counts 1.02 times then, since it is
-  /// nearly met. \pre they were made for this mesh
+  /// nearly met. \pre they were made for this mesh \throws Input_mismatch_error if it has more vertices, or fewer
   Shortest_edge_path(const Triangulation& triangulation, const Landmark_distances& landmarks)
     : Shortest_edge_path(triangulation, Search_method::LOOK_BACK)
   {
-    CGAL_precondition(landmarks.number_of_vertices() ==
-                      static_cast<std::size_t>(triangulation.input().number_of_vertices()));
+    const std::size_t expected = landmarks.number_of_vertices();
+    const std::size_t number = static_cast<std::size_t>(triangulation.input().number_of_vertices());
+    if(expected != number)
+      throw Input_mismatch_error("the landmarks were made for a mesh of " + std::to_string(expected) +
+                                 " vertices, not of " + std::to_string(number));
     m_landmarks = &landmarks;
     m_haste = haste_with_landmarks;
   }
