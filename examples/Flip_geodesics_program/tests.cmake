@@ -27,6 +27,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
 
   # A torus of 24 x 12 vertices; vertex 12 i + j.
   file(WRITE ${program_dir}/pairs.txt "0 150\n# a comment\n3 77 # another\n")
+  file(WRITE ${program_dir}/zeros.txt "00 0150\n+010 077\n")
+  file(WRITE ${program_dir}/hexadecimal.txt "0 0x1\n")
   file(WRITE ${program_dir}/path.txt "0 1 2 14 26 25 37\n5 6 7\n")
   file(WRITE ${program_dir}/loop.txt "0 1 2 3 4 5 6 7 8 9 10 11 0\n")
   file(WRITE ${program_dir}/trivial_loop.txt "0 12 13\n")
@@ -286,6 +288,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(leading_zero 0 "0  *10  *150  .*1 LOCALLY_SHORTEST" torus.off --from 010 --to 0150)
   flip_geodesics_add_program_test(leading_zeros 0 "from vertex 10 .*from vertex 9 .*from vertex 10 .*3 curves"
                                   torus.off --trace 010,00.5,01 --trace 9,0,1 --trace +10,1,1)
+  flip_geodesics_add_program_test(zeros_in_file 0 "0  *0  *150  .*1  *10  *77  .*2 LOCALLY_SHORTEST" torus.off --pairs
+                                  zeros.txt)
+  flip_geodesics_add_program_test(hexadecimal_file 2 "hexadecimal.txt line 1: '0x1' is no whole number" torus.off --pairs
+                                  hexadecimal.txt)
   flip_geodesics_add_program_test(zeros_in_limits 0 "8 LOCALLY_SHORTEST" torus.off --random 08 --seed 09 --threads 01)
   flip_geodesics_add_program_test(hexadecimal 2 "--to: '0x1' is no whole number; see" torus.off --from 0 --to 0x1)
   flip_geodesics_add_program_test(hexadecimal_rounds 2 "--rounds: '0x1' is no whole number" torus.off --bezier
