@@ -5,6 +5,7 @@
 // Exit status: 0 on success, 1 if a curve could not be computed or a result not be written (the others are), 2 on bad
 // input, 128 and the signal's number if it is interrupted.
 
+#include "advice.h"
 #include "bad_input.h"
 #include "command_line.h"
 #include "decimal_numbers.h"
@@ -420,7 +421,7 @@ int main(int argc, char** argv)
   } catch(const CLI::ParseError& error) {
     std::cerr << "flip_geodesics: " << printable(command_line.describe(error), 300) << '\n';
   } catch(const std::exception& error) {
-    std::cerr << "flip_geodesics: " << without_controls(error.what()) << '\n';
+    std::cerr << "flip_geodesics: " << without_controls(with_advice_to_repair(error.what())) << '\n';
   }
   return bad_input;
 }

@@ -358,8 +358,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(no_vertex 2 "--from: 'zero' is no whole number" torus.off --from zero --to 5)
   flip_geodesics_add_program_test(begun 2 "--seg is not known; did you mean --segmentation." torus.off --seg=x)
   flip_geodesics_add_program_test(unlike_any 2 "--xyzzyx is not known; see" torus.off --xyzzyx)
-  flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero" zero_length.off --pairs
+  flip_geodesics_add_program_test(zero_length 1 "0 .zero_length.txt line 1.: .*length zero; leave out --refuse-zero-edges" zero_length.off --pairs
                                   zero_length.txt --refuse-zero-edges)
+  flip_geodesics_add_program_test(zero_length_field 2 "length zero; give --repair" zero_length.off --source 0 --isolines 1)
+  flip_geodesics_add_program_test(zero_length_trace 1 "length zero; give --repair" zero_length.off --trace 3,0,1)
   flip_geodesics_add_program_test(zero_length_contracted 0 "2 LOCALLY_SHORTEST.*1 met edges of length zero"
                                   zero_length.off --pairs zero_length.txt --kernel certified)
   flip_geodesics_add_program_test(zero_length_tree 0 "3 LOCALLY_SHORTEST.*3 met" zero_length.off --source 0 --map

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_CURVE_RUNNER_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_RUNNER_H
 
+#include "advice.h"
 #include "bad_input.h"
 #include "run/curve_engine.h"
 #include "run/mesh_results.h"
@@ -152,7 +153,9 @@ private:
     if(request.tree_source)
       results.assign(1, tree_result(*request.tree_source));
     for(Curve_result& result : results)
-      result.error = why.substr(0, why.find('\n'));
+      result.error = with_advice(why.substr(0, why.find('\n')), m_options.are_zero_edges_refused
+                                                                    ? "leave out --refuse-zero-edges, or give --mollify"
+                                                                    : "give --mollify");
     return results;
   }
 

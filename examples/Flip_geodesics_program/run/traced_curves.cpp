@@ -2,6 +2,8 @@
 
 #include "run/traced_curves.h"
 
+#include "advice.h"
+
 #include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -49,7 +51,7 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
     result.initial_segments = result.points.size() - 1;
   } catch(const FG::Error& error) {
     result.points.clear();
-    result.error = error.what();
+    result.error = with_advice_to_repair(error.what());
   }
   return result;
 }
