@@ -111,7 +111,7 @@ void measure(const std::string& name, std::size_t number)
 {
   const Mesh mesh = benchmark_meshes::make_mesh(name);
   Triangulation triangulation(mesh);
-  Search search(triangulation);
+  Search search(triangulation, FG::Search_method::LOOK_BACK);
   const Pairs pairs(triangulation, number);
   std::vector<double> shortest;
   for(std::size_t i = 0; i < pairs.size(); ++i) {
@@ -136,7 +136,7 @@ void measure_landmarks(const std::string& name, std::size_t number, std::size_t 
   const std::string shown = benchmark_meshes::short_name(name);
   std::optional<FG::Geodesic_landmarks> landmarks;
   const double making = seconds([&] { landmarks.emplace(triangulation, number_of_landmarks); });
-  Search search(triangulation);
+  Search search(triangulation, FG::Search_method::LOOK_BACK);
   const Pairs pairs(triangulation, number);
   std::vector<double> shortest, directed;
   for(std::size_t i = 0; i < pairs.size(); ++i) {

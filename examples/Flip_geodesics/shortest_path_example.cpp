@@ -50,7 +50,7 @@ try {
   //! [Shortest]
   const auto found = FG::shortest_path(mesh, source, target, std::back_inserter(paths[0]));
   //! [Shortest]
-  std::cout << "The shortest edge path pulled tight: " << found.report.first_length
+  std::cout << "The geodesic to begin with: " << found.report.first_length
             << "\nThe result: " << found.length() << ", at most " << found.report.gap()
             << " longer than a shortest path, " << FG::to_string(found.report.verdict)
             << (found.report.has_tie ? ", one of several\n" : "\n");

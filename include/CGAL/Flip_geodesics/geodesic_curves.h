@@ -103,19 +103,31 @@ Shortening_report shorten_with_visitor(Network& network, const NamedParameters& 
 
 /* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
  * or the stop predicate is to see all of it. */
-template <class Network, class NamedParameters, class StopPredicate>
-Shortening_report shorten_between_ends(Network& network, const std::vector<Halfedge_index>& path,
-                                       const NamedParameters& np, const StopPredicate& stop)
+template <class Network, class StopPredicate, class Visitor>
+Shortening_report shorten_from_start(Network& network, const std::vector<Halfedge_index>& path,
+                                     const StopPredicate& stop, Visitor& visitor)
 {
   std::size_t flips = 0;
-  if constexpr(!is_given<NamedParameters, internal_np::visitor_t> &&
+  if constexpr(std::is_same<Visitor, Default_shortening_visitor>::value &&
                std::is_same<StopPredicate, Never_stop_predicate>::value)
     flips = add_straightened_path(network, path);
   else
     network.add_curve(path, false);
-  Shortening_report report = shorten_with_visitor(network, np, stop);
+  Shortening_report report = shorten(network, stop, visitor);
   report.flips += flips;
   report.curves.front().flips += flips;
+  return report;
+}
+
+/* The same with the visitor of the named parameters, if there is one. */
+template <class Network, class NamedParameters, class StopPredicate>
+Shortening_report shorten_between_ends(Network& network, const std::vector<Halfedge_index>& path,
+                                       const NamedParameters& np, const StopPredicate& stop)
+{
+  static_assert(is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
+  auto visitor = make_visitor(np);
+  Shortening_report report = shorten_from_start(network, path, stop, visitor.get());
   note_contraction(network.triangulation(), report);
   return report;
 }

@@ -52,7 +52,7 @@ struct Shortest_path_report
 {
   Shortening_report shortening; ///< of the one path
 
-  double first_length = 0; ///< the length of the shortest edge path once it was pulled tight
+  double first_length = 0; ///< the length of the edge path that was searched first, once it was pulled tight
   double length = 0;       ///< the length of the result
   double lower_bound = 0;  ///< no path is shorter: a bound for the mesh as its numbers say, rounding included
   std::size_t windows = 0; ///< what the search cost
@@ -230,9 +230,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
   Taken_back_on_failure<Network> guard(network);
   const std::vector<Vertex_index> ends = {source, target};
   const std::vector<Halfedge_index> edge_path = shortest_halfedges_through(search, ends);
-  network.add_curve(edge_path, false);
   Shortest_path_report report;
-  report.shortening = shorten(network, Never_stop_predicate(), visitor);
+  report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
   report.length = report.first_length = network.length(Curve_index(0));
 
   constexpr double tolerance = Shortest_path_report::tolerance();
@@ -259,12 +258,13 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
       triangulation.rollback(0);
       path = insert_path_in_tree(triangulation, windows, source, target, flips);
     }
-    if(!is_found()) {
+    if(is_found()) {
+      network.add_curve(path, false);
+      report.shortening = shorten(network, Never_stop_predicate(), visitor);
+    } else {
       triangulation.rollback(0);
-      path = edge_path;
+      report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
     }
-    network.add_curve(path, false);
-    report.shortening = shorten(network, Never_stop_predicate(), visitor);
     report.shortening.curves[0].initial_length = before.curves[0].initial_length;
     report.shortening.flips += before.flips + flips;
     report.shortening.flip_outs += before.flip_outs;
@@ -288,7 +288,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a shortest path between two vertices to an empty network. A shortest edge path is pulled tight. A sweep from the
+ * Adds a shortest path between two vertices to an empty network. An edge path is pulled tight, straightened before
+ * (`add_straightened_path()`) unless a visitor is to see all of it; one that looks back is soonest found. A sweep from the
  * target bounds from below what is left of a way that crosses an edge. Windows of straight rays are carried over the
  * mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one, in another homotopy class, that one is
  * inserted instead, by flipping the edges that it crosses.
@@ -358,7 +359,7 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
       const auto point = path_in_one_place<Form>(triangulation, mesh, s, out);
       return Result{point.out, report_of_no_length(point.report)};
     }
-    Shortest_edge_path<typename Types::Triangulation> search(triangulation);
+    Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
     typename Types::Network network(triangulation);
     auto visitor = make_visitor(np);
     Shortest_path_report report = add_shortest_path(network, search, landmarks, s, t, limit, visitor.get());
