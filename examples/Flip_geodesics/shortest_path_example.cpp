@@ -56,6 +56,12 @@ try {
             << (found.report.has_tie ? ", one of several\n" : "\n");
   FG::IO::write_VTP("shortest_path.vtp", paths);
 
+  //! [Landmarks]
+  const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh); // once, for thousands of pairs
+  const auto again = FG::shortest_path(mesh, landmarks, source, target, std::back_inserter(paths.emplace_back()));
+  //! [Landmarks]
+  std::cout << "With landmarks: " << again.length() << ", " << FG::to_string(again.report.verdict) << '\n';
+
   //! [Distances]
   auto distances = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
   const FG::Shortest_tree_report report = FG::geodesic_distances(mesh, source, distances);

@@ -14,13 +14,22 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/tags.h>
 
 #include <boost/test/unit_test.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <iterator>
 #include <map>
+#include <type_traits>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -56,6 +65,41 @@ std::vector<double> distances_upward(const Setting::Triangulation& triangulation
   for(Vertex_index v : descriptors<Vertex_index>(triangulation.number_of_vertices()))
     result.push_back(windows.distance(v) * (1 + 1e-13));
   return result;
+}
+
+// The bounds of all pairs of vertices, to the bit.
+std::vector<double> all_bounds(const FG::Geodesic_landmarks& landmarks, FG::Index number_of_vertices)
+{
+  std::vector<double> result;
+  for(Vertex_index v : descriptors<Vertex_index>(number_of_vertices))
+    for(Vertex_index w : descriptors<Vertex_index>(number_of_vertices))
+      result.push_back(landmarks.distance_lower_bound(v, w));
+  return result;
+}
+
+// Runs with so many threads where there is TBB, however few cores there are.
+template <class Function>
+void run_by(int threads, const Function& function)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena(threads).execute(function);
+#else
+  static_cast<void>(threads);
+  function();
+#endif
+}
+
+// A torus and, behind it in the numbering, a sphere with fewer vertices, and a triangle.
+Mesh_soup three_components()
+{
+  const auto moved = [](Mesh_soup soup, double offset) {
+    return mapped(soup, [=](const Coordinates& p) { return Coordinates{p[0] + offset, p[1], p[2]}; });
+  };
+  Mesh_soup triangle;
+  triangle.points = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+  triangle.triangles = {{0, 1, 2}};
+  return disjoint_union(disjoint_union(torus(16, 10, 3, 1), moved(bumpy_sphere(3, 0.3, 1), 9)), moved(triangle, 20));
 }
 
 } // namespace
@@ -157,6 +201,134 @@ BOOST_AUTO_TEST_CASE(results_are_the_same)
   }
 }
 
+// Those that are given tell nearly the distance from them, and all that they tell holds.
+BOOST_AUTO_TEST_CASE(given_landmarks)
+{
+  const Mesh_soup soup = three_components();
+  Setting setting(soup);
+  const auto& triangulation = setting.triangulation;
+  const int n = triangulation.number_of_vertices();
+  const std::vector<Vertex_index> given = {90_v, 5_v, 161_v, 47_v}; // three on the torus, one on the sphere
+  const FG::Geodesic_landmarks landmarks(triangulation, given);
+  BOOST_TEST(landmarks.number_of_landmarks() == 3u);
+  landmarks.check_input(triangulation);
+  for(int s = 0; s < n; ++s) {
+    const bool is_given = std::find(given.begin(), given.end(), Vertex_index(s)) != given.end();
+    if(!is_given && s % 11 != 0)
+      continue;
+    const std::vector<double> distance = distances_upward(triangulation, Vertex_index(s));
+    double told = 0, all = 0;
+    for(int t = 0; t < n; ++t) {
+      if(!(distance[t] < 1e9)) // in another component
+        continue;
+      const double bound = landmarks.distance_lower_bound(Vertex_index(s), Vertex_index(t));
+      BOOST_TEST(bound <= distance[t], s << " to " << t);
+      told += bound;
+      all += distance[t];
+    }
+    BOOST_TEST((!is_given || told > 0.95 * all), s);
+  }
+  BOOST_TEST(landmarks.distance_lower_bound(Vertex_index(n - 1), Vertex_index(n - 2)) == 0); // the triangle has none
+}
+
+// Neither repeated vertices nor their order matter; without any there are no bounds; all of them are nearly distances.
+BOOST_AUTO_TEST_CASE(ranges_of_given_landmarks)
+{
+  Setting setting(three_components());
+  const auto& triangulation = setting.triangulation;
+  const int n = triangulation.number_of_vertices();
+  const FG::Geodesic_landmarks once(triangulation, {90_v, 5_v, 161_v, 47_v}),
+      again(triangulation, {47_v, 5_v, 5_v, 90_v, 161_v, 161_v, 47_v, 161_v, 161_v, 90_v});
+  BOOST_TEST(again.number_of_landmarks() == 3u);
+  BOOST_TEST((all_bounds(once, n) == all_bounds(again, n)));
+
+  const FG::Geodesic_landmarks none(triangulation, std::vector<Vertex_index>());
+  BOOST_TEST(none.number_of_landmarks() == 0u);
+  none.check_input(triangulation);
+  BOOST_TEST((all_bounds(none, n) == std::vector<double>(static_cast<std::size_t>(n) * n, 0)));
+  BOOST_TEST(shortest(setting, &none, 0_v, 50_v).is_confirmed());
+
+  const FG::Geodesic_landmarks all(triangulation, descriptors<Vertex_index>(n));
+  BOOST_TEST(all.number_of_landmarks() == 160u);
+  BOOST_TEST(all.distance_lower_bound(Vertex_index(n - 1), Vertex_index(n - 2)) > 4.99);
+  const auto report = shortest(setting, &all, 0_v, 83_v);
+  BOOST_TEST(report.is_confirmed());
+  BOOST_TEST(report.length <= shortest(setting, nullptr, 0_v, 83_v).length * (1 + 1e-12));
+
+  for(const Vertex_index wrong : {Vertex_index(n), Vertex_index(-7), Vertex_index(FG::null_index)})
+    BOOST_CHECK_THROW(FG::Geodesic_landmarks(triangulation, {3_v, wrong}), FG::Vertex_out_of_range_error);
+}
+
+// A component with fewer vertices than are asked for has them all, and others go on to have more.
+BOOST_AUTO_TEST_CASE(chosen_landmarks)
+{
+  Setting setting(three_components());
+  FG::Shortest_edge_path<Setting::Triangulation> search(setting.triangulation, FG::Search_method::DIJKSTRA);
+  const FG::internal::Landmark_choice choice(search);
+  const int n = setting.triangulation.number_of_vertices();
+  BOOST_TEST(choice.order().size() == static_cast<std::size_t>(n));
+  const auto sets = choice.far_vertices(search, 5);
+  std::vector<std::size_t> sizes;
+  for(const auto& set : sets)
+    sizes.push_back(set.size());
+  BOOST_TEST((sizes == std::vector<std::size_t>{3, 3, 3, 2, 2}));
+  const FG::Geodesic_landmarks landmarks(setting.triangulation, 5);
+  BOOST_TEST(landmarks.number_of_landmarks() == 5u);
+  BOOST_TEST(landmarks.distance_lower_bound(Vertex_index(n - 1), Vertex_index(n - 2)) > 4.99);
+
+  // The first is the farthest from the first vertex, and each as far from those before as any vertex is.
+  Vertex_index last = 0_v;
+  search.visit_all(last, [&](Vertex_index v, double) { last = v; });
+  BOOST_TEST(sets[0][0] == last);
+  std::vector<Vertex_index> before = {last};
+  std::vector<double> nearest(static_cast<std::size_t>(n), 1e9);
+  for(std::size_t i = 1; i < sets.size(); ++i) {
+    double most = 0;
+    search.visit_all(before.back(), [&](Vertex_index v, double distance) {
+      nearest[v.idx()] = (std::min)(nearest[v.idx()], distance);
+      most = (std::max)(most, nearest[v.idx()]);
+    });
+    BOOST_TEST(nearest[sets[i][0].idx()] == most);
+    before.push_back(sets[i][0]);
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+static_assert(std::is_convertible<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value, "threads are tested");
+#endif
+
+// Bounds have the same bits for each number of threads.
+BOOST_AUTO_TEST_CASE(threads_change_nothing)
+{
+  using Tag = CGAL::Parallel_if_available_tag;
+  const Mesh_soup soups[] = {three_components(), torus(40, 24, 3, 1), genus_3_plate(1), needle_strip(20, 6, 1e-3)};
+  for(const Mesh_soup& soup : soups) {
+    const Setting setting(soup);
+    const auto& triangulation = setting.triangulation;
+    const int n = triangulation.number_of_vertices();
+    const std::vector<Vertex_index> given = {2_v, 40_v, 3_v, 17_v, 41_v};
+    const std::vector<double> chosen = all_bounds(FG::Geodesic_landmarks(triangulation), n),
+                              of_given = all_bounds(FG::Geodesic_landmarks(triangulation, given), n);
+    for(const int threads : {1, 2, 3, 8})
+      run_by(threads, [&] {
+        BOOST_TEST((all_bounds(FG::Geodesic_landmarks(triangulation, 8, Tag()), n) == chosen), threads);
+        BOOST_TEST((all_bounds(FG::Geodesic_landmarks(triangulation, given, Tag()), n) == of_given), threads);
+      });
+  }
+}
+
+// What is wrong with a mesh is found by all threads as by one.
+BOOST_AUTO_TEST_CASE(errors_with_threads)
+{
+  Mesh_soup pointed = flat_grid(9, 9, Diagonal_rule::RISING);
+  pointed.points[5] = pointed.points[6];
+  const Setting degenerate(pointed);
+  run_by(4, [&] {
+    BOOST_CHECK_THROW(FG::Geodesic_landmarks(degenerate.triangulation, 8, CGAL::Parallel_if_available_tag()),
+                      FG::Degenerate_face_error);
+  });
+}
+
 // By one call; and with other lengths than those in space.
 BOOST_AUTO_TEST_CASE(one_call)
 {
@@ -169,6 +341,15 @@ BOOST_AUTO_TEST_CASE(one_call)
   FG::shortest_path(mesh, s, t, std::back_inserter(same));
   BOOST_TEST(result.report.is_confirmed());
   BOOST_TEST((points == same));
+  const std::vector<Surface::Vertex_index> ends = {t, s, t};
+  const FG::Geodesic_landmarks of_ends = FG::geodesic_landmarks<CGAL::Parallel_if_available_tag>(mesh, ends);
+  BOOST_TEST(of_ends.number_of_landmarks() == 2u);
+  BOOST_TEST(of_ends.distance_lower_bound(0_v, 83_v) > 0.95 * result.length());
+  BOOST_TEST(FG::geodesic_landmarks<CGAL::Parallel_if_available_tag>(mesh, 3).number_of_landmarks() == 3u);
+  BOOST_TEST(FG::geodesic_landmarks(mesh, {s, t}, CGAL::parameters::default_values()).number_of_landmarks() == 2u);
+  BOOST_TEST(FG::geodesic_landmarks(mesh, vertices(mesh)).number_of_landmarks() == 160u);
+  for(const auto wrong : {Surface::null_vertex(), Surface::Vertex_index(160)})
+    BOOST_CHECK_THROW(FG::geodesic_landmarks(mesh, {s, wrong}), FG::Vertex_out_of_range_error);
   points.clear();
   const auto given_up = FG::shortest_path(mesh, landmarks, s, t, std::back_inserter(points), FG::Window_limit(0));
   BOOST_TEST(given_up.report.lower_bound <= result.length());
@@ -181,6 +362,9 @@ BOOST_AUTO_TEST_CASE(one_call)
   BOOST_TEST(by_lengths.distance_lower_bound(0_v, 1_v) <= 1);
   BOOST_TEST(by_lengths.distance_lower_bound(0_v, 83_v) > 1);
   BOOST_CHECK_THROW(landmarks.check_input(triangulation), FG::Input_mismatch_error);
+  const FG::Geodesic_landmarks by_given_lengths =
+      FG::geodesic_landmarks(mesh, ends, FG::with_metric(Length_metric(mesh, Length_map(lengths))));
+  by_given_lengths.check_input(triangulation);
 }
 
 BOOST_AUTO_TEST_CASE(errors)

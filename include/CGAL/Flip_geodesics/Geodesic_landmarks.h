@@ -5,16 +5,22 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
+#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/windows/Goal_bound.h>
+#include <CGAL/Flip_geodesics/internal/windows/Landmark_choice.h>
 #include <CGAL/Flip_geodesics/internal/windows/Landmark_rows.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
-#include <algorithm>
+#include <CGAL/tags.h>
+
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -24,15 +30,15 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Lower bounds of the distances on a surface between all pairs of vertices. Landmarks are vertices far from one
- * another. A sweep from each landmark gives all vertices values that are about their distances from it. Two vertices
- * are not closer to each other than their values differ [Goldberg, Harrelson, Computing the shortest path: A* search
- * meets graph theory]. Made once for many shortest paths on one mesh, they keep the searches to where shortest paths
- * can run. `Landmark_distances` do that for paths along edges.
+ * another, or those that a caller gives. A sweep from each landmark gives all vertices values that are about their
+ * distances from it. Two vertices are not closer to each other than their values differ [Goldberg, Harrelson, Computing
+ * the shortest path: A* search meets graph theory]. Made once for many shortest paths on one mesh, they keep the
+ * searches to where shortest paths can run. `Landmark_distances` do that for paths along edges.
  *
  * The bounds hold for the mesh as its numbers say, rounding included, as `Shortest_path_report::lower_bound` does.
  *
- * Each component has its own landmarks, `number_of_landmarks()` of them. They take two bytes a landmark and vertex, and
- * may be read by several threads at once.
+ * Each component has its own landmarks, `number_of_landmarks()` of them at most. They take two bytes a landmark and
+ * vertex, and may be read by several threads at once. A sweep takes some 400 bytes a triangle while it runs.
  */
 class Geodesic_landmarks
 {
@@ -41,28 +47,54 @@ public:
   static constexpr std::size_t default_number = 8;
 
   /*!
-   * Chooses the landmarks, each the vertex of its component that is farthest from those before, and sweeps.
+   * Chooses the landmarks, each the vertex of its component that is farthest along edges from those before, and sweeps.
    *
    * Complexity: \f$O(n \log n)\f$ for each landmark, on meshes of needles more.
    *
+   * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked, for several sweeps at the
+   *         same time; the results are the same
+   *
    * \param triangulation a triangulation of the mesh; flips do not matter. It is not kept
-   * \param number of landmarks in each component; a larger one than that of the mesh's vertices counts as that
+   * \param number of landmarks in each component; one with fewer vertices has no more landmarks than those
+   * \param tag says by its type whether there are threads
    * \throws Degenerate_face_error for an edge of length zero, wherever it is
    * \throws Invalid_coordinate_error, Invalid_mesh_error for any face, as `Intrinsic_triangulation` does where it is
    *         asked
    */
-  template <class Triangulation>
-  explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number)
-    : m_number_of_vertices(triangulation.input().number_of_vertices())
-    , m_number_of_halfedges(triangulation.input().number_of_halfedges())
-    , m_number_of_faces(triangulation.input().number_of_faces())
+  template <class Triangulation, class ConcurrencyTag = Sequential_tag>
+  explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number,
+                              ConcurrencyTag tag = ConcurrencyTag())
   {
-    note_borders(triangulation);
-    sweep(triangulation, (std::min)(number, static_cast<std::size_t>(m_number_of_vertices)));
+    make(triangulation, tag, [&](const Choice& choice, auto& search) { return choice.far_vertices(search, number); });
   }
 
-  /// The number of landmarks of a component: as many as have been asked for, but no more than the mesh has vertices. If
-  /// a component has fewer vertices, some are landmarks several times.
+  /*!
+   * Sweeps from landmarks that are given, for instance some about the part of a mesh where all paths run.
+   *
+   * Complexity: as above.
+   *
+   * \tparam ConcurrencyTag as above
+   *
+   * \param triangulation a triangulation of the mesh; flips do not matter. It is not kept
+   * \param landmarks a range of `Vertex_index`es in any order, each of which counts once. Components without any have no
+   *        bounds
+   * \param tag says by its type whether there are threads
+   * \throws Vertex_out_of_range_error
+   * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error as above
+   */
+  template <class Triangulation, class VertexRange = std::vector<Vertex_index>, class ConcurrencyTag = Sequential_tag,
+            std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
+  Geodesic_landmarks(const Triangulation& triangulation, const VertexRange& landmarks,
+                     ConcurrencyTag tag = ConcurrencyTag())
+  {
+    static_assert(internal::is_range_of<VertexRange, Vertex_index>,
+                  "no number of landmarks where it belongs, nor a range of vertices; the order is triangulation, "
+                  "landmarks, concurrency tag");
+    const std::vector<Vertex_index> given(std::begin(landmarks), std::end(landmarks));
+    make(triangulation, tag, [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
+  }
+
+  /// The number of landmarks of the component that has the most.
   std::size_t number_of_landmarks() const { return m_rows.number_of_functions(); }
 
   /// No path between two vertices is shorter. Linear in the number of landmarks.
@@ -96,6 +128,8 @@ public:
   const internal::Landmark_rows& rows() const { return m_rows; }
 
 private:
+  using Choice = internal::Landmark_choice;
+
   // At a landmark, or on a border.
   struct Edge
   {
@@ -107,76 +141,59 @@ private:
   static constexpr int free_updates = 400; // many, since needles need them, and the sweeps are made once
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Chooses landmarks in all components at once.
-  class Choice
+  // `choose(choice, search)` returns sets of landmarks.
+  template <class Triangulation, class ConcurrencyTag, class Choose>
+  void make(const Triangulation& triangulation, ConcurrencyTag, const Choose& choose)
   {
-  public:
-    explicit Choice(std::size_t number_of_vertices)
-      : m_component(number_of_vertices, -1)
-      , m_nearest(number_of_vertices, infinity)
-    {
-    }
-
-    // The vertices that are farthest along edges from the first of each component; returns the largest distance.
-    template <class Search>
-    double begin(Search& search)
-    {
-      double radius = 0;
-      for(Vertex_index v : internal::descriptors<Vertex_index>(static_cast<Index>(m_component.size()))) {
-        if(m_component[v] >= 0)
-          continue;
-        const Index component = static_cast<Index>(m_farthest.size());
-        m_farthest.push_back(v);
-        search.visit_all(v, [&](Vertex_index w, double distance) {
-          m_component[w] = component;
-          m_farthest.back() = w; // they come in the order of distance
-          radius = (std::max)(radius, distance);
-        });
-      }
-      return radius;
-    }
-
-    // One in each component.
-    const std::vector<Vertex_index>& landmarks() const { return m_farthest; }
-
-    // Vertices are so far from the last landmarks.
-    template <class Distance>
-    void go_on(const Distance& distance)
-    {
-      std::vector<double> farthest(m_farthest.size(), -1);
-      for(Vertex_index v : internal::descriptors<Vertex_index>(static_cast<Index>(m_component.size()))) {
-        m_nearest[v] = (std::min)(m_nearest[v], distance(v));
-        double& best = farthest[static_cast<std::size_t>(m_component[v])];
-        if(m_nearest[v] > best) {
-          best = m_nearest[v];
-          m_farthest[static_cast<std::size_t>(m_component[v])] = v;
-        }
-      }
-    }
-
-  private:
-    internal::Indexed_by<Vertex_index, std::vector<Index>> m_component;
-    internal::Indexed_by<Vertex_index, std::vector<double>> m_nearest; // how far the nearest landmark is
-    std::vector<Vertex_index> m_farthest;
-  };
-
-  template <class Triangulation>
-  void sweep(const Triangulation& triangulation, std::size_t number)
-  {
+    m_number_of_vertices = triangulation.input().number_of_vertices();
+    m_number_of_halfedges = triangulation.input().number_of_halfedges();
+    m_number_of_faces = triangulation.input().number_of_faces();
+    note_borders(triangulation);
     Shortest_edge_path<Triangulation> search(triangulation, Search_method::DIJKSTRA);
-    Choice choice(static_cast<std::size_t>(m_number_of_vertices));
-    const double largest = 2 * choice.begin(search) * (1 + 0x1p-20); // no two vertices are farther apart along edges
-    m_rows = internal::Landmark_rows(static_cast<std::size_t>(m_number_of_vertices), number, largest);
+    const Choice choice(search);
+    const std::vector<Choice::Set> sets = choose(choice, search);
+    for(std::size_t i = 0; i < sets.size(); ++i)
+      note_edge(triangulation, sets[i][i % sets[i].size()]);
+    sweep<ConcurrencyTag>(triangulation, choice, sets);
+  }
+
+  // From each set by itself. As all faces are laid out before, sweeps only read them, and their order does not matter.
+  template <class ConcurrencyTag, class Triangulation>
+  void sweep(const Triangulation& triangulation, const Choice& choice, const std::vector<Choice::Set>& sets)
+  {
+    const double largest = choice.largest_distance();
+    m_rows = internal::Landmark_rows(static_cast<std::size_t>(m_number_of_vertices), sets.size(), largest);
     internal::Unfolded_faces<Triangulation> faces(triangulation);
-    for(std::size_t i = 0; i < number; ++i) {
-      note_edge(triangulation, choice.landmarks(), i);
+    lay_out(triangulation, choice.order(), faces);
+    internal::for_each_index<ConcurrencyTag>(sets.size(), [&](std::size_t i) {
       internal::Cone_sweep<Triangulation> sweep(triangulation, faces, null_index,
                                                 internal::Goal_bound<Triangulation>(triangulation), free_updates);
-      sweep.run_from(choice.landmarks(), largest);
+      sweep.run_from(sets[i], largest);
       if(sweep.is_useful())
         keep(i, sweep);
-      choice.go_on([&](Vertex_index v) { return sweep.is_useful() ? sweep.distance_lower_bound(v) : infinity; });
+    });
+  }
+
+  // Those about each vertex in turn, for what is near on the mesh to be near in memory; then any that this has missed.
+  template <class Triangulation, class Faces>
+  void lay_out(const Triangulation& triangulation, const std::vector<Vertex_index>& order, Faces& faces) const
+  {
+    const auto& input = triangulation.input();
+    const auto add = [&](Input_halfedge_index h) {
+      if(!input.is_border(h))
+        faces.number(h);
+    };
+    for(Vertex_index v : order) {
+      const Input_halfedge_index first = input.outgoing(v);
+      Input_halfedge_index h = first;
+      if(first != null_index)
+        do {
+          add(h);
+          h = input.next(internal::twin_index(h));
+        } while(h != first);
     }
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(m_number_of_halfedges))
+      add(h);
   }
 
   // All that a sweep says is lower by its error, which does not matter for differences.
@@ -189,14 +206,11 @@ private:
         m_rows.set(v, i, value);
   }
 
-  // At the landmark of each component in turn, unless it is an isolated vertex.
+  // At a landmark, unless it is an isolated vertex.
   template <class Triangulation>
-  void note_edge(const Triangulation& triangulation, const std::vector<Vertex_index>& landmarks, std::size_t i)
+  void note_edge(const Triangulation& triangulation, Vertex_index landmark)
   {
-    if(landmarks.empty())
-      return;
-    const Input_halfedge_index h = triangulation.input().outgoing(landmarks[i % landmarks.size()]);
-    if(h != null_index)
+    if(const Input_halfedge_index h = triangulation.input().outgoing(landmark); h != null_index)
       note(triangulation, h);
   }
 
@@ -223,7 +237,7 @@ private:
     m_edges.push_back({h, triangulation.input().is_border(h), triangulation.metric().length(triangulation.input(), h)});
   }
 
-  Index m_number_of_vertices, m_number_of_halfedges, m_number_of_faces;
+  Index m_number_of_vertices = 0, m_number_of_halfedges = 0, m_number_of_faces = 0;
   std::vector<Edge> m_edges;
   internal::Landmark_rows m_rows;
 };

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -442,16 +443,48 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  *
  * Makes landmarks for many calls of `shortest_path()` on one mesh.
  *
+ * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` where TBB is linked, for several sweeps at the same time;
+ *         the results are the same
+ *
  * \param mesh a triangle mesh
  * \param number of landmarks in each component
  * \param np the named parameters of `geodesic_path()` that say what lengths are
  * \throws as `Geodesic_landmarks`
  */
-template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
+          class NamedParameters = parameters::Default_named_parameters>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t number = Geodesic_landmarks::default_number,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return Geodesic_landmarks(internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE), number);
+  return Geodesic_landmarks(internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE), number,
+                            ConcurrencyTag());
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsFunctions
+ *
+ * Makes landmarks of given vertices.
+ *
+ * \param mesh a triangle mesh
+ * \param landmarks a range of vertices of the mesh, in any order; each counts once
+ * \param np as above
+ * \throws Vertex_out_of_range_error; otherwise as `Geodesic_landmarks`
+ */
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
+          class VertexRange = std::vector<Mesh_vertex<TriangleMesh>>,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
+Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRange& landmarks,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  static_assert(internal::is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
+                "no number of landmarks where it belongs, nor a range of vertices of the mesh; the order is mesh, "
+                "landmarks, named parameters");
+  const auto triangulation = internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE);
+  std::vector<Vertex_index> indices;
+  for(const Mesh_vertex<TriangleMesh> v : landmarks)
+    indices.push_back(triangulation.index(v));
+  return Geodesic_landmarks(triangulation, indices, ConcurrencyTag());
 }
 
 } // namespace Flip_geodesics

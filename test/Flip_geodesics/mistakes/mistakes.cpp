@@ -101,6 +101,10 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   FG::geodesic_distances(mesh, of_mesh, distances);
 #elif MISTAKE == 25
   const FG::Geodesic_distance_field<Triangulation> of_temporary{Triangulation(mesh), mesh};
+#elif MISTAKE == 26
+  FG::geodesic_landmarks(mesh, CGAL::parameters::default_values());
+#elif MISTAKE == 27
+  const FG::Geodesic_landmarks landmarks(triangulation, of_mesh);
 #else
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));
@@ -110,6 +114,9 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
                          FG::with_metric(FG::Edge_length_metric(mesh, lengths)));
   FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, FG::Window_limit(1), CGAL::parameters::default_values());
   FG::geodesic_spline(mesh, of_mesh, FG::Spline_kind::BEZIER, out);
+  FG::shortest_path(mesh, FG::geodesic_landmarks(mesh, 3), of_mesh[0], of_mesh[1], out);
+  FG::geodesic_landmarks(mesh, of_mesh, CGAL::parameters::default_values());
+  const FG::Geodesic_landmarks landmarks(triangulation, vertices);
   FG::isolines(mesh, field, levels, std::back_inserter(isolines), 0.1);
   network.add_curve(halfedges, false);
   network.add_curve(FG::halfedges_through(triangulation, vertices, false), false);

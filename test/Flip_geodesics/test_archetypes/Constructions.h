@@ -222,6 +222,8 @@ private:
     const FG::Geodesic_landmarks bounds(triangulation, 2);
     bounds.check_input(triangulation);
     BOOST_TEST(bounds.distance_lower_bound(Vertex(0), m_last) >= 0);
+    const FG::Geodesic_landmarks of_given(triangulation, {m_last, Vertex(0)});
+    BOOST_TEST(of_given.distance_lower_bound(Vertex(0), m_last) > 0);
     const auto polyline = FG::complete_polyline(triangulation, points(triangulation));
     m_record.halfedges(FG::halfedges_on_surface(triangulation, FG::snap_polyline(triangulation, polyline), false));
     m_record.polyline(FG::points_on_surface(triangulation, points(triangulation)));

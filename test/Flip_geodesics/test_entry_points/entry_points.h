@@ -258,6 +258,9 @@ inline std::vector<Entry_point> building_blocks()
           {"Shortest_edge_path::visit_all", Reach::EDGES, in_setting([](Setting& s) {
              FG::Shortest_edge_path<Triangulation>(s.triangulation).visit_all(s.v, [](FG::Vertex_index, double) {});
            })},
+          {"Geodesic_landmarks of vertices", Reach::WHOLE, in_setting([](Setting& s) {
+             FG::Geodesic_landmarks{s.triangulation, Vertex_sequence{s.v, s.w}};
+           })},
           {"halfedges_through", Reach::LOCAL, in_setting([](Setting& s) {
              const Vertex_sequence vertices = {s.v, s.triangulation.index(next_to(s.mesh, s.from))};
              FG::halfedges_through(s.triangulation, vertices, false);
@@ -364,6 +367,9 @@ inline std::vector<Entry_point> functions_of_the_whole_mesh()
           {"Landmark_distances", Reach::EDGES, in_setting([](Setting& s) {
              FG::Shortest_edge_path<Triangulation> search(s.triangulation);
              FG::Landmark_distances{search};
+           })},
+          {"Geodesic_landmarks", Reach::WHOLE, in_setting([](Setting& s) {
+             FG::Geodesic_landmarks{s.triangulation, 2};
            })},
           {"write_network and read_network", Reach::EDGES, in_network([](Setting& s, Network& network) {
              std::stringstream file;
