@@ -173,6 +173,11 @@ private:
     add("--pairs", "FILE", m_options.pairs, "A geodesic per line `source target`; # starts a comment");
     add("--random", "NUMBER", m_options.random, "So many geodesics between random vertices of a component");
     add("--seed", "NUMBER", m_options.seed, "Seed of --random");
+    add("--shortest", m_options.is_shortest,
+        "With --from, --pairs or --random: the shortest of all paths, and whether that is proven; with --source: "
+        "replace paths that are not globally shortest");
+    add("--landmarks", "NUMBER", m_options.landmarks,
+        "With --shortest: so many landmarks, which are made before and make hundreds of paths faster; 8 are good");
     add("--trace", "VERTEX,ANGLE,LENGTH", m_options.traces,
         "A straightest geodesic from a vertex: its direction, in radians as in --map, and its length; may be repeated")
         ->allow_extra_args(false);
@@ -216,7 +221,6 @@ private:
     add_list("--source", "VERTEX", m_options.sources,
              "The tree of geodesics from this vertex to all others; a curve per edge of the tree. With --isolines, "
              "--spacing or --voronoi: vertices `v,v,...`, and no tree");
-    add("--shortest", m_options.is_shortest, "With --source: replace paths that are not globally shortest");
     add_list("--isolines", "DISTANCE", m_options.isolines,
              "With --source: the curves at these distances, `d,d,...`, from the nearest");
     add("--spacing", "DISTANCE", m_options.spacing,

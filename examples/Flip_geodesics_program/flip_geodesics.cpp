@@ -18,6 +18,7 @@
 #include "readable.h"
 #include "run/curve_engine.h"
 #include "run/field_curves.h"
+#include "run/landmarks.h"
 #include "run/machine_memory.h"
 #include "run/other_ways.h"
 #include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
@@ -114,6 +115,22 @@ void check_other_ways(const Options& options)
                     "--stop-length, --delaunay, --refine, --subdivision, --insert and --cut do not go with it");
 }
 
+void check_shortest_paths(const Options& options)
+{
+  constexpr long long most_landmarks = 1000;
+  if(options.is_shortest && options.sources.empty() && !options.has_pairs())
+    throw Bad_input("--shortest belongs to --from with --to, --pairs, --random and --source; give one of them");
+  if(options.is_shortest && options.ways)
+    throw Bad_input("--ways gives shortest paths; leave --shortest out");
+  if(options.is_shortest && options.stop_length)
+    throw Bad_input("--stop-length does not go with --shortest; leave one of them out");
+  if(options.landmarks && (!options.is_shortest || !options.has_pairs()))
+    throw Bad_input("--landmarks belongs to --shortest with --from and --to, --pairs or --random; give both");
+  if(options.landmarks && (*options.landmarks < 1 || *options.landmarks > most_landmarks))
+    throw Bad_input("--landmarks " + std::to_string(*options.landmarks) + ": give 1 to " +
+                    std::to_string(most_landmarks));
+}
+
 void check_field_options(const Options& options)
 {
   if(options.tolerance && !options.is_field_wanted())
@@ -157,8 +174,8 @@ int number_of_jobs(const Options& options)
 void check_options(const Options& options)
 {
   const int jobs = number_of_jobs(options);
-  if(options.sources.empty() && (options.is_shortest || !options.results.map.empty() || options.is_field_wanted()))
-    throw Bad_input("--shortest, --map, --isolines, --spacing and --voronoi belong to --source; give a source");
+  if(options.sources.empty() && (!options.results.map.empty() || options.is_field_wanted()))
+    throw Bad_input("--map, --isolines, --spacing and --voronoi belong to --source; give a source");
   if(jobs > 1 || (jobs == 0 && !is_only_live_page_wanted(options)))
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
                     "--points, --bezier, --draw, --segmentation, --seams, --source, --trace; or give --live alone");
@@ -166,6 +183,7 @@ void check_options(const Options& options)
     throw Bad_input("--repaired belongs to --repair; give both");
   check_field_options(options);
   check_other_ways(options);
+  check_shortest_paths(options);
   if(!options.traces.empty() &&
      (options.mollify || options.kernel || options.stop_length || options.meshes.is_any_wanted()))
     throw Bad_input("--trace gives no curves of a triangulation: --mollify, --kernel, --stop-length, "
@@ -228,10 +246,12 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   std::size_t number_of_curves = 0;
   for(const Network_request& request : requests)
     number_of_curves += request.curves.size();
+  const std::optional<Landmarks> landmarks = make_landmarks(options, mesh, metric, progress);
   progress.expect_curves(number_of_curves);
   const Run_options run_options = {search_method(options.search),
                                    options.stop_length,
                                    options.is_shortest,
+                                   landmarks ? &landmarks->bounds : nullptr,
                                    options.rounds.value_or(5),
                                    options.is_snapped,
                                    options.are_zero_edges_refused,
@@ -268,7 +288,7 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   progress.enter("writing");
   outputs->close(mesh);
   if(!options.is_quiet) {
-    outputs->print_summary(std::cout << title);
+    outputs->print_summary(std::cout << title << (landmarks ? landmarks->remark : ""));
     std::cout << engine->tree_results() << engine->mesh_results();
   }
   return outputs->has_failed() ? incomplete : success;

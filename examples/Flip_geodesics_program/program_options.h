@@ -39,6 +39,7 @@ struct Options
   bool is_snapped = false;
   std::optional<int> rounds;
   bool has_seams = false, has_free_junctions = false, is_shortest = false;
+  std::optional<long long> landmarks;
   std::vector<long long> sources;
   std::optional<long long> ways;   ///< how many between the ends of each pair
   std::string obstacles;           ///< their file

@@ -104,6 +104,44 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
     flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" torus.off --random 30 --seed 7
                                     --threads 1024)
   endif()
+  # The paths of edges pulled tight have other lengths.
+  flip_geodesics_add_program_test(shortest_pair 0 " 2.77034 .*1 PROVEN_SHORTEST" torus.off --from 0 --to 150 --shortest)
+  flip_geodesics_add_program_test(shortest_pairs 0 "2 PROVEN_SHORTEST.*certificates: 2 PROVEN" torus.off --pairs
+                                  pairs.txt --shortest --stats shortest_pairs.csv)
+  flip_geodesics_add_program_test(landmarks 0 "4 landmarks, made in.*30 PROVEN_SHORTEST" torus.off --random 30 --seed 7
+                                  --shortest --landmarks 4 --polylines landmarks.txt)
+  flip_geodesics_add_program_test(without_landmarks 0 "30 PROVEN_SHORTEST" torus.off --random 30 --seed 7 --shortest
+                                  --polylines without_landmarks.txt)
+  if(TARGET CGAL::TBB_support)
+    flip_geodesics_add_program_test(landmarks_by_threads 0 "30 PROVEN_SHORTEST" torus.off --random 30 --seed 7 --shortest
+                                    --landmarks 4 --threads 2 --polylines landmarks_by_threads.txt)
+  endif()
+  foreach(other without_landmarks landmarks_by_threads)
+    if(TEST program_${other})
+      add_test(NAME program_${other}_same COMMAND ${CMAKE_COMMAND} -E compare_files landmarks.txt ${other}.txt
+               WORKING_DIRECTORY ${program_dir})
+      set_tests_properties(program_${other}_same PROPERTIES DEPENDS "program_landmarks;program_${other}")
+    endif()
+  endforeach()
+  flip_geodesics_add_program_test(shortest_double 0 "2 CONFIRMED" torus.off --pairs pairs.txt --shortest --kernel double)
+  flip_geodesics_add_program_test(shortest_given_up 0 " 2.80946 .*1 UNCONFIRMED" torus.off --from 0 --to 150 --shortest
+                                  --most-memory 0.0001)
+  flip_geodesics_add_program_test(shortest_inserted 0 "1 PROVEN_SHORTEST" torus.off --from 0 --to 150 --shortest --insert
+                                  shortest.off)
+  flip_geodesics_add_program_test(shortest_on_contracted 0 "2 PROVEN_SHORTEST.*1 met edges of length zero" zero_length.off
+                                  --pairs zero_length.txt --shortest)
+  flip_geodesics_add_program_test(landmarks_of_nothing 2 "--landmarks: .*length zero; leave them out, or give --mollify"
+                                  zero_length.off --pairs zero_length.txt --shortest --landmarks 2)
+  flip_geodesics_add_program_test(landmarks_mollified 0 "2 PROVEN_SHORTEST" zero_length.off --pairs zero_length.txt
+                                  --shortest --landmarks 2 --mollify 1e-3)
+  flip_geodesics_add_program_test(landmarks_alone 2 "--landmarks belongs to --shortest" torus.off --random 2 --landmarks 2)
+  flip_geodesics_add_program_test(landmarks_of_tree 2 "--landmarks belongs to --shortest" torus.off --source 0 --shortest
+                                  --landmarks 2)
+  flip_geodesics_add_program_test(no_landmarks 2 "--landmarks 0: give 1 to" torus.off --random 2 --shortest --landmarks 0)
+  flip_geodesics_add_program_test(shortest_loop 2 "--shortest belongs to --from" torus.off --loop loop.txt --shortest)
+  flip_geodesics_add_program_test(shortest_ways 2 "leave --shortest out" torus.off --random 2 --shortest --ways 2)
+  flip_geodesics_add_program_test(shortest_stopped 2 "does not go with --shortest" torus.off --random 2 --shortest
+                                  --stop-length 0.9)
   flip_geodesics_add_program_test(no_threads 2 "--threads must lie" torus.off --random 2 --threads 0)
   flip_geodesics_add_program_test(path 0 "2 LOCALLY_SHORTEST" torus.off --edges path.txt --mesh path.obj
                                   --tubes 0)

@@ -10,6 +10,7 @@
 #include "run/progress.h"
 #include "scene.h"
 
+#include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
@@ -58,9 +59,10 @@ struct Curve_result
 struct Run_options
 {
   CGAL::Flip_geodesics::Search_method search = CGAL::Flip_geodesics::Search_method::A_STAR;
-  std::optional<double> stop_length;   ///< stop at this share of the initial length; of the total one of a network
-  bool is_shortest = false;            ///< replace paths of a tree that are not globally shortest
-  int rounds = 5;                      ///< how often the pieces of splines are halved
+  std::optional<double> stop_length; ///< stop at this share of the initial length; of the total one of a network
+  bool is_shortest = false;          ///< paths of pairs and of a tree are to be globally shortest
+  const CGAL::Flip_geodesics::Geodesic_landmarks* landmarks = nullptr; ///< for pairs; null if there are none
+  int rounds = 5;                                                      ///< how often the pieces of splines are halved
   bool is_snapped = false;             ///< move polylines to edges, and do not insert their points
   bool are_zero_edges_refused = false; ///< and not contracted where they are met
   Mesh_result_options meshes;

@@ -9,6 +9,7 @@
 #include "run/mesh_results.h"
 #include "run/progress.h"
 #include "run/shortening_recorder.h"
+#include "run/shortest_pair.h"
 #include "run/surface_request.h"
 #include "run/tree_results.h"
 
@@ -271,6 +272,8 @@ private:
     if(request.tree_source) {
       grow(network, *request.tree_source, results);
       certify(network, results);
+    } else if(is_shortest_pair(request)) {
+      find_shortest(network, request.curves.front(), results.front());
     } else {
       build(network, request, results);
       tighten(network, request, results, recorder);
@@ -283,6 +286,35 @@ private:
     m_meshes = result_meshes(m_options.meshes, m_mesh, network);
     network.clear();
     m_triangulation.rollback();
+  }
+
+  // Is the shortest of all paths between two vertices wanted?
+  bool is_shortest_pair(const Network_request& request) const
+  {
+    return m_options.is_shortest && is_straightened(request);
+  }
+
+  // Landmarks are those of the mesh, not of what is left of it when edges are contracted.
+  const CGAL::Flip_geodesics::Geodesic_landmarks* landmarks() const
+  {
+    const bool is_mesh = m_zero_length_edges == CGAL::Flip_geodesics::Zero_length_edges::REFUSE;
+    return is_mesh ? m_options.landmarks : nullptr;
+  }
+
+  void find_shortest(Network& network, const Curve_request& request, Curve_result& result)
+  {
+    const Stopwatch stopwatch;
+    m_progress.enter("looking for the shortest path", "steps");
+    Progress_visitor visitor(m_progress);
+    Noted_search search(m_search);
+    const auto report =
+        add_shortest_pair(network, search, landmarks(), request.vertices, m_options.most_memory, visitor);
+    check_folds(report.shortening);
+    note(report.shortening, report.shortening.curves.front(), result);
+    result.status = to_string(report.verdict);
+    result.initial_segments = search.segments();
+    result.search_s = search.seconds();
+    result.shorten_s = stopwatch.seconds() - result.search_s;
   }
 
   void tighten(Network& network, const Network_request& request, std::vector<Curve_result>& results, Recorder& recorder)
@@ -317,7 +349,7 @@ private:
     m_triangulation.rollback();
   }
 
-  // Records a start and an end alone, where flips lead to another geodesic than straightening does.
+  // Records a start and an end alone, where flips lead to another geodesic than straightening or a search does.
   void record_straightening(Network& network, const Network_request& request)
   {
     const std::vector<Halfedge_index> halfedges = initial_halfedges(request.curves.front());
@@ -325,8 +357,14 @@ private:
     Recorder recorder;
     recorder.emplace(network, m_most_recorded_points);
     network.clear();
-    add_straightened_path(network, halfedges, m_options.most_memory);
-    CGAL::Flip_geodesics::shorten(network, memory_limit());
+    if(is_shortest_pair(request)) {
+      Progress_visitor visitor(m_progress);
+      add_shortest_pair(network, m_search, landmarks(), request.curves.front().vertices, m_options.most_memory,
+                        visitor);
+    } else {
+      add_straightened_path(network, halfedges, m_options.most_memory);
+      CGAL::Flip_geodesics::shorten(network, memory_limit());
+    }
     record(network, recorder);
   }
 
@@ -479,14 +517,20 @@ private:
     const FG::Shortening_report report = m_options.stop_length ? FG::shorten(network, length_limit(), visitor)
                                                                : FG::shorten(network, memory_limit(), visitor);
     const double seconds = stopwatch.seconds();
-    if(!m_options.are_zero_edges_refused && FG::are_curves_folded(m_triangulation, report))
-      throw FG::Degenerate_face_error("faces without area fold vertices onto one place", {});
+    check_folds(report);
     for(std::size_t c = 0; c < results.size(); ++c) {
       const std::size_t flips_before = results[c].flips;
       note(report, report.curves[c], results[c]);
       results[c].flips += flips_before;
       results[c].shorten_s += seconds;
     }
+  }
+
+  void check_folds(const CGAL::Flip_geodesics::Shortening_report& report) const
+  {
+    namespace FG = CGAL::Flip_geodesics;
+    if(!m_options.are_zero_edges_refused && FG::are_curves_folded(m_triangulation, report))
+      throw FG::Degenerate_face_error("faces without area fold vertices onto one place", {});
   }
 
   // Where vertices are inserted the record has no steps but the finished triangulation.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "run/landmarks.h"
+
+#include "advice.h"
+#include "bad_input.h"
+#include "readable.h"
+#include "run/parallel_runs.h" // uses threads under CGAL_LINKED_WITH_TBB
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace program {
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Program_metric>;
+
+FG::Geodesic_landmarks make_bounds(const Triangulation& triangulation, std::size_t number, int threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(threads > 1)
+    return tbb::task_arena(threads).execute(
+        [&] { return FG::Geodesic_landmarks(triangulation, number, CGAL::Parallel_tag()); });
+#else
+  static_cast<void>(threads);
+#endif
+  return FG::Geodesic_landmarks(triangulation, number);
+}
+
+} // namespace
+
+std::optional<Landmarks> make_landmarks(const Options& options, const Mesh& mesh, const Program_metric& metric,
+                                        Progress& progress)
+{
+  if(!options.landmarks)
+    return std::nullopt;
+  progress.enter("making landmarks");
+  const Stopwatch stopwatch;
+  try {
+    const Triangulation triangulation(mesh, metric);
+    FG::Geodesic_landmarks bounds =
+        make_bounds(triangulation, static_cast<std::size_t>(*options.landmarks), usable_threads(options.threads));
+    const std::string number = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
+    return Landmarks{std::move(bounds), number + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
+  } catch(const FG::Degenerate_face_error& error) {
+    throw Bad_input("--landmarks: " + with_advice(error.what(), "leave them out, or give --mollify"));
+  }
+}
+
+} // namespace program
