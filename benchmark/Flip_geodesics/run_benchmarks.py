@@ -18,6 +18,7 @@ exact.csv       continuous Dijkstra and the heat method                         
 fields.csv      exact distances of all vertices                                 compare_distance_fields
 pairs.csv       shortest paths between random vertices                          shortest_pairs
 pairs_landmarks.csv  the same without and with landmarks                         shortest_pairs --landmarks 8
+landmarks.csv   landmarks, made in one thread and in two                        making_landmarks
 certified.csv   queries with certified and with plain traits, full of ties      certified_queries
 every_kind.csv  curves of all kinds on meshes of every kind                     certified_queries --every-kind
 rays.csv        straightest geodesics over ten edges                            trace_rays
@@ -134,6 +135,7 @@ def main():
         table("pairs.csv", "shortest_pairs", 100 if arguments.all else 20, "torus:16000", *real)
         table("pairs_landmarks.csv", "shortest_pairs", "--landmarks", 8, 100 if arguments.all else 20, "torus:16000",
               *real)
+        table("landmarks.csv", "making_landmarks", "--rounds", 9 if arguments.all else 3, "torus:16000", *real)
         table("certified.csv", "certified_queries", "--limit", 1000)
         table("every_kind.csv", "certified_queries", "--every-kind")
         table("drags.csv", "drag_curves", 1000, "torus:1000000", "terrain:1000000", *real)
