@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/internal/tree/Hindered_joints.h>
 #include <CGAL/Flip_geodesics/internal/tree/Tree_labels.h>
 #include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
@@ -28,7 +29,8 @@ namespace Flip_geodesics {
 /// What growing a tree did.
 struct Geodesic_tree_report
 {
-  /// `LOCALLY_SHORTEST`, `STOPPED_BY_VISITOR`, or `PRECISION_LIMIT` if paths are bent and doubles cannot mend it.
+  /// `LOCALLY_SHORTEST`, or `STOPPED_BY_VISITOR`. `PRECISION_LIMIT` if paths are bent and doubles cannot mend it;
+  /// `FLAT_FACES` if exact decisions cannot, since faces without area fold vertices in the way onto one place.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< edge flips
   std::size_t flip_outs = 0; ///< wedges flipped out [SC20, Algorithm 1]
@@ -55,7 +57,7 @@ struct Geodesic_tree_report
  * They do not cross.
  *
  * The invariant, once grown: the distance of a reached vertex is that of its parent plus the length of the edge between
- * them. No edge between reached vertices offers a shorter way (`is_valid()`).
+ * them. No edge between reached vertices offers a shorter way (`is_valid()`). So it is also where paths are bent.
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulation`; a network in it must be empty while the tree is grown
  */
@@ -96,10 +98,7 @@ public:
     if(m_triangulation->network_place().has_curves())
       throw Occupied_triangulation_error("a tree cannot be grown in a triangulation that has curves");
     start(source, max_distance);
-    run(visitor);
-    if constexpr(Triangulation::Traits::Has_drift::value)
-      measure(visitor);
-    return m_report;
+    return run_to_the_end(visitor);
   }
 
   /// The triangulation whose edges the paths are.
@@ -212,6 +211,7 @@ private:
     m_source = source;
     m_max_distance = max_distance;
     m_report = Geodesic_tree_report();
+    m_hindered.clear();
     m_accepted = m_idle = m_lengthened = 0;
     m_labels.offer(source, 0, null_index);
   }
@@ -238,7 +238,7 @@ private:
       const Halfedge_index back = Triangulation::twin(m_labels.incoming(m_triangulation->tail(h)));
       const Walker from = m_triangulation->walker(back), to = m_triangulation->walker(h);
       const double left = key(from, to), right = key(to, from);
-      if((left < straight || right < straight) && has_patience())
+      if((left < straight || right < straight) && !m_hindered.has(back, h) && has_patience())
         return left <= right ? flip_out(v, back, h, visitor) : flip_out(v, h, back, visitor);
     }
     if(m_labels.distance(v) > m_max_distance)
@@ -296,6 +296,7 @@ private:
       if(m_labels.is_offered(w) && m_labels.incoming(w) == spoke)
         m_orphans.push_back(w);
       m_flipped.push_back(spoke);
+      m_hindered.forget(*m_triangulation, spoke);
       m_triangulation->flip(spoke);
       ++m_report.flips;
       m_idle = 0;
@@ -304,8 +305,11 @@ private:
     constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)(); // the edges that are left are on offer, too
     const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, flip, any);
     ++m_report.flip_outs;
-    m_lengthened += Triangulation::Traits::Has_drift::value && new_length >= old_length ? 1 : 0;
-    adopt_orphans(Triangulation::edge(m_labels.incoming(v)));
+    const bool is_in_vain = new_length - old_length > visible * old_distance;
+    if(is_in_vain)
+      m_hindered.add(a, c);
+    m_lengthened += is_in_vain || (Triangulation::Traits::Has_drift::value && new_length >= old_length) ? 1 : 0;
+    adopt_orphans(is_in_vain ? Edge_index(null_index) : Triangulation::edge(m_labels.incoming(v)));
     prefer_arc(v, old_distance);
     for(Halfedge_index h : m_flipped) {
       const Walker flipped = m_triangulation->walker(h);
@@ -390,10 +394,7 @@ private:
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(
             m_triangulation->number_of_halfedges())) // new edges can be shorter ways to other vertices
       relax(m_triangulation->walker(h));
-    run(visitor);
-    if constexpr(Triangulation::Traits::Has_drift::value)
-      measure(visitor);
-    return m_report;
+    return run_to_the_end(visitor);
   }
 
   // Takes back the acceptance of v and of all whose paths pass it, and looks for other ways to them.
@@ -422,6 +423,19 @@ private:
     const Vertex_index v = m_triangulation->head(h);
     if(!is_reached(v))
       relax(m_triangulation->walker(h));
+  }
+
+  template <class Visitor>
+  Geodesic_tree_report run_to_the_end(Visitor& visitor)
+  {
+    run(visitor);
+    if constexpr(Triangulation::Traits::Has_drift::value)
+      measure(visitor);
+    else if(m_report.status != Shortening_status::STOPPED_BY_VISITOR && m_hindered.are_in(*this))
+      m_report.status = Shortening_status::FLAT_FACES;
+    else if(m_report.status == Shortening_status::FLAT_FACES)
+      m_report.status = Shortening_status::LOCALLY_SHORTEST;
+    return m_report;
   }
 
   /*
@@ -455,6 +469,7 @@ private:
   {
     if(!straightness.refresh(v))
       return false;
+    m_hindered.clear(); // perhaps by drift
     reopen(v);
     return true;
   }
@@ -462,6 +477,7 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double straight = 3;     // above all keys, which round to 2 close to pi
   static constexpr double rounding = 1e-12; // relative, of lengths and their sums
+  static constexpr double visible = 1e-10;  // relative, of a path that has become longer; more than rounding does
 
   Triangulation* m_triangulation;
   internal::Tree_labels m_labels;
@@ -472,6 +488,7 @@ private:
   double m_max_distance = std::numeric_limits<double>::infinity();
   Geodesic_tree_report m_report;
   typename Straightness::Measured_legs m_measured; // of the paths, where they have been
+  internal::Hindered_joints m_hindered;
   std::vector<Halfedge_index> m_arc, m_flipped;
   std::vector<Vertex_index> m_orphans;
   std::vector<Walker> m_spokes;

@@ -194,7 +194,7 @@ public:
       const double product_y = internal::unfused(turn.x * y) + internal::unfused(turn.y * x);
       // Two angles below pi: past pi the product lies below the axis, and near it on the axis' negative half. One
       // branch at most, in the caller, since none of these can be foretold.
-      const bool is_near = static_cast<bool>(static_cast<unsigned>(product_x < 0) &
+      const bool is_near = static_cast<bool>(static_cast<unsigned>(product_x <= 0) &
                                              static_cast<unsigned>(product_y <= -angle_tolerance() * product_x));
       turn.is_straight |= static_cast<bool>(static_cast<unsigned>(product_y < 0) | static_cast<unsigned>(is_near));
       turn.x = product_x;

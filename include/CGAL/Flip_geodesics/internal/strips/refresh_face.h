@@ -54,8 +54,11 @@ std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits
     if(angle.value < -angle.error - tolerance || angle.value > pi + angle.error + tolerance)
       return {};
   const auto& [first, second, third] = face.lengths;
-  const std::complex<double> vn = -second.value * std::conj(direction(face.at_head.rotation));
-  const std::complex<double> vp = -third.value * direction(face.at_tail.rotation);
+  // Between vertices in one place h has no direction, and no corners at its ends; the one opposite is zero.
+  const bool is_needle = first.value == 0;
+  const std::complex<double> vn =
+      is_needle ? second.value : -second.value * std::conj(direction(face.at_head.rotation));
+  const std::complex<double> vp = is_needle ? -third.value : -third.value * direction(face.at_tail.rotation);
   const double error =
       (std::max)({first.error, second.error + face.at_head.angle.error, third.error + face.at_tail.angle.error}) +
       8 * std::numeric_limits<double>::epsilon();
