@@ -57,7 +57,7 @@ struct Geodesic_tree_report
  * They do not cross.
  *
  * The invariant, once grown: the distance of a reached vertex is that of its parent plus the length of the edge between
- * them. No edge between reached vertices offers a shorter way (`is_valid()`). So it is also where paths are bent.
+ * them. No edge between reached vertices offers a shorter way (`is_valid()`).
  *
  * \tparam Triangulation_ a model of `IntrinsicTriangulation`; a network in it must be empty while the tree is grown
  */
@@ -305,7 +305,8 @@ private:
     constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)(); // the edges that are left are on offer, too
     const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, flip, any);
     ++m_report.flip_outs;
-    const bool is_in_vain = new_length - old_length > visible * old_distance;
+    const bool is_in_vain = new_length - old_length > visible * old_distance &&
+                            internal::can_be_folded(*m_triangulation, m_arc, rounding * old_distance);
     if(is_in_vain)
       m_hindered.add(a, c);
     m_lengthened += is_in_vain || (Triangulation::Traits::Has_drift::value && new_length >= old_length) ? 1 : 0;
@@ -469,7 +470,6 @@ private:
   {
     if(!straightness.refresh(v))
       return false;
-    m_hindered.clear(); // perhaps by drift
     reopen(v);
     return true;
   }

@@ -60,6 +60,17 @@ private:
   std::vector<Joint> m_joints;
 };
 
+/*
+ * Can the arc of a wedge be longer on account of vertices in one place? With decisions that err only if it passes such,
+ * by edges of a length that is no more than rounding; others are left to those who measure.
+ */
+template <class Triangulation>
+bool can_be_folded(const Triangulation& triangulation, const std::vector<Halfedge_index>& arc, double rounding)
+{
+  return !Triangulation::Traits::Has_drift::value ||
+         std::any_of(arc.begin(), arc.end(), [&](Halfedge_index h) { return triangulation.length(h) <= rounding; });
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
