@@ -232,6 +232,25 @@ bool are_curves_folded(const Triangulation& triangulation, const Shortening_repo
 
 namespace internal {
 
+/*
+ * Has a surface that was taken as it is edges of length zero, or vertices that faces without area fold onto one place?
+ * Not where it would fall apart there. Linear in the mesh.
+ */
+template <class Triangulation>
+bool is_contraction_of_use(const Triangulation& triangulation)
+{
+  const auto& input = triangulation.input();
+  if(input.is_contracted())
+    return false;
+  try {
+    const auto contracted =
+        input.contracted(Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), input});
+    return contracted.is_contracted() && !contracted.has_split_point();
+  } catch(const Degenerate_face_error&) {
+    return false;
+  }
+}
+
 /* Says of all curves whether edges of length zero were contracted for them, or throws if they have to be. */
 template <class Triangulation>
 void note_contraction(const Triangulation& triangulation, Shortening_report& report)

@@ -107,6 +107,8 @@ Shortest_tree_report make_shortest_tree(Triangulation& triangulation, Vertex_ind
   Geodesic_tree<Triangulation> tree(triangulation);
   tree.grow(source);
   const Shortest_tree_report report = make_shortest(tree, limit);
+  if(report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
+    throw Degenerate_face_error("paths lead through vertices that faces without area fold onto one place", {});
   write(tree);
   return report;
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 
@@ -217,6 +218,35 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
   return report;
 }
 
+/* Looks for a shorter path than the only one of a network, where faces without area are in the way of windows. */
+template <class Network, class Visitor>
+void take_shorter_path(Network& network, Vertex_index source, Vertex_index target, Shortest_path_report& report,
+                       Visitor& visitor)
+{
+  const Flipped_start first = flipped_start(network.triangulation(), network.halfedges(Curve_index(0)));
+  const Flipped_start* best = &first;
+  const std::vector<Flipped_start> starts = starts_in_trees(network, source, target);
+  for(const Flipped_start& start : starts) {
+    Shortening_report shortening;
+    try {
+      shortening = pull_tight(network, start, visitor);
+    } catch(const Degenerate_face_error&) {
+      continue;
+    }
+    const double length = network.length(Curve_index(0));
+    if(!shortening.is_complete() || !(length < report.length * (1 - Shortest_path_report::proof_tolerance())))
+      continue;
+    best = &start;
+    report.length = length;
+  }
+  const Shortening_report before = report.shortening;
+  report.shortening = pull_tight(network, *best, visitor);
+  if(best == &first)
+    report.shortening = before; // the same again
+  else
+    count_before(report.shortening, before, best->flips.size());
+}
+
 /* Adds a shortest path to a network; landmarks, if there are any, tell where it can run. */
 template <class Network, class Search, class Visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, const Geodesic_landmarks* landmarks,
@@ -266,9 +296,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
       triangulation.rollback(0);
       report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
     }
-    report.shortening.curves[0].initial_length = before.curves[0].initial_length;
-    report.shortening.flips += before.flips + flips;
-    report.shortening.flip_outs += before.flip_outs;
+    count_before(report.shortening, before, flips);
     report.length = network.length(Curve_index(0));
   }
 
@@ -279,6 +307,10 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     report.lower_bound = (std::max)(report.lower_bound,
                                     (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
   report.verdict = verdict_of(report);
+  if(!report.is_confirmed() && has_flat_face(triangulation)) {
+    take_shorter_path(network, source, target, report, visitor);
+    report.verdict = verdict_of(report);
+  }
   report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
   guard.dismiss();
   return report;
@@ -298,7 +330,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * The search is rounded outward: `Shortest_path_report::lower_bound` holds for the mesh as its numbers say, to the last
  * digit, and is mostly within 1e-13 of the length. If the path is `Certificate_verdict::PROVEN`, then it is
  * `Shortest_path_verdict::PROVEN_SHORTEST` where it is within `Shortest_path_report::proof_tolerance()`. The search
- * cannot confirm where it meets an edge of length zero, and where it is given up.
+ * cannot confirm where it meets an edge of length zero, and where it is given up. If it could not on a mesh with faces
+ * without area, paths of two trees of geodesics are tried as well.
  *
  * Complexity: that of `geodesic_path()`; for the sweep \f$O(n \log n)\f$ for the \f$n\f$ vertices where the distances in
  * space from both ends add up to less than the path's length; and \f$O(w \log w)\f$ for \f$w\f$ windows. These lie in a
@@ -364,6 +397,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
     typename Types::Network network(triangulation);
     auto visitor = make_visitor(np);
     Shortest_path_report report = add_shortest_path(network, search, landmarks, s, t, limit, visitor.get());
+    if(!report.is_confirmed() && is_contraction_of_use(triangulation))
+      throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
     note_contraction(triangulation, report.shortening);
     return Result{write_curve<Form>(network, mesh, Curve_index(0), out), report};
   });

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Shortest paths over faces without area, in which straight rays get lost.
+
+#include "Curve_setting.h"
+#include "flat_tori.h"
+
+#include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
+#include <CGAL/Flip_geodesics/with_metric.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using Locations = std::vector<std::pair<Surface::Face_index, std::array<double, 3>>>;
+
+// How many of all distances of vertices violate symmetry or the triangle inequality, as shortest ones do not.
+int violations(const std::vector<std::vector<double>>& distance)
+{
+  const std::size_t n = distance.size();
+  int result = 0;
+  for(std::size_t a = 0; a < n; ++a)
+    for(std::size_t b = 0; b < n; ++b) {
+      double least = distance[b][a];
+      for(std::size_t c = 0; c < n; ++c)
+        least = (std::min)(least, distance[a][c] + distance[c][b]);
+      result += distance[a][b] > least + 1e-9 ? 1 : 0;
+    }
+  return result;
+}
+
+} // namespace
+
+// Of the tori, the first has faces that fold vertices onto one place, and the second has only others without area.
+BOOST_AUTO_TEST_CASE(paths_over_flat_faces_are_as_short_as_others)
+{
+  for(unsigned seed : {1u, 7u}) {
+    const auto mesh = to_mesh<Surface>(torus(4, 4, 3, 1));
+    auto lengths = lengths_with_flat_faces(mesh, {1, 2, 3}, seed);
+    const Length_metric metric(mesh, Length_map(lengths));
+    const std::size_t n = mesh.number_of_vertices();
+    std::vector<std::vector<double>> distance(n, std::vector<double>(n, 0));
+    int contracted = 0, unconfirmed = 0;
+    for(Surface::Vertex_index a : mesh.vertices())
+      for(Surface::Vertex_index b : mesh.vertices()) {
+        if(a == b)
+          continue;
+        Locations path;
+        const auto result =
+            FG::shortest_path(mesh, a, b, std::back_inserter(path), FG::Window_limit(500), FG::with_metric(metric));
+        distance[a][b] = result.length();
+        BOOST_TEST(result.length() <= result.report.first_length * (1 + 1e-10));
+        BOOST_TEST(result.length() >= result.report.lower_bound * (1 - 1e-10));
+        contracted += result.report.shortening.curves.front().are_zero_edges_contracted ? 1 : 0;
+        unconfirmed += result.report.is_confirmed() ? 0 : 1;
+      }
+    BOOST_TEST(violations(distance) == 0);
+    BOOST_TEST((contracted > 0) == (seed == 1));
+    BOOST_TEST(unconfirmed > 0);
+  }
+}
+
+// Trees whose paths lead through vertices in one place are grown again where these are contracted.
+BOOST_AUTO_TEST_CASE(logarithmic_maps_of_folded_vertices)
+{
+  int contracted = 0, bent = 0;
+  for(unsigned seed = 0; seed < 12; ++seed) {
+    const auto mesh = to_mesh<Surface>(torus(4, 4, 3, 1));
+    auto lengths = lengths_with_flat_faces(mesh, {1, 2, 3}, seed);
+    const Length_metric metric(mesh, Length_map(lengths));
+    for(const Surface::Vertex_index source : mesh.vertices()) {
+      std::map<Surface::Vertex_index, FG::Polar_coordinates> coordinates;
+      const FG::Shortest_tree_report report = FG::polar_coordinates(
+          mesh, source, boost::make_assoc_property_map(coordinates), FG::Window_limit(500), FG::with_metric(metric));
+      bent += report.status != FG::Shortening_status::LOCALLY_SHORTEST ? 1 : 0;
+      contracted += report.vertices < 15 ? 1 : 0;
+    }
+  }
+  BOOST_TEST(contracted > 0);
+  BOOST_TEST(bent <= 4); // on a surface that would fall apart, or where other flat faces are in the way
+}
