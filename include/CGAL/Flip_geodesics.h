@@ -46,6 +46,7 @@
 #include <CGAL/Flip_geodesics/Shortener.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/Shortest_path_report.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>

@@ -32,6 +32,15 @@ Flipped_start flipped_start(const Triangulation& triangulation, const std::vecto
   return result;
 }
 
+/* The only curve of a network, as it is now. */
+template <class Network>
+Flipped_start flipped_start_of(const Network& network)
+{
+  std::vector<Halfedge_index> path;
+  network.for_each_segment(Curve_index(0), [&](Segment_index s) { path.push_back(network.halfedge(s)); });
+  return flipped_start(network.triangulation(), path);
+}
+
 /* Pulls the path tight, as the only curve of a network. */
 template <class Network, class Visitor>
 Shortening_report pull_tight(Network& network, const Flipped_start& start, Visitor& visitor)
