@@ -13,14 +13,17 @@
 #include <CGAL/Flip_geodesics/Weighted_metric.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <iterator>
@@ -488,6 +491,58 @@ BOOST_AUTO_TEST_CASE(weights_direct_searches)
     const FG::Vertex_index u(random.below(625)), v(random.below(625));
     BOOST_TEST(is_close(length(directed(u, v)), length(plain(u, v))));
   }
+}
+
+// A face whose sides weigh more than its height becomes flatter, so that a path across it is shorter than distances in
+// space times the least weight; bounds have to know.
+BOOST_AUTO_TEST_CASE(weights_flatten_faces)
+{
+  // A kite: the sides are 1.5 times as long, and the diagonal twice as long.
+  Plane_mesh mesh;
+  const auto top = mesh.add_vertex(Plane_point(0, 1, 0)), bottom = mesh.add_vertex(Plane_point(0, -1, 0));
+  const auto left = mesh.add_vertex(Plane_point(-1, 0, 0)), right = mesh.add_vertex(Plane_point(1, 0, 0));
+  mesh.add_face(top, left, right);
+  mesh.add_face(bottom, right, left);
+  const auto metric = weighted<Plane_mesh::Vertex_index>(
+      mesh, [&](Plane_mesh::Vertex_index v) { return v == left || v == right ? 2. : 1.; });
+  std::vector<Plane_point> points;
+  const auto path = FG::shortest_path(mesh, top, bottom, std::back_inserter(points), FG::with_metric(metric));
+  BOOST_TEST(is_close(path.length(), 2 * std::sqrt(1.5 * 1.5 * 2 - 4)));
+  BOOST_TEST(path.report.lower_bound <= path.length() * (1 + 1e-15));
+  BOOST_TEST(FG::to_string(path.report.verdict) == "PROVEN_SHORTEST");
+}
+
+// Of the two ways round an octahedron, one leads over a ridge of slightly less weight. The same lengths without places
+// in space, which have no bound, tell which is shorter.
+BOOST_AUTO_TEST_CASE(weights_do_not_hide_a_shorter_way)
+{
+  Plane_mesh mesh;
+  const auto south = mesh.add_vertex(Plane_point(0, 1, 0)), north = mesh.add_vertex(Plane_point(0, -1, 0));
+  std::array<Plane_mesh::Vertex_index, 4> ring;
+  for(std::size_t i = 0; i < 4; ++i)
+    ring[i] = mesh.add_vertex(Plane_point(i == 0 || i == 3 ? -1 : 1, 0, i < 2 ? 1 : -1));
+  for(std::size_t i = 0; i < 4; ++i) {
+    mesh.add_face(south, ring[i], ring[(i + 1) % 4]);
+    mesh.add_face(north, ring[(i + 1) % 4], ring[i]);
+  }
+  const auto metric = weighted<Plane_mesh::Vertex_index>(mesh, [&](Plane_mesh::Vertex_index v) {
+    return v == south || v == north ? 1. : (v == ring[0] || v == ring[1] ? 6. : 5.9);
+  });
+  std::map<Plane_mesh::Edge_index, double> lengths;
+  const FG::Numbered_mesh<Plane_mesh> numbered(mesh);
+  for(Plane_mesh::Edge_index e : mesh.edges())
+    lengths[e] = metric.weight(numbered, numbered.index(mesh.halfedge(e)));
+  const boost::associative_property_map<std::map<Plane_mesh::Edge_index, double>> length_map(lengths);
+  std::vector<Plane_point> points;
+  const auto path = FG::shortest_path(mesh, south, north, std::back_inserter(points), FG::with_metric(metric));
+  std::vector<std::pair<Plane_mesh::Face_index, std::array<double, 3>>> places;
+  const auto other =
+      FG::shortest_path(mesh, south, north, std::back_inserter(places),
+                        FG::with_metric(FG::Edge_length_metric<Plane_mesh, decltype(length_map)>(mesh, length_map)));
+  BOOST_TEST(is_close(path.length(), other.length()));
+  BOOST_TEST(is_close(path.report.lower_bound, other.report.lower_bound));
+  const auto landmarks = FG::geodesic_landmarks(mesh, 4, FG::with_metric(metric));
+  BOOST_TEST(landmarks.distance_lower_bound(FG::Vertex_index(0), FG::Vertex_index(1)) <= other.length());
 }
 
 BOOST_AUTO_TEST_CASE(weights_that_are_none)

@@ -29,6 +29,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <map>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -440,6 +441,19 @@ BOOST_AUTO_TEST_CASE(more_landmarks_than_vertices)
 }
 
 // Where there is nothing to sweep over.
+// What follows such an edge may be nothing.
+BOOST_AUTO_TEST_CASE(edges_in_no_face)
+{
+  Surface mesh;
+  const auto a = mesh.add_vertex(Surface::Point(0, 0, 0)), b = mesh.add_vertex(Surface::Point(3, 4, 0));
+  mesh.add_face(a, b, mesh.add_vertex(Surface::Point(0, 4, 0)));
+  const auto c = mesh.add_vertex(Surface::Point(7, 0, 0)), d = mesh.add_vertex(Surface::Point(8, 0, 0));
+  mesh.add_edge(c, d);
+  BOOST_CHECK_EXCEPTION(FG::geodesic_landmarks(mesh), FG::Invalid_mesh_error, [](const FG::Invalid_mesh_error& error) {
+    return std::string(error.what()) == "the edge between vertices 3 and 4 is in no face";
+  });
+}
+
 BOOST_AUTO_TEST_CASE(meshes_without_edges)
 {
   Surface mesh;

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/windows/Goal_bound.h>
 #include <CGAL/Flip_geodesics/internal/windows/Landmark_choice.h>
@@ -225,6 +226,7 @@ private:
     for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(m_number_of_halfedges)) {
       if(!input.is_border(h) || is_seen[h] != 0)
         continue;
+      internal::check_has_face(input, h); // what follows an edge without a face may be nothing
       note(triangulation, h);
       for(Input_halfedge_index side = h; is_seen[side] == 0; side = input.next(side))
         is_seen[side] = 1;

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/metric/least_stretch.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -74,18 +75,15 @@ public:
     : Base(metric)
     , m_weights(std::make_shared<std::vector<double>>(vertex_weights(mesh, weights)))
   {
-    for(double weight : *m_weights)
-      m_least_weight = (std::min)(m_least_weight, weight);
+    if constexpr(!std::is_empty<Place>::value)
+      m_least_stretch = least_stretch(Mesh(mesh));
   }
 
   /// The weight at vertex `v`.
   double vertex_weight(Vertex_index v) const { return (*m_weights)[static_cast<std::size_t>(v.idx())]; }
 
   /// The weighted length of halfedge `h`. \throws Invalid_coordinate_error, Degenerate_face_error
-  double length(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    return internal::usable_length(*this, mesh, h);
-  }
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
@@ -99,13 +97,14 @@ public:
   /// What the other metric says of vertex `v`.
   Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
 
-  /// The other metric's lower bound, times the least weight.
+  /// The other metric's lower bound, times the factor by which faces stretch segments at least. It can be less than the
+  /// least weight: a face whose height is stretched less than its sides is laid flat again.
   double distance_lower_bound(const Place& p, const Place& q) const
   {
     if constexpr(std::is_empty<Place>::value)
       return 0;
     else
-      return (1 - 0x1p-50) * m_least_weight * Base::distance_lower_bound(p.place, q.place);
+      return (1 - 0x1p-50) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
   }
 
   /// The point of vertex `v`. Only over `Embedded_metric`.
@@ -132,6 +131,21 @@ public:
   }
 
 private:
+  // Of all faces.
+  double least_stretch(const Mesh& mesh) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(mesh.number_of_halfedges())) {
+      const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+      if(mesh.is_border(h) || hn < h || hp < h)
+        continue;
+      least = (std::min)(
+          least, internal::least_stretch({Base::weight(mesh, h), Base::weight(mesh, hn), Base::weight(mesh, hp)},
+                                         {weight(mesh, h), weight(mesh, hn), weight(mesh, hp)}));
+    }
+    return least < std::numeric_limits<double>::infinity() ? least : 0;
+  }
+
   // The same from both ends, since sums do not depend on the order.
   double factor(const Mesh& mesh, Input_halfedge_index h) const
   {
@@ -185,7 +199,7 @@ private:
   }
 
   std::shared_ptr<const std::vector<double>> m_weights; // by vertex
-  double m_least_weight = std::numeric_limits<double>::infinity();
+  double m_least_stretch = 0;
 };
 
 } // namespace Flip_geodesics

@@ -4,6 +4,8 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
+#include <CGAL/Flip_geodesics/internal/metric/least_stretch.h>
+
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -169,4 +171,53 @@ BOOST_AUTO_TEST_CASE(lengths_have_a_range)
   BOOST_TEST(FI::is_usable_length(0.9e70));
   BOOST_TEST(!FI::is_usable_length(1.1e70));
   BOOST_TEST(!FI::is_usable_length(std::numeric_limits<double>::quiet_NaN()));
+}
+
+// Against the singular values of linear maps, from triangles of all shapes; and never too large.
+BOOST_AUTO_TEST_CASE(least_stretch_of_linear_maps)
+{
+  Random_numbers random(3);
+  const auto number = [&] { return (random.below(2001) - 1000) / 1000.; };
+  const auto lengths = [](const std::array<std::array<double, 2>, 3>& p) {
+    std::array<double, 3> result;
+    for(int i = 0; i < 3; ++i)
+      result[i] = std::hypot(p[(i + 1) % 3][0] - p[i][0], p[(i + 1) % 3][1] - p[i][1]);
+    return result;
+  };
+  int used = 0;
+  for(int i = 0; i < 2000; ++i) {
+    const double a = number(), b = number(), c = number(), d = number();
+    std::array<std::array<double, 2>, 3> before, after;
+    for(int k = 0; k < 3; ++k) {
+      before[k] = {number(), number()};
+      after[k] = {1e5 * (a * before[k][0] + b * before[k][1]), 1e5 * (c * before[k][0] + d * before[k][1])};
+    }
+    const double squares = a * a + b * b + c * c + d * d, product = std::abs(a * d - b * c);
+    const double larger =
+        std::sqrt(0.5 * (squares + std::sqrt((std::max)(squares * squares - 4 * product * product, 0.))));
+    const double expected = 1e5 * product / larger;
+    const double area = std::abs((before[1][0] - before[0][0]) * (before[2][1] - before[0][1]) -
+                                 (before[1][1] - before[0][1]) * (before[2][0] - before[0][0]));
+    const double stretch = FG::internal::least_stretch(lengths(before), lengths(after));
+    BOOST_TEST(stretch <= expected * (1 + 1e-9));
+    if(product < 0.1 || area < 0.1)
+      continue;
+    ++used;
+    BOOST_TEST(stretch >= expected * (1 - 1e-6));
+  }
+  BOOST_TEST(used > 500);
+}
+
+BOOST_AUTO_TEST_CASE(least_stretch_of_what_is_no_triangle)
+{
+  using FG::internal::least_stretch;
+  BOOST_TEST(least_stretch({3, 4, 5}, {6, 8, 10}) <= 2);
+  BOOST_TEST(least_stretch({3, 4, 5}, {6, 8, 10}) > 2 - 1e-5); // a root of what is taken off
+  BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, 7}) == 0); // flat
+  BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, 9}) == 0); // none
+  BOOST_TEST(least_stretch({3, 4, 5}, {0, 4, 4}) == 0);
+  BOOST_TEST(least_stretch({0, 4, 4}, {3, 4, 5}) == 0);
+  BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, std::numeric_limits<double>::quiet_NaN()}) == 0);
+  // A flat one may become one with an area.
+  BOOST_TEST(least_stretch({3, 4, 7}, {6, 8, 10}) > 0);
 }

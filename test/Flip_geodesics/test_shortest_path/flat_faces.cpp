@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -90,4 +91,30 @@ BOOST_AUTO_TEST_CASE(logarithmic_maps_of_folded_vertices)
   }
   BOOST_TEST(contracted > 0);
   BOOST_TEST(bent <= 4); // on a surface that would fall apart, or where other flat faces are in the way
+}
+
+// A sheet of two by two cells, both of its sides, whose rows are closer than lengths are told apart: vertices of one
+// column are on each other's way, as far as lengths say.
+BOOST_AUTO_TEST_CASE(ways_do_not_come_round)
+{
+  for(double height : {1e-12, 1e-13, 1e-15, 1e-17}) {
+    Mesh_soup soup;
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        soup.points.push_back({double(i), j * height, 0});
+    soup.points.push_back({1, height, 0}); // the middle of the other side
+    soup.triangles = {{0, 3, 4}, {0, 4, 1}, {1, 4, 2}, {4, 5, 2}, {3, 6, 4}, {6, 7, 4}, {4, 7, 8}, {4, 8, 5},
+                      {0, 9, 3}, {0, 1, 9}, {1, 2, 9}, {9, 2, 5}, {3, 9, 6}, {6, 9, 7}, {9, 8, 7}, {9, 5, 8}};
+    const auto mesh = to_mesh<Surface>(soup);
+    for(Surface::Vertex_index a : mesh.vertices())
+      for(Surface::Vertex_index b : mesh.vertices()) {
+        if(a == b)
+          continue;
+        std::vector<Surface::Point> path;
+        const auto result = FG::shortest_path(mesh, a, b, std::back_inserter(path), FG::Window_limit(1000));
+        const double direct = std::abs(mesh.point(a).x() - mesh.point(b).x());
+        BOOST_TEST(result.length() >= direct * (1 - 1e-15));
+        BOOST_TEST(result.length() <= direct + 4 * height);
+      }
+  }
 }

@@ -45,6 +45,19 @@ void check_triangle(const Input_mesh& input, Input_halfedge_index h)
     throw_no_triangle(input, h);
 }
 
+/* Throws Invalid_mesh_error unless the edge of a halfedge that has no face on its left has one on its right. */
+template <class Input_mesh>
+void check_has_face(const Input_mesh& input, Input_halfedge_index h)
+{
+  const Input_halfedge_index t = twin_index(h);
+  if(!input.is_border(t))
+    return;
+  const Vertex_index v = input.tail(h), w = input.tail(t);
+  throw Invalid_mesh_error("the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx()) +
+                               " is in no face",
+                           {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL

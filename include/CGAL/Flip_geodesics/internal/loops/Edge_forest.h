@@ -33,11 +33,8 @@ void check_surface(const Input_mesh& input)
       check_triangle(input, h);
       continue;
     }
-    const Vertex_index v = input.tail(h), w = input.tail(twin_index(h));
-    if(input.is_border(twin_index(h)))
-      throw Invalid_mesh_error("the edge between vertices " + std::to_string(v.idx()) + " and " +
-                                   std::to_string(w.idx()) + " is in no face",
-                               {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+    check_has_face(input, h);
+    const Vertex_index v = input.tail(h);
     if(is_on_border[v] != 0)
       throw Invalid_mesh_error("sheets of the surface meet in vertex " + std::to_string(v.idx()) + " only",
                                {static_cast<std::size_t>(v.idx())});

@@ -279,24 +279,12 @@ private:
       second_side(static_cast<Slot>(start + i)).of_edge[1] = first + i;
   }
 
-  // Throws unless an edge with no face on one side has one on the other: only there its length is kept.
-  void check_has_face(Input_halfedge_index h) const
-  {
-    const Input_halfedge_index t = twin_index(h);
-    if(!m_input.is_border(t))
-      return;
-    const Vertex_index v = m_input.tail(h), w = m_input.tail(t);
-    throw Invalid_mesh_error("the edge between vertices " + std::to_string(v.idx()) + " and " +
-                                 std::to_string(w.idx()) + " is in no face",
-                             {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
-  }
-
   // Copies the face of a halfedge.
   BOOST_NOINLINE Record& imported(Halfedge_index wanted)
   {
     const Input_halfedge_index h = as_input(wanted);
     if(m_input.is_border(h)) {
-      check_has_face(h);
+      check_has_face(m_input, h); // only there its length is kept
       Record& record = (*this)[taken(wanted)];
       record.tail = m_input.tail(h);
       record.encoded_next = Record::border;

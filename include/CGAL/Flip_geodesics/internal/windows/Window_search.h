@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Written_records.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
+#include <CGAL/Flip_geodesics/internal/windows/Ray_window.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
 #include <algorithm>
@@ -57,6 +58,11 @@ class Window_search
   using Faces = Unfolded_faces<Triangulation>;
   using Sweep = Cone_sweep<Triangulation>;
   using Vector = typename Faces::Vector;
+  using Length = Path_length;
+  using Arrival = Path_arrival;
+  using Vertex_record = Reached_vertex;
+  using Window = Ray_window;
+  using Entry = Queued_rays;
 
 public:
   /* How a shortest path arrives at a vertex: straight from another, along a word. */
@@ -135,56 +141,17 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double step_error = 0x1p-49;       // of a step from face to face, in parts of the lengths in it
-  static constexpr double evaluation_error = 0x1p-50; // of the length of a path, from a root's and a point's
-  static constexpr double row_allowance = 32;         // of errors, at vertices that can be in a row
-  static constexpr double same_way = 1e-6;            // angle between the ends of paths that are one
-  static constexpr double tie_tolerance = 0x1p-42;    // of the length of a path, within which another one ties
-
-  // Of a path: not more than it is, as computed, and not less than that of one that there is.
-  struct Length
-  {
-    double least, computed, most;
-    double error; // of the least one, since the last root
-  };
-
-  // How a path arrives at a vertex: along a halfedge to it, or through a window; and the length since the last root.
-  struct Arrival
-  {
-    Index window = null_index;
-    Input_halfedge_index along = null_index;
-    double leg = 0;
-  };
-
-  struct Vertex_record
-  {
-    Length length; // each the smallest of all paths
-    Arrival arrival;
-    double promised; // from which length the rays have to start at most that start here, for what they replace
-    double started;  // from which they have started
-    bool is_reached = false, has_started = false, has_tie = false;
-  };
+  static constexpr double step_error = 0x1p-49; // of a step from face to face, in parts of the lengths in it
+  static constexpr double evaluation_error = Ray_window::evaluation_error;
+  static constexpr double row_allowance = 32;      // of errors, at vertices that can be in a row
+  static constexpr double same_way = 1e-6;         // angle between the ends of paths that are one
+  static constexpr double tie_tolerance = 0x1p-42; // of the length of a path, within which another one ties
 
   // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
   struct Split
   {
     double length, crossing, error;
     bool is_set;
-  };
-
-  struct Window
-  {
-    Input_halfedge_index halfedge;
-    Index parent; // the window before, null_index if there is none
-    Vertex_index root;
-    double from, to, x, y, sigma, radius, margin;
-
-    /* No path through the window to a place on its edge is shorter. */
-    double least(double place) const
-    {
-      const double value = sigma + norm(place - x, y);
-      return value - (radius + evaluation_error * value);
-    }
   };
 
   // The other edges of a face, seen from the one that is the x-axis.
@@ -200,20 +167,6 @@ private:
   struct Part
   {
     double from, to, margin;
-  };
-
-  struct Entry
-  {
-    double priority, least;
-    Index id; // of a window or a vertex
-    bool is_vertex;
-
-    static std::size_t is_before(const Entry& a, const Entry& b)
-    {
-      if(a.priority != b.priority)
-        return static_cast<std::size_t>(a.priority < b.priority);
-      return static_cast<std::size_t>(a.is_vertex != b.is_vertex ? a.is_vertex : a.id < b.id);
-    }
   };
 
   void push(double priority, double least, Index id, bool is_vertex) { m_heap.push({priority, least, id, is_vertex}); }
@@ -233,12 +186,34 @@ private:
     const bool ties = std::abs(length.computed - record.length.computed) <= allowed;
     if(ties && are_apart(record.arrival, arrival, length.computed))
       record.has_tie = true;
-    else if(ties ? arrival.leg < record.arrival.leg : length.computed < record.length.computed) {
+    else if((ties ? arrival.leg < record.arrival.leg : length.computed < record.length.computed) &&
+            !comes_round(v, arrival))
+    {
       record.arrival = arrival;
       record.has_tie = record.has_tie && ties;
     }
     record.length.computed = (std::min)(record.length.computed, length.computed);
+    m_may_come_round = m_may_come_round || (v != m_source && !is_after(v, start(record.arrival)));
     lower(v, length.least, length.error);
+  }
+
+  // Does the way that arrives at v come from v? Vertices closer than ties can be each on the other's way, as it seems.
+  bool comes_round(Vertex_index v, const Arrival& arrival) const
+  {
+    if(v == m_source)
+      return false;
+    Vertex_index u = start(arrival);
+    if(!m_may_come_round && is_after(v, u))
+      return false;
+    while(u != m_source && u != v)
+      u = start(m_vertices[u].arrival);
+    return u == v;
+  }
+
+  // Is v farther away? If each vertex is, than the one that its way comes from, no way comes round.
+  bool is_after(Vertex_index v, Vertex_index u) const
+  {
+    return m_vertices[u].length.computed < m_vertices[v].length.computed;
   }
 
   double longest_tie(Vertex_index v) const { return distance(v) * (1 + 2 * tie_tolerance); }
@@ -475,7 +450,7 @@ private:
     open({edge.halfedge, id, w.root, from, to, seen.real(), depth, w.sigma, radius, margin}, edge.length);
   }
 
-  static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
+  static double norm(double x, double y) { return Ray_window::norm(x, y); }
 
   const Triangulation& m_triangulation;
   Faces& m_faces;
@@ -485,6 +460,7 @@ private:
   Block_array<Split> m_splits; // of sides
   std::vector<Window> m_windows;
   Heap_of_four<Entry> m_heap;
+  bool m_may_come_round = false; // is a vertex not farther away than the one that its way comes from?
 };
 
 } // namespace internal
