@@ -121,6 +121,18 @@ bool is_folded_along(const Input_mesh& contracted, Input_halfedge_index h)
          contracted.fold(h).first == twin_index(contracted.uncontracted().previous(h));
 }
 
+/* Are there edges of which nothing is left but their ends, since all that joined these were faces without area? Linear
+ * in the mesh. */
+template <class Input_mesh>
+bool has_lost_edges(const Input_mesh& contracted)
+{
+  if(!contracted.is_contracted())
+    return false;
+  const auto all = descriptors<Input_halfedge_index>(contracted.uncontracted().number_of_halfedges());
+  return std::any_of(all.begin(), all.end(),
+                     [&](Input_halfedge_index h) { return contracted.contracted_halfedge(h) == Contraction::is_hair; });
+}
+
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsBuilders

@@ -169,7 +169,8 @@ Shortest_tree_report write_field_distances(const Triangulation& triangulation,
  * \param mesh a triangle mesh
  * \param sources a vertex of the mesh, or a range of such; if there are none, all distances are infinite
  * \param distances a model of `WritablePropertyMap` with the mesh's vertices as keys and `double`s as values; receives
- *        infinity for vertices of components without a source. If the search is given up, the distances from one source
+ *        infinity for vertices of components without a source, and for those that nothing but faces without area joins
+ *        to one, if edges of length zero had to be contracted; these are not confirmed. If the search is given up, the distances from one source
  *        are those of the geodesics of the tree; from several, they are infinite where they are not known
  * \param limit a `Window_limit`, beyond which the search is given up
  * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, as for `geodesic_path()`
@@ -188,11 +189,12 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
     const std::vector<Vertex_index> indices = internal::source_indices(triangulation, sources);
-    const Shortest_tree_report report = internal::write_field_distances(triangulation, mesh, indices, distances, limit);
+    Shortest_tree_report report = internal::write_field_distances(triangulation, mesh, indices, distances, limit);
     if constexpr(internal::is_mesh_vertex<TriangleMesh, Sources>)
       if(!report.is_confirmed)
-        return internal::make_shortest_tree(triangulation, indices.front(), limit,
-                                            [&](const auto& tree) { write_distances(tree, mesh, distances); });
+        report = internal::make_shortest_tree(triangulation, indices.front(), limit,
+                                              [&](const auto& tree) { write_distances(tree, mesh, distances); });
+    report.is_confirmed = report.is_confirmed && !internal::has_lost_edges(triangulation.input());
     return report;
   });
 }

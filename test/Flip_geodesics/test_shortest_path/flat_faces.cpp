@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -117,4 +118,23 @@ BOOST_AUTO_TEST_CASE(ways_do_not_come_round)
         BOOST_TEST(result.length() <= direct + 4 * height);
       }
   }
+}
+
+// With an edge of length zero on one line nothing is left that joins the others, but for a face beside that has an area.
+BOOST_AUTO_TEST_CASE(distances_to_what_is_lost_are_not_confirmed)
+{
+  Surface mesh;
+  std::array<Surface::Vertex_index, 4> v;
+  for(std::size_t i = 0; i < 4; ++i)
+    v[i] = mesh.add_vertex(Surface::Point(i == 0 || i == 3 ? 0 : 1, i == 3 ? 1 : 0, 0));
+  mesh.add_face(v[0], v[1], v[2]);
+  std::map<Surface::Vertex_index, double> distances;
+  const auto report = FG::geodesic_distances(mesh, v[0], boost::make_assoc_property_map(distances));
+  BOOST_TEST(!report.is_confirmed);
+  BOOST_TEST(distances[v[1]] == std::numeric_limits<double>::infinity());
+  mesh.add_face(v[0], v[3], v[1]);
+  const auto joined = FG::geodesic_distances(mesh, v[0], boost::make_assoc_property_map(distances));
+  BOOST_TEST(joined.is_confirmed);
+  BOOST_TEST(distances[v[1]] == 1);
+  BOOST_TEST(distances[v[2]] == 1);
 }
