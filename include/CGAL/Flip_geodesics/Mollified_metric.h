@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/metric/least_stretch.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>
@@ -72,16 +73,16 @@ public:
     CGAL_precondition(0 < factor && factor < 1);
     const Mesh indexed(mesh);
     m_added = needed_length(indexed, factor * mean_length(indexed));
+    if constexpr(!std::is_empty<Place>::value)
+      m_least_stretch =
+          (std::min)(1., internal::least_stretch_of_faces(static_cast<const Base&>(*this), *this, indexed));
   }
 
   /// The length that was added to every edge; zero if none was needed.
   double added_length() const { return m_added; }
 
   /// The length of halfedge `h`. \throws Invalid_coordinate_error
-  double length(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    return internal::usable_length(*this, mesh, h);
-  }
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
 
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
@@ -94,8 +95,14 @@ public:
     return Base::weight(mesh, h, tail, head) + m_added;
   }
 
-  using Base::distance_lower_bound;
   using Base::place;
+
+  /// The other metric's lower bound, and less where lengths are rounded in faces of little area. Lengths that are added
+  /// shorten no path: what they add to the squares of the sides are the squares of sides of a triangle.
+  double distance_lower_bound(const Place& p, const Place& q) const
+  {
+    return m_least_stretch * Base::distance_lower_bound(p, q);
+  }
 
   /// The point of vertex `v`. Only over `Embedded_metric`.
   decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
@@ -152,6 +159,7 @@ private:
   }
 
   double m_added = 0;
+  double m_least_stretch = 1;
 };
 
 } // namespace Flip_geodesics

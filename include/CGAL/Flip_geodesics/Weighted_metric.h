@@ -75,8 +75,10 @@ public:
     : Base(metric)
     , m_weights(std::make_shared<std::vector<double>>(vertex_weights(mesh, weights)))
   {
-    if constexpr(!std::is_empty<Place>::value)
-      m_least_stretch = least_stretch(Mesh(mesh));
+    if constexpr(!std::is_empty<Place>::value) {
+      const double least = internal::least_stretch_of_faces(static_cast<const Base&>(*this), *this, Mesh(mesh));
+      m_least_stretch = std::isfinite(least) ? least : 0;
+    }
   }
 
   /// The weight at vertex `v`.
@@ -131,21 +133,6 @@ public:
   }
 
 private:
-  // Of all faces.
-  double least_stretch(const Mesh& mesh) const
-  {
-    double least = std::numeric_limits<double>::infinity();
-    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(mesh.number_of_halfedges())) {
-      const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
-      if(mesh.is_border(h) || hn < h || hp < h)
-        continue;
-      least = (std::min)(
-          least, internal::least_stretch({Base::weight(mesh, h), Base::weight(mesh, hn), Base::weight(mesh, hp)},
-                                         {weight(mesh, h), weight(mesh, hn), weight(mesh, hp)}));
-    }
-    return least < std::numeric_limits<double>::infinity() ? least : 0;
-  }
-
   // The same from both ends, since sums do not depend on the order.
   double factor(const Mesh& mesh, Input_halfedge_index h) const
   {

@@ -213,11 +213,25 @@ BOOST_AUTO_TEST_CASE(least_stretch_of_what_is_no_triangle)
   using FG::internal::least_stretch;
   BOOST_TEST(least_stretch({3, 4, 5}, {6, 8, 10}) <= 2);
   BOOST_TEST(least_stretch({3, 4, 5}, {6, 8, 10}) > 2 - 1e-5); // a root of what is taken off
-  BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, 7}) == 0); // flat
-  BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, 9}) == 0); // none
+  BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, 7}) == 0);        // flat
+  BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, 9}) == 0);        // none
   BOOST_TEST(least_stretch({3, 4, 5}, {0, 4, 4}) == 0);
-  BOOST_TEST(least_stretch({0, 4, 4}, {3, 4, 5}) == 0);
+  BOOST_TEST(least_stretch({0, 4, 4}, {3, 4, 5}) > 0.5);
+  BOOST_TEST(least_stretch({0, 0, 0}, {3, 4, 5}) == std::numeric_limits<double>::infinity());
+  BOOST_TEST(least_stretch({-3, 4, 5}, {3, 4, 5}) == 0);
   BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, std::numeric_limits<double>::quiet_NaN()}) == 0);
   // A flat one may become one with an area.
   BOOST_TEST(least_stretch({3, 4, 7}, {6, 8, 10}) > 0);
+}
+
+// Sides that all become longer by one amount shorten no segment. So a mollified metric has the bounds of the one before.
+BOOST_AUTO_TEST_CASE(longer_sides_shorten_nothing)
+{
+  Random_numbers random(7);
+  for(int i = 0; i < 2000; ++i) {
+    const double a = 1 + random.below(1000), b = 1 + random.below(1000);
+    const double c = std::abs(a - b) + (1 + random.below(1000)) * 1e-3 * 2 * (std::min)(a, b);
+    const double added = std::ldexp(1., random.below(30) - 15);
+    BOOST_TEST(FG::internal::least_stretch({a, b, c}, {a + added, b + added, c + added}) >= 1 - 1e-3);
+  }
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -26,8 +27,8 @@ inline int scale_to_one(std::array<double, 3>& lengths)
 /*
  * By what factor segments in a triangle are at least longer than in another one, whose points correspond linearly. Never
  * too large: what rounding can do is taken off. The sides of the other one, `before`, can be wrong by some units in the
- * last place; those of the first, `after`, are what they are. Zero if one of these cannot be used, or they make no
- * triangle with an area.
+ * last place, or zero; those of the first, `after`, are what they are. Zero if one of these cannot be used, or they make
+ * no triangle with an area.
  *
  * Sides alone do not tell: where two of three are stretched less than the third, heights can become shorter by any factor.
  *
@@ -37,20 +38,37 @@ inline int scale_to_one(std::array<double, 3>& lengths)
  */
 inline double least_stretch(std::array<double, 3> before, std::array<double, 3> after)
 {
-  for(const auto& lengths : {before, after})
-    if(!std::all_of(lengths.begin(), lengths.end(), is_usable_length))
-      return 0;
+  if(!std::all_of(after.begin(), after.end(), is_usable_length) ||
+     !std::all_of(before.begin(), before.end(), is_zero_or_usable_length))
+    return 0;
+  if(before == std::array<double, 3>{{0, 0, 0}})
+    return std::numeric_limits<double>::infinity();
   const int exponent = scale_to_one(after) - scale_to_one(before);
   const Plane_triangle shape(after);
   double sum = 0; // of squares of singular values, times twice the area
   for(int i = 0; i < 3; ++i)
     sum += shape.cotangents[i] * before[(i + 1) % 3] * before[(i + 1) % 3]; // of the side opposite to the corner
   const double area_before = Plane_triangle(before).area;
-  const double most_squares = sum / (2 * shape.area) + 0x1p-42 / (shape.area * shape.area);
-  const double least_square_of_product = (area_before * area_before - 0x1p-42) / (shape.area * shape.area);
+  const double most_squares = sum / (2 * shape.area) + 0x1p-44 / (shape.area * shape.area);
+  const double least_square_of_product = (area_before * area_before - 0x1p-44) / (shape.area * shape.area);
   const double difference = most_squares * most_squares - 4 * (std::max)(least_square_of_product, 0.0);
   const double most = 0.5 * (most_squares + std::sqrt((std::max)(difference, 0.0)));
   return most > 0 ? (1 - 0x1p-40) * std::scalbn(1 / std::sqrt(most), exponent) : 0; // NaN without an area
+}
+
+/* The least of all faces of a mesh, between two metrics; infinite if there are none. Linear in the mesh. */
+template <class Before, class After, class Input_mesh>
+double least_stretch_of_faces(const Before& before, const After& after, const Input_mesh& mesh)
+{
+  const auto lengths = [&mesh](const auto& metric, Input_halfedge_index h) {
+    const Input_halfedge_index hn = mesh.next(h);
+    return std::array<double, 3>{{metric.weight(mesh, h), metric.weight(mesh, hn), metric.weight(mesh, mesh.next(hn))}};
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(mesh.number_of_halfedges()))
+    if(!mesh.is_border(h) && h < mesh.next(h) && h < mesh.next(mesh.next(h)))
+      least = (std::min)(least, least_stretch(lengths(before, h), lengths(after, h)));
+  return least;
 }
 
 } // namespace internal
