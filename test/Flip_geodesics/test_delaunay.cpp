@@ -260,3 +260,31 @@ BOOST_AUTO_TEST_CASE(near_curves_only)
   BOOST_CHECK_LT(near.size(), static_cast<std::size_t>(s.triangulation.number_of_edges()) / 4);
   BOOST_CHECK_GT(FG::edges_near_curves(s.network, 2).size(), near.size());
 }
+
+// Of the faces that touch what is reached, ring by ring, on the border as well.
+BOOST_AUTO_TEST_CASE(rings_about_curves)
+{
+  for(const Mesh_soup& soup : {bumpy_sphere(16, 0.1, 7), jittered_grid(9, 9, Diagonal_rule::RISING, 0.2, 3),
+                               jittered_grid(9, 9, Diagonal_rule::FALLING, 0.2, 4)})
+  {
+    Curve_setting s(soup);
+    const auto& t = s.triangulation;
+    s.add_path(0_v, 9_v); // along the border of a grid
+    s.pull();
+    std::set<FG::Vertex_index> reached;
+    for(FG::Halfedge_index h : s.network.halfedges(FG::Curve_index(0)))
+      reached.insert({t.tail(h), t.head(h)});
+    for(int rings = 0; rings < 5; ++rings) {
+      std::set<FG::Edge_index> edges;
+      const std::set<FG::Vertex_index> front = reached;
+      for(FG::Halfedge_index h : FG::internal::descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
+        if(rings > 0 && front.count(t.tail(h)) == 1 && !t.is_border(h))
+          for(FG::Halfedge_index side : {h, t.next(h), t.previous(h)}) {
+            edges.insert(FG::Edge_index(side));
+            reached.insert(t.tail(side));
+          }
+      const std::vector<FG::Edge_index> found = FG::edges_near_curves(s.network, rings);
+      BOOST_CHECK(std::equal(found.begin(), found.end(), edges.begin(), edges.end()));
+    }
+  }
+}

@@ -14,8 +14,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -284,10 +287,45 @@ BOOST_AUTO_TEST_CASE(a_mollified_metric_makes_edges_of_length_zero_usable)
   const Mollified metric(mesh, embedded, 1e-4);
   BOOST_CHECK_GT(metric.added_length(), 0);
   Mollified_triangulation triangulation(mesh, metric);
+  const auto& input = triangulation.input();
+  for(FG::Index i = 0; i < input.number_of_halfedges(); ++i) { // the same where places are at hand
+    const FG::Input_halfedge_index h(i);
+    const auto tail = metric.place(input, input.tail(h)), head = metric.place(input, input.tail(input.twin(h)));
+    BOOST_CHECK_CLOSE_FRACTION(metric.weight(input, h, tail, head), metric.weight(input, h), 1e-14);
+  }
   FG::Edge_path_network<Mollified_triangulation> network(triangulation);
   network.add_curve(FG::halfedges_through(triangulation, over, false), false);
   BOOST_CHECK(FG::shorten(network).is_complete());
   BOOST_CHECK(FG::certify(network).is_locally_shortest());
   const Mesh regular = to_mesh<Mesh>(flat_grid(6, 6, Diagonal_rule::RISING));
   BOOST_CHECK_EQUAL(Mollified(regular, Embedded(regular.points()), 1e-4).added_length(), 0); // nothing to mend
+}
+
+// The length that is added makes up for what the worst face lacks.
+BOOST_AUTO_TEST_CASE(mollified_lengths)
+{
+  using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
+  using Metric = FG::Edge_length_metric<Mesh, Lengths>;
+  Mesh mesh = to_mesh<Mesh>({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  const Lengths lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length", 1).first;
+  const auto added = [&] { return FG::Mollified_metric<Metric>(mesh, Metric(mesh, lengths), 1e-3).added_length(); };
+  BOOST_CHECK_EQUAL(added(), 0);
+  for(std::size_t longest : {0, 1, 2})
+    for(double excess : {0.0, 3.0}) {
+      const std::array<double, 3> sides = {3 + excess, 1, 2};
+      std::size_t i = longest;
+      for(Mesh::Edge_index e : mesh.edges())
+        lengths[e] = sides[i++ % 3];
+      BOOST_CHECK_CLOSE_FRACTION(added(), excess + 1e-3 * (6 + excess) / 3, 1e-12);
+    }
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(double bad : {-1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    lengths[*mesh.edges().begin()] = bad;
+    BOOST_CHECK_THROW(added(), FG::Invalid_coordinate_error);
+  }
+  Mesh square;
+  const auto corner = [&](double x, double y) { return square.add_vertex({x, y, 0}); };
+  square.add_face(corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
+  using Embedded = Triangulation::Metric;
+  BOOST_CHECK_THROW(FG::Mollified_metric<Embedded>(square, Embedded(square.points())), FG::Invalid_mesh_error);
 }

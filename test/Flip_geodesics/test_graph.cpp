@@ -37,6 +37,7 @@
 #include <type_traits>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -244,6 +245,12 @@ BOOST_AUTO_TEST_CASE(elements_are_linked)
         BOOST_TEST((halfedge(v, t) == Graph::null_halfedge()) == wanted.empty());
         if(!wanted.empty())
           BOOST_TEST(target(halfedge(v, t), t) == v);
+        for(FG::Vertex_index u : {0_v, 1_v, 2_v}) {
+          const auto [h, is_linked] = halfedge(u, v, t);
+          const bool is_neighbor = std::any_of(spokes.begin(), spokes.end(), [&](auto g) { return t.head(g) == u; });
+          BOOST_TEST(is_linked == is_neighbor);
+          BOOST_TEST((edge(u, v, t) == std::make_pair(FG::Edge_index(h), is_neighbor)));
+        }
         const auto neighbors = adjacent_vertices(v, t);
         BOOST_TEST(static_cast<std::size_t>(std::distance(neighbors.begin(), neighbors.end())) == wanted.size());
       }
@@ -448,6 +455,14 @@ BOOST_AUTO_TEST_CASE(descriptors_are_values)
   out << 3_v << ' ' << 4_h << ' ' << 5_e << ' ' << 6_s << ' ' << 7_c << ' ' << FG::Face_index(8);
   BOOST_TEST(out.str() == "v3 h4 e5 s6 c7 f8");
   BOOST_TEST((3_v < 4_v && 4_v > 3_v && 3_v <= 3_v && 3_v >= 3_v && 3_v != 4_v));
+  BOOST_TEST((!(3_v < 3_v) && !(3_v > 3_v) && !(4_v <= 3_v) && !(3_v >= 4_v)));
+  const auto seven = FG::internal::descriptors<FG::Edge_index>(7);
+  BOOST_TEST(seven.begin()[3] == 3_e);
+  BOOST_TEST(*std::prev(seven.end()) == 6_e);
+  BOOST_TEST((seven.end() - seven.begin() == 7));
+  FG::Edge_index edge(9_h);
+  BOOST_TEST(++edge == 5_e);
+  BOOST_TEST(FG::Edge_index().idx() == -1);
   std::unordered_map<FG::Edge_index, int> numbers = {{FG::Edge_index(4_h), 1}};
   BOOST_TEST(numbers.count(FG::Edge_index(5_h)) == 1u); // from its other side
   BOOST_TEST(numbers.count(2_e) == 1u);

@@ -25,6 +25,27 @@ BOOST_AUTO_TEST_CASE(flips_keep_area_and_angle_sums)
   }
 }
 
+// On both sides of edges, on the border as well.
+BOOST_AUTO_TEST_CASE(lengths_and_turns_of_both_sides)
+{
+  Random_numbers random(7);
+  for(const Mesh_soup& soup : soups()) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    Triangulation t(mesh);
+    flip_at_random(t, 60, random);
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+      if(t.is_border(h)) {
+        BOOST_TEST(t.squared_length(h) == t.squared_length(t.twin(h)));
+        BOOST_TEST(t.length(h) == t.length(t.twin(h)));
+      }
+      Triangulation::Turn turn;
+      BOOST_TEST(t.extend_turn_clockwise(turn, h) == t.clockwise(h));
+    }
+    BOOST_TEST(t.is_valid());
+    BOOST_TEST(!t.is_valid(-2)); // which no face can satisfy
+  }
+}
+
 BOOST_AUTO_TEST_CASE(four_flips_are_the_identity)
 {
   Random_numbers random(2);

@@ -148,6 +148,22 @@ BOOST_AUTO_TEST_CASE(operators_satisfy_their_identities_whatever_is_flipped)
   }
 }
 
+// At a sharp apex, edges are flipped until one is a loop about it: then a face has a vertex at two of its corners.
+BOOST_AUTO_TEST_CASE(faces_that_are_glued_to_themselves)
+{
+  const Mesh mesh = to_mesh<Mesh>(cone(5, 2, 0.2, 2));
+  Triangulation triangulation(mesh);
+  for(int round = 0; round < 10; ++round)
+    for(FG::Halfedge_index h : FG::internal::descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges()))
+      if(triangulation.tail(h) == 0_v && !triangulation.is_border(h) && triangulation.is_flippable(h))
+        triangulation.flip(h);
+  int loops = 0;
+  for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(triangulation.number_of_edges()))
+    loops += triangulation.tail(e.halfedge()) == triangulation.head(e.halfedge()) ? 1 : 0;
+  BOOST_TEST(loops > 0);
+  check_identities(mesh, triangulation);
+}
+
 BOOST_AUTO_TEST_CASE(linear_functions_in_the_plane_are_differentiated_exactly)
 {
   const Mesh mesh = to_mesh<Mesh>(jittered_grid(8, 8, Diagonal_rule::RISING, 0.2, 2));

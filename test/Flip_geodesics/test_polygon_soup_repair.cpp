@@ -233,6 +233,7 @@ void check_repairs(const Repair_report& report, const std::map<Repair, std::size
     BOOST_CHECK_EQUAL(report.number_of(kind), it == expected.end() ? 0u : it->second);
   }
   BOOST_CHECK_EQUAL(report.lines().size(), expected.size());
+  BOOST_CHECK_EQUAL(report.is_empty(), expected.empty());
 }
 
 } // namespace
@@ -511,6 +512,7 @@ BOOST_AUTO_TEST_CASE(each_repair_has_words)
     texts.insert(FG::describe(static_cast<Repair>(i), 2));
     BOOST_CHECK_EQUAL(FG::describe(static_cast<Repair>(i), 2).substr(0, 2), "2 ");
     BOOST_CHECK(FG::describe(static_cast<Repair>(i), 1).substr(1) != FG::describe(static_cast<Repair>(i), 2).substr(1));
+    BOOST_CHECK(FG::describe(static_cast<Repair>(i), 0).substr(1) == FG::describe(static_cast<Repair>(i), 2).substr(1));
   }
   BOOST_CHECK_EQUAL(texts.size(), FG::number_of_repairs);
 }

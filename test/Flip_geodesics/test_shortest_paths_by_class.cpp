@@ -204,7 +204,15 @@ BOOST_AUTO_TEST_CASE(other_side_of_a_bump)
   BOOST_TEST(alone.number_of_paths() == 1u);
   BOOST_TEST(alone.report.is_confirmed());
   BOOST_TEST(alone.report.lower_bound == std::numeric_limits<double>::infinity());
+  std::vector<Curve> only;
+  BOOST_TEST((open.paths(source, target, 1, only).status() == FG::Class_search_status::FOUND));
   check_classes(open, source, target, one, alone.report);
+  for(int size : {1, 2, 3}) { // all is visited on the way to the one class
+    const World small(flat_grid(size, size, Diagonal_rule::RISING));
+    const auto only = small.paths(0, grid_vertex(size, size, size), 1, one);
+    BOOST_TEST((only.status() == FG::Class_search_status::FOUND));
+    BOOST_TEST(only.report.is_confirmed());
+  }
   const World closed(hill, [](std::size_t f) { return f / 2 == 8 * 16 + 8; });
   const auto both = closed.paths(source, target, 2, two);
   BOOST_TEST((both.status() == FG::Class_search_status::FOUND));
@@ -266,6 +274,7 @@ BOOST_AUTO_TEST_CASE(limit_of_the_covering)
     BOOST_TEST((result.status() == FG::Class_search_status::COVERING_LIMIT));
     BOOST_TEST(result.number_of_paths() < 10u);
     BOOST_TEST((limit > 1 || out.empty()));
+    BOOST_TEST(result.report.visited >= out.size()); // each class has an end of its own
     check_classes(world, 9, 40, out, result.report);
     (result.report.is_confirmed() ? some_are_confirmed : some_are_not) = true;
     for(std::size_t i = 0; i < out.size(); ++i) {
@@ -276,6 +285,49 @@ BOOST_AUTO_TEST_CASE(limit_of_the_covering)
   }
   BOOST_TEST(some_are_confirmed);
   BOOST_TEST(some_are_not);
+}
+
+// As many paths as were asked for, but not enough of the covering to say that they are the shortest.
+BOOST_AUTO_TEST_CASE(all_paths_and_too_little_of_the_covering)
+{
+  const World world(cylinder(9, 6, 1, 5));
+  bool some_are_complete = false, some_are_not = false;
+  for(std::size_t number : {1, 2, 3, 4, 5})
+    for(std::size_t limit = 20; limit < 400; limit += 10) {
+      std::vector<Curve> out;
+      const auto result = world.paths(9, 40, number, out, FG::Covering_limit(limit));
+      if(out.size() < number)
+        continue;
+      const bool is_complete = result.report.lower_bound >= result.length(number - 1);
+      BOOST_TEST((result.status() ==
+                  (is_complete ? FG::Class_search_status::FOUND : FG::Class_search_status::COVERING_LIMIT)));
+      (is_complete ? some_are_complete : some_are_not) = true;
+    }
+  BOOST_TEST(some_are_complete);
+  BOOST_TEST(some_are_not);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_report_concludes)
+{
+  Report report;
+  BOOST_TEST(!report.is_confirmed()); // there is no path
+  report.lower_bound = 5;
+  report.paths.resize(2);
+  for(auto& path : report.paths) {
+    path.length = 2;
+    path.verdict = FG::Shortest_path_verdict::PROVEN_SHORTEST;
+  }
+  BOOST_TEST(report.is_confirmed());
+  report.paths[1].verdict = FG::Shortest_path_verdict::UNCONFIRMED;
+  BOOST_TEST(!report.is_confirmed());
+  report.paths[1].verdict = FG::Shortest_path_verdict::PROVEN_SHORTEST;
+  report.left_out.resize(1);
+  report.left_out[0].lower_bound = 1.5; // of a class that may have a shorter path
+  BOOST_TEST(report.lower_bound_of_others() == 1.5);
+  BOOST_TEST(!report.is_confirmed());
+  report.left_out.clear();
+  report.lower_bound = 1.5; // of classes not found
+  BOOST_TEST(!report.is_confirmed());
 }
 
 // Edge paths are several times as long as geodesics, and in far more classes up to that length than are needed.
@@ -323,6 +375,8 @@ BOOST_AUTO_TEST_CASE(edges_of_length_zero)
   const auto result = folded.paths(grid_vertex(6, 0, 3), grid_vertex(6, 6, 3), 2, out);
   BOOST_TEST(result.number_of_paths() == 2u);
   BOOST_TEST(std::abs(result.length(0) - 5) < 1e-12);
+  for(const auto& path : result.report.paths)
+    BOOST_TEST(path.shortening.curves[0].are_zero_edges_contracted);
   BOOST_CHECK_EXCEPTION(folded.paths(grid_vertex(6, 3, 3), grid_vertex(6, 4, 3), 1, out), FG::Invalid_curve_error,
                         [](const FG::Invalid_curve_error& error) {
                           return std::string(error.what()).find("edges of length zero") != std::string::npos;

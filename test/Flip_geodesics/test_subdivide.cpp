@@ -19,6 +19,17 @@ BOOST_AUTO_TEST_CASE(the_input_is_its_own_subdivision)
   }
 }
 
+BOOST_AUTO_TEST_CASE(isolated_vertices_stay)
+{
+  Curve_setting s(with_isolated_vertices(tetrahedron(1), 2, 1));
+  const Subdivision subdivision = FG::common_subdivision(s.triangulation, s.mesh);
+  BOOST_CHECK_EQUAL(subdivision.mesh().number_of_vertices(), s.mesh.number_of_vertices());
+  std::size_t isolated = 0;
+  for(const auto v : subdivision.mesh().vertices())
+    isolated += subdivision.mesh().is_isolated(v) ? 1 : 0;
+  BOOST_CHECK_EQUAL(isolated, 3u);
+}
+
 BOOST_AUTO_TEST_CASE(common_subdivisions_with_random_delta_complexes)
 {
   Random_numbers random(11);

@@ -279,6 +279,25 @@ BOOST_AUTO_TEST_CASE(round_many_vertices_it_is_the_sum_of_their_defects)
   BOOST_TEST(angle_between(end.angle - 1, defects) < 1e-12);
 }
 
+// About an apex of a cone, of which the lengths are known, and at the border.
+BOOST_AUTO_TEST_CASE(one_call_tells_the_angle_about_its_source)
+{
+  std::vector<FG::Polar_coordinates> coordinates;
+  const Mesh grid = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING)), box = to_mesh<Mesh>(cube(2));
+  const auto at = [&](const Mesh& mesh, int vertex) {
+    return FG::logarithmic_map(mesh, Mesh::Vertex_index(static_cast<unsigned>(vertex)), mesh.vertices(),
+                               std::back_inserter(coordinates));
+  };
+  BOOST_TEST(at(grid, grid_vertex(4, 0, 0)).is_on_border);
+  BOOST_TEST(std::abs(at(grid, grid_vertex(4, 0, 0)).total_angle - pi / 2) < 1e-14);
+  BOOST_TEST(std::abs(at(grid, grid_vertex(4, 2, 0)).total_angle - pi) < 1e-14);
+  BOOST_TEST(!at(grid, grid_vertex(4, 2, 2)).is_on_border);
+  std::size_t corners = 0;
+  for(const auto v : box.vertices())
+    corners += std::abs(at(box, static_cast<int>(v)).total_angle - 1.5 * pi) < 1e-14 ? 1 : 0;
+  BOOST_TEST(corners == 8u);
+}
+
 BOOST_AUTO_TEST_CASE(one_call_does_the_same)
 {
   const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(4, 0.2, 5));

@@ -17,6 +17,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -244,6 +245,48 @@ BOOST_AUTO_TEST_CASE(all_forms_are_in_step)
   }
 }
 
+// Only the direction of a vector counts.
+BOOST_AUTO_TEST_CASE(vectors_can_be_long_and_short)
+{
+  const Face_location source = {Face(7), {0.25, 0.5, 0.25}};
+  for(int exponent : {-200, 0, 200}) {
+    const double size = std::scalbn(1.0, exponent);
+    const Surface mesh = to_mesh<Surface>(scaled(torus(24, 14, 2, 1), size));
+    const Traced t = trace(mesh, source, Vector(0.3, -0.7, 0.4), 6 * size);
+    for(int other : {-1000, -600, 600, 1000}) {
+      const Vector v(std::scalbn(0.3, other), std::scalbn(-0.7, other), std::scalbn(0.4, other));
+      BOOST_TEST((trace(mesh, source, v, 6 * size).points == t.points));
+    }
+  }
+}
+
+// A needle whose area is lost if products are rounded: from its centre, away from a corner.
+BOOST_AUTO_TEST_CASE(vectors_in_needles_are_accurate)
+{
+  const double n = 0x1p27;
+  const Surface mesh = to_mesh<Surface>({{{0, 0, 0}, {n + 1, n, 0}, {n + 2, n + 1, 0}}, {{0, 1, 2}}});
+  const Face_location center = {Face(0), {1. / 3, 1. / 3, 1. / 3}};
+  const Vector median(n + 1.5, n + 0.5, 0);
+  const Traced t = trace(mesh, center, median, n);
+  BOOST_TEST((t.result.end == Trace_end::BORDER));
+  BOOST_TEST(std::abs(t.result.length - std::sqrt(median.squared_length()) / 3) < 1e-9 * n);
+}
+
+// A weight of next to nothing is none: then the place is a vertex, with all faces about it.
+BOOST_AUTO_TEST_CASE(weights_of_next_to_nothing)
+{
+  const Surface mesh = grid_mesh();
+  Face_location source = at_vertex(mesh, Vertex(grid_vertex(12, 6, 6)));
+  for(double& weight : source.second)
+    weight = (std::max)(weight, 1e-200);
+  const Halfedge h = mesh.halfedge(Vertex(grid_vertex(12, 6, 6)), Vertex(grid_vertex(12, 7, 6)));
+  for(int k = 0; k < 8; ++k) {
+    const double angle = k * pi / 4 + 0.1;
+    const Traced t = trace(mesh, source, std::make_pair(h, angle), 2);
+    BOOST_TEST(distance(t.points.back(), Point(6 + 2 * std::cos(angle), 6 + 2 * std::sin(angle), 0)) < 1e-14);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(constrained_edges_and_limits_end_it)
 {
   Surface mesh = grid_mesh();
@@ -261,6 +304,12 @@ BOOST_AUTO_TEST_CASE(constrained_edges_and_limits_end_it)
   const Traced few = trace(mesh, middle, Vector(3, 0.5, 0), 100, CGAL::parameters::number_of_iterations(2));
   BOOST_TEST((few.result.end == Trace_end::CROSSING_LIMIT));
   BOOST_TEST(few.result.edges + few.result.vertices == 2u);
+  const Traced before = trace(mesh, middle, Vector(3, 0.5, 0), 100, np.number_of_iterations(2));
+  BOOST_TEST((before.result.end == Trace_end::CROSSING_LIMIT));
+  BOOST_TEST(before.result.edges + before.result.vertices == 2u);
+  const Traced first = trace(mesh, middle, Vector(1, 0, 0), 100, At_vertices::STOP, np);
+  BOOST_TEST((first.result.end == Trace_end::VERTEX));
+  BOOST_TEST(distance(first.points.back(), Point(7, 6, 0)) < 1e-14);
   const auto negative = CGAL::parameters::number_of_iterations(-1);
   BOOST_CHECK_THROW(trace(mesh, middle, Vector(3, 0.5, 0), 100, negative), FG::Invalid_parameter_error);
   const Traced rim = trace(mesh, middle, Vector(0, -1, 0), 100);

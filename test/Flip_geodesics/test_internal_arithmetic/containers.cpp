@@ -4,11 +4,14 @@
 
 #include <CGAL/Flip_geodesics/internal/base/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/base/Version_cache.h>
+#include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <list>
 #include <random>
 #include <utility>
@@ -158,4 +161,12 @@ BOOST_AUTO_TEST_CASE(a_cache_of_versions_drops_what_was_not_asked_for_longest)
       bytes += entry_size + e.bytes;
     BOOST_REQUIRE(cache.memory() == bytes);
   }
+}
+
+BOOST_AUTO_TEST_CASE(more_elements_than_indices_are_refused)
+{
+  const std::int64_t most = std::numeric_limits<Index>::max();
+  BOOST_TEST(FGI::checked_index_bound(most - 1) == most - 1);
+  for(std::int64_t count : {most, most + 1, 2 * most + 2, std::numeric_limits<std::int64_t>::max()})
+    BOOST_CHECK_THROW(FGI::checked_index_bound(count), CGAL::Flip_geodesics::Invalid_mesh_error);
 }

@@ -181,6 +181,8 @@ BOOST_AUTO_TEST_CASE(needless_seams_of_a_sphere)
   BOOST_TEST(network.number_of_curves() == 1);
   BOOST_TEST(report.curves.size() == 1u);
   BOOST_TEST(report.flip_outs > 0u);
+  BOOST_TEST(s.triangulation.log_position() > 0u);
+  BOOST_TEST(report.flips >= s.triangulation.log_position()); // of all runs
   check_disks(network, s.mesh, 1);
 }
 

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -105,4 +107,38 @@ BOOST_AUTO_TEST_CASE(no_shortest_loop_where_there_is_none)
   }
   const Setting s(single_triangle());
   BOOST_CHECK_THROW(FG::shortest_loop(s.triangulation, 3_v), FG::Vertex_out_of_range_error);
+}
+
+// Each component has its own group.
+BOOST_AUTO_TEST_CASE(shortest_loops_of_several_components)
+{
+  const std::vector<Mesh_soup> parts = {cylinder(5, 4, 1, 3), plate(2), torus(6, 5, 3, 1), sphere(2)};
+  for(const Mesh_soup& first : parts)
+    for(const Mesh_soup& second : parts) {
+      const Setting both(disjoint_union(first, second)), one(first), two(second);
+      const auto n = static_cast<FG::Index>(first.points.size());
+      for(FG::Index v : {0, 3, 7})
+        for(FG::Loop_kind kind : {FG::Loop_kind::NOT_CONTRACTIBLE, FG::Loop_kind::NOT_BOUNDING}) {
+          const auto length = [kind](const Setting& s, FG::Index at) {
+            return s.length(FG::shortest_loop(s.triangulation, FG::Vertex_index(at), kind));
+          };
+          BOOST_TEST(std::abs(length(both, v) - length(one, v)) < 1e-12);
+          BOOST_TEST(std::abs(length(both, n + v) - length(two, v)) < 1e-12);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(shortest_loops_through_what_is_no_vertex)
+{
+  const Setting s(torus(5, 4, 3, 1));
+  BOOST_CHECK_EXCEPTION(FG::shortest_loop(s.triangulation, FG::null_index), FG::Vertex_out_of_range_error,
+                        [](const FG::Vertex_out_of_range_error& error) {
+                          return error.elements().empty() && std::string(error.what()).find("a given vertex") == 0;
+                        });
+  BOOST_CHECK_EXCEPTION(
+      FG::shortest_loop(s.triangulation, 20_v), FG::Vertex_out_of_range_error,
+      [](const FG::Vertex_out_of_range_error& error) { return error.elements() == std::vector<std::size_t>{20}; });
+  const Mesh_soup bow_tie = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+  const Surface touching = to_mesh<Surface>(bow_tie);
+  BOOST_CHECK_THROW(FG::shortest_loop(Triangulation(touching), 1_v), FG::Invalid_mesh_error);
 }

@@ -21,6 +21,34 @@ BOOST_AUTO_TEST_CASE(results_are_proven_without_being_asked)
   }
 }
 
+namespace {
+
+// Traits with a state.
+struct Counting_traits : FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>
+{
+  std::size_t* count = nullptr; // of the lengths that are asked for
+
+  auto compute_length_object() const
+  {
+    if(count != nullptr)
+      ++*count;
+    return FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>::compute_length_object();
+  }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(traits_are_used_as_they_are_given)
+{
+  const Surface mesh = torus_mesh();
+  std::vector<Point> points;
+  std::size_t count = 0;
+  Counting_traits traits;
+  traits.count = &count;
+  FG::geodesic_path(mesh, Vertex(0), Vertex(100), std::back_inserter(points), CGAL::parameters::geom_traits(traits));
+  BOOST_CHECK_GT(count, 0u);
+}
+
 BOOST_AUTO_TEST_CASE(what_rounds_or_is_not_finished_is_not_proven)
 {
   const Surface mesh = torus_mesh();

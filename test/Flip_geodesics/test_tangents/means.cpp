@@ -472,6 +472,23 @@ BOOST_AUTO_TEST_CASE(without_a_tolerance_the_search_ends_where_rounding_begins)
   }
 }
 
+// The search starts at the point with the largest weight.
+BOOST_AUTO_TEST_CASE(without_a_step_the_mean_is_the_heaviest_point)
+{
+  const Mesh mesh = to_mesh<Mesh>({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  const std::vector<Mesh_vertex> points = {Mesh_vertex(0), Mesh_vertex(1), Mesh_vertex(2)};
+  for(std::size_t heaviest : {0, 1, 2}) {
+    std::vector<double> weights = {1, 1, 1};
+    weights[heaviest] = 2;
+    const auto result = FG::geodesic_mean(mesh, points, weights, CGAL::parameters::number_of_iterations(0));
+    auto h = mesh.halfedge(result.location.first);
+    for(double weight : result.location.second) {
+      BOOST_TEST(weight == (mesh.source(h) == points[heaviest] ? 1 : 0));
+      h = mesh.next(h);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_has_no_mean_is_refused)
 {
   const Mesh mesh =

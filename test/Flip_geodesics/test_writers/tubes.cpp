@@ -85,3 +85,14 @@ BOOST_AUTO_TEST_CASE(tubes_stand_beside_a_surface_in_all_formats)
     BOOST_CHECK_EQUAL(std::count(file.triangle_curves.begin(), file.triangle_curves.end(), 3), 2 * corners);
   }
 }
+
+#ifndef CGAL_NO_PRECONDITIONS
+BOOST_AUTO_TEST_CASE(tubes_have_a_radius_and_three_sides)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(double radius : {0.0, -1.0, infinity, std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(FG::IO::Tubes(radius, 4), CGAL::Precondition_exception);
+  BOOST_CHECK_THROW(FG::IO::Tubes(1, 2), CGAL::Precondition_exception);
+  BOOST_CHECK_NO_THROW(FG::IO::Tubes(1, 3));
+}
+#endif

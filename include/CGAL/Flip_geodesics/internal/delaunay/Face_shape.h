@@ -47,9 +47,11 @@ public:
   /* The angle at corner i. */
   double angle(int i) const
   {
-    const double a = m_lengths[(i + 1) % 3], b = m_lengths[i], c = m_lengths[(i + 2) % 3];
-    // By half-angles [Kahan], which keeps small angles accurate.
-    const double low = (std::max)((a - b + c) * (a + b - c), 0.0), high = (std::max)((a + b + c) * (b + c - a), 0.0);
+    // By half-angles [Kahan]: accurate whatever the shape is, if differences are taken in this order.
+    const double a = m_lengths[(i + 1) % 3], b = (std::max)(m_lengths[i], m_lengths[(i + 2) % 3]),
+                 c = (std::min)(m_lengths[i], m_lengths[(i + 2) % 3]);
+    const double rest = c >= a ? a - (b - c) : c - (b - a);
+    const double low = (std::max)(((b - c) + a) * rest, 0.0), high = (std::max)((b + (c + a)) * ((b - a) + c), 0.0);
     return 2 * std::atan2(std::sqrt(low), std::sqrt(high));
   }
 
