@@ -52,7 +52,8 @@ public:
   Place place(const Mesh& mesh, Vertex_index v) const;
 
   /// A lower bound of the length of all paths on the surface between two vertices, across faces as well as along edges.
-  /// Bounds and verdicts of shortest paths rest on it. It is 0 from a vertex to itself. From the two ends of an edge to one vertex it differs by no more than the edge's weight.
+  /// Bounds and verdicts of shortest paths rest on it. It is 0 from a vertex to itself. From the two ends of an edge to
+  /// one vertex it differs by no more than the edge's weight.
   double distance_lower_bound(const Place& p, const Place& q) const;
 
   /// The type of points, only where vertices have points in space; points are written as this, see `point_in_space()`.
