@@ -219,6 +219,7 @@ BOOST_AUTO_TEST_CASE(least_stretch_of_what_is_no_triangle)
   BOOST_TEST(least_stretch({0, 4, 4}, {3, 4, 5}) > 0.5);
   BOOST_TEST(least_stretch({0, 0, 0}, {3, 4, 5}) == std::numeric_limits<double>::infinity());
   BOOST_TEST(least_stretch({-3, 4, 5}, {3, 4, 5}) == 0);
+  BOOST_TEST(least_stretch({3, 4, 5}, {3e80, 4e80, 5e80}) == 0); // no usable lengths
   BOOST_TEST(least_stretch({3, 4, 5}, {3, 4, std::numeric_limits<double>::quiet_NaN()}) == 0);
   // A flat one may become one with an area.
   BOOST_TEST(least_stretch({3, 4, 7}, {6, 8, 10}) > 0);
