@@ -29,7 +29,8 @@ root = here.parents[1]
 sys.path[:0] = [str(here), str(root / 'examples/Flip_geodesics_program/page')]
 
 from figure_browser import Browser  # noqa: E402
-from figure_drawing import FIXED, INK, RESULT, SECOND, START, WHITE, Panel, size_of, to_image, write_png  # noqa: E402
+from figure_drawing import FIXED, INK, RESULT, SECOND, START, WHITE, Panel  # noqa: E402
+from figure_drawing import size_of, to_image, write_picture  # noqa: E402
 from figure_light import frame, unit  # noqa: E402
 from figure_pictures import checker, compass  # noqa: E402
 from figure_tools import Graph, Tools, read_obj, read_off, read_ply, read_vtp  # noqa: E402
@@ -864,12 +865,12 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             result = draw(Tools(options.build.resolve(), folder))
             is_moving = isinstance(result, Animation)
-            path = options.out / f'{name}.{"webp" if is_moving else "png"}'
+            path = options.out / f'{name}.{"png" if name == "flip_geodesics_small" else "webp"}'
             size = round(scale * width), round(scale * height)
             if is_moving:
                 result.write(path, *size)
             else:
-                write_png(path, result if isinstance(result, Image.Image) else to_image(result, *size))
+                write_picture(path, result if isinstance(result, Image.Image) else to_image(result, *size))
             print(f'{path.name}: {path.stat().st_size // 1000} kB', flush=True)
 
 
