@@ -4,11 +4,20 @@
 # Builds flip_geodesics and runs it on real meshes and a generated one, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
 #   bash examples/run.sh
+#   bash examples/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
 # Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
-# parallel jobs (default: one per processor), SKIP_INSTALL=1 neither looks for packages nor installs any.
+# parallel jobs (default: one per processor).
 
 set -euo pipefail
+
+install_options=()
+for option in "$@"; do
+  case "$option" in
+    --no-install) install_options=(--no-install) ;;
+    *) echo "usage: bash examples/run.sh [--no-install]" >&2; exit 2 ;;
+  esac
+done
 
 packages=(g++ cmake make libcgal-dev libgmp-dev libmpfr-dev libcli11-dev zlib1g-dev libcgal-demo)
 
@@ -101,9 +110,7 @@ run() { # title, file name of the results, format of the viewable file, mesh, op
   row "$title" "$out.csv" "$out.check.txt" >> "$results/table.txt"
 }
 
-if [ -z "${SKIP_INSTALL-}" ]; then
-  install_packages "${packages[@]}"
-fi
+install_packages ${install_options[@]+"${install_options[@]}"} "${packages[@]}"
 build
 unpack_data
 rm -rf "$results"

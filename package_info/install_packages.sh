@@ -26,18 +26,35 @@ apt_get() {
   return 1
 }
 
-# install_packages(package...): installs those Debian packages that are missing, as root or by sudo. Without Debian
-# packages it goes on with what there is; without the rights it prints the command and ends the script.
-install_packages() {
-  if ! command -v dpkg > /dev/null; then
-    echo "No Debian packages here; going on with what is installed."
-    return
-  fi
+# missing_packages(package...): prints those that are not installed, on one line.
+missing_packages() {
   local package missing=()
   for package in "$@"; do
     dpkg -s "$package" 2> /dev/null | grep -q '^Status: install ok installed' || missing+=("$package")
   done
-  if [ ${#missing[@]} -eq 0 ]; then
+  echo "${missing[*]}"
+}
+
+# install_packages([--no-install] package...): installs the Debian packages that are missing, as root or by sudo, and
+# prints the command first. With --no-install it prints the command and continues with what is installed, as it does on a
+# system without Debian packages. Without the rights to install it prints the command and ends the script.
+install_packages() {
+  local may_install=1 missing
+  if [ "${1-}" = --no-install ]; then
+    may_install=0
+    shift
+  fi
+  if ! command -v dpkg > /dev/null; then
+    echo "This system has no Debian packages; continuing with what is installed."
+    return
+  fi
+  missing=$(missing_packages "$@")
+  if [ -z "$missing" ]; then
+    return
+  fi
+  local command="apt-get update && apt-get install -y --no-install-recommends $missing"
+  if [ $may_install -eq 0 ]; then
+    echo "Packages are missing; as root this command installs them: $command"
     return
   fi
   local as_root=()
@@ -46,12 +63,13 @@ install_packages() {
     # Without a terminal sudo must not ask for a password.
     [ -t 0 ] || as_root=(sudo -n)
     if ! "${as_root[@]}" true 2> /dev/null; then
-      echo "Packages are missing. Install them with this line, then start again:" >&2
-      echo "su -c 'apt-get update && apt-get install -y --no-install-recommends ${missing[*]}'" >&2
+      echo "Packages are missing. Install them with this command and start again:" >&2
+      echo "su -c '$command'" >&2
       exit 1
     fi
   fi
-  echo "== installing ${missing[*]}"
+  echo "== installing: $command"
   apt_get update -q
-  apt_get install -y -q --no-install-recommends "${missing[@]}"
+  # shellcheck disable=SC2086 # one argument per package
+  apt_get install -y -q --no-install-recommends $missing
 }

@@ -7,9 +7,10 @@
 #                              under sanitizers
 #   bash test/run.sh --full    every test and every example with g++, with clang++, and under sanitizers with checked
 #                              iterators; OpenMesh and MPI installed as well
+#   bash test/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
-# Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
-# parallel jobs (default: one per processor), SKIP_INSTALL=1 neither looks for packages nor installs any.
+# A run that was interrupted continues where it stopped. Environment: BUILD_DIR (default: build/run-tests in the
+# repository) takes everything that is written, JOBS is the number of parallel jobs (default: one per processor).
 
 set -euo pipefail
 
@@ -27,15 +28,18 @@ packages=(g++ clang libclang-rt-dev cmake ninja-build ccache libcgal-dev libgmp-
 full_packages=(libopenmesh-dev libboost-mpi-dev openmpi-bin)
 
 full=0
-case "${1-}" in
-  "") ;;
-  --full) full=1 ;;
-  *) echo "usage: bash test/run.sh [--full]" >&2; exit 2 ;;
-esac
+install_options=()
+for option in "$@"; do
+  case "$option" in
+    --full) full=1 ;;
+    --no-install) install_options=(--no-install) ;;
+    *) echo "usage: bash test/run.sh [--full] [--no-install]" >&2; exit 2 ;;
+  esac
+done
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/package_info/install_packages.sh"
-build_dir=${BUILD_DIR:-$root/build}
+build_dir=${BUILD_DIR:-$root/build/run-tests}
 mkdir -p "$build_dir"
 build_dir=$(cd "$build_dir" && pwd)
 jobs=${JOBS:-$(nproc 2>/dev/null || echo 2)}
@@ -85,9 +89,7 @@ run_stage() {
 if [ $full -eq 1 ]; then
   packages+=("${full_packages[@]}")
 fi
-if [ -z "${SKIP_INSTALL-}" ]; then
-  install_packages "${packages[@]}"
-fi
+install_packages ${install_options[@]+"${install_options[@]}"} "${packages[@]}"
 launcher=()
 if command -v ccache > /dev/null; then
   launcher=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)

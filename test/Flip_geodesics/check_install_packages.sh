@@ -36,3 +36,11 @@ grep -q -- '-o DPkg::Lock::Timeout=' calls || fail "it does not have apt wait fo
 echo 'Unable to locate package missing' > reason
 if run; then fail "an error is success"; fi
 [ "$(wc -l < calls)" -eq 1 ] && grep -q 'Unable to locate' errors || fail "it does not pass the error on"
+
+rm -f calls
+PATH=$work/bin:$PATH bash -euc "source '$script'; install_packages --no-install there missing" > output 2> errors ||
+  fail "a package that is missing is an error although none is to be installed"
+! [ -e calls ] || fail "it installs although it must not"
+grep -q 'apt-get install .* missing$' output && ! grep -q 'install .* there' output || fail "it does not print the command"
+PATH=$work/bin:$PATH bash -euc "source '$script'; install_packages there" > output 2> errors
+! [ -s output ] && ! [ -e calls ] || fail "it does something although everything is installed"
