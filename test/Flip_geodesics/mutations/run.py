@@ -1,41 +1,41 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Would the tests miss a wrong line?  Applies the mutations of mutations.txt one at a time and runs the tests.
+"""Would the tests notice a wrong operator?  Generates mutants of the headers and runs the tests on each.
 
-  python3 test/Flip_geodesics/mutations/run.py --build DIR                 all of it: hours
-  python3 test/Flip_geodesics/mutations/run.py --build DIR --shard 0/4     a quarter of the mutations
-  python3 test/Flip_geodesics/mutations/run.py --build DIR --tests test_certify,test_extract --header Strip
-  python3 test/Flip_geodesics/mutations/run.py --build DIR --table         what is known so far
-  python3 test/Flip_geodesics/mutations/run.py --build DIR --record        the same, into results.csv beside the list
-  python3 test/Flip_geodesics/mutations/run.py --check                     is the list up to date?
-  python3 test/Flip_geodesics/mutations/run.py --parse                     does clang++ understand it? half a minute
+  python3 test/Flip_geodesics/mutations/run.py --build DIR                          20 mutants of each module: hours
+  python3 test/Flip_geodesics/mutations/run.py --build DIR --seed 7 --number 5      5 others of each module
+  python3 test/Flip_geodesics/mutations/run.py --build DIR --module strips --tests test_certify,test_extract
+  python3 test/Flip_geodesics/mutations/run.py --build DIR --header flip_out.h --number 50
+  python3 test/Flip_geodesics/mutations/run.py --check                              are the explanations up to date?
 
-To compile each test program once and not once per mutation, all mutations are put into one copy of the headers: an
-expression E with a mutation M becomes (::mutation::is_active(17) ? (M) : (E)), a statement S that is dropped becomes
-if(::mutation::is_active(17)) {} else S, and an environment variable says which mutation is active. A first run without
-any tells which test cases reach which mutations, and how long they take; a mutation is then run in the cases that reach
-it, the fastest program first, until a check fails, the program crashes, or it takes five times as long: it is killed.
-What cannot be decided while running (constants, types) has the word `alone` in the list, with the programs to try: it
-is put into a copy of its own and compiled.
+generate.py finds all places where an operator, a constant, a condition, a call or a statement can be changed; the seed
+draws the sample. To compile each test program once and not once per mutant, all mutants are put into one copy of the
+headers: an expression E with a mutant M becomes (::mutation::is_active(17) ? (M) : (E)), a statement S that is dropped
+becomes if(::mutation::is_active(17)) {} else S, and an environment variable selects the mutant. Mutants that do not
+compile are replaced by the next of the sample, or dropped if this is found when a test is compiled. A first run without
+any mutant records which test cases reach which mutants and how long they take. A mutant is then run in the cases that
+reach it, the fastest program first, until a check fails, the program crashes or it takes five times as long: it is
+killed.
 
-Results are appended to DIR/results.csv, and a second run goes on where the first one ended, or where results.csv beside
-the list does. What was killed stays killed as long as its texts stay the same; what survived is run again with --again,
-and with programs not yet tried.
+Results are appended to DIR/results.csv; a further run continues where the last one ended. explanations.txt states why
+mutants survive that are equivalent to the original, by function:
 
-The list has a section per header. An entry is
+  [internal/shortening/flip_out.h]
+  Flip_out::shorten
+  - a < b                 the original, with any white space
+  + a <= b                the mutant
+  = the two are never equal
 
-  17                      a number that no other entry has; then nothing, or `drop`, or `statement`, or `alone test_x`
-  - if(@a < b@ && c)      text of the header, which occurs there once (white space does not count); what is mutated
-                          stands between @ and @, or is all of it
-  + a <= b                what stands there instead; may lack for `drop`
-  = equivalent: why       why it survives: `equivalent: ...` or `guard: test program and case`
+Needs g++, clang++, Boost.Test, and for Debian's python3 the packages python3-clang-14 and libclang-14-dev.
 """
 
 import argparse
 import collections
 import csv
 import hashlib
+import json
 import os
+import random
 import re
 import resource
 import shlex
@@ -44,10 +44,13 @@ import sys
 import tempfile
 import time
 
+import generate
+from generate import Mutant, digest, mutants_of, squeezed
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 TESTS = os.path.dirname(HERE)
 ROOT = os.path.dirname(os.path.dirname(TESTS))
-HEADERS = "CGAL/Flip_geodesics/"
+HEADERS = generate.HEADERS
 
 # Found out for each program while it runs; ends it at the first check that fails while a mutation is active.
 SWITCH = r"""#ifndef MUTATION_SWITCH_H
@@ -152,7 +155,7 @@ struct Setup
 BOOST_TEST_GLOBAL_FIXTURE(Setup);
 """
 
-Entry = collections.namedtuple("Entry", "number kind tests header original replacement explanation digest line")
+Entry = collections.namedtuple("Entry", "number mutant digest")
 
 
 def fail(message):
@@ -160,118 +163,102 @@ def fail(message):
     sys.exit(2)
 
 
-# ---------------------------------------------------------------- the list
+# ---------------------------------------------------------------- the sample and the explanations
 
 
-def digest_of(header, kind, original, replacement):
-    """What a result is known by, wherever its header moves to."""
-    texts = (os.path.basename(header), kind, original, replacement)
-    return hashlib.sha1("\0".join(texts).encode()).hexdigest()[:12]
+class Explanations:
+    """Why mutants are equivalent to the original, by header, function and the two texts."""
+
+    def __init__(self, name):
+        self.reasons, header, function, original, replacement = {}, "", "", "", ""
+        for line in open(name, encoding="utf-8") if os.path.exists(name) else []:
+            line = line.strip()
+            if line.startswith("["):
+                header = line[1:-1]
+            elif line.startswith("- "):
+                original, replacement = squeezed(line[2:]), ""
+            elif line.startswith("+ "):
+                replacement = squeezed(line[2:])
+            elif line.startswith("= "):
+                self.reasons[header, function, original, replacement] = line[2:]
+            elif line and not line.startswith("#"):
+                function = line
+
+    def of(self, mutant):
+        key = (mutant.header, mutant.function, squeezed(mutant.original), squeezed(mutant.replacement))
+        return self.reasons.get(key)
+
+    def stale(self, mutants):
+        """Explanations of mutants that the headers no longer have."""
+        known = {(m.header, m.function, squeezed(m.original), squeezed(m.replacement)) for m in mutants}
+        return [key for key in self.reasons if key not in known]
 
 
-def read_list(name):
-    entries, header = [], None
-    lines = open(name, encoding="utf-8").read().split("\n")
-    i = 0
-    while i < len(lines):
-        line = lines[i].strip()
-        if not line or line.startswith("#"):
-            i += 1
-            continue
-        match = re.fullmatch(r"\[(.*)\]", line)
-        if match:
-            header = match.group(1)
-            i += 1
-            continue
-        words = line.split()
-        if header is None or not words[0].isdigit():
-            fail(f"{name}:{i + 1}: a number, and before it a [header], expected: {line}")
-        start, parts = i + 1, {"-": [], "+": [], "=": []}
-        i += 1
-        while i < len(lines) and lines[i][:1] in parts and lines[i].strip():
-            parts[lines[i][0]].append(lines[i][1:].strip())
-            i += 1
-        original, replacement = "\n".join(parts["-"]), "\n".join(parts["+"])
-        kind = words[1] if len(words) > 1 else "expression"
-        if kind not in ("expression", "drop", "statement", "alone") or not original:
-            fail(f"{name}:{start}: a kind and the lines of an entry expected")
-        digest = digest_of(header, kind, original, replacement)
-        entries.append(Entry(int(words[0]), kind, words[2:], header, original, replacement, " ".join(parts["="]), digest,
-                             start))
-    numbers = collections.Counter(e.number for e in entries)
-    twice = [str(n) for n, count in numbers.items() if count > 1]
-    if twice:
-        fail("numbers that occur twice: " + " ".join(twice))
-    return entries
+def all_mutants(include, build):
+    """The mutants of the headers, kept in `build` as long as these stay the same."""
+    paths = sorted(os.path.join(folder, name) for folder, _, names in os.walk(include) for name in names)
+    state = hashlib.sha1(open(generate.__file__, "rb").read())
+    for path in paths:
+        state.update(path.encode() + open(path, "rb").read())
+    cache = os.path.join(build, "mutants-" + state.hexdigest()[:12] + ".json")
+    if not os.path.exists(cache):
+        mutants = mutants_of(include)
+        with open(cache, "w", encoding="utf-8") as out:
+            json.dump(mutants, out)
+        return mutants
+    return [Mutant(*fields) for fields in json.load(open(cache, encoding="utf-8"))]
 
 
-TOKEN = r"[A-Za-z0-9_.]+|\S"
+def overlaps(mutant, others):
+    """Does a mutant share a part of its range with one that neither holds it nor lies within it?"""
+    return any(o.header == mutant.header and (o.begin < mutant.begin < o.end < mutant.end
+                                              or mutant.begin < o.begin < mutant.end < o.end) for o in others)
 
 
-def pattern(text):
-    """Any white space may stand between two tokens."""
-    return r"\s*".join(re.escape(token) for token in re.findall(TOKEN, text))
+def drawn(mutants, explanations, number, seed):
+    """Of each module the mutants in random order, and the first `number` of them that are not explained."""
+    per_module = collections.defaultdict(list)
+    for m in mutants:
+        per_module[m.module].append(m)
+    sample, reserve = [], {}
+    for module in sorted(per_module):
+        order = per_module[module]
+        random.Random(f"{seed} {module}").shuffle(order)
+        order = [m for m in order if not explanations.of(m)]
+        chosen = []
+        while order and len(chosen) < number:
+            m = order.pop(0)
+            if not overlaps(m, chosen):
+                chosen.append(m)
+        sample, reserve[module] = sample + chosen, order
+    return sample, reserve
 
 
-def locate(entry, text):
-    """The range of the mutated part, or a message."""
-    parts = entry.original.split("@")
-    if len(parts) not in (1, 3):
-        return None, "one pair of @ expected"
-    before, part, after = parts if len(parts) == 3 else ("", parts[0], "")
-    whole = (r"(?<!\w)" if re.match(r"\w", entry.original) else "") + pattern(before)
-    whole += r"\s*(" + pattern(part) + r")\s*" + pattern(after)
-    found = list(re.finditer(whole, text))
-    if len(found) != 1:
-        return None, "its text is no longer in the header" if not found else f"its text occurs {len(found)} times"
-    return found[0].span(1), None
-
-
-def locate_all(entries, include):
-    """Entry number to range; says which entries are stale."""
-    ranges, stale, texts = {}, [], {}
-    for e in entries:
-        path = os.path.join(include, HEADERS, e.header)
-        if e.header not in texts:
-            texts[e.header] = open(path, encoding="utf-8").read() if os.path.exists(path) else None
-        if texts[e.header] is None:
-            stale.append((e, "there is no such header"))
-            continue
-        where, message = locate(e, texts[e.header])
-        if message:
-            stale.append((e, message))
-        else:
-            ranges[e.number] = where
-    for e, message in stale:
-        print(f"STALE: mutation {e.number} (line {e.line}) of {e.header}: {message}: {e.original}", file=sys.stderr)
-    return ranges, stale
+def entries_of(sample):
+    return [Entry(i + 1, m, digest(m)) for i, m in enumerate(sample)]
 
 
 # ---------------------------------------------------------------- the copies
 
 
 def wrapped(entry, text):
-    """A mutation and what it replaces, as one piece of code."""
+    """A mutant and what it replaces, as one piece of code."""
     condition = f"::mutation::is_active({entry.number})"
-    if entry.kind == "expression":
-        return f"({condition} ? ({entry.replacement}) : ({text}))"
-    mutated = entry.replacement if entry.kind == "statement" else ""
-    return f"if({condition}) {{ {mutated} }} else {text}"
+    if entry.mutant.kind == "expression":
+        return f"({condition} ? ({entry.mutant.replacement}) : ({text}))"
+    return f"if({condition}) {{}} else {text}"
 
 
-def with_all(text, entries, ranges):
-    """The text with all mutations, of which one may lie inside of another."""
-    order = sorted(entries, key=lambda e: (ranges[e.number][0], -ranges[e.number][1], e.kind == "expression"))
+def with_all(text, entries):
+    """The text with all mutants, of which one may lie inside of another."""
+    order = sorted(entries, key=lambda e: (e.mutant.begin, -e.mutant.end, e.mutant.kind == "expression"))
 
     def rendered(begin, end, inside):
         result, position = "", begin
         while inside:
             first = inside[0]
-            a, b = ranges[first.number]
-            nested = [e for e in inside[1:] if ranges[e.number][0] < b]
-            for e in nested:
-                if ranges[e.number][1] > b:
-                    fail(f"mutations {first.number} and {e.number} of {first.header} overlap")
+            a, b = first.mutant.begin, first.mutant.end
+            nested = [e for e in inside[1:] if e.mutant.begin < b]
             result += text[position:a] + wrapped(first, rendered(a, b, nested))
             position = b
             inside = inside[1 + len(nested):]
@@ -299,14 +286,13 @@ def copy_headers(include, target, change):
             write_if_changed(os.path.join(target, relative), change(header, text))
 
 
-def copy_with_all(include, tree, entries, ranges):
-    """Copies the headers, with all mutations that are decided while running, to the folder `tree`, and returns that."""
+def copy_with_all(include, tree, entries):
+    """Copies the headers with all mutants to the folder `tree`, and returns that."""
     per_header = collections.defaultdict(list)
     for e in entries:
-        if e.kind != "alone" and e.number in ranges:
-            per_header[e.header].append(e)
+        per_header[e.mutant.header].append(e)
     copy_headers(include, tree,
-                 lambda header, text: with_all(text, per_header[header], ranges) if header in per_header else text)
+                 lambda header, text: with_all(text, per_header[header]) if header in per_header else text)
     return tree
 
 
@@ -395,11 +381,21 @@ class Compiler:
         return name
 
 
-def parse(include, entries, ranges):
-    """Do all mutations parse, with names that are known where templates are read? clang++ looks at them together, in one
-    source with all headers, and goes on after errors. Prints what does not parse; entries `alone` are not looked at."""
+def mutants_in(diagnostics, at):
+    """The numbers of the mutants on lines of the headers that `at`, a regular expression, finds in what a compiler wrote."""
+    numbers = set()
+    for name, line in re.findall(at, diagnostics, re.M):
+        if os.path.exists(name):
+            text = open(name, encoding="utf-8").read().split("\n")[int(line) - 1]
+            numbers |= set(map(int, re.findall(r"::mutation::is_active\((\d+)\)", text)))
+    return numbers
+
+
+def not_parsed(include, entries):
+    """The numbers of mutants that do not parse. clang++ reads them together, in one source with all headers, and
+    continues after errors."""
     with tempfile.TemporaryDirectory() as build:
-        tree = copy_with_all(include, os.path.join(build, "include"), entries, ranges)
+        tree = copy_with_all(include, os.path.join(build, "include"), entries)
         write_if_changed(os.path.join(build, "switch.h"), SWITCH)
         headers = sorted(os.path.relpath(os.path.join(folder, name), tree) for folder, _, names in os.walk(tree)
                          for name in names if name.endswith(".h"))
@@ -407,16 +403,28 @@ def parse(include, entries, ranges):
         write_if_changed(source, "".join(f"#include <{header}>\n" for header in headers))
         command = ["clang++", "-std=c++17", "-fsyntax-only", "-w", "-frounding-math", "-ferror-limit=0", "-I", tree,
                    "-isystem", "/usr/include/eigen3", "-include", os.path.join(build, "switch.h"), source]
-        try:
-            result = subprocess.run(command, stderr=subprocess.PIPE, universal_newlines=True, check=False)
-        except FileNotFoundError:
-            fail("--parse needs clang++")
-        for name, line, message in re.findall(r"^(.*):(\d+):\d+: (?:fatal )?error: (.*)$", result.stderr, re.M):
-            text = open(name, encoding="utf-8").read().split("\n")[int(line) - 1]
-            numbers = re.findall(r"::mutation::is_active\((\d+)\)", text)
-            print(f"DOES NOT PARSE: {' or '.join(numbers) or 'mutations'} of {os.path.relpath(name, tree)}: {message}")
-        print("all headers with all mutations parse" if result.returncode == 0 else "some mutations do not parse")
-        return result.returncode == 0
+        result = subprocess.run(command, stderr=subprocess.PIPE, universal_newlines=True, check=False)
+        numbers = mutants_in(result.stderr, r"^(.*?):(\d+):\d+: (?:fatal )?error: ")
+        if result.returncode != 0 and not numbers:
+            fail("the headers with mutants do not parse: " + result.stderr[:2000])
+        return numbers
+
+
+def parsing_sample(include, sample, reserve):
+    """The sample, with mutants that do not parse replaced by the next ones of their modules."""
+    while True:
+        entries = entries_of(sample)
+        bad = not_parsed(include, entries)
+        if not bad:
+            return entries
+        sample = [e.mutant for e in entries if e.number not in bad]
+        for e in entries:
+            queue = reserve[e.mutant.module]
+            while e.number in bad and queue:
+                m = queue.pop(0)
+                if not overlaps(m, sample):
+                    sample.append(m)
+                    break
 
 
 # ---------------------------------------------------------------- running
@@ -479,86 +487,54 @@ def verdict_of(program, mutation, cases, seconds, memory):
 
 
 class Results:
-    def __init__(self, recorded, name):
-        """Begins with the file `recorded`, goes on with the file `name`, and appends to that."""
-        self.name, self.rows = name, {}
-        for known in filter(os.path.exists, (recorded, name)):
-            with open(known, newline="", encoding="utf-8") as file:
-                for row in csv.reader(file):
-                    if len(row) == 5 and row[0] != "number":
-                        self.add(row)
+    """What is known of mutants: digest, verdict, tests that were run, how it was killed."""
 
-    def record(self, entries, name):
-        """Writes what is known of entries, a line each."""
-        with open(name, "w", newline="", encoding="utf-8") as out:
-            writer = csv.writer(out, lineterminator="\n")
-            writer.writerow(["number", "texts", "verdict", "tests", "how"])
-            for row in filter(None, map(self.of, sorted(entries, key=lambda e: e.number))):
-                writer.writerow([*row[:4], row[4].split("<")[0]])
+    def __init__(self, name):
+        self.name, self.rows = name, {}
+        if os.path.exists(name):
+            with open(name, newline="", encoding="utf-8") as file:
+                for row in csv.reader(file):
+                    self.add(row)
 
     def add(self, row):
-        key = (int(row[0]), row[1])
-        old = self.rows.get(key)
-        if old is None or old[2] != "killed":
-            tried = set(row[3].split()) | (set(old[3].split()) if old and row[2] == "survived" else set())
-            self.rows[key] = [row[0], row[1], row[2], " ".join(sorted(tried)), row[4]]
+        old = self.rows.get(row[0])
+        if old is None or old[1] != "killed":
+            tried = set(row[2].split()) | (set(old[2].split()) if old and row[1] == "survived" else set())
+            self.rows[row[0]] = [row[0], row[1], " ".join(sorted(tried)), row[3]]
 
     def append(self, entry, verdict, tests, how):
-        row = [str(entry.number), entry.digest, verdict, " ".join(tests), how]
+        row = [entry.digest, verdict, " ".join(tests), how]
         with open(self.name, "a", newline="", encoding="utf-8") as out:
             csv.writer(out).writerow(row)
         self.add(row)
 
     def of(self, entry):
-        return self.rows.get((entry.number, entry.digest))
+        return self.rows.get(entry.digest)
 
 
-def run_schemata(entries, programs, results, options):
-    """`programs`: test to path, which all contain all mutations."""
+def run_entries(entries, programs, results, options):
+    """`programs`: test to path, which all contain all mutants."""
     coverage = {test: Coverage(path, options.memory) for test, path in programs.items()}
     for e in entries:
         old = results.of(e)
-        if old and old[2] == "killed":
+        if old and old[1] == "killed":
             continue
-        tried = set(old[3].split()) if old and old[2] == "survived" and not options.again else set()
+        tried = set(old[2].split()) if old and not options.again else set()
         order = sorted((coverage[t].reaching(e.number)[1], t) for t in programs
                        if t not in tried and coverage[t].reaching(e.number)[0])
         if not order and not old:
-            print(f"{e.number} {e.header}: no test of those compiled reaches it", flush=True)
+            print(f"{e.number} {e.mutant.header}: no test of those compiled reaches it", flush=True)
             results.append(e, "survived", [], "not reached")
         for position, (seconds, test) in enumerate(order):
             start = time.time()
             how = verdict_of(programs[test], e.number, coverage[test].reaching(e.number)[0], seconds, options.memory)
             if how:
                 results.append(e, "killed", [test], how)
-                print(f"{e.number} {e.header}: killed by {test}, {how}, {time.time() - start:.1f} s", flush=True)
+                print(f"{e.number} {e.mutant.header}: killed by {test}, {how}, {time.time() - start:.1f} s", flush=True)
                 break
             results.append(e, "survived", [test], "")
             if position + 1 == len(order):
-                print(f"{e.number} {e.header}: SURVIVED {' '.join(t for _, t in order)}", flush=True)
-
-
-def run_alone(entries, ranges, include, compiler, results, options):
-    for e in entries:
-        old = results.of(e)
-        if old and (old[2] == "killed" or not options.again):
-            continue
-        a, b = ranges[e.number]
-        tree = os.path.join(compiler.build, "alone", "include")
-        copy_headers(include, tree,
-                     lambda header, text, e=e, a=a, b=b: text[:a] + e.replacement + text[b:] if header == e.header else text)
-        verdict = ("survived", " ".join(e.tests))
-        for test in e.tests:
-            program = compiler.program(test, tree, os.path.join(compiler.build, "alone"))
-            if program is None:
-                verdict = ("killed", "does not compile")
-                break
-            how = verdict_of(program, e.number, None, 60, options.memory)
-            if how:
-                verdict = ("killed", how)
-                break
-        results.append(e, verdict[0], [test], verdict[1])
-        print(f"{e.number} {e.header}: {verdict[0]} {verdict[1]}", flush=True)
+                print(f"{e.number} {e.mutant.header}: SURVIVED {' '.join(t for _, t in order)}", flush=True)
 
 
 # ---------------------------------------------------------------- what is printed
@@ -566,94 +542,88 @@ def run_alone(entries, ranges, include, compiler, results, options):
 
 def print_table(entries, results):
     rows = collections.OrderedDict()
-    for e in sorted(entries, key=lambda e: e.header):
-        row, result = rows.setdefault(e.header, [0, 0, 0, 0, 0]), results.of(e)
+    for e in sorted(entries, key=lambda e: e.mutant.module):
+        row, result = rows.setdefault(e.mutant.module, [0, 0, 0, 0]), results.of(e)
         row[0] += 1
-        if result is None:
-            row[4] += 1
-        elif result[2] == "killed":
-            row[1] += 1
-        else:
-            row[2] += 1
-            row[3] += 1 if e.explanation else 0
-    width = max(len(header) for header in rows) + 2
-    print(f"{'header':{width}}{'mutations':>10}{'killed':>8}{'survived':>10}{'explained':>11}{'not run':>9}")
-    for header, row in list(rows.items()) + [("all", [sum(c) for c in zip(*rows.values())])]:
-        print(f"{header:{width}}{row[0]:>10}{row[1]:>8}{row[2]:>10}{row[3]:>11}{row[4]:>9}")
+        row[1 if result and result[1] == "killed" else 3 if not result or result[3] == "not reached" else 2] += 1
+    width = max(len(module) for module in rows) + 2
+    print(f"{'module':{width}}{'mutants':>9}{'killed':>8}{'survived':>10}{'not reached':>13}{'killed':>9}")
+    for module, row in list(rows.items()) + [("all", [sum(c) for c in zip(*rows.values())])]:
+        print(f"{module:{width}}{row[0]:>9}{row[1]:>8}{row[2]:>10}{row[3]:>13}{100 * row[1] / row[0]:>8.0f}%")
     for e in entries:
         result = results.of(e)
-        if result and result[2] == "survived" and not e.explanation:
-            print(f"survived, unexplained: {e.number} {e.header}: {e.original} -> {e.replacement or 'nothing'}"
-                  f" ({result[3] or result[4]})")
+        if not result or result[1] != "killed":
+            print(f"\n[{e.mutant.header}]\n{e.mutant.function}\n- {squeezed(e.mutant.original)}")
+            if e.mutant.replacement:
+                print(f"+ {squeezed(e.mutant.replacement)}")
+            print(f"  survived {result[2] or result[3] if result else 'no test'}")
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", help="a folder for copies, programs and results.csv")
-    parser.add_argument("--list", default=os.path.join(HERE, "mutations.txt"))
     parser.add_argument("--include", default=os.path.join(ROOT, "include"))
     parser.add_argument("--tests", default="", help="programs, with commas; all if there are none")
+    parser.add_argument("--seed", default="1", help="draws the sample")
+    parser.add_argument("--number", type=int, default=20, help="of mutants in each module")
+    parser.add_argument("--module", default="", help="only this module, a folder of internal/, or public")
     parser.add_argument("--header", default="", help="only headers whose names contain this")
-    parser.add_argument("--only", default="", help="numbers, with commas")
-    parser.add_argument("--shard", default="0/1", help="i/n: every n-th entry, from the i-th on")
-    parser.add_argument("--again", action="store_true", help="what survived is run again")
-    parser.add_argument("--check", action="store_true", help="only checks the list against the headers")
-    parser.add_argument("--parse", action="store_true", help="only checks list and syntax of mutations, by clang++")
-    parser.add_argument("--table", action="store_true", help="only prints the table")
-    parser.add_argument("--record", action="store_true", help="only writes what is known beside the list")
-    parser.add_argument("--skip-alone", action="store_true", help="without those that are compiled by themselves")
+    parser.add_argument("--again", action="store_true", help="survivors are run again")
+    parser.add_argument("--check", action="store_true", help="only compares the explanations with the headers")
     parser.add_argument("--compiler", default="g++")
     parser.add_argument("--flags", default="-std=c++17 -O1 -w -frounding-math -DBOOST_TEST_DYN_LINK")
     parser.add_argument("--memory", type=int, default=4000, help="megabytes for a test program")
     return parser.parse_args()
 
 
-def chosen(entries, options):
-    shard, shards = map(int, options.shard.split("/"))
-    only = {int(n) for n in options.only.split(",") if n}
-    return [e for i, e in enumerate(entries) if i % shards == shard and options.header in e.header
-            and (not only or e.number in only)]
+def compiled(tests, include, entries, compiler):
+    """The programs with all mutants, and the entries without those that do not compile."""
+    programs = {}
+    for test in tests:
+        while True:
+            start = time.time()
+            tree = copy_with_all(include, os.path.join(compiler.build, "include"), entries)
+            path = compiler.program(test, tree, os.path.join(compiler.build, "programs"))
+            if path:
+                break
+            log = open(os.path.join(compiler.build, "programs", test + ".log"), encoding="utf-8").read()
+            bad = mutants_in(log, r"^([^\s:]+\.h):(\d+):\d+: error: ")
+            if not bad:
+                fail(f"{test} does not compile with the mutants, see {compiler.build}/programs/{test}.log")
+            print(f"{test}: {len(bad)} mutants do not compile and are left out", flush=True)
+            entries = [e for e in entries if e.number not in bad]
+            programs.clear()
+            return compiled(tests, include, entries, compiler)
+        if time.time() - start > 1:
+            print(f"{test}: compiled in {time.time() - start:.0f} s", flush=True)
+        programs[test] = path
+    return programs, entries
 
 
 def main():
     options = arguments()
-    entries = read_list(options.list)
-    ranges, stale = locate_all(entries, options.include)
-    print(f"{len(entries)} mutations of {len({e.header for e in entries})} headers, {len(stale)} stale")
-    if options.check or options.parse:
-        parses = not options.parse or parse(options.include, entries, ranges)
-        sys.exit(1 if stale or not parses else 0)
-    if not options.build:
+    if not options.build and not options.check:
         fail("--build is missing")
-    build = os.path.abspath(options.build)
-    os.makedirs(build, exist_ok=True)
-    recorded = os.path.join(HERE, "results.csv")
-    results = Results(recorded, os.path.join(build, "results.csv"))
-    if options.record:
-        results.record(entries, recorded)
-    if options.table or options.record:
+    with tempfile.TemporaryDirectory() as scratch:
+        build = os.path.abspath(options.build or scratch)
+        os.makedirs(build, exist_ok=True)
+        mutants = all_mutants(os.path.abspath(options.include), build)
+        explanations = Explanations(os.path.join(HERE, "explanations.txt"))
+        stale = explanations.stale(mutants)
+        for header, function, original, _ in stale:
+            print(f"STALE: {header}, {function}: {original}", file=sys.stderr)
+        print(f"{len(mutants)} mutants of {len({m.header for m in mutants})} headers, "
+              f"{len(explanations.reasons)} explained, {len(stale)} explanations stale")
+        if options.check:
+            sys.exit(1 if stale else 0)
+        mutants = [m for m in mutants if options.header in m.header and options.module in ("", m.module)]
+        entries = parsing_sample(options.include, *drawn(mutants, explanations, options.number, options.seed))
+        names = sorted(n[:-4] for n in os.listdir(TESTS) if n.startswith("test_") and n.endswith(".cpp"))
+        tests = options.tests.split(",") if options.tests else names
+        programs, entries = compiled(tests, options.include, entries, Compiler(options, build))
+        results = Results(os.path.join(build, "results.csv"))
+        run_entries(entries, programs, results, options)
         print_table(entries, results)
-        sys.exit(1 if stale else 0)
-
-    fresh = [e for e in entries if e.number in ranges]
-    tree = copy_with_all(options.include, os.path.join(build, "include"), fresh, ranges)
-    compiler = Compiler(options, build)
-    names = sorted(n[:-4] for n in os.listdir(TESTS) if n.startswith("test_") and n.endswith(".cpp"))
-    programs = {}
-    for test in options.tests.split(",") if options.tests else names:
-        start = time.time()
-        path = compiler.program(test, tree, os.path.join(build, "programs"))
-        if path is None:
-            fail(f"{test} does not compile with the mutations, see {build}/programs/{test}.log")
-        if time.time() - start > 1:
-            print(f"{test}: compiled in {time.time() - start:.0f} s", flush=True)
-        programs[test] = path
-    selected = chosen(fresh, options)
-    run_schemata([e for e in selected if e.kind != "alone"], programs, results, options)
-    if not options.skip_alone:
-        run_alone([e for e in selected if e.kind == "alone"], ranges, options.include, compiler, results, options)
-    print_table(entries, results)
-    sys.exit(1 if stale else 0)
 
 
 if __name__ == "__main__":
