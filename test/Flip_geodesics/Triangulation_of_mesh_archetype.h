@@ -76,6 +76,8 @@ public:
   public:
     bool is_flip() const { return m_is_flip; }
     bool is_insertion() const { return m_is_insertion; }
+    bool is_on_edge() const { return m_is_on_edge; }
+    Index gap() const { return m_gap; }
 
     Halfedge_index h;
     Index number;
@@ -87,10 +89,13 @@ public:
       , number(record.number)
       , m_is_flip(record.is_flip())
       , m_is_insertion(record.is_insertion())
+      , m_is_on_edge(record.is_on_edge())
+      , m_gap(record.gap())
     {
     }
 
-    bool m_is_flip, m_is_insertion;
+    bool m_is_flip, m_is_insertion, m_is_on_edge;
+    Index m_gap;
   };
 
   explicit Triangulation_of_mesh_archetype(const Triangle_mesh& mesh)
@@ -163,6 +168,10 @@ public:
   Vertex_index split_edge(Halfedge_index h, const Location& location, std::size_t gap, const OnSplit& on_split)
   {
     return m_model.split_edge(h, location, gap, on_split);
+  }
+  Vertex_index split_face(Halfedge_index h, const Location& location, std::size_t gap)
+  {
+    return m_model.split_face(h, location, gap);
   }
   void set_face_geometry(Halfedge_index h, const typename Traits::Face_geometry& geometry)
   {

@@ -32,10 +32,11 @@ public:
   /// A model of `IntrinsicMetric` for meshes of this type.
   typedef unspecified_type Metric;
 
-  /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const` and
-  /// `bool is_insertion() const`. If it is a flip, `h` is the flipped halfedge. If it is an insertion, inserted vertex
-  /// number `number`, counted from 0, was put into the face or on the edge of `h`. Otherwise the face of `h` was laid
-  /// out afresh.
+  /// An entry of the log, with the members `Halfedge_index h`, `Index number`, `bool is_flip() const`,
+  /// `bool is_insertion() const`, `bool is_on_edge() const` and `Index gap() const`. If it is a flip, `h` is the flipped
+  /// halfedge. If it is an insertion, inserted vertex number `number`, counted from 0, was put on the edge of `h` or,
+  /// unless `is_on_edge()`, into its face, in the input face at gap `gap()` of the crossing word that `h` had then.
+  /// Otherwise the face of `h` was laid out afresh.
   typedef unspecified_type Flip_record;
 
   /// @}
@@ -93,6 +94,10 @@ public:
   /// \throws as `insert()`
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap, const OnSplit& on_split);
+
+  /// Splits the face on the left of `h` at a point inside it, in the input face at a gap of the word of `h`.
+  /// \throws as `insert()`
+  Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap);
 
   /// Replaces the geometry of the face on the left of `h`, from `h` on, by a more accurate one. The log grows.
   void set_face_geometry(Halfedge_index h, const Traits::Face_geometry& geometry);

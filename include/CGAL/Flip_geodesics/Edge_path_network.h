@@ -372,11 +372,12 @@ public:
   /// @{
 
   /// Takes the state that `read_network()` has read, of a type that is not documented. Returns false, and is empty, if
-  /// it is none of a valid network in the triangulation as it is. \pre there are no curves
+  /// its curves are not chains in the triangulation as it is, or its stacks not those of their edges. Whether curves
+  /// cross is not checked: they may before they are put in order. \pre there are no curves
   bool restore(const internal::Network_state& state)
   {
     CGAL_precondition(number_of_curves() == 0);
-    const bool is_restored = m_segments.restore(state) && is_valid();
+    const bool is_restored = m_segments.restore(state);
     m_claim.set_has_curves(number_of_curves() > 0);
     if(!is_restored)
       clear();

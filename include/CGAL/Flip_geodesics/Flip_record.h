@@ -12,9 +12,9 @@ namespace Flip_geodesics {
  * \ingroup PkgFlipGeodesicsCurves
  *
  * What the log of an `Intrinsic_triangulation` keeps of a flip: enough to take it back, and to derive the crossings of
- * the new edge. Where `hp` is `null_index`, nothing was flipped: either the face of `h` was laid out afresh, `tn` is
- * `null_index` as well, and the first three vectors are the old ones; or a point was inserted, and `number` is the
- * number of the insertion.
+ * the new edge. If `hp` is `null_index`, nothing was flipped. Either the face of `h` was laid out afresh: then `tn` is
+ * `null_index` as well, and the first three vectors are the old ones. Or a point was inserted: then `number` is the
+ * number of the insertion, `version_hp` the `gap()`, and `tn` is `h` if its face was split, its twin if its edge was.
  *
  * \tparam Halfedge_geometry that of the triangulation
  */
@@ -38,6 +38,10 @@ struct Flip_record
   bool is_flip() const { return hp != null_index; }
   /// Was a point inserted?
   bool is_insertion() const { return hp == null_index && tn != null_index; }
+  /// Was the point inserted on the edge of `h`, rather than into its face? \pre `is_insertion()`
+  bool is_on_edge() const { return tn != h; }
+  /// The gap of the crossing word of `h` whose input face holds the inserted point. \pre `is_insertion()`
+  Index gap() const { return version_hp; }
 };
 
 } // namespace Flip_geodesics

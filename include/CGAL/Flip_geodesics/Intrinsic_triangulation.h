@@ -363,6 +363,19 @@ public:
                                   internal::canonical_location(input(), location), on_split);
   }
 
+  /*!
+   * Splits the face on the left of `h` at a point inside it.
+   *
+   * \param gap the number of letters of `crossing_word(h)` before the input face that holds the point
+   * \param location a point of that input face
+   * \throws as `insert()`
+   */
+  Vertex_index split_face(Halfedge_index h, const Surface_location& location, std::size_t gap)
+  {
+    return internal::insert_point(*this, editor(), {h, gap, false, null_index},
+                                  internal::canonical_location(input(), location), [](const auto&) {});
+  }
+
   /// @}
   /// \name Correspondence with the input
   /// @{

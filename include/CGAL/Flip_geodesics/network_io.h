@@ -5,7 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/strands/Network_state.h>
+#include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
 
 #include <CGAL/assertions.h>
@@ -76,18 +78,24 @@ std::uint64_t input_fingerprint(const Triangulation& triangulation)
   return fingerprint.value();
 }
 
-/* One entry of a flip log: `f` a flip, `r` a face laid out afresh, `v` a vertex inserted. */
+/*
+ * One entry of a flip log: `f` a flip, `r` a face recomputed from the input, `v` a vertex inserted into a face, `e` one
+ * inserted on an edge. The gap of an insertion is recorded because the location, which is rounded, does not determine
+ * it: a point that divides an edge lies on that edge by definition, and beside it by its weights.
+ */
 struct Log_entry
 {
-  char kind;
-  Halfedge_index halfedge;
-  Surface_location location; // of the vertex
+  char kind = 'f';
+  Halfedge_index halfedge = null_index;
+  Index gap = 0;             // of the crossing word of the halfedge, of an insertion
+  Surface_location location; // of the inserted vertex
+
+  bool is_insertion() const { return kind == 'v' || kind == 'e'; }
 
   bool operator==(const Log_entry& other) const
   {
-    return kind == other.kind && halfedge == other.halfedge &&
-           (kind != 'v' ||
-            (location.halfedge == other.location.halfedge && location.weights == other.location.weights));
+    return kind == other.kind && halfedge == other.halfedge && gap == other.gap &&
+           location.halfedge == other.location.halfedge && location.weights == other.location.weights;
   }
 };
 
@@ -95,26 +103,60 @@ template <class Triangulation>
 Log_entry log_entry(const Triangulation& triangulation, std::size_t i)
 {
   const auto& record = triangulation.flip_record(i);
-  if(record.is_flip())
-    return {'f', record.h, {}};
   if(!record.is_insertion())
-    return {'r', record.h, {}};
-  return {'v', record.h,
+    return {record.is_flip() ? 'f' : 'r', record.h, 0, {}};
+  return {record.is_on_edge() ? 'e' : 'v', record.h, record.gap(),
           triangulation.location(Vertex_index(triangulation.input().number_of_vertices() + record.number))};
 }
 
-/* Does again what an entry says; false if that is impossible. */
+/*
+ * Does an input face, given by any of its halfedges, hold a location that is no vertex, and does that lie on the edge
+ * of the halfedge if `is_along`?
+ */
+template <class Input_mesh>
+bool is_location_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index face,
+                         bool is_along)
+{
+  if(kind(location) == Location_kind::VERTEX || (is_along && kind(location) != Location_kind::EDGE))
+    return false;
+  for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
+    if(kind(location) == Location_kind::FACE ? h == location.halfedge : are_of_one_edge(h, location.halfedge))
+      return h == face || !is_along;
+  return false;
+}
+
+/*
+ * Inserts the vertex of an entry where it was inserted before. Returns false if its halfedge, gap and location do not
+ * fit together; a point outside the face or edge is found when the new faces are laid out.
+ */
+template <class Triangulation>
+bool repeat_insertion(Triangulation& triangulation, const Log_entry& entry)
+{
+  check_location(triangulation.input(), entry.location);
+  const Crossing_word word = triangulation.crossing_word(entry.halfedge);
+  if(entry.gap < 0 || entry.gap > static_cast<Index>(word.crossed.size()))
+    return false;
+  const std::size_t gap = static_cast<std::size_t>(entry.gap);
+  const Input_halfedge_index face = Point_side<Triangulation>::face_of_gap(word, gap);
+  const bool is_along = entry.kind == 'e' && word.along != null_index;
+  if(!is_location_in_face(triangulation.input(), entry.location, face, is_along))
+    return false;
+  if(entry.kind == 'e')
+    triangulation.split_edge(entry.halfedge, entry.location, gap, [](const auto&) {}); // there are no curves yet
+  else
+    triangulation.split_face(entry.halfedge, entry.location, gap);
+  return true;
+}
+
+/* Repeats what an entry records; returns false if that is impossible. */
 template <class Triangulation>
 bool repeat(Triangulation& triangulation, const Log_entry& entry)
 {
-  if(entry.kind == 'v') {
-    triangulation.insert(
-        entry.location, [](const auto&) {}, nullptr); // there are no curves yet
-    return true;
-  }
   const Halfedge_index h = entry.halfedge;
   if(!h.is_valid() || h.idx() >= triangulation.number_of_halfedges() || triangulation.is_border(h))
     return false;
+  if(entry.is_insertion())
+    return repeat_insertion(triangulation, entry);
   if(entry.kind == 'r')
     return refresh_face(triangulation, h);
   const Halfedge_index t = Triangulation::twin(h);
@@ -183,7 +225,7 @@ private:
 };
 
 constexpr const char* network_magic = "flip_geodesics_network";
-constexpr int network_version = 1;
+constexpr int network_version = 2;
 
 template <class Triangulation>
 void write_log(std::ostream& out, const Triangulation& triangulation)
@@ -192,8 +234,8 @@ void write_log(std::ostream& out, const Triangulation& triangulation)
   for(std::size_t i = 0; i < triangulation.log_position(); ++i) {
     const Log_entry entry = log_entry(triangulation, i);
     out << entry.kind << ' ' << entry.halfedge.idx();
-    if(entry.kind == 'v') {
-      out << ' ' << entry.location.halfedge.idx();
+    if(entry.is_insertion()) {
+      out << ' ' << entry.gap << ' ' << entry.location.halfedge.idx();
       for(double weight : entry.location.weights)
         out << ' ' << weight;
     }
@@ -218,16 +260,26 @@ inline void write_state(std::ostream& out, const Network_state& state)
   }
 }
 
-inline std::vector<Log_entry> read_log(Network_reader& in, std::size_t size)
+/* Version 1 recorded no gaps, so that only networks without inserted vertices can be restored from it. */
+inline void check_insertions_of_version(int version)
+{
+  if(version < 2)
+    throw File_format_error("the saved network has version 1, which does not record on which edge or in which face a "
+                            "vertex was inserted; save the network again with this version of the library");
+}
+
+inline std::vector<Log_entry> read_log(Network_reader& in, int version, std::size_t size)
 {
   in.keyword("log");
   std::vector<Log_entry> log(in.count("number of log entries", size));
   for(Log_entry& entry : log) {
     entry.kind = in.get<char>("log entry");
-    if(entry.kind != 'f' && entry.kind != 'r' && entry.kind != 'v')
+    if(entry.kind != 'f' && entry.kind != 'r' && !entry.is_insertion())
       in.fail("log entry");
     entry.halfedge = Halfedge_index(in.index("halfedge"));
-    if(entry.kind == 'v') {
+    if(entry.is_insertion()) {
+      check_insertions_of_version(version);
+      entry.gap = in.index("gap");
       entry.location.halfedge = Input_halfedge_index(in.index("halfedge"));
       for(double& weight : entry.location.weights)
         weight = in.get<double>("weight");
@@ -274,9 +326,18 @@ void replay(Triangulation& triangulation, const std::vector<Log_entry>& log)
                                 std::to_string(i) + " of its flip log cannot be repeated",
                             {i});
   };
+  const auto is_repeated = [&](const Log_entry& entry) {
+    try {
+      return repeat(triangulation, entry);
+    } catch(const Invalid_location_error&) {
+      return false;
+    } catch(const Insertion_error&) {
+      return false;
+    }
+  };
   for(std::size_t i = 0; i < log.size(); ++i) {
     // A flip can lay out faces afresh by itself, which are entries of their own.
-    if(triangulation.log_position() <= i && !repeat(triangulation, log[i]))
+    if(triangulation.log_position() <= i && !is_repeated(log[i]))
       fail(i);
     if(triangulation.log_position() <= i || !(log_entry(triangulation, i) == log[i]))
       fail(i);
@@ -312,9 +373,9 @@ inline std::string checked_text(std::istream& in)
   int version = 0;
   if(!(start >> magic >> version) || magic != first_word)
     throw File_format_error("this is no saved network: it does not start with " + first_word, {0});
-  if(version != network_version)
-    throw File_format_error("the saved network has version " + std::to_string(version) + ", and only version " +
-                                std::to_string(network_version) + " is known",
+  if(version < 1 || version > network_version)
+    throw File_format_error("the saved network has version " + std::to_string(version) + ", and only versions 1 to " +
+                                std::to_string(network_version) + " are known",
                             {1});
   if(!has_end)
     throw File_format_error("the saved network is cut off: its last line is missing");
@@ -334,16 +395,20 @@ inline std::string checked_text(std::istream& in)
  * by segments; and the order of strands on the edges that have several, which cannot be told from the curves. The input
  * mesh is not written, but a fingerprint of its connectivity and edge lengths is.
  *
- * The format, of version 1, has words between blanks, numbers in decimal with all digits. Indices are those of the
+ * The format, of version 2, has words between blanks, numbers in decimal with all digits. Indices are those of the
  * library.
  *
- *     flip_geodesics_network 1
+ *     flip_geodesics_network 2
  *     input VERTICES HALFEDGES FINGERPRINT
  *     log N              then N lines: f H, the edge of H was flipped; r H, the face of H was laid out afresh;
- *                        v H LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the edge or face of H
+ *                        v H GAP LOCATION_HALFEDGE W0 W1 W2, a vertex was inserted into the face of H, in the input
+ *                        face at a gap of its crossing word; e and the same, one was inserted on the edge of H
  *     curves C END       then for each: open|closed INITIAL_LENGTH S, and S lines: ID HALFEDGE IS_HEAD_FIXED
  *     stacks K           then K lines: EDGE N ID ... ID
  *     end CHECKSUM       FNV-1a of all that comes before this line
+ *
+ * Version 1 differs in insertions only: it had `v` for both kinds, without the gap. Such files are read if no vertex was
+ * inserted.
  *
  * Linear in the mesh and the log. Errors of the stream are left to be looked for in it.
  */
@@ -369,7 +434,9 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  *
  * Loads a network that `write_network()` has saved, into a triangulation of the same input with the same traits: does
  * all flips again, and puts the curves back. The same bits come back, ids of segments included, so that a shortening
- * goes on as it would have. Vertices that were inserted come back, too.
+ * goes on as it would have. Inserted vertices, those of `refine()` and on curves included, are restored, too. The order
+ * of curves that overlap is restored as it was saved, also if `order_overlapping_curves()` was not called before; then
+ * `Edge_path_network::is_valid()` can be false, as it was for the saved network.
  *
  * It reads up to the end of the line with the checksum. So several networks can be read from one stream. Lines may end
  * as on any system.
@@ -378,7 +445,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  *
  * \param network an empty network in a triangulation that has not been flipped
  * \throws File_format_error if the text is no saved network of a known version, was damaged, or was written with traits
- *         that compute otherwise; or if nothing can be read from the stream
+ *         that compute otherwise; if it has version 1 and inserted vertices; or if nothing can be read from the stream
  * \throws Input_mismatch_error if it was saved for another mesh, or another metric
  *
  * Complexity: linear in the mesh, for its fingerprint, in the flips, and in the segments.
@@ -391,7 +458,7 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
   const std::string text = internal::checked_text(in);
   internal::Network_reader words(text);
   words.keyword(internal::network_magic);
-  words.index("version");
+  const int version = words.index("version");
   words.keyword("input");
   const Index vertices = words.index("number of vertices"), halfedges = words.index("number of halfedges");
   const auto fingerprint = words.template get<std::uint64_t>("fingerprint");
@@ -401,7 +468,7 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
     throw Input_mismatch_error("the network was saved for another mesh, of " + std::to_string(vertices) +
                                " vertices and " + std::to_string(halfedges / 2) +
                                " edges, or for the same one with other edge lengths");
-  const std::vector<internal::Log_entry> log = internal::read_log(words, text.size());
+  const std::vector<internal::Log_entry> log = internal::read_log(words, version, text.size());
   const internal::Network_state state = internal::read_state(words, text.size());
   constexpr std::size_t usual = 1u << 24; // ids of segments that are gone take memory, too
   if(state.end_of_segment_ids < 1 || static_cast<std::size_t>(state.end_of_segment_ids) > usual + 64 * text.size())

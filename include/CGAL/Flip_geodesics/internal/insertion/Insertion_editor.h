@@ -56,13 +56,12 @@ public:
   {
     const Triangulation& t = m_triangulation;
     checked_index_bound(2 * (static_cast<std::size_t>(t.number_of_edges()) + 3));
-    const Halfedge_index h = place.halfedge;
-    const Edge_index e = Triangulation::edge(h);
     const auto number = static_cast<std::ptrdiff_t>(m_points.size());
     m_halfedges.add_vertex();
     try {
       m_points.push_back(record(place, location));
-      m_log.note_insertion(h, static_cast<Index>(number), t.version(e), t.crossings(e) + 1);
+      m_log.note_insertion(m_halfedges, place.halfedge, place.is_on_edge, static_cast<Index>(place.gap),
+                           static_cast<Index>(number));
     } catch(...) {
       m_points.erase(m_points.begin() + number, m_points.end());
       m_halfedges.remove_last_vertex();

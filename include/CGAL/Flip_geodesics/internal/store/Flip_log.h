@@ -93,11 +93,13 @@ public:
     halfedges.set_face_geometry(h, geometry[0], geometry[1], geometry[2]);
   }
 
-  /* Notes that the edge of h, or the face on its left, is to be split, by the insertion of a number. */
-  void note_insertion(Halfedge_index h, Index number, Index old_version, Index old_crossings)
+  /* Notes that the edge of h, or the face on its left, is to be split at a gap, by the insertion of a number. */
+  void note_insertion(const Store& halfedges, Halfedge_index h, bool is_on_edge, Index gap, Index number)
   {
-    m_records.push_back(
-        {h, null_index, h, 0, 0, number, old_version, old_crossings, Geometry(), Geometry(), Geometry(), Geometry()});
+    const Slot s = halfedges.slot(h);
+    m_records.push_back({h, null_index, is_on_edge ? halfedges.halfedge(twin_slot(s)) : h, gap, 0, number,
+                         halfedges.version(s), halfedges.crossings(s) + 1, Geometry(), Geometry(), Geometry(),
+                         Geometry()});
   }
 
   /* Takes the last step back. Of an insertion the halfedges must have been taken back before. */

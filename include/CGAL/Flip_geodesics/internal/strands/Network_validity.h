@@ -27,12 +27,23 @@ public:
 
   bool is_valid() const
   {
+    if(!has_valid_chains())
+      return false;
+    for(Segment_index s(1); s.idx() < m_network.end_of_segment_ids(); ++s)
+      if(m_network.is_alive(s) && !(is_non_crossing_at({m_network.halfedge(s), s}) &&
+                                    is_non_crossing_at({Triangulation::twin(m_network.halfedge(s)), s})))
+        return false;
+    return true;
+  }
+
+  /* Are the curves chains, and the stacks those of their edges? Curves may cross. */
+  bool has_valid_chains() const
+  {
     for(Curve_index c : descriptors<Curve_index>(m_network.number_of_curves()))
       if(!is_valid_chain(c))
         return false;
     for(Segment_index s(1); s.idx() < m_network.end_of_segment_ids(); ++s)
-      if(m_network.is_alive(s) && !(is_valid_stack(s) && is_non_crossing_at({m_network.halfedge(s), s}) &&
-                                    is_non_crossing_at({Triangulation::twin(m_network.halfedge(s)), s})))
+      if(m_network.is_alive(s) && !is_valid_stack(s))
         return false;
     return true;
   }
