@@ -80,4 +80,9 @@ public:
   /// \return do they? If not, `sine` says nothing; a metric without points answers `false`
   bool sine_in_plane(const Mesh& mesh, const Crossing_word& a, const Crossing_word& b, Index steps,
                      unspecified_type& flat_edges, Sign& sine) const;
+
+  /// Optional. Returns whether numbers that define the metric, such as coordinates or lengths, are rounded to double by
+  /// it. Then no curve is certified and no distance confirmed, since decisions refer to the rounded numbers. A metric
+  /// without this member is defined by the doubles that `length()` returns.
+  bool is_rounded(const Mesh& mesh) const;
 };

@@ -16,7 +16,9 @@ enum class Certificate_verdict {
                 ///< it touches a vertex, as happens along faces without area, whose angles sum up to less than
                 ///< \f$2\pi\f$
   BENT_JOINT,   ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
-  NOT_CERTIFIED ///< there is no certificate: the traits' decisions are rounded, and `certify()` was not called
+  NOT_CERTIFIED ///< there is no certificate: the traits' decisions are rounded, and `certify()` was not called; or
+                ///< coordinates or lengths of the mesh are not doubles and were rounded, see
+                ///< `Embedded_metric::is_rounded()`
 };
 
 /// The name of a verdict, as the enumerator is spelled.

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Leg_mover.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
@@ -129,7 +130,8 @@ public:
   }
   /// What is said of a leg, by the exact numbers of the input. A leg that is no geodesic is one that needs flips and
   /// crosses itself, or one that the traits were not exact enough for.
-  Certificate_verdict verdict(std::size_t i) const { return m_legs[i].verdict; }
+  /// Nothing is certified if coordinates or lengths of the mesh are not doubles.
+  Certificate_verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// How the comparisons of all certificates were decided.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
@@ -224,13 +226,18 @@ private:
         const Leg& leg = move.legs.back().second;
         ++report.legs;
         report.legs_by_flips += leg.is_by_flips ? 1 : 0;
-        report.verdict = (std::max)(report.verdict, leg.verdict);
+        report.verdict = (std::max)(report.verdict, verdict(leg));
       }
     m_moves.push_back(std::move(move)); // what can fail is done
     m_points[i] = to;
     for(auto& [l, leg] : m_moves.back().legs)
       std::swap(m_legs[l], leg);
     return report;
+  }
+
+  Certificate_verdict verdict(const Leg& leg) const
+  {
+    return internal::is_input_rounded(m_triangulation) ? Certificate_verdict::NOT_CERTIFIED : leg.verdict;
   }
 
   void check_vacant() const

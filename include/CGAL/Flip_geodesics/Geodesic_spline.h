@@ -272,7 +272,7 @@ private:
   {
     for(Curve_report& curve : m_report.curves)
       if(curve.status == Shortening_status::FLAT_FACES ||
-         (curve.status == Shortening_status::LOCALLY_SHORTEST && !Triangulation::Traits::Has_drift::value &&
+         (curve.status == Shortening_status::LOCALLY_SHORTEST && curve.verdict != Certificate_verdict::NOT_CERTIFIED &&
           !is_locally_shortest(curve.verdict)))
         curve.status = Shortening_status::PRECISION_LIMIT;
   }

@@ -29,8 +29,8 @@ namespace Flip_geodesics {
 /// What growing a tree did.
 struct Geodesic_tree_report
 {
-  /// `LOCALLY_SHORTEST`, or `STOPPED_BY_VISITOR`. `PRECISION_LIMIT` if paths are bent and doubles cannot mend it;
-  /// `FLAT_FACES` if exact decisions cannot, since faces without area fold vertices in the way onto one place.
+  /// `LOCALLY_SHORTEST`, or `STOPPED_BY_VISITOR`. `PRECISION_LIMIT` if paths are bent and doubles, also as coordinates,
+  /// cannot mend it; `FLAT_FACES` if exact decisions cannot, since faces without area fold vertices onto one place.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< edge flips
   std::size_t flip_outs = 0; ///< wedges flipped out [SC20, Algorithm 1]
@@ -433,7 +433,7 @@ private:
     if constexpr(Triangulation::Traits::Has_drift::value)
       measure(visitor);
     else if(m_report.status != Shortening_status::STOPPED_BY_VISITOR && m_hindered.are_in(*this))
-      m_report.status = Shortening_status::FLAT_FACES;
+      m_report.status = internal::status_of_hindered(*m_triangulation);
     else if(m_report.status == Shortening_status::FLAT_FACES)
       m_report.status = Shortening_status::LOCALLY_SHORTEST;
     return m_report;

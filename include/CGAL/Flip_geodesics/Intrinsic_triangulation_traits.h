@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_TRAITS_H
 #define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_TRAITS_H
 
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 
 #include <CGAL/Uncertain.h>
@@ -95,8 +96,9 @@ public:
 
     static Vector_3 difference(const Point_3& p, const Point_3& q)
     {
-      return {CGAL::to_double(q.x()) - CGAL::to_double(p.x()), CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
-              CGAL::to_double(q.z()) - CGAL::to_double(p.z())};
+      return {internal::imported_number(q.x()) - internal::imported_number(p.x()),
+              internal::imported_number(q.y()) - internal::imported_number(p.y()),
+              internal::imported_number(q.z()) - internal::imported_number(p.z())};
     }
 
     static double dot(const Vector_3& u, const Vector_3& v)

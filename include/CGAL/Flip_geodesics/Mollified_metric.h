@@ -127,6 +127,9 @@ public:
     return false;
   }
 
+  /// Returns whether the other metric rounds numbers of the mesh to doubles. Then nothing is certified.
+  bool is_rounded(const Mesh& mesh) const { return Base::is_rounded(mesh); }
+
 private:
   double checked_weight(const Mesh& mesh, Input_halfedge_index h) const
   {

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/certify.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -127,7 +128,8 @@ private:
       return status;
     if(m_end != Shortening_status::LOCALLY_SHORTEST && has_free_wedge(curve))
       return m_end;
-    if(Traits::Has_drift::value && !(straightness.is_locally_shortest() && std::isfinite(m_network.length(curve))))
+    const bool is_measured = Traits::Has_drift::value || is_rounded();
+    if(is_measured && !(straightness.is_locally_shortest() && std::isfinite(m_network.length(curve))))
       return Shortening_status::PRECISION_LIMIT;
     if(verdict == Certificate_verdict::BENT_SEGMENT || verdict == Certificate_verdict::BENT_JOINT)
       return Shortening_status::FLAT_FACES;
@@ -136,8 +138,11 @@ private:
 
   Certificate_verdict verdict(Curve_index curve, Certificate_verdict verdict) const
   {
-    return !Traits::Has_drift::value && is_point(curve) ? Certificate_verdict::PROVEN : verdict;
+    return !Traits::Has_drift::value && is_point(curve) && !is_rounded() ? Certificate_verdict::PROVEN : verdict;
   }
+
+  // Are coordinates or lengths of the input rounded? Then curves are measured, and not certified.
+  bool is_rounded() const { return internal::is_input_rounded(m_network.triangulation()); }
 
   // Has a loop no length? Faces without area have loops of edges that are points.
   bool is_point(Curve_index curve) const { return m_network.is_closed(curve) && m_network.length(curve) == 0; }

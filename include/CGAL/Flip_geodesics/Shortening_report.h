@@ -22,7 +22,8 @@ enum class Shortening_status {
   ITERATION_LIMIT,    ///< the allowed number of steps, or the time, was used up
   MEMORY_LIMIT,       ///< a further step would have made the records of flips larger than allowed
   STOPPED_BY_VISITOR, ///< the visitor's `go_further()` said no
-  PRECISION_LIMIT,    ///< the traits' arithmetic could not tell whether the curve is locally shortest
+  PRECISION_LIMIT,    ///< the traits' arithmetic, or coordinates rounded to double, could not tell whether the curve is
+                      ///< locally shortest
   FLAT_FACES          ///< each angle is \f$\pi\f$ at least, but faces without area lie along the curve, and seen from
                       ///< beyond them it is bent
 };
@@ -64,7 +65,7 @@ struct Curve_report
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< edge flips for this curve, those of steps that were taken back included
   /// Is it proven from the input to be locally shortest, as `certify()` does it? `NOT_CERTIFIED` with traits of which
-  /// `Has_drift` is `CGAL::Tag_true`.
+  /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh are not doubles.
   Certificate_verdict verdict = Certificate_verdict::NOT_CERTIFIED;
   /// Did it meet an edge of length zero, or folded faces, so that such edges were contracted? Set by the one-call
   /// functions.

@@ -14,7 +14,7 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsFunctions
 /// Is a path globally shortest?
 enum class Shortest_path_verdict {
-  UNCONFIRMED, ///< there may be a shorter one
+  UNCONFIRMED, ///< there may be a shorter one, or coordinates or lengths of the mesh are not doubles
   CONFIRMED,   ///< none is shorter by more than `Shortest_path_report::tolerance()`
   /// The same with `Shortest_path_report::proof_tolerance()`, and the path is `Certificate_verdict::PROVEN`.
   PROVEN_SHORTEST
@@ -42,8 +42,9 @@ struct Shortest_path_report
 
   double first_length = 0; ///< the length of the edge path that was searched first, once it was pulled tight
   double length = 0;       ///< the length of the result
-  double lower_bound = 0;  ///< no path is shorter: a bound for the mesh as its numbers say, rounding included
-  std::size_t windows = 0; ///< what the search cost
+  double lower_bound =
+      0; ///< no path is shorter: a bound for the mesh with its coordinates as doubles, rounding included
+  std::size_t windows = 0;                                            ///< what the search cost
   Shortest_path_verdict verdict = Shortest_path_verdict::UNCONFIRMED; ///< is the path globally shortest?
   /// Are there other paths as short, up to `proof_tolerance()`? Those that a confirmed one ties with are all found.
   bool has_tie = false;

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/measuring/Curve_measurement.h>
 #include <CGAL/Flip_geodesics/internal/strips/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
@@ -62,6 +63,7 @@ public:
     , m_triangulation(network.triangulation())
     , m_statistics(statistics)
     , m_measurement(network)
+    , m_is_rounded(is_input_rounded(network.triangulation()))
   {
   }
 
@@ -91,7 +93,7 @@ public:
     m_measurement(curve, is_strip, on_segment, on_joint);
     if(result.is_locally_shortest() && m_statistics.unproven_zeros > unproven)
       result.verdict = Certificate_verdict::PROBABLE;
-    return result;
+    return m_is_rounded ? Curve_certificate{Certificate_verdict::NOT_CERTIFIED, null_index, Side::LEFT} : result;
   }
 
 private:
@@ -111,6 +113,7 @@ private:
   const Triangulation& m_triangulation;
   Decision_statistics& m_statistics;
   Curve_measurement<Network> m_measurement;
+  bool m_is_rounded; // the input; then it is not the mesh that is measured
 };
 
 } // namespace internal
@@ -123,7 +126,11 @@ private:
  * of a joint that is not blocked has an angle of at least \f$\pi\f$. The comparisons are those of exact real numbers,
  * filtered by error bounds.
  *
- * A curve that has contracted is proven. Linear in the crossed input edges, where doubles suffice.
+ * A curve that has contracted is proven. If a coordinate or length of the mesh is not a double, no curve is certified:
+ * the verdict is `Certificate_verdict::NOT_CERTIFIED`.
+ *
+ * Linear in the crossed input edges, where doubles suffice; linear in the mesh as well if its numbers can be others
+ * than doubles.
  *
  * \param network a model of `CurveNetwork`, whose triangulation is one of `IntrinsicTriangulationOfMesh`
  */

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
@@ -51,7 +52,9 @@ struct Given_curve_certificate
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< of the mesh
 
-  Certificate_verdict verdict = Certificate_verdict::PROVEN; ///< `BENT_JOINT` only if all segments are straight
+  /// `BENT_JOINT` only if all segments are straight; `NOT_CERTIFIED` if coordinates or lengths of the mesh are not
+  /// doubles. Then the other members refer to the mesh with rounded ones.
+  Certificate_verdict verdict = Certificate_verdict::PROVEN;
   /// If it is bent, the largest angle by which, in radians, rounded. At a joint, what the angle on a side lacks to pi. In
   /// a segment, the turn of the shortest path that crosses the same edges between the same ends, about an end of an edge.
   /// Where a straight segment touches a vertex, what the angles there lack to 2 pi.
@@ -188,6 +191,8 @@ public:
       m_result.verdict = Certificate_verdict::PROBABLE;
     if(m_result.is_locally_shortest())
       tell_places(number_of_places);
+    if(is_input_rounded(m_triangulation))
+      m_result.verdict = Certificate_verdict::NOT_CERTIFIED;
     return m_result;
   }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/input/Contraction.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/metric/Contracted_metric.h>
@@ -136,12 +137,15 @@ bool has_lost_edges(const Input_mesh& contracted)
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsBuilders
-/// The report of a curve of which a point is left.
-inline Curve_report report_of_point()
+/// The report of a curve of which a point is left on the surface of a triangulation. It is proven to be one unless
+/// coordinates or lengths of the mesh are not doubles.
+template <class Triangulation>
+Curve_report report_of_point(const Triangulation& triangulation)
 {
   Curve_report report;
   report.status = Shortening_status::CONTRACTED;
-  report.verdict = Certificate_verdict::PROVEN;
+  if(!internal::is_input_rounded(triangulation))
+    report.verdict = Certificate_verdict::PROVEN;
   return report;
 }
 

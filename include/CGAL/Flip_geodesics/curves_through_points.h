@@ -223,7 +223,7 @@ Geodesic_result<OutputIterator> curve_in_one_place(const Triangulation& triangul
                                                    const Surface_location& place, OutputIterator out)
 {
   Shortening_report report;
-  report.curves.push_back(report_of_point());
+  report.curves.push_back(report_of_point(triangulation));
   note_contraction(triangulation, report);
   const std::vector<Surface_polyline> polylines = {{place, place}};
   return {write_polylines<Form>(triangulation, mesh, polylines, out), report};

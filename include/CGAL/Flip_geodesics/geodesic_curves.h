@@ -163,7 +163,7 @@ Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangula
   if(triangulation.input().outgoing(v) == null_index)
     throw_no_surface_left(v);
   Shortening_report report;
-  report.curves.push_back(report_of_point());
+  report.curves.push_back(report_of_point(triangulation));
   note_contraction(triangulation, report);
   const Form_converter<Triangulation, Form> convert(triangulation, mesh);
   for(int i = 0; i < 2; ++i)
@@ -322,7 +322,7 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
       order_overlapping_curves(network);
       report = internal::shorten_with_visitor(network, np, stop);
     } else {
-      report.curves.push_back(report_of_point());
+      report.curves.push_back(report_of_point(triangulation));
     }
     internal::note_contraction(triangulation, report);
     return Geodesic_result<OutputIterator>{
@@ -374,7 +374,7 @@ Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curv
       if(has_length[i])
         internal::write_curve<Form>(network, mesh, Curve_index(static_cast<Index>(c++)), std::back_inserter(points));
       else
-        report.curves.insert(report.curves.begin() + static_cast<std::ptrdiff_t>(i), report_of_point());
+        report.curves.insert(report.curves.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
       *end++ = points;
     }
     internal::note_contraction(triangulation, report);

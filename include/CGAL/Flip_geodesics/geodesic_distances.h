@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
@@ -194,7 +195,8 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
       if(!report.is_confirmed)
         report = internal::make_shortest_tree(triangulation, indices.front(), limit,
                                               [&](const auto& tree) { write_distances(tree, mesh, distances); });
-    report.is_confirmed = report.is_confirmed && !internal::has_lost_edges(triangulation.input());
+    report.is_confirmed = report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
+                          !internal::is_input_rounded(triangulation);
     return report;
   });
 }

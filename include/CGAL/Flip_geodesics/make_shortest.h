@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -34,7 +35,7 @@ struct Shortest_tree_report
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
   /// Was the search not given up, were there no degenerate faces, and was no path of the tree shorter than the one that
-  /// was found? Then the figures are exact up to rounding.
+  /// was found? Then the figures are exact up to rounding. Never if coordinates or lengths of the mesh are not doubles.
   bool is_confirmed = false;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
@@ -118,7 +119,8 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
   search.add_vertex(tree.source(), 0, 0);
   const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
   report.windows = search.number_of_windows();
-  report.is_confirmed = is_sound && !search.has_flat_face() && report.windows <= most_windows;
+  report.is_confirmed = is_sound && !search.has_flat_face() && report.windows <= most_windows &&
+                        !internal::is_input_rounded(tree.triangulation());
   for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices()))
     report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -23,6 +25,8 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -87,7 +91,7 @@ public:
   Place place(const Mesh& mesh, Vertex_index v) const
   {
     decltype(auto) p = point(mesh, v);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    return {internal::imported_number(p.x()), internal::imported_number(p.y()), internal::imported_number(p.z())};
   }
 
   /// A lower bound of the distance on the surface: the distance through space.
@@ -128,7 +132,29 @@ public:
     return internal::Planar_sine<Mesh, decltype(place_of)>(mesh, place_of, flat_edges)(a, b, steps, sine);
   }
 
+  /// Returns whether a coordinate of the mesh is not a double, so that it is rounded. Then nothing is certified, since
+  /// decisions refer to the rounded coordinates. Linear in the mesh when it is first called, if not every number of the
+  /// kernel is a double.
+  bool is_rounded(const Mesh& mesh) const
+  {
+    using Coordinate = std::decay_t<decltype(std::declval<const Point_3&>().x())>;
+    if constexpr(internal::is_within_double<Coordinate>)
+      return static_cast<void>(mesh), false;
+    else
+      return m_is_rounded([&] {
+        const auto vertices = internal::descriptors<Vertex_index>(mesh.number_of_vertices());
+        return std::any_of(vertices.begin(), vertices.end(), [&](Vertex_index v) { return is_rounded(mesh, v); });
+      });
+  }
+
 private:
+  bool is_rounded(const Mesh& mesh, Vertex_index v) const
+  {
+    decltype(auto) p = point(mesh, v);
+    return internal::is_rounded_number(p.x()) || internal::is_rounded_number(p.y()) ||
+           internal::is_rounded_number(p.z());
+  }
+
   // Throws what length() throws, but takes no root.
   void check_length(const Mesh& mesh, Input_halfedge_index h) const
   {
@@ -144,6 +170,7 @@ private:
   }
 
   VertexPointMap m_points;
+  internal::Known_rounding m_is_rounded;
 };
 
 /*!
@@ -173,10 +200,7 @@ public:
   }
 
   /// The length of halfedge `h`, rounded to double. \throws Invalid_coordinate_error, Degenerate_face_error
-  double length(const Mesh& mesh, Input_halfedge_index h) const
-  {
-    return internal::usable_length(*this, mesh, h);
-  }
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
 
   /// Nothing: lengths alone do not say where a vertex is.
   struct Place
@@ -186,7 +210,7 @@ public:
   /// The length of halfedge `h` whatever it is, for a search that only passes by.
   double weight(const Mesh& mesh, Input_halfedge_index h) const
   {
-    return CGAL::to_double(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
+    return internal::imported_number(get(m_lengths, edge(mesh.halfedge(h), *m_mesh)));
   }
 
   /// The same: places say nothing.
@@ -220,9 +244,24 @@ public:
     return false;
   }
 
+  /// Returns whether a length is not a double, so that it is rounded. Then nothing is certified, since decisions refer
+  /// to the rounded lengths. Linear in the mesh when it is first called, if not every value of the map is a double.
+  bool is_rounded(const Mesh&) const
+  {
+    if constexpr(internal::is_within_double<typename boost::property_traits<EdgeLengthMap>::value_type>)
+      return false;
+    else
+      return m_is_rounded([&] {
+        const auto all = edges(*m_mesh);
+        return std::any_of(all.begin(), all.end(),
+                           [&](const auto& e) { return internal::is_rounded_number(get(m_lengths, e)); });
+      });
+  }
+
 private:
   const TriangleMesh* m_mesh;
   EdgeLengthMap m_lengths;
+  internal::Known_rounding m_is_rounded;
 };
 
 } // namespace Flip_geodesics

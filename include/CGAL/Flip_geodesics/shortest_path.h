@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Shortest_path_report.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
@@ -139,7 +140,7 @@ std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
   return !path.empty() && triangulation.tail(path.front()) == source ? path : std::vector<Halfedge_index>();
 }
 
-/* What the gap and the certificate say of a path. */
+/* What the gap and the certificate say of a path on a surface that is the mesh, without rounded numbers. */
 inline Shortest_path_verdict verdict_of(const Shortest_path_report& report)
 {
   if(!report.shortening.is_complete() || report.gap() > Shortest_path_report::tolerance() * report.length)
@@ -149,12 +150,13 @@ inline Shortest_path_verdict verdict_of(const Shortest_path_report& report)
   return is_proven ? Shortest_path_verdict::PROVEN_SHORTEST : Shortest_path_verdict::CONFIRMED;
 }
 
-/* There is nothing shorter than a path of no length. */
+/* There is nothing shorter than a path of no length, if its ends are proven to be in one place. */
 inline Shortest_path_report report_of_no_length(const Shortening_report& shortening)
 {
   Shortest_path_report report;
   report.shortening = shortening;
-  report.verdict = Shortest_path_verdict::PROVEN_SHORTEST;
+  if(shortening.curves.front().verdict == Certificate_verdict::PROVEN)
+    report.verdict = Shortest_path_verdict::PROVEN_SHORTEST;
   return report;
 }
 
@@ -251,6 +253,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     take_shorter_path(network, source, target, report, visitor);
     report.verdict = verdict_of(report);
   }
+  if(is_input_rounded(triangulation))
+    report.verdict = Shortest_path_verdict::UNCONFIRMED;
   report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
   guard.dismiss();
   return report;
@@ -267,11 +271,12 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * mesh as far as a shorter path could go [MMP87, CH90, XW09]. If they find one, in another homotopy class, that one is
  * inserted instead, by flipping the edges that it crosses.
  *
- * The search is rounded outward: `Shortest_path_report::lower_bound` holds for the mesh as its numbers say, to the last
- * digit, and is mostly within 1e-13 of the length. If the path is `Certificate_verdict::PROVEN`, then it is
- * `Shortest_path_verdict::PROVEN_SHORTEST` where it is within `Shortest_path_report::proof_tolerance()`. The search
- * cannot confirm where it meets an edge of length zero, and where it is given up. If it could not on a mesh with faces
- * without area, paths of two trees of geodesics are tried as well.
+ * The search is rounded outward: `Shortest_path_report::lower_bound` holds for the mesh with its coordinates as
+ * doubles, to the last digit, and is mostly within 1e-13 of the length. If the path is `Certificate_verdict::PROVEN`,
+ * then it is `Shortest_path_verdict::PROVEN_SHORTEST` where it is within `Shortest_path_report::proof_tolerance()`. The
+ * search cannot confirm where it meets an edge of length zero, where it is given up, and where coordinates or lengths
+ * of the mesh are not doubles; the bound is one for the rounded ones then. If it could not on a mesh with faces without
+ * area, paths of two trees of geodesics are tried as well.
  *
  * Complexity: that of `geodesic_path()`; for the sweep \f$O(n \log n)\f$ for the \f$n\f$ vertices where the distances in
  * space from both ends add up to less than the path's length; and \f$O(w \log w)\f$ for \f$w\f$ windows. These lie in a

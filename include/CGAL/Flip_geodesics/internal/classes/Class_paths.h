@@ -318,7 +318,8 @@ private:
       Network network(covering);
       Path path = {lift, add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift)), {}};
       path.report.lower_bound = (std::min)(path.report.lower_bound, m_frontier_bound);
-      path.report.verdict = verdict_of(path.report);
+      if(path.report.is_confirmed())
+        path.report.verdict = verdict_of(path.report);
       if(touches_frontier(network)) {
         m_left_out.push_back({lift, infinity, path.report.lower_bound});
       } else {

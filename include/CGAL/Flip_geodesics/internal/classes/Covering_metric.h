@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/Numbered_mesh.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_surface.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -60,6 +61,8 @@ public:
   {
     return m_metric.face_geometry(below(mesh), mesh.surface().below(h), traits);
   }
+
+  bool is_rounded(const Mesh& mesh) const { return is_rounded_metric(m_metric, below(mesh)); }
 
   Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
   {

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
@@ -131,11 +132,12 @@ private:
   }
 
   // Legs within a face are straight.
-  static Curve_report report_of_nothing()
+  Curve_report report_of_nothing() const
   {
     Curve_report report;
-    report.verdict =
-        Triangulation::Traits::Has_drift::value ? Certificate_verdict::NOT_CERTIFIED : Certificate_verdict::PROVEN;
+    report.verdict = Triangulation::Traits::Has_drift::value || is_input_rounded(m_triangulation)
+                         ? Certificate_verdict::NOT_CERTIFIED
+                         : Certificate_verdict::PROVEN;
     return report;
   }
 

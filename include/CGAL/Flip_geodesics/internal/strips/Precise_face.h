@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
 #include <CGAL/number_utils.h>
@@ -26,8 +27,8 @@ struct Keeps_precise_numbers : std::false_type
 };
 
 template <class Triangulation>
-struct Keeps_precise_numbers<
-    Triangulation, std::void_t<decltype(std::declval<const Triangulation&>().precise_edge(Halfedge_index()))>>
+struct Keeps_precise_numbers<Triangulation,
+                             std::void_t<decltype(std::declval<const Triangulation&>().precise_edge(Halfedge_index()))>>
   : std::true_type
 {
 };
@@ -86,9 +87,9 @@ public:
     template <class Point_3>
     static Vector_3 difference(const Point_3& p, const Point_3& q)
     {
-      return {exact_sum(CGAL::to_double(q.x()), -CGAL::to_double(p.x())),
-              exact_sum(CGAL::to_double(q.y()), -CGAL::to_double(p.y())),
-              exact_sum(CGAL::to_double(q.z()), -CGAL::to_double(p.z()))};
+      return {exact_sum(imported_number(q.x()), -imported_number(p.x())),
+              exact_sum(imported_number(q.y()), -imported_number(p.y())),
+              exact_sum(imported_number(q.z()), -imported_number(p.z()))};
     }
 
     static Double_double dot(const Vector_3& u, const Vector_3& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }

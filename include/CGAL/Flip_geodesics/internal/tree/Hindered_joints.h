@@ -4,6 +4,8 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_HINDERED_JOINTS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 
 #include <algorithm>
 #include <utility>
@@ -59,6 +61,13 @@ private:
 
   std::vector<Joint> m_joints;
 };
+
+/* What such joints mean with exact decisions. Rounded coordinates or lengths can deprive faces of their area. */
+template <class Triangulation>
+Shortening_status status_of_hindered(const Triangulation& triangulation)
+{
+  return is_input_rounded(triangulation) ? Shortening_status::PRECISION_LIMIT : Shortening_status::FLAT_FACES;
+}
 
 /*
  * Can the arc of a wedge be longer on account of vertices in one place? With decisions that err only if it passes such,
