@@ -113,7 +113,8 @@ public:
       return {};
     if(path->legs().empty())
       return {0, std::numeric_limits<double>::quiet_NaN()};
-    return {path_length(*path), m_frame.angle(path->start(0).position, m_halfedge)};
+    const double position = m_frame.position(path->legs().front().face, path->start(0).unit());
+    return {path_length(*path), m_frame.angle(position, m_halfedge)};
   }
 
   /// The same for a vertex of the input. \throws Vertex_out_of_range_error
@@ -161,7 +162,7 @@ public:
     for(std::size_t i = 0; i < path->legs().size(); ++i) {
       const auto start = path->start(i);
       if(length <= std::abs(start.vector))
-        return traced(path->places()[i], path->frame(i), start.position, length);
+        return traced(*path, i, start.position, length);
       length -= std::abs(start.vector);
     }
     return path->places().back();
@@ -200,11 +201,14 @@ private:
   }
 
   // On from the start of a leg, which is straight, along it.
-  Surface_location traced(const Surface_location& place, const internal::Place_frame<Triangulation>& frame,
-                          double position, double length) const
+  Surface_location traced(const Corridor& path, std::size_t leg, double position, double length) const
   {
+    const Surface_location& place = path.places()[leg];
+    const Input_halfedge_index face = path.legs()[leg].face;
+    const auto frame = path.frame(leg, face);
+    const Input_halfedge_index from = frame.has(place.halfedge) ? place.halfedge : face;
     return Geodesic_tracer<Triangulation>(m_triangulation)
-        .trace(place, place.halfedge, frame.angle(position, place.halfedge), Trace_limits<>{length})
+        .trace(place, from, frame.angle(position, from), Trace_limits<>{length})
         .location;
   }
 

@@ -110,10 +110,10 @@ public:
     const auto [leg, part] = place(length);
     const Input_halfedge_index h = m_corridor.legs()[leg].face;
     if(part == 0)
-      return {h, m_corridor.frame(leg).angle(m_starts[leg].position, h)};
+      return {h, m_corridor.frame(leg, h).angle(m_starts[leg].position, h)};
     if(part < 1)
       return {h, std::arg(m_starts[leg].vector)};
-    const auto end = m_corridor.frame(leg + 1);
+    const auto end = m_corridor.frame(leg + 1, m_corridor.legs()[leg].last_face());
     const double on = m_corridor.start_backward(leg).position + boost::math::constants::pi<double>() / end.stretch();
     return {h, end.angle(on, h)};
   }

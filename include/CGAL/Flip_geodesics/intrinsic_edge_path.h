@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/words/umbrellas.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,14 +73,17 @@ private:
     const Halfedge_index start = m_triangulation.outgoing(v);
     if(start == null_index)
       return;
-    Halfedge_index h = start;
+    Halfedge_index h = start, first = start;
     do {
       relax(v, h);
+      first = h;
       h = m_triangulation.counterclockwise(h);
     } while(h != null_index && h != start);
-    for(h = h == start ? null_index : m_triangulation.clockwise(start); h != null_index;
-        h = m_triangulation.clockwise(h))
+    if(h == start)
+      return;
+    for(h = m_triangulation.clockwise(start); h != null_index; h = m_triangulation.clockwise(h))
       relax(v, h);
+    for_each_spoke_of_other_umbrellas(m_triangulation, first, [&](Halfedge_index g) { relax(v, g); });
   }
 
   void relax(Vertex_index v, Halfedge_index h)

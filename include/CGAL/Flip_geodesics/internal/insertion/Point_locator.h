@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/words/umbrellas.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -146,7 +147,7 @@ private:
     if(m_triangulation.version(Triangulation::edge(as_intrinsic(c))) == 0)
       return Gap{as_intrinsic(c), 0};
     const auto& input = m_triangulation.input();
-    const Halfedge_index start = m_triangulation.outgoing(input.tail(c));
+    const Halfedge_index start = outgoing_beside(m_triangulation, c);
     Halfedge_index g = start;
     for(Halfedge_index h = m_triangulation.clockwise(g); h != null_index && h != start;
         h = m_triangulation.clockwise(h)) {

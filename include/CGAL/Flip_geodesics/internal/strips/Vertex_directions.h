@@ -24,7 +24,8 @@ namespace internal {
 
 /*
  * The directions at a vertex as angles, in radians, counterclockwise from an input halfedge, measured from the input:
- * what flips computed does not enter. On the border the angles start at the border.
+ * what flips computed does not enter. On the border the angles start at the border. At a non-manifold vertex they are
+ * those of one umbrella.
  */
 template <class Triangulation>
 class Vertex_directions
@@ -36,16 +37,27 @@ public:
   {
     if(triangulation.is_inserted(vertex))
       start_at(triangulation.location(vertex));
-    else
-      start_at_input_vertex(vertex);
+    else if(const Input_halfedge_index start = triangulation.input().outgoing(vertex); start != null_index)
+      start_at_umbrella(start);
+  }
+
+  /* In the umbrella of an input halfedge that starts at the vertex. */
+  Vertex_directions(const Triangulation& triangulation, Input_halfedge_index in_umbrella)
+    : m_triangulation(triangulation)
+    , m_vertex(triangulation.input().tail(in_umbrella))
+  {
+    start_at_umbrella(in_umbrella);
   }
 
   /* The sum of the input angles at the vertex. */
   double total() const { return m_total; }
   bool has_border() const { return m_has_border; }
 
+  /* Is an input halfedge one of the umbrella? */
+  bool has(Input_halfedge_index h) const { return std::find(m_spokes.begin(), m_spokes.end(), h) != m_spokes.end(); }
+
   /* The angle at which an input halfedge starts at the vertex.
-   * \throws Invalid_mesh_error if it is one of another sheet, that meets the first one in the vertex only */
+   * \throws Invalid_mesh_error if it is one of another umbrella */
   double of_input(Input_halfedge_index h) const
   {
     const auto found = std::find(m_spokes.begin(), m_spokes.end(), h);
@@ -99,12 +111,9 @@ private:
     m_total = m_has_border ? pi : 2 * pi;
   }
 
-  void start_at_input_vertex(Vertex_index vertex)
+  void start_at_umbrella(Input_halfedge_index start)
   {
     const auto& input = m_triangulation.input();
-    const Input_halfedge_index start = input.outgoing(vertex);
-    if(start == null_index)
-      return;
     Input_halfedge_index first = start;
     do { // clockwise up to the border, if there is one
       const Input_halfedge_index t = twin_index(first);

@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
-#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Unfolded_leg.h>
 
@@ -39,7 +38,7 @@ public:
   struct Start
   {
     Vector vector;   // from the start to the end, in the frame of the leg's face
-    double position; // of its direction, in the start's `Place_frame`
+    double position; // of its direction, in the start's `frame()` with the leg's first face
     Vector unit() const { return vector == Vector(0) ? Vector(1) : vector / std::abs(vector); }
   };
 
@@ -68,6 +67,11 @@ public:
   }
 
   Place_frame<Triangulation> frame(std::size_t place) const { return {m_triangulation, m_places[place]}; }
+  /* With the directions of a face that has the place, also in another umbrella. */
+  Place_frame<Triangulation> frame(std::size_t place, Input_halfedge_index face) const
+  {
+    return {m_triangulation, m_places[place], face};
+  }
 
   Start start(std::size_t leg) const { return start_at(m_places[leg], m_legs[leg], m_places[leg + 1]); }
   Start start_backward(std::size_t leg) const
@@ -78,16 +82,19 @@ public:
   /*
    * Where a position at the first place is carried to: the position at the last one. At each place on the way the angle
    * to the curve is kept; positions about vertices are stretched to a whole turn before [PS98].
+   * \throws Invalid_mesh_error if it leads from one umbrella to another, or from or to another than that of `frame()`
    */
   double transported(double position) const
   {
     constexpr double pi = boost::math::constants::pi<double>();
     for(std::size_t i = 0; i < m_legs.size(); ++i) {
-      const auto here = frame(i);
-      double angle = here.stretch() * (position - start(i).position);
+      const auto here = i == 0 ? frame(i) : frame(i, m_legs[i - 1].last_face());
+      const auto there = i + 1 == m_legs.size() ? frame(i + 1) : frame(i + 1, m_legs[i].last_face());
+      double angle = here.stretch() * (position - here.position(m_legs[i].face, start(i).unit()));
       if(here.has_whole_turns())
         angle = std::remainder(angle, 2 * pi);
-      position = start_backward(i).position + (angle + pi) / frame(i + 1).stretch();
+      const double back = there.position(m_legs[i].last_face(), start_backward(i).unit());
+      position = back + (angle + pi) / there.stretch();
     }
     return position;
   }
@@ -153,7 +160,7 @@ private:
   Start start_at(const Surface_location& place, const Corridor_leg& leg, const Surface_location& end) const
   {
     Start result = {Unfolded_leg<Triangulation>(m_triangulation, place, leg, end).end(), 0};
-    result.position = Place_frame<Triangulation>(m_triangulation, place).position(leg.face, result.unit());
+    result.position = Place_frame<Triangulation>(m_triangulation, place, leg.face).position(leg.face, result.unit());
     return result;
   }
 
@@ -264,10 +271,12 @@ private:
 
   bool join(std::size_t i)
   {
+    const Place_frame<Triangulation> about = frame(i, m_legs[i - 1].last_face());
+    if(!about.has(m_legs[i].face)) // the border is on both sides
+      return false;
     const Start back = start_backward(i - 1), forward = start(i);
-    const Vertex_directions<Triangulation> directions(m_triangulation, input().tail(m_places[i].halfedge));
-    const double left = directions.counterclockwise(forward.position, back.position),
-                 right = directions.counterclockwise(back.position, forward.position);
+    const double left = about.counterclockwise(forward.position, back.position),
+                 right = about.counterclockwise(back.position, forward.position);
     if(!((std::min)(left, right) < boost::math::constants::pi<double>() - straight))
       return false;
     const bool is_left = left < right;

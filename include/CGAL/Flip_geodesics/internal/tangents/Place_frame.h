@@ -42,7 +42,8 @@ std::complex<double> direction_of_side(const Triangulation& triangulation, Input
 
 /*
  * The directions at a place as positions, in radians, counterclockwise over all faces that have it: at a vertex as
- * `Vertex_directions` tells them, else from the halfedge of the place on.
+ * `Vertex_directions` tells them, else from the halfedge of the place on. At a non-manifold vertex they are those of one
+ * umbrella.
  */
 template <class Triangulation>
 class Place_frame
@@ -58,6 +59,20 @@ public:
     if(kind(place) == Location_kind::VERTEX)
       m_vertex.emplace(triangulation, triangulation.input().tail(place.halfedge));
   }
+
+  /* The same in the umbrella of a face that has the place. */
+  Place_frame(const Triangulation& triangulation, const Surface_location& place, Input_halfedge_index face)
+    : Place_frame(triangulation, place)
+  {
+    if(!has(face))
+      m_vertex.emplace(triangulation, corner(face));
+  }
+
+  /* Has it the directions of a face that has the place? */
+  bool has(Input_halfedge_index face) const { return !m_vertex || m_vertex->has(corner(face)); }
+
+  /* The angle counterclockwise from one position to another; infinite if the border intervenes. \pre it is a vertex */
+  double counterclockwise(double from, double to) const { return m_vertex->counterclockwise(from, to); }
 
   bool has_border() const
   {

@@ -119,7 +119,10 @@ public:
     if(m_tree.incoming(u) == null_index)
       return false;
     const Halfedge_index back = Triangulation::twin(m_tree.incoming(u));
-    const Vertex_directions<Triangulation> directions(m_triangulation, u);
+    Halfedge_index first = h;
+    while(!m_triangulation.is_border(first) && m_triangulation.counterclockwise(first) != h)
+      first = m_triangulation.counterclockwise(first);
+    const Directions directions = directions_from(first);
     if(directions.counterclockwise(directions(h), directions(back)) < Straightness::straight_angle())
       return refresh_wedge(back, h);
     return refresh_wedge(h, back);
@@ -135,30 +138,52 @@ private:
   // The smallest angle where paths go on from u; opens the vertices that they lead to.
   double measure(Vertex_index u, const Spoke_place& arrival)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const std::vector<Halfedge_index>& around = m_around;
     collect_spokes(m_triangulation, u, m_around);
     m_leg_spokes.clear();
-    std::copy_if(around.begin(), around.end(), std::back_inserter(m_leg_spokes),
+    std::copy_if(m_around.begin(), m_around.end(), std::back_inserter(m_leg_spokes),
                  [this](Halfedge_index h) { return is_leg(h); });
     if(std::all_of(m_leg_spokes.begin(), m_leg_spokes.end(), [this](Halfedge_index h) { return is_measured(h); }))
       return remember();
-    const Directions directions(m_triangulation, u);
-    legs(around, directions, arrival);
-    const Halfedge_index before = m_tree.incoming(u);
-    const bool is_arrival_known = before != null_index && arrival.reference != null_index;
-    const double back = is_arrival_known       ? directions.of_input(arrival.reference) + arrival.angle
-                        : before != null_index ? directions(Triangulation::twin(before))
-                                               : 0;
+    const auto is_border = [this](Halfedge_index h) { return m_triangulation.is_border(h); };
+    for(auto first = m_around.begin(); first != m_around.end();) {
+      const auto last = std::find_if(first + 1, m_around.end(), is_border);
+      m_umbrella.assign(first, last);
+      measure_umbrella(arrival);
+      first = last;
+    }
+    return remember();
+  }
+
+  // Measures the edges with which paths go on from a vertex in one of its umbrellas. A path that comes in another one
+  // has the border on both sides.
+  void measure_umbrella(const Spoke_place& arrival)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Directions directions = directions_from(m_umbrella.front());
+    const Halfedge_index before = m_tree.incoming(m_triangulation.tail(m_umbrella.front()));
+    const bool is_here = before != null_index && std::find(m_umbrella.begin(), m_umbrella.end(),
+                                                           Triangulation::twin(before)) != m_umbrella.end();
+    legs(m_umbrella, directions, is_here ? arrival : Spoke_place());
+    const double back = !is_here                          ? 0
+                        : arrival.reference != null_index ? directions.of_input(arrival.reference) + arrival.angle
+                                                          : directions(Triangulation::twin(before));
     for(Fan_leg& leg : m_legs) {
       const double bend = leg.is_found ? 0 : measure_by_word(leg, directions);
       const double direction = leg.reference == null_index ? leg.angle : directions.of_input(leg.reference) + leg.angle;
-      const double angle = before == null_index ? infinity : directions.smaller_wedge(back, direction);
+      const double angle = is_here ? directions.smaller_wedge(back, direction) : infinity;
       const bool is_bent = angle < Straightness::straight_angle() || bend > Straightness::tolerance();
       m_measured[leg.head] = {angle,           leg.arrival, leg.halfedge, before, version(leg.halfedge),
                               version(before), true,        is_bent};
     }
-    return remember();
+  }
+
+  // In the umbrella of a halfedge of the triangulation, which lies on the border if the umbrella has one.
+  Directions directions_from(Halfedge_index first) const
+  {
+    const Vertex_index u = m_triangulation.tail(first);
+    if(!m_triangulation.is_border(first) || m_triangulation.is_inserted(u))
+      return Directions(m_triangulation, u);
+    return Directions(m_triangulation, m_triangulation.crossing_word(first).along);
   }
 
   // The smallest angle where paths go on from a vertex, all of which have been measured; opens their ends.
@@ -283,6 +308,7 @@ private:
   Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
   std::vector<Halfedge_index> m_around, m_leg_spokes; // of the vertex that is measured
+  std::vector<Halfedge_index> m_umbrella;             // a part of the former
   std::vector<Fan_leg> m_legs;
   std::vector<Open_vertex> m_open;
   std::vector<std::pair<Vertex_index, Vertex_index>> m_bent; // and their parents

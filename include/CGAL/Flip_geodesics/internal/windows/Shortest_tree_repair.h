@@ -204,10 +204,10 @@ private:
   std::vector<Halfedge_index> traced(Vertex_index v, const Last_leg& leg)
   {
     constexpr double straight = 1e-9; // in radians
-    const Vertex_directions<Triangulation> directions(m_triangulation, v);
+    const Vertex_directions<Triangulation> directions = directions_of(leg, v);
     const double direction = directions.of_input(leg.halfedge) + leg.angle, length = leg.length;
     double offset = 0;
-    const Halfedge_index spoke = last_spoke_before(directions, v, direction, offset);
+    const Halfedge_index spoke = last_spoke_before(directions, leg, direction, offset);
     if(spoke == null_index)
       return {};
     if(offset <= straight)
@@ -243,6 +243,13 @@ private:
     return {};
   }
 
+  // At the end of a leg, in the umbrella by which it arrives.
+  Vertex_directions<Triangulation> directions_of(const Last_leg& leg, Vertex_index v) const
+  {
+    Vertex_directions<Triangulation> usual(m_triangulation, v);
+    return usual.has(leg.halfedge) ? usual : Vertex_directions<Triangulation>(m_triangulation, leg.halfedge);
+  }
+
   // Does a line along the x-axis from 0 to `length` pass this point, up to angles that count as none?
   static bool is_passed(const Vector& p, double length)
   {
@@ -258,14 +265,14 @@ private:
   }
 
   /*
-   * The spoke of v that a direction is at, or follows counterclockwise; and by which angle. Which one it is, the
+   * The spoke at the end of a leg that a direction is at, or follows counterclockwise; and by which angle. Which one it is, the
    * triangulation's lengths tell nearly always, and the input decides.
    */
-  Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, Vertex_index v, double direction,
-                                   double& offset) const
+  Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, const Last_leg& leg,
+                                   double direction, double& offset) const
   {
     constexpr double rounding = 1e-9, drift = 1e-6;
-    const std::vector<Halfedge_index> around = spokes(m_triangulation, v);
+    const std::vector<Halfedge_index> around = spokes_beside(m_triangulation, leg.halfedge);
     const std::vector<double> angles = estimated_directions(around, directions);
     std::size_t best = around.size();
     for(std::size_t i = 0; i < around.size(); ++i) {
