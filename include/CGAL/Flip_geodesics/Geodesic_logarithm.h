@@ -207,8 +207,9 @@ private:
     const Input_halfedge_index face = path.legs()[leg].face;
     const auto frame = path.frame(leg, face);
     const Input_halfedge_index from = frame.has(place.halfedge) ? place.halfedge : face;
+    const Trace_limits<> limits = {length, At_vertices::GO_STRAIGHT, (std::numeric_limits<std::size_t>::max)(), {}};
     return Geodesic_tracer<Triangulation>(m_triangulation)
-        .trace(place, from, frame.angle(position, from), Trace_limits<>{length})
+        .trace(place, from, frame.angle(position, from), limits)
         .location;
   }
 

@@ -53,7 +53,8 @@ public:
 
 /// \ingroup PkgFlipGeodesicsErrors
 /// A face has an edge of length zero, or lengths that violate the triangle inequality; or faces without area hang on
-/// an edge of length zero, and no surface is left when it is contracted. `elements()` are its vertices.
+/// an edge of length zero, and no surface is left when it is contracted. `elements()` are its vertices. Or rounding
+/// errors in faces almost without area lead a path astray; then `elements()` is empty.
 class Degenerate_face_error : public Error
 {
 public:

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_FIELD_QUERY_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 
 #include <algorithm>
@@ -105,15 +106,17 @@ public:
 
   /*
    * The same for a point of a face. Where the path crosses an edge, it is asked anew how it comes there; so it is not
-   * lost where it passes a vertex within rounding. It has at most one point per edge and vertex. Where another source is
-   * equally near, it goes on to that of the arrival.
+   * lost where it passes a vertex within rounding. Where another source is equally near, it goes on to that of the
+   * arrival. The path can cross an edge any number of times, if the edge is not a shortest path; but the distances of its
+   * points decrease.
+   *
+   * \throws Degenerate_face_error if rounding errors lead it in a circle, or to where nothing is known
    */
   template <class OutputIterator>
   OutputIterator path(Arrival a, Input_halfedge_index h, Face_weights weights, OutputIterator out) const
   {
-    const Index most = m_triangulation.input().number_of_halfedges() + m_triangulation.input().number_of_vertices();
     const std::size_t end = a.root == null_index ? 0 : source(a);
-    for(Index i = 0; i < most && a.root != null_index; ++i) {
+    for(Descent descent(m_triangulation.input()); descent.goes_on(a.distance);) {
       if(a.through != null_index) {
         const double t = a.crossing / m_propagation.sides().copy(a.through).length;
         *out++ = surface_point_on_edge(m_triangulation, a.through, t);
@@ -149,6 +152,37 @@ private:
   static constexpr double rounding = 1e-15;    // of places, as a part of the face
   static constexpr double tie = 1e-13;         // ways that differ by less count as equal, as a part of their length
   static constexpr double same_length = 1e-12; // ways whose sources may be confused by rounding
+
+  /*
+   * Does a path come nearer to its source? Between two distances that differ visibly it passes what is closer together
+   * than roundings: that is each edge, from both sides, and each vertex once at most. In a circle no distance becomes
+   * the least one again.
+   */
+  class Descent
+  {
+  public:
+    template <class Input_mesh>
+    explicit Descent(const Input_mesh& input)
+      : m_most(input.number_of_halfedges() + input.number_of_vertices())
+    {
+    }
+
+    /* True, given the distance of the next point. \throws Degenerate_face_error if not, or if that is infinite */
+    bool goes_on(double distance)
+    {
+      m_since_least = distance < m_least ? 0 : m_since_least + 1;
+      m_least = (std::min)(m_least, distance);
+      if(m_since_least > m_most || !(distance < std::numeric_limits<double>::infinity()))
+        throw Degenerate_face_error(
+            "a shortest path gets lost: there are faces so flat that rounding errors hide where "
+            "it leads");
+      return true;
+    }
+
+  private:
+    Index m_most, m_since_least = 0;
+    double m_least = std::numeric_limits<double>::infinity();
+  };
 
   bool is_part(Index root) const { return root >= m_triangulation.input().number_of_vertices(); }
   const Source_part& part(Index root) const

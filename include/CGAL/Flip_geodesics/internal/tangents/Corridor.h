@@ -101,17 +101,25 @@ public:
 
   /*
    * Pulls it tight, but for rounding; only vertices at which it bends stay on its way. For a path that is nearly
-   * shortest: so there are few rounds.
+   * shortest: so there are few rounds. A round can bring back what rounding errors made the one before change; the path
+   * is nearly straight then.
+   *
+   * \throws Degenerate_face_error if it is not
    */
   void straighten()
   {
     join_pieces();
     constexpr int most_rounds = 1000; // more than one means that shortest paths differ by roundings
+    constexpr double nearly = 1e-9;   // straight, as a part of the length of a leg
     bool has_changed = true;
     for(int round = 0; round < most_rounds && has_changed; ++round) {
       has_changed = divide_legs();
       has_changed = join_legs() || has_changed;
     }
+    for(std::size_t i = 0; i < m_legs.size() && has_changed; ++i)
+      if(const auto leg = unfolded(i); leg.violation().distance > nearly * std::abs(leg.end()))
+        throw Degenerate_face_error("a shortest path cannot be shortened to a geodesic: there are faces so flat that "
+                                    "rounding errors hide where it bends");
   }
 
 private:
@@ -223,14 +231,19 @@ private:
       leg.crossed.pop_back();
   }
 
+  Unfolded_leg<Triangulation> unfolded(std::size_t i) const
+  {
+    return {m_triangulation, m_places[i], m_legs[i], m_places[i + 1]};
+  }
+
   // Divides legs that are not straight at the vertex that is the farthest from the straight line.
   bool divide_legs()
   {
     bool has_changed = false;
     for(std::size_t i = 0; i < m_legs.size(); ++i) {
-      const Unfolded_leg<Triangulation> unfolded(m_triangulation, m_places[i], m_legs[i], m_places[i + 1]);
-      const auto violation = unfolded.violation();
-      if(!(violation.distance > straight * std::abs(unfolded.end())))
+      const Unfolded_leg<Triangulation> leg = unfolded(i);
+      const auto violation = leg.violation();
+      if(!(violation.distance > straight * std::abs(leg.end())))
         continue;
       divide(i, violation.vertex, violation.gate);
       has_changed = true;
