@@ -3,23 +3,27 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_ADVICE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_ADVICE_H
 
+#include <CGAL/Flip_geodesics/exceptions.h>
+
+#include <exception>
 #include <string>
 
 namespace program {
 
-/// What the library says of an edge of length zero, with other advice than the library's, which names its classes.
-inline std::string with_advice(const std::string& text, const std::string& advice)
+/// Returns the message of an error; of a degenerate edge with other advice than the library's, which names its classes.
+inline std::string with_advice(const std::exception& error, const std::string& advice)
 {
-  for(const char* const mark : {"; contract such edges (", "; lengthen them ("})
-    if(const std::size_t end = text.find(mark); end != std::string::npos)
-      return text.substr(0, end) + "; " + advice;
-  return text;
+  namespace FG = CGAL::Flip_geodesics;
+  const auto* const degenerate = dynamic_cast<const FG::Degenerate_face_error*>(&error);
+  if(degenerate == nullptr || degenerate->remedy() == FG::Degeneracy_remedy::NONE)
+    return error.what();
+  return degenerate->problem() + "; " + advice;
 }
 
-/// Where neither contraction nor `--mollify` is to be had.
-inline std::string with_advice_to_repair(const std::string& text)
+/// Returns the message of an error where neither contraction nor `--mollify` is to be had.
+inline std::string with_advice_to_repair(const std::exception& error)
 {
-  return with_advice(text, "give --repair, which drops such edges");
+  return with_advice(error, "give --repair, which drops such edges");
 }
 
 } // namespace program

@@ -441,7 +441,7 @@ int main(int argc, char** argv)
   } catch(const CLI::ParseError& error) {
     std::cerr << "flip_geodesics: " << printable(command_line.describe(error), 300) << '\n';
   } catch(const std::exception& error) {
-    std::cerr << "flip_geodesics: " << without_controls(with_advice_to_repair(error.what())) << '\n';
+    std::cerr << "flip_geodesics: " << without_controls(with_advice_to_repair(error)) << '\n';
   }
   return bad_input;
 }

@@ -294,6 +294,38 @@ BOOST_AUTO_TEST_CASE(components_without_source_and_fields_that_end)
   }
 }
 
+// A field that fails at its n-th call, for each n: nothing is written until all is known.
+BOOST_AUTO_TEST_CASE(a_field_that_fails_leaves_no_output)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));
+  for(bool is_isoline : {true, false}) {
+    int failures = 0;
+    for(int calls = 0;; calls += 5) {
+      int left = calls;
+      const auto failing = [&](const Coordinates& p) {
+        if(left-- == 0)
+          throw std::runtime_error("the field fails");
+        return p[0];
+      };
+      const Closed_field field(mesh, {failing, from_point(1.5, 1.5)});
+      std::vector<Isoline> lines;
+      std::vector<Boundary> borders;
+      try {
+        if(is_isoline)
+          FG::isolines(mesh, field, std::vector<double>{0.25, 0.5}, std::back_inserter(lines), 0.1);
+        else
+          FG::voronoi_boundaries(mesh, field, std::back_inserter(borders), 0.1);
+        BOOST_TEST(lines.size() + borders.size() > 0);
+        break;
+      } catch(const std::runtime_error&) {
+        BOOST_TEST((lines.empty() && borders.empty()));
+        ++failures;
+      }
+    }
+    BOOST_TEST(failures > 1);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(numbers_that_cannot_be)
 {
   const Mesh mesh = to_mesh<Mesh>(flat_grid(2, 2, Diagonal_rule::RISING));

@@ -333,6 +333,11 @@ BOOST_AUTO_TEST_CASE(one_call_does_the_same)
   BOOST_CHECK_THROW(FG::parallel_transport(mesh, far, {mesh.halfedge(source.first), 0}), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(FG::logarithmic_map(mesh, Mesh::Vertex_index(9999), mesh.vertices(), coordinates.begin()),
                     FG::Vertex_out_of_range_error);
+  const std::vector<Mesh::Vertex_index> targets = {Mesh::Vertex_index(1), Mesh::Vertex_index(9999)};
+  std::vector<FG::Polar_coordinates> written; // the first target is right, and is not written either
+  BOOST_CHECK_THROW(FG::logarithmic_map(mesh, Mesh::Vertex_index(0), targets, std::back_inserter(written)),
+                    FG::Vertex_out_of_range_error);
+  BOOST_TEST(written.empty());
 }
 
 BOOST_AUTO_TEST_CASE(mistakes_are_refused)

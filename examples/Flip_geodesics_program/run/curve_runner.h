@@ -100,12 +100,15 @@ public:
   }
 
 private:
-  // What an error says, but for a vertex that was inserted for a point: the mesh does not have it.
+  // Returns the message of an error, with the program's advice. It does not name a vertex that was inserted for a point:
+  // the mesh does not have it.
   std::string message(const std::exception& error) const
   {
     const auto* const crossing = dynamic_cast<const CGAL::Flip_geodesics::Crossing_curves_error*>(&error);
-    const bool is_inserted = crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices();
-    return is_inserted ? "strands cross at one of the given points" : error.what();
+    if(crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices())
+      return "strands cross at one of the given points";
+    return with_advice(error, m_options.are_zero_edges_refused ? "leave out --refuse-zero-edges, or give --mollify"
+                                                               : "give --mollify");
   }
 
   std::vector<Curve_result> results_or_failures(const Network_request& request)
@@ -114,7 +117,7 @@ private:
       return compute(request);
     } catch(const CGAL::Flip_geodesics::Degenerate_face_error& error) {
       start_afresh();
-      return m_options.are_zero_edges_refused ? failures(request, error.what()) : run_on_surface(request, error.what());
+      return m_options.are_zero_edges_refused ? failures(request, message(error)) : run_on_surface(request, error);
     } catch(const std::bad_alloc&) {
       start_afresh();
       return failures(request, "there is not enough memory");
@@ -154,14 +157,13 @@ private:
     if(request.tree_source)
       results.assign(1, tree_result(*request.tree_source));
     for(Curve_result& result : results)
-      result.error = with_advice(why.substr(0, why.find('\n')), m_options.are_zero_edges_refused
-                                                                    ? "leave out --refuse-zero-edges, or give --mollify"
-                                                                    : "give --mollify");
+      result.error = why.substr(0, why.find('\n'));
     return results;
   }
 
-  // With the edges of length zero contracted; `why` is what went wrong with them.
-  std::vector<Curve_result> run_on_surface(const Network_request& request, const std::string& why)
+  // With the edges of length zero contracted, because of which `why` was thrown.
+  std::vector<Curve_result> run_on_surface(const Network_request& request,
+                                           const CGAL::Flip_geodesics::Degenerate_face_error& why)
   {
     namespace FG = CGAL::Flip_geodesics;
     try {
@@ -174,7 +176,7 @@ private:
       return results;
     } catch(const FG::Disconnected_endpoints_error&) { // by faces without area, or in a point
       m_on_surface.reset();
-      return failures(request, FG::internal::contracted_in_vain(why));
+      return failures(request, message(FG::internal::contracted_in_vain(why)));
     } catch(const std::exception& error) {
       m_on_surface.reset();
       return failures(request, message(error));

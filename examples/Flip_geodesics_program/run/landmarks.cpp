@@ -51,7 +51,7 @@ std::optional<Landmarks> make_landmarks(const Options& options, const Mesh& mesh
     const std::string number = counted(bounds.number_of_landmarks(), "landmark", "landmarks");
     return Landmarks{std::move(bounds), number + ", made in " + readable_time(stopwatch.seconds()) + '\n'};
   } catch(const FG::Degenerate_face_error& error) {
-    throw Bad_input("--landmarks: " + with_advice(error.what(), "leave them out, or give --mollify"));
+    throw Bad_input("--landmarks: " + with_advice(error, "leave them out, or give --mollify"));
   }
 }
 

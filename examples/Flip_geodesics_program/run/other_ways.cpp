@@ -101,7 +101,7 @@ private:
                               " vertices of the covering; want fewer ways, or give --most-memory");
       note_others(pair, found.report);
     } catch(const FG::Error& error) {
-      add_failure(pair, with_advice_to_repair(error.what()));
+      add_failure(pair, with_advice_to_repair(error));
     }
     m_ways.curves[first].search_s = stopwatch.seconds();
     progress.add_steps(1);

@@ -51,7 +51,7 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
     result.initial_segments = result.points.size() - 1;
   } catch(const FG::Error& error) {
     result.points.clear();
-    result.error = with_advice_to_repair(error.what());
+    result.error = with_advice_to_repair(error);
   }
   return result;
 }

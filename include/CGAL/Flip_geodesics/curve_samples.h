@@ -13,9 +13,11 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -168,11 +170,12 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
   const Triangulation triangulation = internal::make_triangulation(mesh, np);
   const Located_curve<Triangulation> located = internal::located_curve(triangulation, mesh, curve);
   const internal::Curve_sampler<Triangulation, TriangleMesh> sample(triangulation, mesh, located);
+  std::vector<decltype(sample(0.0))> result;
   for(std::size_t i = 0; i < number; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(number - 1);
-    *out++ = sample(part * located.length());
+    result.push_back(sample(part * located.length()));
   }
-  return out;
+  return std::move(result.begin(), result.end(), out);
 }
 
 /*!

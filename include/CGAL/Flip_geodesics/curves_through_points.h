@@ -207,26 +207,25 @@ void append_polyline(const Triangulation& triangulation, const TriangleMesh& mes
   result.insert(result.end(), points.begin() + (result.empty() ? 0 : 1), points.end());
 }
 
-template <class Form, class Triangulation, class TriangleMesh, class PolylineRange, class OutputIterator>
-OutputIterator write_polylines(const Triangulation& triangulation, const TriangleMesh& mesh,
-                               const PolylineRange& polylines, OutputIterator out)
+template <class Form, class Triangulation, class TriangleMesh>
+std::vector<Form> polyline_forms(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                 const std::vector<Surface_polyline>& polylines)
 {
   std::vector<Form> points;
   for(const Surface_polyline& polyline : polylines)
     append_polyline(triangulation, mesh, polyline, points);
-  return std::move(points.begin(), points.end(), out);
+  return points;
 }
 
 /* A curve of which all points lie in one place: that point twice. */
-template <class Form, class Triangulation, class TriangleMesh, class OutputIterator>
-Geodesic_result<OutputIterator> curve_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh,
-                                                   const Surface_location& place, OutputIterator out)
+template <class Form, class Triangulation, class TriangleMesh>
+Computed_output<Form> curve_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                         const Surface_location& place)
 {
   Shortening_report report;
   report.curves.push_back(report_of_point(triangulation));
   note_contraction(triangulation, report);
-  const std::vector<Surface_polyline> polylines = {{place, place}};
-  return {write_polylines<Form>(triangulation, mesh, polylines, out), report};
+  return {polyline_forms<Form>(triangulation, mesh, {{place, place}}), std::move(report)};
 }
 
 /* A geodesic through the points that `locate(triangulation)` gives. */
@@ -240,15 +239,16 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
   static_assert(is_stop_predicate<StopPredicate>,
                 "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
   std::vector<Surface_location> given;
-  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+  const auto compute = [&](Triangulation& triangulation) {
     const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
     if(given.size() > 1 && points.size() == 1)
-      return curve_in_one_place<Form>(triangulation, mesh, points.front(), out);
+      return curve_in_one_place<Form>(triangulation, mesh, points.front());
     auto visitor = make_visitor(np);
     Free_legs path = geodesics_through(triangulation, points, stop, visitor.get());
     note_contraction(triangulation, path.report);
-    return Geodesic_result<OutputIterator>{write_polylines<Form>(triangulation, mesh, path.legs, out), path.report};
-  });
+    return Computed_output<Form>{polyline_forms<Form>(triangulation, mesh, path.legs), std::move(path.report)};
+  };
+  return write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
 }
 
 } // namespace internal
@@ -361,18 +361,19 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
                               ", and the pieces of a spline can be halved 0 to 30 times");
   const auto locate = [&](const auto& triangulation) { return internal::located(triangulation, mesh, control_points); };
   std::vector<Surface_location> given;
-  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  const auto compute = [&](typename Types::Triangulation& triangulation) {
     const std::vector<Surface_location> points = internal::points_on_surface(triangulation, locate, given);
     if(given.size() > 1 && points.size() == 1)
-      return internal::curve_in_one_place<Form>(triangulation, mesh, points.front(), out);
+      return internal::curve_in_one_place<Form>(triangulation, mesh, points.front());
     Free_geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
     for(int i = 0; i < static_cast<int>(rounds); ++i)
       spline.refine();
-    const OutputIterator end = internal::write_polylines<Form>(triangulation, mesh, spline.finish(), out);
-    Shortening_report report = spline.report();
-    internal::note_contraction(triangulation, report);
-    return Geodesic_result<OutputIterator>{end, report};
-  });
+    internal::Computed_output<Form> result = {internal::polyline_forms<Form>(triangulation, mesh, spline.finish()),
+                                              spline.report()};
+    internal::note_contraction(triangulation, result.report);
+    return result;
+  };
+  return internal::write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
 }
 
 } // namespace Flip_geodesics

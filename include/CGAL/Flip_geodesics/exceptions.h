@@ -52,6 +52,14 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
+/// What removes a degeneracy of the input.
+enum class Degeneracy_remedy {
+  NONE,     ///< nothing in this package
+  CONTRACT, ///< contracting degenerate edges (`Zero_length_edges::CONTRACT`), or lengthening them
+  MOLLIFY   ///< lengthening degenerate edges (`Mollified_metric`); contracting them does not suffice
+};
+
+/// \ingroup PkgFlipGeodesicsErrors
 /// A face has an edge of length zero, or lengths that violate the triangle inequality; or faces without area hang on
 /// an edge of length zero, and no surface is left when it is contracted. `elements()` are its vertices. Or rounding
 /// errors in faces almost without area lead a path astray; then `elements()` is empty.
@@ -59,6 +67,40 @@ class Degenerate_face_error : public Error
 {
 public:
   using Error::Error; ///< from a message and the elements
+
+  /// Constructs the error from a problem and what removes it; `what()` names both.
+  /// \param problem the first part of the message
+  /// \param elements the indices of the offending elements, in the order of the message
+  /// \param remedy what removes the problem
+  Degenerate_face_error(const std::string& problem, std::vector<std::size_t> elements, Degeneracy_remedy remedy)
+    : Error(problem + advice(remedy), std::move(elements))
+    , m_problem_size(problem.size())
+    , m_remedy(remedy)
+  {
+  }
+
+  /// Returns the message without advice, for callers that give their own.
+  std::string problem() const { return std::string(what()).substr(0, m_problem_size); }
+
+  /// Returns what removes the problem.
+  Degeneracy_remedy remedy() const { return m_remedy; }
+
+private:
+  static const char* advice(Degeneracy_remedy remedy)
+  {
+    switch(remedy) {
+    case Degeneracy_remedy::NONE:
+      return "";
+    case Degeneracy_remedy::CONTRACT:
+      return "; contract such edges (Zero_length_edges) or lengthen them (Mollified_metric)";
+    case Degeneracy_remedy::MOLLIFY:
+      return "; lengthen them (Mollified_metric)";
+    }
+    return "";
+  }
+
+  std::size_t m_problem_size = std::string::npos; // all of the message
+  Degeneracy_remedy m_remedy = Degeneracy_remedy::NONE;
 };
 
 /// \ingroup PkgFlipGeodesicsErrors

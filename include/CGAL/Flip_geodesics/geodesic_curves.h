@@ -21,8 +21,8 @@
 
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,16 +57,15 @@ struct Geodesics_result
 
 namespace internal {
 
-/* What is told of an edge of length zero if no surface joins the ends of a curve once such edges are contracted, by what
- * was told before. */
-inline std::string contracted_in_vain(const std::string& why)
+/* Returns the error for a pair of ends that become disconnected when degenerate edges are contracted, by the error that
+ * was thrown before. */
+inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& error)
 {
-  const std::string advice = "; contract such edges";
-  const std::size_t end = why.find(advice);
-  return end == std::string::npos
-             ? why
-             : why.substr(0, end) + "; once such edges are contracted, no surface joins the ends of the curve, "
-                                    "since faces without area are gone; lengthen them (Mollified_metric)";
+  if(error.remedy() != Degeneracy_remedy::CONTRACT)
+    return error;
+  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since faces "
+                            "without area are gone",
+          error.elements(), Degeneracy_remedy::MOLLIFY};
 }
 
 /*
@@ -86,9 +85,27 @@ auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, con
     try {
       return compute(triangulation);
     } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
-      throw Degenerate_face_error(contracted_in_vain(error.what()), error.elements());
+      throw contracted_in_vain(error);
     }
   }
+}
+
+/* The values that a computation gives for an output iterator, and its report. */
+template <class Value, class Report = Shortening_report>
+struct Computed_output
+{
+  std::vector<Value> values;
+  Report report;
+};
+
+/* Computes a `Computed_output` as `compute_on_surface()`, and writes it once it is final: an attempt that is repeated
+ * on the contracted surface leaves nothing in the output. Returns a `Result`, the end of the output and the report. */
+template <class Result, class TriangleMesh, class NamedParameters, class OutputIterator, class Compute>
+Result write_computed_on_surface(const TriangleMesh& mesh, const NamedParameters& np, OutputIterator out,
+                                 const Compute& compute)
+{
+  auto computed = compute_on_surface(mesh, np, compute);
+  return Result{std::move(computed.values.begin(), computed.values.end(), out), std::move(computed.report)};
 }
 
 /* Shortens with the visitor of the named parameters, if there is one. */
@@ -132,58 +149,51 @@ Shortening_report shorten_between_ends(Network& network, const std::vector<Halfe
   return report;
 }
 
-template <class Convert, class OutputIterator>
-OutputIterator convert_points(const std::vector<Surface_point>& points, const Convert& convert, OutputIterator out)
-{
-  for(const Surface_point& p : points)
-    *out++ = convert(p);
-  return out;
-}
-
-/* Writes a curve of a network in the form that the output takes; nothing if it is a loop that is a point. */
-template <class Form, class Network, class TriangleMesh, class OutputIterator>
-OutputIterator write_curve(const Network& network, const TriangleMesh& mesh, Curve_index curve, OutputIterator out)
+/* Returns the points of a curve of a network in the form that the output takes; none of a loop that is a point. */
+template <class Form, class Network, class TriangleMesh>
+std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, Curve_index curve)
 {
   using Triangulation = typename Network::Triangulation;
+  std::vector<Form> result;
   if(network.is_closed(curve) && network.length(curve) == 0)
-    return out;
+    return result;
   Curve_extractor<Network> extractor(network);
-  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value)
-    return extractor.curve_points(curve, mesh, out);
-  else
-    return convert_points(extractor.surface_points(curve),
-                          Form_converter<Triangulation, Form>(network.triangulation(), mesh), out);
+  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value) {
+    extractor.curve_points(curve, mesh, std::back_inserter(result));
+  } else {
+    const Form_converter<Triangulation, Form> convert(network.triangulation(), mesh);
+    for(const Surface_point& p : extractor.surface_points(curve))
+      result.push_back(convert(p));
+  }
+  return result;
 }
 
 /* A path between two vertices that edges of length zero join: its two ends. */
-template <class Form, class Triangulation, class TriangleMesh, class OutputIterator>
-Geodesic_result<OutputIterator> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh,
-                                                  Vertex_index v, OutputIterator out)
+template <class Form, class Triangulation, class TriangleMesh>
+Computed_output<Form> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh, Vertex_index v)
 {
   if(triangulation.input().outgoing(v) == null_index)
     throw_no_surface_left(v);
-  Shortening_report report;
-  report.curves.push_back(report_of_point(triangulation));
-  note_contraction(triangulation, report);
+  Computed_output<Form> result;
+  result.report.curves.push_back(report_of_point(triangulation));
+  note_contraction(triangulation, result.report);
   const Form_converter<Triangulation, Form> convert(triangulation, mesh);
-  for(int i = 0; i < 2; ++i)
-    *out++ = convert(surface_point_at_vertex(triangulation, v));
-  return {out, report};
+  result.values.assign(2, convert(surface_point_at_vertex(triangulation, v)));
+  return result;
 }
 
-/* Computes a geodesic between two vertices of a mesh, in an empty network, and writes it. */
-template <class Form, class Network, class Search, class TriangleMesh, class Vertex, class OutputIterator,
-          class NamedParameters, class StopPredicate>
-Geodesic_result<OutputIterator> geodesic_between(Network& network, Search& search, const TriangleMesh& mesh,
-                                                 Vertex source, Vertex target, OutputIterator out,
-                                                 const NamedParameters& np, const StopPredicate& stop)
+/* Computes a geodesic between two vertices of a mesh, in an empty network. */
+template <class Form, class Network, class Search, class TriangleMesh, class Vertex, class NamedParameters,
+          class StopPredicate>
+Computed_output<Form> geodesic_between(Network& network, Search& search, const TriangleMesh& mesh, Vertex source,
+                                       Vertex target, const NamedParameters& np, const StopPredicate& stop)
 {
   const auto& triangulation = network.triangulation();
   const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
   if(triangulation.input().is_contracted() && ends[0] == ends[1])
-    return path_in_one_place<Form>(triangulation, mesh, ends[0], out);
-  const Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
-  return {write_curve<Form>(network, mesh, Curve_index(0), out), report};
+    return path_in_one_place<Form>(triangulation, mesh, ends[0]);
+  Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
+  return {curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
 }
 
 /* The indices of vertices of the mesh, before edges are contracted. */
@@ -239,7 +249,9 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  *
  * If it meets an edge of length zero, such edges are contracted, and the path is computed again: it is a geodesic of
  * the surface that is left, and `Curve_report::are_zero_edges_contracted` says so. Ends in one place have a path of
- * length zero, `Shortening_status::CONTRACTED`. So it is with all functions that take a mesh and give curves.
+ * length zero, `Shortening_status::CONTRACTED`. So it is with all functions that take a mesh and give curves. Whichever
+ * attempt succeeds, its result is written once, when it is complete: if an exception is thrown, nothing is written. A
+ * visitor observes the steps of both attempts.
  *
  * \param mesh a triangle mesh
  * \param source, target different vertices of one component
@@ -269,11 +281,12 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
-  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  const auto compute = [&](typename Types::Triangulation& triangulation) {
     Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
     typename Types::Network network(triangulation);
-    return internal::geodesic_between<Form>(network, search, mesh, source, target, out, np, stop);
-  });
+    return internal::geodesic_between<Form>(network, search, mesh, source, target, np, stop);
+  };
+  return internal::write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -311,23 +324,23 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
-  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  const auto compute = [&](typename Types::Triangulation& triangulation) {
     typename Types::Network network(triangulation);
     std::vector<Vertex_index> loop = internal::mesh_indices(triangulation, vertices);
     if(loop.size() > 1 && loop.front() == loop.back())
       loop.pop_back();
-    const bool is_loop = internal::add_vertex_curve(network, loop, true);
-    Shortening_report report;
-    if(is_loop) {
+    internal::Computed_output<Form> result;
+    if(internal::add_vertex_curve(network, loop, true)) {
       order_overlapping_curves(network);
-      report = internal::shorten_with_visitor(network, np, stop);
+      result.report = internal::shorten_with_visitor(network, np, stop);
+      result.values = internal::curve_forms<Form>(network, mesh, Curve_index(0));
     } else {
-      report.curves.push_back(report_of_point(triangulation));
+      result.report.curves.push_back(report_of_point(triangulation));
     }
-    internal::note_contraction(triangulation, report);
-    return Geodesic_result<OutputIterator>{
-        is_loop ? internal::write_curve<Form>(network, mesh, Curve_index(0), out) : out, report};
-  });
+    internal::note_contraction(triangulation, result.report);
+    return result;
+  };
+  return internal::write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -363,23 +376,24 @@ Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curv
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator, internal::Vector_of>;
-  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  const auto compute = [&](typename Types::Triangulation& triangulation) {
     typename Types::Network network(triangulation);
     const std::vector<bool> has_length = internal::add_vertex_curves(network, curves);
     order_overlapping_curves(network);
-    Shortening_report report = internal::shorten_with_visitor(network, np, stop);
-    OutputIterator end = out;
+    internal::Computed_output<std::vector<Form>> result;
+    result.report = internal::shorten_with_visitor(network, np, stop);
+    auto& reports = result.report.curves;
     for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
-      std::vector<Form> points;
+      result.values.emplace_back();
       if(has_length[i])
-        internal::write_curve<Form>(network, mesh, Curve_index(static_cast<Index>(c++)), std::back_inserter(points));
+        result.values.back() = internal::curve_forms<Form>(network, mesh, Curve_index(static_cast<Index>(c++)));
       else
-        report.curves.insert(report.curves.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
-      *end++ = points;
+        reports.insert(reports.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
     }
-    internal::note_contraction(triangulation, report);
-    return Geodesics_result<OutputIterator>{end, report};
-  });
+    internal::note_contraction(triangulation, result.report);
+    return result;
+  };
+  return internal::write_computed_on_surface<Geodesics_result<OutputIterator>>(mesh, np, out, compute);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

@@ -100,18 +100,46 @@ void write_nearest_sources(const Geodesic_distance_field<Triangulation>& field, 
 
 namespace internal {
 
-/* Calls `write(tree)` with the tree of shortest paths from a vertex. */
-template <class Triangulation, class Write>
-Shortest_tree_report make_shortest_tree(Triangulation& triangulation, Vertex_index source, const Window_limit& limit,
-                                        const Write& write)
+/* Values at the vertices of a mesh, in the order of `vertices(mesh)`, and what is known of them. */
+template <class Value>
+using Computed_values = Computed_output<Value, Shortest_tree_report>;
+
+/* Writes values that are final into a property map of the mesh. */
+template <class TriangleMesh, class Value, class VertexMap>
+void write_values(const TriangleMesh& mesh, const std::vector<Value>& values, VertexMap map)
+{
+  static_assert(is_property_map<VertexMap>());
+  auto value = values.begin();
+  for(const auto v : vertices(mesh))
+    put(map, v, *value++);
+}
+
+/* A property map that keeps values in the order in which they are put. */
+template <class Key, class Value>
+struct Value_collector
+{
+  using key_type = Key;
+  using value_type = Value;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  std::vector<Value>* values;
+
+  friend void put(const Value_collector& map, const Key&, const Value& value) { map.values->push_back(value); }
+};
+
+/* Grows the tree of shortest paths from a vertex, and writes what `write(tree, map)` takes from it. */
+template <class Value, class Triangulation, class Write>
+Computed_values<Value> make_shortest_tree(Triangulation& triangulation, Vertex_index source, const Window_limit& limit,
+                                          const Write& write)
 {
   Geodesic_tree<Triangulation> tree(triangulation);
   tree.grow(source);
-  const Shortest_tree_report report = make_shortest(tree, limit);
-  if(report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
+  Computed_values<Value> result = {{}, make_shortest(tree, limit)};
+  if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
     throw Degenerate_face_error("paths lead through vertices that faces without area fold onto one place", {});
-  write(tree);
-  return report;
+  write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});
+  return result;
 }
 
 /* The indices of what distances are measured from: a vertex of the mesh, or several. */
@@ -133,12 +161,11 @@ std::vector<Vertex_index> source_indices(const Triangulation& triangulation, con
   return result;
 }
 
-/* Writes the distances of a field from vertices, and says what is known of them. */
-template <class Triangulation, class VertexDistanceMap>
-Shortest_tree_report write_field_distances(const Triangulation& triangulation,
-                                           const typename Triangulation::Triangle_mesh& mesh,
-                                           const std::vector<Vertex_index>& sources, VertexDistanceMap distances,
-                                           const Window_limit& limit)
+/* Computes the distances of a field from vertices. */
+template <class Triangulation>
+Computed_values<double> field_distances(const Triangulation& triangulation,
+                                        const typename Triangulation::Triangle_mesh& mesh,
+                                        const std::vector<Vertex_index>& sources, const Window_limit& limit)
 {
   Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
   for(Vertex_index source : sources)
@@ -146,15 +173,17 @@ Shortest_tree_report write_field_distances(const Triangulation& triangulation,
   Distance_field_limits limits;
   limits.windows = limit;
   const Distance_field_report computed = field.compute(limits);
-  Shortest_tree_report report;
+  Computed_values<double> result;
+  Shortest_tree_report& report = result.report;
   report.windows = computed.windows;
   report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face;
   for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) { // but sources
     const double distance = field.distance(v);
     report.vertices += distance > 0 && distance < std::numeric_limits<double>::infinity() ? 1 : 0;
   }
-  write_distances(field, triangulation, mesh, distances);
-  return report;
+  write_distances(field, triangulation, mesh,
+                  Value_collector<typename Triangulation::Mesh_vertex, double>{&result.values});
+  return result;
 }
 
 } // namespace internal
@@ -188,17 +217,20 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
 {
   static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+  const auto computed = internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
     const std::vector<Vertex_index> indices = internal::source_indices(triangulation, sources);
-    Shortest_tree_report report = internal::write_field_distances(triangulation, mesh, indices, distances, limit);
+    auto result = internal::field_distances(triangulation, mesh, indices, limit);
     if constexpr(internal::is_mesh_vertex<TriangleMesh, Sources>)
-      if(!report.is_confirmed)
-        report = internal::make_shortest_tree(triangulation, indices.front(), limit,
-                                              [&](const auto& tree) { write_distances(tree, mesh, distances); });
-    report.is_confirmed = report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
-                          !internal::is_input_rounded(triangulation);
-    return report;
+      if(!result.report.is_confirmed)
+        result = internal::make_shortest_tree<double>(
+            triangulation, indices.front(), limit,
+            [&](const auto& tree, const auto& map) { write_distances(tree, mesh, map); });
+    result.report.is_confirmed = result.report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
+                                 !internal::is_input_rounded(triangulation);
+    return result;
   });
+  internal::write_values(mesh, computed.values, distances);
+  return computed.report;
 }
 
 /// \ingroup PkgFlipGeodesicsDistances
@@ -237,12 +269,14 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& s
                 "no vertex of the mesh where it belongs; the order is mesh, source, property map");
   static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+  const auto computed = internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
     const Mesh_vertex<TriangleMesh> from = source;
-    return internal::make_shortest_tree(triangulation, triangulation.index(from), limit, [&](const auto& tree) {
-      write_polar_coordinates(logarithmic_map(tree), tree, mesh, coordinates);
-    });
+    return internal::make_shortest_tree<Polar_coordinates>(
+        triangulation, triangulation.index(from), limit,
+        [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
   });
+  internal::write_values(mesh, computed.values, coordinates);
+  return computed.report;
 }
 
 /// \ingroup PkgFlipGeodesicsTree

@@ -47,22 +47,22 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator, internal::Vector_of>;
-  return internal::compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  const auto compute = [&](typename Types::Triangulation& triangulation) {
     const Loop_basis<typename Types::Triangulation> basis(triangulation);
-    std::vector<std::vector<Form>> loops(static_cast<std::size_t>(basis.number_of_loops()));
-    Shortening_report report;
+    internal::Computed_output<std::vector<Form>> result;
     for(Index i = 0; i < basis.number_of_loops(); ++i) {
       {
         typename Types::Network network(triangulation);
         const Curve_index curve = network.add_curve(basis.cycle(i), true);
-        internal::append_report(internal::shorten_with_visitor(network, np, stop), report);
-        internal::write_curve<Form>(network, mesh, curve, std::back_inserter(loops[static_cast<std::size_t>(i)]));
+        internal::append_report(internal::shorten_with_visitor(network, np, stop), result.report);
+        result.values.push_back(internal::curve_forms<Form>(network, mesh, curve));
       }
       triangulation.rollback();
     }
-    internal::note_contraction(triangulation, report);
-    return Geodesics_result<OutputIterator>{std::move(loops.begin(), loops.end(), out), report};
-  });
+    internal::note_contraction(triangulation, result.report);
+    return result;
+  };
+  return internal::write_computed_on_surface<Geodesics_result<OutputIterator>>(mesh, np, out, compute);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

@@ -77,8 +77,7 @@ public:
         return compute(m_contracted_state, Zero_length_edges::CONTRACT, source, target);
       } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
         Result refused;
-        refused.error =
-            std::make_exception_ptr(Degenerate_face_error(contracted_in_vain(error.what()), error.elements()));
+        refused.error = std::make_exception_ptr(contracted_in_vain(error));
         return refused;
       } catch(...) {
         return failed();
@@ -129,12 +128,9 @@ private:
 
   Result compute(State& state, Vertex source, Vertex target) const
   {
-    Result result;
     Network network(state.triangulation);
-    result.report = geodesic_between<Form>(network, state.search, m_mesh, source, target,
-                                           std::back_inserter(result.points), m_np, restarted(m_stop))
-                        .report.curves.front();
-    return result;
+    auto path = geodesic_between<Form>(network, state.search, m_mesh, source, target, m_np, restarted(m_stop));
+    return {std::move(path.values), path.report.curves.front(), nullptr};
   }
 
   const TriangleMesh& m_mesh;

@@ -102,16 +102,16 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
     return out;
   auto surface = internal::make_refined_surface(mesh, field, np, tolerance);
   internal::Isoline_tracer<decltype(surface)> tracer(surface, sorted, tolerance);
+  std::vector<Isoline<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>> result;
   for(double level : wanted) {
     const auto at = std::lower_bound(sorted.begin(), sorted.end(), level) - sorted.begin();
     tracer.trace(static_cast<std::size_t>(at), [&](const internal::Followed_curve& curve) {
-      Isoline<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>> result;
-      result.level = level;
-      internal::write_samples(surface, curve, result);
-      *out++ = std::move(result);
+      result.emplace_back();
+      result.back().level = level;
+      internal::write_samples(surface, curve, result.back());
     });
   }
-  return out;
+  return std::move(result.begin(), result.end(), out);
 }
 
 } // namespace Flip_geodesics

@@ -22,6 +22,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -330,13 +331,13 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
   static_assert(is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   using Form = Curve_form<typename Types::Triangulation, OutputIterator>;
-  using Result = Shortest_path_result<OutputIterator>;
-  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  using Computed = Computed_output<Form, Shortest_path_report>;
+  const auto compute = [&](typename Types::Triangulation& triangulation) {
     const Mesh_vertex<TriangleMesh> from = source, to = target;
     const Vertex_index s = triangulation.index(from), t = triangulation.index(to);
     if(triangulation.input().is_contracted() && s == t) {
-      const auto point = path_in_one_place<Form>(triangulation, mesh, s, out);
-      return Result{point.out, report_of_no_length(point.report)};
+      auto point = path_in_one_place<Form>(triangulation, mesh, s);
+      return Computed{std::move(point.values), report_of_no_length(point.report)};
     }
     Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
     typename Types::Network network(triangulation);
@@ -345,8 +346,9 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
     if(!report.is_confirmed() && is_contraction_of_use(triangulation))
       throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
     note_contraction(triangulation, report.shortening);
-    return Result{write_curve<Form>(network, mesh, Curve_index(0), out), report};
-  });
+    return Computed{curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
+  };
+  return write_computed_on_surface<Shortest_path_result<OutputIterator>>(mesh, np, out, compute);
 }
 
 } // namespace internal

@@ -303,22 +303,24 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
-  return internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+  using Report = Paths_by_class_report<TriangleMesh>;
+  const auto compute = [&](Triangulation& triangulation) {
     internal::check_places(triangulation, source, target);
     internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
                                                triangulation.index(target));
     paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
     const internal::Covering_form_converter<Form, Triangulation, TriangleMesh> convert(triangulation, mesh, paths);
-    OutputIterator end = out;
+    internal::Computed_output<std::vector<Form>, Report> result;
     for(const auto& path : paths.paths()) {
-      std::vector<Form> points;
+      result.values.emplace_back();
       for(const auto& place : path.places)
-        points.push_back(convert(place));
-      *end++ = std::move(points);
+        result.values.back().push_back(convert(place));
     }
-    return Paths_by_class_result<TriangleMesh, OutputIterator>{
-        end, internal::report_of<TriangleMesh>(triangulation, paths, number)};
-  });
+    result.report = internal::report_of<TriangleMesh>(triangulation, paths, number);
+    return result;
+  };
+  return internal::write_computed_on_surface<Paths_by_class_result<TriangleMesh, OutputIterator>>(mesh, np, out,
+                                                                                                  compute);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

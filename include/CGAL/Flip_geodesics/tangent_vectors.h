@@ -12,6 +12,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -79,10 +80,11 @@ Logarithm_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMes
   const Triangulation triangulation = internal::make_triangulation(mesh, np);
   const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh,
                                                     internal::trace_start(triangulation, mesh, source));
+  std::vector<Polar_coordinates> result;
   for(const auto& target : targets)
-    *out++ = internal::logarithm_of(logarithm, triangulation, mesh, target);
-  return {out, triangulation.input().halfedge(logarithm.halfedge()), logarithm.total_angle(), logarithm.is_on_border(),
-          logarithm.report()};
+    result.push_back(internal::logarithm_of(logarithm, triangulation, mesh, target));
+  return {std::copy(result.begin(), result.end(), out), triangulation.input().halfedge(logarithm.halfedge()),
+          logarithm.total_angle(), logarithm.is_on_border(), logarithm.report()};
 }
 
 /*!

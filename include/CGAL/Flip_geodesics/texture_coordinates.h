@@ -206,6 +206,7 @@ Texture_report texture_coordinates(
   internal::Tangent_plane_layout<Triangulation> layout(triangulation, logarithm, middle, {x, y});
 
   Texture_report report;
+  std::vector<std::pair<Input_halfedge_index, Value>> values; // with the halfedge at whose target each is
   for(const auto& f : faces(mesh)) {
     Input_halfedge_index h = input.index(internal::graph_halfedge(f, mesh));
     bool is_torn = false;
@@ -218,10 +219,12 @@ Texture_report texture_coordinates(
       const Value value = is_known
                               ? internal::picture_place<Value>(0.5 + place.real() / size, 0.5 + place.imag() / size)
                               : internal::picture_place<Value>(nan, nan);
-      put(corners, input.halfedge(input.next(input.next(h))), value);
+      values.emplace_back(input.next(input.next(h)), value);
       h = input.next(h);
     }
   }
+  for(const auto& [h, value] : values)
+    put(corners, input.halfedge(h), value);
   return report;
 }
 

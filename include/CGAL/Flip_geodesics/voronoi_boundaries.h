@@ -8,9 +8,11 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -78,15 +80,15 @@ OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, 
   internal::check_tolerance(tolerance);
   auto surface = internal::make_refined_surface(mesh, field, np, tolerance);
   internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);
+  std::vector<Voronoi_boundary<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>> result;
   tracer.trace([&](const internal::Followed_curve& curve, const std::array<std::size_t, 2>& sources,
                    const std::array<std::size_t, 2>& junctions) {
-    Voronoi_boundary<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>> result;
-    result.sources = sources;
-    result.junctions = junctions;
-    internal::write_samples(surface, curve, result);
-    *out++ = std::move(result);
+    result.emplace_back();
+    result.back().sources = sources;
+    result.back().junctions = junctions;
+    internal::write_samples(surface, curve, result.back());
   });
-  return out;
+  return std::move(result.begin(), result.end(), out);
 }
 
 } // namespace Flip_geodesics

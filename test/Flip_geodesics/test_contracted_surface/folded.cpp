@@ -275,6 +275,36 @@ BOOST_AUTO_TEST_CASE(curves_that_are_bent_by_folded_faces_are_told)
   BOOST_CHECK(!FG::are_curves_folded(Triangulation(regular, Metric(regular.points())), straight));
 }
 
+// The folded vertices are met when a curve is finished: what was computed until then is not written.
+BOOST_AUTO_TEST_CASE(results_are_written_once)
+{
+  const Folded_grid grid;
+  const Mesh mesh = to_mesh<Mesh>(grid.soup);
+  int repeated = 0;
+  const auto check = [&](const FG::Shortening_report& report, const std::vector<Point>& points) {
+    repeated += report.curves.front().are_zero_edges_contracted ? 1 : 0;
+    BOOST_CHECK_SMALL(report.curves.front().length - length(points), 1e-12);
+  };
+  for(const Vertex through : mesh.vertices())
+    for(const Vertex from : mesh.vertices_around_target(mesh.halfedge(through)))
+      for(const Vertex to : mesh.vertices_around_target(mesh.halfedge(through))) {
+        if(!(from < to))
+          continue;
+        const std::vector<Vertex> way = {from, through, to};
+        std::vector<std::vector<Point>> curves;
+        const auto report =
+            FG::straighten(mesh, std::vector<std::vector<Vertex>>{way}, std::back_inserter(curves), exactly).report;
+        BOOST_REQUIRE_EQUAL(curves.size(), 1);
+        check(report, curves.front());
+        std::vector<Point> points;
+        check(FG::geodesic_path_through(mesh, way, std::back_inserter(points), exactly).report, points);
+        points.clear();
+        const auto np = CGAL::parameters::geom_traits(Traits()).number_of_iterations(1);
+        check(FG::geodesic_spline(mesh, way, FG::Spline_kind::BEZIER, std::back_inserter(points), np).report, points);
+      }
+  BOOST_CHECK_GT(repeated, 0);
+}
+
 // Faces between which lies a needle, and faces that are folded on folded ones.
 BOOST_AUTO_TEST_CASE(folded_faces_lie_about_others)
 {

@@ -36,9 +36,7 @@ inline bool is_longer_than_sum(double a, double b, double c)
   const std::string edge = "the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx());
   const std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())};
   if(length == 0)
-    throw Degenerate_face_error(
-        edge + " has length zero; contract such edges (Zero_length_edges) or lengthen them (Mollified_metric)",
-        elements);
+    throw Degenerate_face_error(edge + " has length zero", elements, Degeneracy_remedy::CONTRACT);
   std::ostringstream number;
   number << length;
   throw Invalid_coordinate_error(
