@@ -49,7 +49,10 @@ using Repair_kernel =
     std::conditional_t<std::is_same<typename Kernel_traits<Point_3>::Kernel::FT, double>::value,
                        CGAL::Exact_predicates_inexact_constructions_kernel, typename Kernel_traits<Point_3>::Kernel>;
 
-/* Numbers the vertices and triangles of a repaired soup as they will be in the mesh, and completes the record. */
+/*
+ * Numbers the vertices of a repaired soup, whose triangles are in the order of their polygons, as they will be in the
+ * mesh, and completes the record.
+ */
 template <class Kernel>
 class Repaired_elements
 {
@@ -62,18 +65,15 @@ public:
     , m_numbers(soup.origins.size(), Soup::none)
   {
     number_vertices();
-    order_faces();
+    list_faces();
     list_vertices_of_points(had_polygon);
   }
 
-  /* In the order of the polygons. */
   std::vector<std::array<std::size_t, 3>> triangles() const
   {
     std::vector<std::array<std::size_t, 3>> result;
-    for(std::size_t t : m_order) {
-      const auto& corners = m_soup.triangles[t];
+    for(const auto& corners : m_soup.triangles)
       result.push_back({m_numbers[corners[0]], m_numbers[corners[1]], m_numbers[corners[2]]});
-    }
     return result;
   }
 
@@ -101,15 +101,11 @@ private:
     m_record.add(Repair::VERTICES_SPLIT, m_record.point_of_vertex.size() - m_soup.points.size());
   }
 
-  void order_faces()
+  void list_faces()
   {
-    m_order.resize(m_soup.triangles.size());
-    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    std::stable_sort(m_order.begin(), m_order.end(),
-                     [this](std::size_t s, std::size_t t) { return m_soup.polygons[s] < m_soup.polygons[t]; });
-    for(std::size_t t : m_order) {
-      m_record.faces_of_polygons.emplace_back(m_soup.polygons[t], m_record.polygon_of_face.size());
-      m_record.polygon_of_face.push_back(m_soup.polygons[t]);
+    for(std::size_t polygon : m_soup.polygons) {
+      m_record.faces_of_polygons.emplace_back(polygon, m_record.polygon_of_face.size());
+      m_record.polygon_of_face.push_back(polygon);
     }
   }
 
@@ -142,7 +138,7 @@ private:
 
   const Soup& m_soup;
   Repair_record& m_record;
-  std::vector<std::size_t> m_numbers, m_order;
+  std::vector<std::size_t> m_numbers;
 };
 
 /* Checks what a repair has to give. */
@@ -222,6 +218,7 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  *   they share a vertex only. They are cut apart, too, at edges between orientations that cannot be made alike.
  * - Borders in one place are stitched, with `CGAL::Polygon_mesh_processing::stitch_borders()`; coordinates are equal
  *   there, to the bit. Where more than two border edges lie in one place, two of one component are, and others are not.
+ *   Borders stay open where two vertices of the mesh would have two edges in common once they were stitched.
  * - Triangles with collinear corners, which exact predicates tell, are removed by a flip of their longest edge, which
  *   leaves the surface as it is. They are dropped where that cannot be done; inside the surface that leaves a slit.
  *
@@ -229,7 +226,8 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * done; those of points that were merged or lost their faces are isolated, and have no further vertices. Vertices that
  * were split follow. Faces are in the order of the polygons they come from. So a soup with nothing wrong gives the very
  * mesh, and an empty report. `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes those without faces.
- * The result depends on nothing but the input.
+ * The result depends on nothing but the input. A repair of the result does nothing: these steps are repeated until none
+ * of them changes the triangles.
  *
  * \tparam PointRange a range of points of a CGAL kernel. Where its number type is `double`, the predicates of
  *         `CGAL::Exact_predicates_inexact_constructions_kernel` decide; where not, its own, which have to be exact.

@@ -46,9 +46,14 @@ private:
 };
 
 /*
- * Makes an oriented manifold without collinear triangles of a soup: triangles that are there twice are dropped, all
- * are oriented alike and cut apart where they are no manifold, borders in one place are stitched, and collinear ones
- * flipped away or dropped; again while the last two change something, as stitching may join what has to be cut again.
+ * Makes an oriented manifold without collinear triangles of a soup. A round drops triangles that occur twice, orients
+ * all alike, cuts them apart where they are not a manifold, stitches borders in one place, and flips collinear triangles
+ * away or drops them. Rounds repeat until one changes nothing. Hence a repair of the result, which is a round that
+ * starts from the same triangles in the same order, changes nothing either.
+ *
+ * There is a last round: the number of triangles never grows, a flip makes the number of collinear ones smaller or, with
+ * the same number, the sum of lengths, and a stitch, which needs no cut, makes borders shorter. What makes a later one of
+ * these larger has made an earlier one smaller, and there are finitely many triangles on the vertices of the soup.
  */
 template <class Kernel>
 class Soup_repair
@@ -66,24 +71,29 @@ public:
 
   void operator()()
   {
-    drop_duplicates();
-    orient();
-    bool is_changed = true;
-    for(int round = 0; is_changed && round < most_rounds; ++round) {
-      const bool is_stitched = has_vertices_in_one_place() && stitch();
-      const bool is_flipped = Soup_flips<Kernel>(m_soup, m_record)();
-      const bool is_dropped = drop_duplicates();
-      if(is_flipped || is_dropped)
-        orient();
-      is_changed = is_stitched || is_flipped || is_dropped;
-    }
-    drop_collinear();
-    keep_most_orientations();
+    std::vector<Triangle> before;
+    do {
+      before = m_soup.triangles;
+      apply_round();
+      if(m_soup.triangles != before) {
+        keep_most_orientations();
+        m_soup.sort_by_polygon();
+      }
+    } while(m_soup.triangles != before);
     record_edges();
   }
 
 private:
-  static constexpr int most_rounds = 8; // it takes two
+  void apply_round()
+  {
+    if(drop_duplicates() || !m_is_manifold)
+      orient();
+    m_is_manifold = true;
+    if(has_vertices_in_one_place())
+      stitch();
+    if(Soup_flips<Kernel>(m_soup, m_record)())
+      orient();
+  }
 
   struct Place_triangle
   {
@@ -180,13 +190,16 @@ private:
     return false;
   }
 
-  // Turns triangles over so that borders in one place have opposite directions, and can be stitched.
+  // Reverses triangles so that borders in one place have opposite directions and can be stitched. Triangles are passed
+  // with the least place first, since CGAL's choice between conflicting neighbors depends on the corner that is first.
   void align_parts()
   {
     std::vector<Triangle> triangles = m_soup.triangles;
-    for(Triangle& triangle : triangles)
+    for(Triangle& triangle : triangles) {
       for(std::size_t& v : triangle)
         v = m_soup.place(v);
+      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    }
     std::vector<std::size_t> vertices(m_soup.points.size(), 0);
     std::vector<char> is_reversed(triangles.size(), 0);
     std::vector<Edge> ignored;
@@ -197,14 +210,17 @@ private:
         m_soup.reverse(t);
   }
 
-  bool stitch()
+  // The alignment of parts serves the stitch only: if there is none, orientations stay as they were.
+  void stitch()
   {
+    const std::vector<Triangle> triangles = m_soup.triangles;
+    const std::vector<char> is_reversed = m_soup.is_reversed;
     align_parts();
     orient();
-    const bool is_changed = Soup_stitcher<Kernel>(m_soup)();
-    if(is_changed)
-      orient();
-    return is_changed;
+    if(Soup_stitcher<Kernel>(m_soup)())
+      return;
+    m_soup.triangles = triangles;
+    m_soup.is_reversed = is_reversed;
   }
 
   // Orients, and cuts apart. Vertices that this adds are appended to the origins, as copies.
@@ -219,20 +235,6 @@ private:
     }
     for(std::size_t v = m_soup.merged_into.size(); v < m_soup.origins.size(); ++v)
       m_soup.merged_into.push_back(v);
-  }
-
-  // What is left if there were too many rounds.
-  void drop_collinear()
-  {
-    std::vector<char> is_dropped(m_soup.triangles.size(), 0);
-    for(std::size_t t = 0; t < m_soup.triangles.size(); ++t)
-      is_dropped[t] = m_soup.is_collinear(m_soup.triangles[t]) ? 1 : 0;
-    const auto count = std::count(is_dropped.begin(), is_dropped.end(), 1);
-    if(count == 0)
-      return;
-    m_record.add(Repair::FACES_WITHOUT_AREA_DROPPED, static_cast<std::size_t>(count));
-    m_soup.remove(is_dropped);
-    orient();
   }
 
   // CGAL orients as the first triangle of a component is; that may turn over all others.
@@ -267,6 +269,7 @@ private:
   Soup& m_soup;
   Repair_record& m_record;
   std::vector<Edge> m_edges; // that were cut, by the points of the input
+  bool m_is_manifold = false;
 };
 
 } // namespace internal

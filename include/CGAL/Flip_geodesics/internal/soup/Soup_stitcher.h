@@ -21,9 +21,10 @@ namespace internal {
 /*
  * Stitches borders of a soup that lie in the same place in opposite directions: first pairs of border edges of one
  * component, so that what was cut open where parts touch closes again, then those of any two components. Where more
- * than two edges remain in one place, none is stitched, as there is no telling which belong together.
+ * than two edges remain in one place, none is stitched, as there is no telling which belong together. Pairs stay open if
+ * their vertices, once merged, would be the ends of two edges, which had to be cut again.
  *
- * \pre the soup is an oriented manifold, which it may not be afterwards
+ * \pre the soup is an oriented manifold, which it is afterwards, too
  */
 template <class Kernel>
 class Soup_stitcher
@@ -32,6 +33,7 @@ class Soup_stitcher
   using Mesh = Soup_mesh<Kernel>;
   using Halfedge = typename Mesh::Halfedge_index;
   using Pair = std::pair<Halfedge, Halfedge>;
+  using Triangle = typename Soup::Triangle;
 
   struct Border_edge
   {
@@ -63,10 +65,18 @@ public:
     for(Border_edge& edge : m_edges)
       edge.component = 0;
     take_pairs(pairs);
-    if(pairs.empty() || Polygon_mesh_processing::stitch_borders(m_mesh, pairs) == 0)
-      return false;
-    read_back();
-    return true;
+    std::sort(pairs.begin(), pairs.end()); // an order that does not depend on the numbers of points
+    while(!pairs.empty() && Polygon_mesh_processing::stitch_borders(m_mesh, pairs) > 0) {
+      find_stitched();
+      const std::vector<char> is_doubled = ends_of_doubled_edges();
+      if(is_doubled.empty()) {
+        read_back();
+        return true;
+      }
+      m_mesh = make_soup_mesh(m_soup);
+      remove_pairs_at(is_doubled, pairs);
+    }
+    return false;
   }
 
 private:
@@ -99,31 +109,71 @@ private:
   }
 
   // Stitching keeps faces and places, but neither vertices nor where the corners of a face begin.
+  void find_stitched()
+  {
+    m_stitched.clear();
+    m_now.assign(m_soup.origins.size(), Soup::none);
+    for(std::size_t t = 0; t < m_soup.triangles.size(); ++t) {
+      const Triangle& before = m_soup.triangles[t];
+      Triangle now = corners(m_mesh, typename Mesh::Face_index(static_cast<typename Mesh::size_type>(t)));
+      while(m_soup.place(now[0]) != m_soup.place(before[0]))
+        std::rotate(now.begin(), now.begin() + 1, now.end());
+      for(int i = 0; i < 3; ++i)
+        m_now[before[i]] = now[i];
+      m_stitched.push_back(now);
+    }
+  }
+
+  // Marks vertices of the stitched mesh that are the ends of a side of two triangles, in the same direction; empty if
+  // there are none. Two borders from one vertex to another in opposite directions are one edge of the soup.
+  std::vector<char> ends_of_doubled_edges() const
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> edges;
+    edges.reserve(3 * m_stitched.size());
+    for(const Triangle& t : m_stitched)
+      for(int i = 0; i < 3; ++i)
+        edges.emplace_back(t[i], t[(i + 1) % 3]);
+    std::sort(edges.begin(), edges.end());
+    std::vector<char> result;
+    for(auto it = edges.begin(); (it = std::adjacent_find(it, edges.end())) != edges.end(); ++it) {
+      result.resize(m_soup.origins.size(), 0);
+      result[it->first] = result[it->second] = 1;
+    }
+    return result;
+  }
+
+  // An edge is doubled since a pair at one of its ends was stitched.
+  void remove_pairs_at(const std::vector<char>& is_doubled, std::vector<Pair>& pairs) const
+  {
+    const auto is_removed = [&](const Pair& pair) {
+      const Halfedge h = pair.first, o = pair.second;
+      const auto is_marked = [&](typename Mesh::Vertex_index v) { return is_doubled[m_now[v]] != 0; };
+      return is_marked(m_mesh.source(h)) || is_marked(m_mesh.target(h)) || is_marked(m_mesh.source(o)) ||
+             is_marked(m_mesh.target(o));
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_removed), pairs.end());
+  }
+
+  // The vertices of a stitched triangle become the least of those that they were made of.
   void read_back()
   {
     std::vector<std::size_t> representative(m_soup.origins.size(), Soup::none);
-    for(std::size_t t = 0; t < m_soup.triangles.size(); ++t) {
-      auto now = corners(m_mesh, typename Mesh::Face_index(static_cast<typename Mesh::size_type>(t)));
-      auto& before = m_soup.triangles[t];
-      while(m_soup.place(now[0]) != m_soup.place(before[0]))
-        std::rotate(now.begin(), now.begin() + 1, now.end());
-      for(int i = 0; i < 3; ++i) {
-        m_merged.emplace_back(before[i], now[i]);
-        representative[now[i]] = (std::min)(representative[now[i]], before[i]);
-      }
-      before = now;
-    }
-    for(auto& triangle : m_soup.triangles)
-      for(std::size_t& v : triangle)
-        v = representative[v];
-    for(const auto& before_and_now : m_merged)
-      m_soup.merged_into[before_and_now.first] = representative[before_and_now.second];
+    for(std::size_t v = 0; v < m_now.size(); ++v)
+      if(m_now[v] != Soup::none)
+        representative[m_now[v]] = (std::min)(representative[m_now[v]], v);
+    for(std::size_t t = 0; t < m_stitched.size(); ++t)
+      for(int i = 0; i < 3; ++i)
+        m_soup.triangles[t][i] = representative[m_stitched[t][i]];
+    for(std::size_t v = 0; v < m_now.size(); ++v)
+      if(m_now[v] != Soup::none)
+        m_soup.merged_into[v] = representative[m_now[v]];
   }
 
   Soup& m_soup;
   Mesh m_mesh;
   std::vector<Border_edge> m_edges;
-  std::vector<std::pair<std::size_t, std::size_t>> m_merged;
+  std::vector<Triangle> m_stitched;
+  std::vector<std::size_t> m_now; // for each vertex of the soup that of the stitched mesh, none if it has no faces
 };
 
 } // namespace internal

@@ -78,6 +78,18 @@ struct Triangle_soup
     is_reversed.resize(kept);
   }
 
+  /* Stable. */
+  void sort_by_polygon()
+  {
+    std::vector<std::size_t> order(triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::size_t s, std::size_t t) { return polygons[s] < polygons[t]; });
+    permute(triangles, order);
+    permute(polygons, order);
+    permute(is_reversed, order);
+  }
+
   /* The vertex that v became part of. */
   std::size_t resolve(std::size_t v) const
   {
@@ -95,6 +107,16 @@ struct Triangle_soup
   std::vector<char> is_reversed;
 
 private:
+  template <class Value>
+  static void permute(std::vector<Value>& values, const std::vector<std::size_t>& order)
+  {
+    std::vector<Value> result;
+    result.reserve(order.size());
+    for(std::size_t i : order)
+      result.push_back(values[i]);
+    values = std::move(result);
+  }
+
   static bool is_finite_point(const Point_3& p)
   {
     return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z());
