@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -50,8 +51,25 @@ struct Never_stop_predicate
   Stop_decision operator()(const Shortening_step&) const { return Stop_decision::CONTINUE; }
 };
 
+namespace internal {
+
+/*
+ * Returns whether a length is below `ratio` times the initial one, or so close to it that rounding errors could hide
+ * this. The lengths of a step are kept by adding up the changes of all steps and differ from sums over the segments;
+ * the margin covers an error of 2^-53 of the initial length for each of 2^21 additions.
+ */
+inline bool is_below_limit(double length, double ratio, double initial_length)
+{
+  constexpr double margin = 1.0 / (std::uint64_t(1) << 32);
+  return ratio > 0 && length < (ratio + margin) * initial_length;
+}
+
+} // namespace internal
+
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps the network's total length at `ratio` times its initial length or above. \cgalModels{FlipOutStopPredicate}
+/// Keeps the network's total length at `ratio` times its initial length or above, as summed over its segments. A step
+/// that would lead closer to the limit than 2^-32 of the initial length is refused, for the sake of rounding errors.
+/// \cgalModels{FlipOutStopPredicate}
 class Length_ratio_stop_predicate
 {
 public:
@@ -67,7 +85,8 @@ public:
   /// `LENGTH_LIMIT` if the network would become shorter than allowed, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
-    return step.length_after < m_ratio * step.initial_length ? Stop_decision::LENGTH_LIMIT : Stop_decision::CONTINUE;
+    return internal::is_below_limit(step.length_after, m_ratio, step.initial_length) ? Stop_decision::LENGTH_LIMIT
+                                                                                     : Stop_decision::CONTINUE;
   }
 
 private:
@@ -75,7 +94,9 @@ private:
 };
 
 /// \ingroup PkgFlipGeodesicsStop
-/// Keeps each curve's length at `ratio` times its initial length or above, so that small loops survive too.
+/// Keeps each curve's length at `ratio` times its initial length or above, as summed over its segments, so that small
+/// loops survive too. A step that would lead closer to the limit than 2^-32 of the initial length is refused, for the
+/// sake of rounding errors.
 /// \cgalModels{FlipOutStopPredicate}
 class Curve_length_ratio_stop_predicate
 {
@@ -92,8 +113,9 @@ public:
   /// `CURVE_LENGTH_LIMIT` if the curve would become shorter than allowed, else `CONTINUE`.
   Stop_decision operator()(const Shortening_step& step) const
   {
-    return step.curve_length_after < m_ratio * step.curve_initial_length ? Stop_decision::CURVE_LENGTH_LIMIT
-                                                                         : Stop_decision::CONTINUE;
+    return internal::is_below_limit(step.curve_length_after, m_ratio, step.curve_initial_length)
+               ? Stop_decision::CURVE_LENGTH_LIMIT
+               : Stop_decision::CONTINUE;
   }
 
 private:
