@@ -245,8 +245,10 @@ Index add_chains(Network& network, Edge_marks is_open, const IsNode& is_node)
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Adds the network formed by the marked edges of the input mesh: a curve for each chain between vertices where other
- * than two marked edges meet, which are its fixed ends. A loop without such a vertex becomes a closed one. Curves are
- * numbered by their smallest edge. If it throws, a network that was empty is empty again. Linear in the mesh.
+ * than two marked edges meet, which are its fixed ends. A loop without such a vertex becomes a closed one. Open curves
+ * come first. Each begins with the smaller of the halfedges that leave its two ends and lie on it, and they are ordered
+ * by these halfedges. Closed curves follow, ordered by their smallest edges. If the function throws, a network that was
+ * empty is empty again. Linear in the mesh.
  *
  * \param mesh the triangulation's mesh
  * \param is_marked a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as values
