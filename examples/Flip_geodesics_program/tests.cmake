@@ -39,7 +39,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/joined_network.txt "3 4 5\n16 4 280\n! 4\n")
   file(WRITE ${program_dir}/loose_network.txt "3 4 5\n! 9\n")
   file(WRITE ${program_dir}/no_curve.txt "# nothing\n\n")
-  file(WRITE ${program_dir}/equal.txt "0 1\n4 4\n")
+  file(WRITE ${program_dir}/some_joined.txt "0 1\n0 3\n3 5\n2 4\n")
   file(WRITE ${program_dir}/far.txt "0 1\n4 400\n")
   file(WRITE ${program_dir}/word.txt "0 one\n")
   file(WRITE ${program_dir}/points.txt "0 150\n0,1,0.25 13,14,26,0.3,0.3 100\n")
@@ -264,9 +264,9 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
                                   hole.txt)
   flip_geodesics_add_program_test(ways_walled_off 1 "from, --to.*: no path of edges joins vertex 13 and vertex 270"
                                   ${pair_beside_wall} --ways 2 --avoid two_walls.txt)
-  flip_geodesics_add_program_test(ways_from_wall 2 "vertex 3 lies on a wall of --avoid" torus.off --from 3 --to 150
+  flip_geodesics_add_program_test(ways_from_wall 1 "vertex 3 lies on a wall of --avoid" torus.off --from 3 --to 150
                                   --ways 2 --avoid wall.txt)
-  flip_geodesics_add_program_test(ways_inside_obstacle 2 "vertex 13 lies inside of an obstacle" ${pair_beside_wall}
+  flip_geodesics_add_program_test(ways_inside_obstacle 1 "vertex 13 lies inside of an obstacle" ${pair_beside_wall}
                                   --ways 2 --avoid all_faces.txt)
   flip_geodesics_add_program_test(ways_given_up 1 "the search was given up at .* vertices of the covering" torus.off
                                   --from 13 --to 150 --ways 30 --most-memory 0.1)
@@ -509,12 +509,15 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(viewer_format 2 "x.xyz" torus.off --random 2 --mesh x.xyz)
   flip_geodesics_add_program_test(out_of_range 2 "vertex 288" torus.off --from 0 --to 288)
   flip_geodesics_add_program_test(out_of_range_in_file 2 "far.txt line 2: vertex 400" torus.off --pairs far.txt)
-  flip_geodesics_add_program_test(equal_ends 2 "equal.txt line 2.*vertex 4" torus.off --pairs equal.txt)
   flip_geodesics_add_program_test(not_a_number 2 "word.txt line 1.*one" torus.off --pairs word.txt)
   flip_geodesics_add_program_test(gap 2 "gap.txt line 2.*1 and 5" torus.off --edges gap.txt)
-  flip_geodesics_add_program_test(disconnected 2 "0 and 3" two_parts.off --from 0 --to 3)
-  flip_geodesics_add_program_test(disconnected_points 2 "two_points.txt line 1: points 0 and 1 lie in different" two_parts.off
-                                  --points two_points.txt)
+  flip_geodesics_add_program_test(disconnected 1 "curve 0 .--from, --to.: .*vertex 0 and vertex 3" two_parts.off --from 0
+                                  --to 3)
+  flip_geodesics_add_program_test(disconnected_alone 1
+                                  "curve 1 .some_joined.txt line 2.: [^\n]*vertex 0 and vertex 3\n[^\n]*curve 3 .some_joined.txt line 4.: "
+                                  two_parts.off --pairs some_joined.txt)
+  flip_geodesics_add_program_test(disconnected_points 1 "curve 0 .two_points.txt line 1.: no path" two_parts.off --points
+                                  two_points.txt)
   flip_geodesics_add_program_test(no_file 2 "missing.off" missing.off --random 2)
   flip_geodesics_add_program_test(unknown_format 2 "pairs.txt" pairs.txt --random 2)
   flip_geodesics_add_program_test(empty_file 2 "empty.off" empty.off --random 2)

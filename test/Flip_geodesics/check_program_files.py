@@ -228,6 +228,19 @@ def case_failed_curves(folder):
     check('ERROR' in folder.text('stats.csv'), 'no line for a curve that failed')
     folder.run(1, 'degenerate.off', '--refuse-zero-edges', '--pairs', 'one_fails.txt', '--polylines', 'curves.txt')
     check(folder.text('curves.txt').startswith('1 0 0 '), 'a curve is missing')
+    # A pair that has no path, or none of a positive length, is an error of its own.
+    (folder.path / 'parts.off').write_text('OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n5 0 0\n6 0 0\n6 1 0\n3 0 1 2\n3 3 4 5\n')
+    (folder.path / 'some.txt').write_text('0 1\n0 3\n4 4\n3 5\n')
+    for options in ([], ['--shortest'], ['--kernel', 'double'], ['--page', 'page.html'], ['--ways', '1']):
+        _, errors = folder.run(1, 'parts.off', '--pairs', 'some.txt', '--stats', 'some.csv', '--polylines', 'some.out',
+                               '--quiet', *options)
+        rows = list(csv.DictReader(folder.text('some.csv').splitlines()))
+        check([row['source'] + row['target'] for row in rows] == ['01', '03', '44', '35'], folder.text('some.csv'))
+        check(abs(float(rows[0]['length']) - 1) + abs(float(rows[3]['length']) - 2 ** 0.5) < 1e-12, folder.text('some.csv'))
+        check(rows[1]['status'] == 'ERROR' and float(rows[2]['length']) != 1, folder.text('some.csv'))
+        failed = [row['curve'] for row in rows if row['status'] == 'ERROR']
+        check(re.findall(r'^flip_geodesics: curve (\d) \(some.txt line \d\): [^\n]+$', errors, re.M) == failed, errors)
+        check(len(errors.splitlines()) == len(failed), errors)
     folder.run(0, 'torus.off', '--source', '0', '--isolines', '99', '--polylines', 'curves.txt')
     check(folder.text('curves.txt') == '', 'there are other curves than those of the run, which are none')
 

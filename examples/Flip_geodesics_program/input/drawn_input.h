@@ -140,7 +140,6 @@ inline std::vector<Curve_request> read_drawn_curves(const Input_mesh& mesh, cons
     check_coordinates_to_project(mesh, input);
     project.emplace(mesh);
   }
-  Components components(mesh);
   std::vector<Curve_request> curves;
   for_each_line(input, [&](Text_scanner& words) {
     const std::string name = words.place();
@@ -149,7 +148,6 @@ inline std::vector<Curve_request> read_drawn_curves(const Input_mesh& mesh, cons
     curves.back().is_drawn = true;
     if(curves.back().points.size() < (curves.back().is_closed ? 3u : 2u))
       words.fail("a polyline needs two points, a closed one three; add points or remove the line");
-    check_points_are_joined(mesh, components, curves.back());
   });
   check_not_empty(curves, input);
   return curves;

@@ -84,7 +84,6 @@ inline CGAL::Flip_geodesics::Surface_location read_point(const Input_mesh& input
 inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, const Input_text& input, bool are_splines)
 {
   using CGAL::Flip_geodesics::Spline_kind;
-  Components components(mesh);
   std::vector<Curve_request> curves;
   for_each_line(input, [&](Text_scanner& words) {
     const std::string name = words.place();
@@ -102,7 +101,6 @@ inline std::vector<Curve_request> read_point_curves(const Input_mesh& mesh, cons
       curve.points.push_back(read_point(mesh, word, name));
     if(curve.points.size() < (curve.is_closed ? 3u : 2u))
       words.fail("a curve needs two points, a closed one three; add points or remove the line");
-    check_points_are_joined(mesh, components, curve);
     curves.push_back(curve);
   });
   check_not_empty(curves, input);

@@ -3,7 +3,6 @@
 #include "run/other_ways.h"
 
 #include "advice.h"
-#include "bad_input.h"
 #include "readable.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -21,6 +20,7 @@
 #include <cstddef>
 #include <iterator>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -70,19 +70,23 @@ private:
     const auto is_wall = [&](Mesh::Edge_index e) { return obstacles.walls.count(e) != 0; };
     const Slit_mesh slit(free_mesh, boost::make_function_property_map<Mesh::Edge_index>(is_wall));
     for(const Curve_request& pair : m_request.pairs)
-      for(const Vertex_index v : pair.vertices)
-        check_end(free_mesh, slit, pair.name, v);
-    for(const Curve_request& pair : m_request.pairs)
-      add_ways(slit, pair, progress);
+      if(const std::string why = obstructed_end(free_mesh, slit, pair); why.empty())
+        add_ways(slit, pair, progress);
+      else
+        add_failure(pair, why);
   }
 
-  static void check_end(const Free_mesh& free_mesh, const Slit_mesh& slit, const std::string& name, Vertex_index v)
+  // Returns why a pair has no paths if one of its ends lies in an obstacle, and else nothing.
+  static std::string obstructed_end(const Free_mesh& free_mesh, const Slit_mesh& slit, const Curve_request& pair)
   {
-    const std::string vertex = name + ": vertex " + std::to_string(v.idx());
-    if(!free_mesh.is_in_cc(mesh_vertex(v)))
-      throw Bad_input(vertex + " lies inside of an obstacle of --avoid; choose another one");
-    if(slit.number_of_copies(mesh_vertex(v)) > 1)
-      throw Bad_input(vertex + " lies on a wall of --avoid, on both of its sides; choose one beside it");
+    for(const Vertex_index v : pair.vertices) {
+      const std::string vertex = "vertex " + std::to_string(v.idx());
+      if(!free_mesh.is_in_cc(mesh_vertex(v)))
+        return vertex + " lies inside of an obstacle of --avoid; choose another one";
+      if(slit.number_of_copies(mesh_vertex(v)) > 1)
+        return vertex + " lies on a wall of --avoid, on both of its sides; choose one beside it";
+    }
+    return {};
   }
 
   template <class View>
