@@ -19,7 +19,7 @@ for option in "$@"; do
   esac
 done
 
-packages=(g++ cmake make libcgal-dev libgmp-dev libmpfr-dev libcli11-dev zlib1g-dev libcgal-demo)
+packages=(g++ cmake make libcgal-dev libgmp-dev libmpfr-dev libtbb-dev libcli11-dev zlib1g-dev libcgal-demo)
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/package_info/install_packages.sh"

@@ -5,6 +5,7 @@
 
 #include "decimal_numbers.h"
 #include "program_options.h"
+#include "run/parallel_runs.h"
 
 #include <CLI/CLI.hpp>
 
@@ -106,13 +107,14 @@ private:
 
   // A number, or none that is given.
   template <class Value>
-  void add(const char* name, const char* type, Value& value, const char* description)
+  CLI::Option* add(const char* name, const char* type, Value& value, const char* description)
   {
     const auto read = [name, &value](const std::string& text) { value = number<Number_of<Value>>(name, text); };
     CLI::Option* const option =
         m_app.add_option_function<std::string>(name, read, description)->type_name(type)->group(m_group);
     if constexpr(std::is_arithmetic<Value>::value)
       option->default_str(std::to_string(value));
+    return option;
   }
 
   void add(const char* name, bool& value, const char* description)
@@ -239,7 +241,8 @@ private:
     add("--search", "NAME", m_options.search,
         "Search of the edge paths: lookback (soon pulled tight), astar or dijkstra (shortest)")
         ->capture_default_str();
-    add("--threads", "NUMBER", m_options.threads, "Compute so many curves at the same time");
+    add("--threads", "NUMBER", m_options.threads, "Compute so many curves at the same time")
+        ->group(has_threads ? m_group : ""); // not in the help of a program that cannot
   }
 
   void add_limits()

@@ -99,6 +99,7 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(dijkstra 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search dijkstra)
   flip_geodesics_add_program_test(astar 0 "9 LOCALLY_SHORTEST" torus.off --random 9 --search astar)
   if(TARGET CGAL::TBB_support)
+    flip_geodesics_add_program_test(help_with_threads 0 "--threads NUMBER" --help)
     flip_geodesics_add_program_test(threads 0 "30 LOCALLY_SHORTEST" torus.off --random 30 --seed 7 --threads 2)
     # More than there are, without a word on standard error.
     flip_geodesics_add_program_test(many_threads 0 "30 LOCALLY_SHORTEST.*extract [^\n]*\n$" torus.off --random 30 --seed 7

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The recipes for package managers speak of this version, and of files that exist: check_packages.py ROOT"""
+"""The recipes for package managers speak of this version, and of files that exist, and examples/run.sh installs what the
+program can use: check_packages.py ROOT"""
 
 import json
 import re
@@ -25,6 +26,10 @@ def main():
         for name in re.findall(r'\b(?:LICENSE|test/\w+/\w+)\b', (recipes / recipe).read_text()):
             if not (root / name).exists():
                 problems.append(f'{recipe} names {name}, which is missing')
+    installed = re.search(r'^packages=\((.*?)\)', (root / 'examples/run.sh').read_text(), re.M | re.S)[1].split()
+    for package in ('libcli11-dev', 'libtbb-dev', 'zlib1g-dev'):
+        if package not in installed:
+            problems.append(f'examples/run.sh does not install {package}, and builds a program with fewer options')
     print('\n'.join(problems))
     sys.exit(1 if problems else 0)
 
