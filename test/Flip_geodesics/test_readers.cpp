@@ -219,6 +219,18 @@ BOOST_AUTO_TEST_CASE(errors_name_line_and_element)
   check_has(message("a\nb.xyz", ""), "a?b.xyz: the format is not known");
 }
 
+// Read by words, with colors of four components, these files have other vertices and no error.
+BOOST_AUTO_TEST_CASE(colors_of_three_components)
+{
+  const std::string vertices = "0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n0 0 1 9 9 9\n";
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  BOOST_CHECK(triangles(read_soup({"a.off", "COFF\n4 4 0\n" + vertices + faces})) == triangles(tetrahedron(1)));
+  check_has(message("a.off", "COFF\n4 4 0\n" + vertices + faces + "3 0 2 1\n"), "line 11: there is more after");
+  check_has(message("a.off", "COFF\n4 4 0\n" + vertices + "3 0 0 0\n3 0 2\n" + faces), "line 8: face 1 is cut off");
+  // Vertices without a color, which words would look for in the next ones.
+  check_has(message("a.off", "COFF\n2 1 0\n0 0 0\n0 1 0\n1 1 0\n1 0 1 0 1 1 0\n"), "there is more after the last face");
+}
+
 BOOST_AUTO_TEST_CASE(curve_files)
 {
   const Input_mesh& mesh = reader_targets::octahedron();

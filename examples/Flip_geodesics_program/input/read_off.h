@@ -21,9 +21,10 @@ namespace program {
  * it or not; the numbers of vertices, faces and edges; the vertices and the faces, with or without colors, normals and
  * texture coordinates, which are passed over. With a 4 there is a fourth coordinate, by which the others are divided.
  *
- * In a text every vertex and face has its own line, and what is behind the vertices of a face is its color. If the file
- * is not like that, it is read by words, as many for each element as the keyword says, and none for the color of a
- * face.
+ * In a text every vertex and face has its own line, and what is behind the vertices of a face is its color. A file that
+ * is not like that is read by words: as many for each element as the keyword says, and none for the color of a face. If
+ * the vertices have lines of equally many words, but not of as many as the keyword says, as colors of three components
+ * have, words would mix up the vertices, and the lines alone count.
  */
 class Off_reader
 {
@@ -45,6 +46,8 @@ public:
     try {
       return read_text(true);
     } catch(const Bad_input&) {
+      if(are_lines_of_vertices_alike(start) && m_words_of_line != number_of_coordinates() + m_words_of_vertex)
+        throw;
       m_words = start;
       try {
         return read_text(false);
@@ -120,6 +123,25 @@ private:
     m_words.next_word_of_text();
     if(m_words.has_word())
       m_words = before;
+  }
+
+  // Returns whether as many lines as there are vertices have equally many words, all of them numbers.
+  bool are_lines_of_vertices_alike(Text_scanner words)
+  {
+    m_words_of_line = 0;
+    for(std::size_t i = 0; i < m_vertices; ++i) {
+      std::size_t count = 0;
+      double number = 0;
+      if(words.has_word() || !words.next_line_with_words())
+        return false;
+      for(std::string_view word; !(word = words.next_word()).empty(); ++count)
+        if(parse_number(word, number) != nullptr)
+          return false;
+      if(i > 0 && count != m_words_of_line)
+        return false;
+      m_words_of_line = count;
+    }
+    return m_words_of_line >= number_of_coordinates();
   }
 
   // Goes to where the next vertex or face starts.
@@ -254,7 +276,8 @@ private:
   const Input_text& m_input;
   Text_scanner m_words;
   bool m_is_homogeneous = false, m_is_binary = false, m_is_by_lines = true;
-  std::size_t m_words_of_vertex = 0; // behind its coordinates
+  std::size_t m_words_of_vertex = 0; // behind its coordinates, as the keyword says
+  std::size_t m_words_of_line = 0;   // of a vertex, as the file has it
   std::size_t m_vertices = 0, m_faces = 0;
 };
 
