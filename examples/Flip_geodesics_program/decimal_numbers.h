@@ -105,6 +105,19 @@ const char* parse_number(std::string_view word, T& value)
   return error == std::errc::result_out_of_range ? "is beyond the range of the numbers here" : nullptr;
 }
 
+/// Half a unit of the last digit of a decimal number, as 0.005 for 1.25.
+inline double half_unit_of_last_digit(std::string_view number)
+{
+  const std::size_t mark = number.find_first_of("eE");
+  const std::string_view digits = number.substr(0, mark);
+  const std::size_t point = digits.find('.');
+  const std::size_t decimals = point == std::string_view::npos ? 0 : digits.size() - point - 1;
+  double exponent = 0;
+  if(mark != std::string_view::npos)
+    parse_number(number.substr(mark + 1), exponent);
+  return 0.5 * std::pow(10., exponent - static_cast<double>(decimals));
+}
+
 } // namespace program
 
 #endif // CGAL_FLIP_GEODESICS_PROGRAM_DECIMAL_NUMBERS_H

@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(all_spellings_of_a_tetrahedron)
       const Soup soup = read_soup(input);
       BOOST_CHECK_EQUAL(soup.points.size(), 4);
       BOOST_CHECK(triangles(soup) == expected);
-      BOOST_CHECK_EQUAL(read_mesh(input).number_of_faces(), 4);
+      BOOST_CHECK_EQUAL(read_mesh(input).mesh().number_of_faces(), 4);
     }
   }
   const Input_text input("A.OFF", read_text((corpus / "off/stcn4").string()).bytes());
@@ -229,6 +229,27 @@ BOOST_AUTO_TEST_CASE(colors_of_three_components)
   check_has(message("a.off", "COFF\n4 4 0\n" + vertices + "3 0 0 0\n3 0 2\n" + faces), "line 8: face 1 is cut off");
   // Vertices without a color, which words would look for in the next ones.
   check_has(message("a.off", "COFF\n2 1 0\n0 0 0\n0 1 0\n1 1 0\n1 0 1 0 1 1 0\n"), "there is more after the last face");
+}
+
+// A text is read as a binary file with the same header is: as floats. If these cannot hold what is written, a line says so.
+BOOST_AUTO_TEST_CASE(digits_beyond_a_float)
+{
+  const auto soup = [](const std::string& type, const std::string& coordinates) {
+    return read_soup({"a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty " + type + " x\nproperty " + type +
+                                   " y\nproperty " + type + " z\nend_header\n" + coordinates + "\n"});
+  };
+  const Soup rounded = soup("float", "0.123456789012 1e-3 16777217");
+  BOOST_CHECK_EQUAL(rounded.points.front().x(), static_cast<double>(0.123456789012f));
+  BOOST_REQUIRE_EQUAL(rounded.remarks.size(), 1);
+  check_has(rounded.remarks.front(), "a.ply line 8: '0.123456789012' has more digits than the type float");
+  check_has(rounded.remarks.front(), "one of 2 such coordinates; declare the type double");
+  // As programs write floats, with all digits or fewer, or with fixed decimals.
+  for(const char* written :
+      {"0.1 0.123456791 -1.5", "1234.567871 0.000001 1e-30", "+1.17549435e-38 0.333333 8388608.5"})
+    BOOST_CHECK_MESSAGE(soup("float", written).remarks.empty(), written);
+  BOOST_CHECK(soup("double", "0.123456789012 1e-3 16777217").remarks.empty());
+  BOOST_CHECK_EQUAL(half_unit_of_last_digit("-1.25"), 0.005);
+  BOOST_CHECK_EQUAL(half_unit_of_last_digit("12e+1"), 5);
 }
 
 BOOST_AUTO_TEST_CASE(curve_files)

@@ -29,16 +29,18 @@ class Input_mesh
   using Repair_report = CGAL::Flip_geodesics::Repair_report;
 
 public:
-  /// A mesh that is as in the file.
-  explicit Input_mesh(Mesh mesh)
+  /// A mesh that is as in the file. \param remarks lines about the file for the user
+  explicit Input_mesh(Mesh mesh, std::vector<std::string> remarks = {})
     : m_mesh(std::move(mesh))
+    , m_remarks(std::move(remarks))
   {
   }
 
   /// A mesh that was repaired.
-  Input_mesh(Mesh mesh, Repair_report report)
+  Input_mesh(Mesh mesh, Repair_report report, std::vector<std::string> remarks)
     : m_mesh(std::move(mesh))
     , m_report(std::move(report))
+    , m_remarks(std::move(remarks))
   {
   }
 
@@ -84,10 +86,10 @@ public:
     return std::find(parts.begin(), parts.end(), number) != parts.end();
   }
 
-  /// Lines that say what a repair did, and which vertices that the user named it has split.
+  /// Lines about the file, what a repair did, and which of the vertices that the user named it has split.
   std::vector<std::string> remarks() const
   {
-    std::vector<std::string> lines;
+    std::vector<std::string> lines = m_remarks;
     if(m_report)
       for(const std::string& line : m_report->lines())
         lines.push_back("repair: " + line);
@@ -107,6 +109,7 @@ private:
 
   Mesh m_mesh;
   std::optional<Repair_report> m_report;
+  std::vector<std::string> m_remarks;
   mutable std::map<std::size_t, std::string> m_splits; // that were asked for, by the vertex in the file
 };
 

@@ -55,9 +55,9 @@ inline Soup read_soup(const Input_text& input)
 
 /// The mesh in a text, an oriented manifold of triangles. \throws Bad_input with one line that names the file and the
 /// element
-inline Mesh read_mesh(const Input_text& input)
+inline Input_mesh read_mesh(const Input_text& input)
 {
-  const Soup soup = read_soup(input);
+  Soup soup = read_soup(input);
   try {
     check_soup(soup);
   } catch(const Bad_input& error) {
@@ -67,7 +67,7 @@ inline Mesh read_mesh(const Input_text& input)
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.faces, mesh);
   if(mesh.number_of_faces() != soup.faces.size())
     throw Bad_input(input.name() + ": the faces do not form an oriented manifold; give --repair");
-  return mesh;
+  return Input_mesh(std::move(mesh), std::move(soup.remarks));
 }
 
 /// Reads whatever a file holds and repairs it. \throws Bad_input if nothing is left
@@ -75,11 +75,11 @@ inline Input_mesh repair_mesh(Input_text input)
 {
   namespace FG = CGAL::Flip_geodesics;
   input.allow_points_not_finite();
-  const Soup soup = read_soup(input);
+  Soup soup = read_soup(input);
   Mesh mesh;
   try {
     FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh);
-    return Input_mesh(std::move(mesh), std::move(report));
+    return Input_mesh(std::move(mesh), std::move(report), std::move(soup.remarks));
   } catch(const FG::Error& error) {
     throw Bad_input(input.name() + ": " + error.what() + "; give another mesh");
   }

@@ -6,6 +6,7 @@
 #include "input/byte_scanner.h"
 #include "input/soup.h"
 #include "input/text_scanner.h"
+#include "readable.h"
 
 #include <algorithm>
 #include <array>
@@ -199,19 +200,26 @@ public:
   template <class T>
   T get(const Element& element)
   {
-    using Parsed = std::conditional_t<std::is_integral<T>::value, long long, T>;
-    const std::string_view word = m_words.next_word_of_text();
-    const Parsed value = m_words.number<Parsed>(word, element);
-    if(std::is_integral<T>::value && (value < static_cast<Parsed>((std::numeric_limits<T>::lowest)()) ||
-                                      value > static_cast<Parsed>((std::numeric_limits<T>::max)())))
-      m_words.fail(element, "has '" + printable(word) + "', which is beyond the range of its type; correct it");
-    return static_cast<T>(value);
+    return number<T>(m_words.next_word_of_text(), element);
   }
 
   template <class T>
   double coordinate(const Element& element)
   {
-    return static_cast<double>(get<T>(element));
+    const std::string_view word = m_words.next_word_of_text();
+    const T value = number<T>(word, element);
+    if(std::is_same<T, float>::value && loses_digits(word, static_cast<double>(value)) && ++m_rounded == 1)
+      m_first_rounded = m_words.place() + ": '" + printable(word) + "'";
+    return static_cast<double>(value);
+  }
+
+  /// A line about the coordinates that have more digits than their type; empty if there are none.
+  std::string remark() const
+  {
+    if(m_rounded == 0)
+      return {};
+    return m_first_rounded + " has more digits than the type float of the header keeps, and was rounded, one of " +
+           counted(m_rounded, "such coordinate", "such coordinates") + "; declare the type double to keep all digits";
   }
 
   void skip(std::size_t words, const Element& element)
@@ -227,8 +235,33 @@ public:
   bool is_at_end() { return m_words.next_word_of_text().empty(); }
 
 private:
+  template <class T>
+  T number(std::string_view word, const Element& element) const
+  {
+    using Parsed = std::conditional_t<std::is_integral<T>::value, long long, T>;
+    const Parsed value = m_words.number<Parsed>(word, element);
+    if(std::is_integral<T>::value && (value < static_cast<Parsed>((std::numeric_limits<T>::lowest)()) ||
+                                      value > static_cast<Parsed>((std::numeric_limits<T>::max)())))
+      m_words.fail(element, "has '" + printable(word) + "', which is beyond the range of its type; correct it");
+    return static_cast<T>(value);
+  }
+
+  // Returns whether a float differs from a number by more than half a unit of the number's last digit. Then the number was
+  // not written from that float. A float keeps all numbers of `digits10` characters apart.
+  static bool loses_digits(std::string_view word, double value)
+  {
+    double number = 0;
+    return word.size() > std::numeric_limits<float>::digits10 && parse_number(word, number) == nullptr &&
+           std::abs(number - value) > half_unit_of_last_digit(word);
+  }
+
   Text_scanner m_words;
+  std::size_t m_rounded = 0;
+  std::string m_first_rounded;
 };
+
+inline std::string remark_on(const Ply_words& words) { return words.remark(); }
+inline std::string remark_on(const Byte_scanner&) { return {}; }
 
 inline void skip_numbers(Ply_words& words, Ply_header::Type, std::size_t count, const Element& element)
 {
@@ -271,6 +304,8 @@ public:
     }
     if(!m_source.is_at_end())
       m_source.fail("there is more after the last element; remove it, or correct the header");
+    if(const std::string remark = remark_on(m_source); !remark.empty())
+      m_soup.remarks.push_back(remark);
     return std::move(m_soup);
   }
 
@@ -369,7 +404,8 @@ private:
 
 /*!
  * Reads a PLY file, a text or binary: `x`, `y`, `z` of its vertices and the list `vertex_indices`, or `vertex_index`,
- * of its faces, of any types. All else is passed over.
+ * of its faces, of any types. All else is passed over. Coordinates are rounded to their type, in a text as in a binary
+ * file; a remark says so if digits are lost.
  *
  * \throws Bad_input
  */

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Soup
 
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
+  std::vector<std::string> remarks = {}; ///< a line for each thing that a user should know about the file
 };
 
 /// Makes a soup of triangles that are given by their points: equal points are one.

@@ -117,7 +117,7 @@ private:
   static Input_mesh open(const Input_text& input)
   {
     try {
-      return Input_mesh(read_mesh(input));
+      return read_mesh(input);
     } catch(const Bad_input&) {
       read_soup(input); // what cannot be read at all is no matter of a repair
       return repair_mesh(input);
