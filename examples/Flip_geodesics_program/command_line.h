@@ -155,8 +155,11 @@ private:
 
   void add_mesh()
   {
-    m_app.add_option("MESH", m_options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL, TS")->type_name("FILE")->required();
+    m_app.add_option("MESH", m_options.mesh, "A triangle mesh: OFF, OBJ, PLY, STL, TS; - for standard input")
+        ->type_name("FILE")
+        ->required();
     m_group = "The mesh";
+    add("--format", "NAME", m_options.format, "Format of MESH: off, obj, ply, stl or ts [by the extension]");
     add("--repair", m_options.is_repaired,
         "Make a triangle mesh of any polygons: triangulate, orient, cut apart, stitch, drop; and say what was done");
     add("--repaired", "FILE", m_options.results.repaired,
@@ -270,6 +273,7 @@ private:
     add("--stats", "FILE", m_options.results.stats, "Write a line per curve, comma-separated, with a header");
     add("--map", "FILE", m_options.results.map,
         "With --source: write a line per vertex, `vertex,distance,angle,x,y`: its polar coordinates");
+    add("--output-format", "NAME", m_options.output_format, "Format of a mesh written to -, standard output");
   }
 
   void add_meshes()

@@ -9,14 +9,22 @@
 
 namespace program {
 
+/// The name of standard input where a file is read, and of standard output where one is written.
+constexpr const char* standard_stream = "-";
+
+/// A text in lower case.
+inline std::string lower_case(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 /// The extension of a file name in lower case, without the dot.
 inline std::string extension(const std::string& file)
 {
   const std::size_t dot = file.find_last_of("./\\");
-  std::string result = dot == std::string::npos || file[dot] != '.' ? "" : file.substr(dot + 1);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
+  return dot == std::string::npos || file[dot] != '.' ? "" : lower_case(file.substr(dot + 1));
 }
 
 } // namespace program

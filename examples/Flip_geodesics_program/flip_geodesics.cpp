@@ -12,6 +12,7 @@
 #include "file_name.h"
 #include "input/program_input.h"
 #include "output/program_output.h"
+#include "output/result_formats.h"
 #include "output/run_files.h"
 #include "printable.h"
 #include "program_options.h"
@@ -58,30 +59,63 @@ CGAL::Flip_geodesics::Search_method search_method(const std::string& name)
   throw Bad_input("--search " + printable(name) + ": not known; use lookback, astar or dijkstra");
 }
 
+std::vector<std::string> names_of_inputs(const Options& options)
+{
+  return {options.mesh,         options.pairs,  options.edges,  options.loop, options.network,
+          options.segmentation, options.points, options.bezier, options.draw, options.obstacles};
+}
+
+std::vector<std::string> names_of_results(const Options& options)
+{
+  const Result_names& names = options.results;
+  return {names.polylines,
+          names.stats,
+          names.viewer,
+          names.page,
+          names.live,
+          names.map,
+          names.repaired,
+          options.meshes.subdivision,
+          options.meshes.insertion,
+          options.meshes.cut};
+}
+
+// Standard input is read once.
+void check_names_of_inputs(const Options& options)
+{
+  std::size_t number = 0;
+  for(const std::string& name : names_of_inputs(options))
+    if(name == standard_stream && ++number > 1)
+      throw Bad_input("standard input can be read once only; name files for all inputs but one");
+}
+
 // Each result in a file of its own, and none of them in one that is read.
 void check_names_of_results(const Options& options)
 {
   std::vector<std::string> results;
-  for(const std::string& name :
-      {options.results.polylines, options.results.stats, options.results.viewer, options.results.page,
-       options.results.live, options.results.map, options.results.repaired, options.meshes.subdivision,
-       options.meshes.insertion, options.meshes.cut})
-  {
+  for(const std::string& name : names_of_results(options)) {
     if(name.empty())
       continue;
     for(const std::string& other : results)
       if(is_same_file(name, other))
-        throw Bad_input(printable(name) + ": two results cannot go to one file; name another one");
-    for(const std::string& input :
-        {options.mesh, options.pairs, options.edges, options.loop, options.network, options.segmentation,
-         options.points, options.bezier, options.draw, options.obstacles})
+        throw Bad_input(name_of_result(name) + ": two results cannot go to one file; name another one");
+    for(const std::string& input : names_of_inputs(options))
       if(!options.is_replacing_input && !input.empty() && is_same_file(name, input) && is_plain_file(input))
         throw Bad_input(printable(name) + ": a result would replace what is read; name another file, or add --force");
     results.push_back(name);
   }
+  if(!options.output_format.empty() && std::none_of(results.begin(), results.end(), is_standard_output))
+    throw Bad_input("--output-format is the format of a mesh on standard output; give - as the name of a result");
 }
 
-void check_mesh_results(const Mesh_result_options& options, const std::string& repaired)
+// The table goes where no result goes.
+std::ostream& summary_stream(const Options& options)
+{
+  const std::vector<std::string> results = names_of_results(options);
+  return std::any_of(results.begin(), results.end(), is_standard_output) ? std::cerr : std::cout;
+}
+
+void check_mesh_results(const Mesh_result_options& options)
 {
   if(options.refine && !(*options.refine >= 0 && *options.refine <= 30))
     throw Bad_input("--refine takes the smallest angle, in degrees, between 0 and 30");
@@ -91,11 +125,6 @@ void check_mesh_results(const Mesh_result_options& options, const std::string& r
     throw Bad_input("--longest-edge must be at least 1e-70: no edge is shorter");
   if(options.most_vertices && *options.most_vertices < 0)
     throw Bad_input("--most-vertices must not be negative");
-  const std::vector<std::string> known = {"off", "obj", "ply", "stl", "vtp"};
-  for(const std::string& name : {options.subdivision, options.insertion, options.cut, repaired})
-    if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
-      throw Bad_input(printable(name) +
-                      ": the extension tells the format of the mesh; use .off, .obj, .ply, .stl or .vtp");
 }
 
 void check_other_ways(const Options& options)
@@ -220,8 +249,10 @@ void check_options(const Options& options)
     throw Bad_input("--threads must lie between 1 and 1024");
   if(options.threads > 1 && !has_threads)
     throw Bad_input("--threads " + std::to_string(options.threads) + ": this program was built without threads (TBB)");
-  check_mesh_results(options.meshes, options.results.repaired);
+  check_mesh_results(options.meshes);
+  check_names_of_inputs(options);
   check_names_of_results(options);
+  check_formats_of_results(options);
   if(options.threads > 1 && !options.results.page.empty())
     throw Bad_input("--page shows the steps of the curves one after the other; give --threads 1 with it");
 }
@@ -288,8 +319,9 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
   progress.enter("writing");
   outputs->close(mesh);
   if(!options.is_quiet) {
-    outputs->print_summary(std::cout << title << (landmarks ? landmarks->remark : ""));
-    std::cout << engine->tree_results() << engine->mesh_results();
+    std::ostream& out = summary_stream(options);
+    outputs->print_summary(out << title << (landmarks ? landmarks->remark : ""));
+    out << engine->tree_results() << engine->mesh_results();
   }
   return outputs->has_failed() ? incomplete : success;
 }
@@ -309,7 +341,7 @@ int run_at_once(const Options& options, const Input_mesh& input, const std::stri
     outputs->write({result}, std::nullopt);
   outputs->close(input);
   if(!options.is_quiet)
-    outputs->print_summary(std::cout << title);
+    outputs->print_summary(summary_stream(options) << title);
   return outputs->has_failed() ? incomplete : success;
 }
 
@@ -326,7 +358,7 @@ int run_field(const Options& options, const Input_mesh& input, const std::string
     return std::move(found.curves);
   });
   if(!options.is_quiet)
-    std::cout << remarks;
+    summary_stream(options) << remarks;
   return status;
 }
 
@@ -360,7 +392,7 @@ int run_other_ways(const Options& options, const Input_mesh& input, const std::s
     return ways.curves;
   });
   if(!options.is_quiet)
-    std::cout << others;
+    summary_stream(options) << others;
   return status;
 }
 
@@ -380,7 +412,7 @@ int run_without_curves(const Options& options, const Input_mesh& input, const st
   if(!options.is_quiet) {
     for(const std::string& remark : input.remarks())
       std::cerr << "flip_geodesics: " << remark << '\n';
-    std::cout << title;
+    summary_stream(options) << title;
   }
   return outputs->has_failed() ? incomplete : success;
 }
@@ -395,7 +427,7 @@ int run(const Options& options)
   const Input_mesh input = read_input_mesh(options);
   const Mesh& mesh = input;
   std::ostringstream title;
-  title << printable(options.mesh) << ": " << counted(mesh.number_of_vertices(), "vertex", "vertices") << ", "
+  title << name_of_input(options.mesh) << ": " << counted(mesh.number_of_vertices(), "vertex", "vertices") << ", "
         << counted(mesh.number_of_faces(), "triangle", "triangles") << ", read in "
         << readable_time(stopwatch.seconds()) << '\n';
   const Program_metric metric(mesh, options.mollify);

@@ -65,10 +65,10 @@ class Folder:
               f'{" ".join(arguments)}: exit status {process.returncode} instead of {status}\n{errors}')
         return output, errors
 
-    def refuse(self, pattern, *arguments):
+    def refuse(self, pattern, *arguments, **how):
         """Bad input is told in one line, and changes no file."""
         before = {name: self.path.joinpath(name).read_bytes() for name in self.names()}
-        _, errors = self.run(2, *arguments)
+        _, errors = self.run(2, *arguments, **how)
         check(re.fullmatch(r'flip_geodesics: [^\n]*\n', errors) and re.search(pattern, errors),
               f'{" ".join(arguments)}: {errors}')
         after = {name: self.path.joinpath(name).read_bytes() for name in self.names()}
@@ -180,9 +180,48 @@ def case_places(folder):
     check((folder.path / 'pipe').is_fifo(), 'the pipe has become a file')
     (folder.path / 'folder').mkdir()
     _, errors = folder.run(2, 'torus.off', '--random', '3', '--stats', 'folder')
-    check('folder: cannot be written' in errors, errors)
+    check('folder: is a folder' in errors, errors)
     folder.run(0, 'torus.off', '--pairs', '/dev/stdin', '--polylines', '/dev/stdout', '--quiet',
                stdin=open(folder.path / 'pairs.txt', encoding='ascii'))
+
+
+def case_standard_streams(folder):
+    """`-` is standard input or output. What standard output holds stays, and a result there is not mixed with the table."""
+    def torus():
+        return open(folder.path / 'torus.off', encoding='ascii')
+
+    pairs = ['--pairs', 'pairs.txt']
+    folder.run(0, 'torus.off', *pairs, '--polylines', 'expected.txt', '--quiet')
+    expected = folder.text('expected.txt')
+    for name in ('-', '/dev/stdout', '/dev/fd/1'):
+        output, errors = folder.run(0, '-', '--format', 'OFF', *pairs, '--polylines', name, stdin=torus())
+        check(output == expected, f'{name} has not the polylines, or more than them:\n{output}')
+        check('standard input: 288 vertices' in errors and 'LOCALLY_SHORTEST' in errors, f'no table:\n{errors}')
+    output, _ = folder.run(0, 'torus.off', '--pairs', '-', '--polylines', '-', '--quiet',
+                           stdin=open(folder.path / 'pairs.txt', encoding='ascii'))
+    check(output == expected, 'pairs are not read from standard input')
+    output, _ = folder.run(0, '-', '--format', 'off', *pairs, '--mesh', '-', '--output-format', 'ply', stdin=torus())
+    check(output.startswith('ply\n'), 'standard output is not a PLY file')
+    textured = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 5 5\nf 1/1 2/2 3/3\nf 1/1 3/5 4/4\n'
+    (folder.path / 'textured').write_text(textured)
+    folder.run(0, '-', '--format', 'obj', '--seams', stdin=open(folder.path / 'textured', encoding='ascii'))
+
+    for mode, before in (('a', 'earlier\n'), ('w', '')):
+        for name in ('-', '/dev/stdout', '/dev/fd/1'):
+            (folder.path / 'log.txt').write_text('earlier\n')
+            with open(folder.path / 'log.txt', mode, encoding='ascii') as log:
+                folder.run(0, 'torus.off', *pairs, '--polylines', name, stdout=log)
+            check(folder.text('log.txt') == before + expected, f'{name}, {mode}: {folder.text("log.txt")}')
+    (folder.path / 'log.txt').write_text('earlier\n')
+    with open(folder.path / 'log.txt', 'a', encoding='ascii') as log:
+        folder.run(0, 'torus.off', *pairs, '--polylines', f'/dev/fd/{log.fileno()}', pass_fds=[log.fileno()])
+    check(folder.text('log.txt') == 'earlier\n' + expected, f'another open file: {folder.text("log.txt")}')
+
+    folder.refuse('standard input can be read once', '-', '--format', 'off', '--pairs', '-')
+    folder.refuse('two results', 'torus.off', *pairs, '--polylines', '-', '--stats', '/dev/stdout')
+    folder.refuse('give --format with one of', '-', *pairs, stdin=torus())
+    folder.refuse('--output-format tells the format of --mesh', 'torus.off', *pairs, '--mesh', '-')
+    folder.refuse('--output-format is the format', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
 
 
 def case_interruption(folder):

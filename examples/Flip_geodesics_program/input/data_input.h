@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_DATA_INPUT_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_DATA_INPUT_H
 
-#include "file_name.h"
 #include "input/curve_input.h"
 #include "input/read_obj.h"
 
@@ -53,7 +52,7 @@ public:
   explicit Texture_corners(const Input_text& input)
     : m_name(input.name())
   {
-    if(extension(input.file()) != "obj")
+    if(input.format() != "obj")
       throw Bad_input(input.name() + ": seams are read off the texture coordinates of an .obj file; give one");
     m_soup = read_obj(input, &m_texture);
     if(m_texture.coordinates.empty())

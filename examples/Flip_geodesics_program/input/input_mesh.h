@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_INPUT_MESH_H
 
 #include "bad_input.h"
+#include "input/input_text.h"
 #include "program_mesh.h"
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
@@ -67,6 +68,10 @@ public:
     return Vertex_index(static_cast<Index>(parts.front()));
   }
 
+  /// The text that the mesh was read from, if somebody needs more of it: a pipe is not read twice.
+  const Input_text& text() const { return m_text.value(); }
+  void keep_text(const Input_text& text) { m_text = text; }
+
   /// The number of faces in the file.
   std::size_t number_of_faces_in_file() const
   {
@@ -110,6 +115,7 @@ private:
   Mesh m_mesh;
   std::optional<Repair_report> m_report;
   std::vector<std::string> m_remarks;
+  std::optional<Input_text> m_text;
   mutable std::map<std::size_t, std::string> m_splits; // that were asked for, by the vertex in the file
 };
 

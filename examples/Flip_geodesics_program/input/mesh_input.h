@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_MESH_INPUT_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_MESH_INPUT_H
 
-#include "file_name.h"
 #include "input/input_mesh.h"
 #include "input/input_text.h"
 #include "input/read_obj.h"
@@ -41,16 +40,23 @@ inline const std::map<std::string, Format_reader>& mesh_formats()
   return formats;
 }
 
+/// The formats, each after a blank.
+inline std::string names_of_mesh_formats()
+{
+  std::string names;
+  for(const auto& [name, reader] : mesh_formats())
+    names += ' ' + name;
+  return names;
+}
+
 /// The soup in the text of a mesh. \throws Bad_input
 inline Soup read_soup(const Input_text& input)
 {
-  const auto format = mesh_formats().find(extension(input.file()));
+  const auto format = mesh_formats().find(input.format());
   if(format != mesh_formats().end())
     return format->second(input);
-  std::string known;
-  for(const auto& [name, reader] : mesh_formats())
-    known += " ." + name;
-  throw Bad_input(input.name() + ": the format is not known by the extension; convert the mesh to one of" + known);
+  throw Bad_input(input.name() + ": the format is not known by the extension; give --format with one of" +
+                  names_of_mesh_formats());
 }
 
 /// The mesh in a text, an oriented manifold of triangles. \throws Bad_input with one line that names the file and the

@@ -2,6 +2,7 @@
 
 #include "input/program_input.h"
 
+#include "file_name.h"
 #include "input/curve_input.h"
 #include "input/data_input.h"
 #include "input/drawn_input.h"
@@ -12,12 +13,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 program::Input_mesh program::read_input_mesh(const Options& options)
 {
-  Input_text input = read_text(options.mesh);
-  return options.is_repaired ? repair_mesh(std::move(input)) : Input_mesh(read_mesh(input));
+  if(!options.format.empty() && mesh_formats().count(lower_case(options.format)) == 0)
+    throw Bad_input("--format " + printable(options.format) + ": not known; use one of" + names_of_mesh_formats());
+  const Input_text input = read_text(options.mesh, lower_case(options.format));
+  Input_mesh mesh = options.is_repaired ? repair_mesh(input) : read_mesh(input);
+  if(options.has_seams)
+    mesh.keep_text(input);
+  return mesh;
 }
 
 std::vector<program::Network_request> program::read_requests(const Options& options, const Input_mesh& mesh)
@@ -27,7 +32,7 @@ std::vector<program::Network_request> program::read_requests(const Options& opti
   if(!options.segmentation.empty())
     return {read_segmentation(mesh, read_text(options.segmentation), options.has_free_junctions)};
   if(options.has_seams)
-    return {read_seams(mesh, read_text(options.mesh))};
+    return {read_seams(mesh, mesh.text())};
   if(!options.sources.empty())
     return {tree_request(mesh, options.sources.front())};
   const std::vector<Curve_request> curves =

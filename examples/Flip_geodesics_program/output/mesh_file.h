@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_MESH_FILE_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_MESH_FILE_H
 
-#include "file_name.h"
 #include "output/output_file.h"
 #include "program_mesh.h"
 
@@ -35,13 +34,13 @@ private:
   std::streambuf* m_buffer;
 };
 
-/// A mesh without curves; the format follows from the extension, one of .off, .obj, .ply, .stl and .vtp.
+/// A mesh without curves, in one of the formats off, obj, ply, stl and vtp.
 class Mesh_file
 {
 public:
   /// An empty name means that nothing is to be written.
-  explicit Mesh_file(const std::string& name)
-    : m_format(extension(name))
+  Mesh_file(const std::string& name, const std::string& format)
+    : m_format(format)
     , m_file(name)
   {
   }

@@ -2,10 +2,12 @@
 
 #include "output/program_output.h"
 
+#include "input/input_text.h"
 #include "output/live_file.h"
 #include "output/mesh_file.h"
 #include "output/page_file.h"
 #include "output/result_files.h"
+#include "output/result_formats.h"
 #include "output/run_summary.h"
 #include "output/viewer_files.h"
 #include "printable.h"
@@ -23,16 +25,16 @@ public:
   explicit Output_files(const Options& options)
     : m_polylines(options.results.polylines)
     , m_stats(options.results.stats)
-    , m_viewer(options.results.viewer, options.results.tubes)
+    , m_viewer(options.results.viewer, result_format(options, options.results.viewer), options.results.tubes)
     , m_page(options.results.page)
     , m_live(options.results.live)
     , m_map(options.results.map)
-    , m_subdivision(options.meshes.subdivision)
-    , m_insertion(options.meshes.insertion)
-    , m_cut(options.meshes.cut)
-    , m_repaired(options.results.repaired)
+    , m_subdivision(options.meshes.subdivision, result_format(options, options.meshes.subdivision))
+    , m_insertion(options.meshes.insertion, result_format(options, options.meshes.insertion))
+    , m_cut(options.meshes.cut, result_format(options, options.meshes.cut))
+    , m_repaired(options.results.repaired, result_format(options, options.results.repaired))
   {
-    m_scene.title = printable(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
+    m_scene.title = name_of_input(options.mesh.substr(options.mesh.find_last_of("/\\") + 1));
   }
 
   std::size_t most_recorded_points() const override { return m_page.is_wanted() ? m_most_recorded_points : 0; }

@@ -3,10 +3,15 @@
 #ifndef CGAL_FLIP_GEODESICS_PROGRAM_RUN_FILES_H
 #define CGAL_FLIP_GEODESICS_PROGRAM_RUN_FILES_H
 
+#include "decimal_numbers.h"
+#include "file_name.h"
+#include "printable.h"
+
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -28,9 +33,33 @@ inline std::filesystem::path destination(std::filesystem::path name)
   return failure ? name : place;
 }
 
+/// The number of the open file that the name of a result stands for: 1, standard output, for `-` and `/dev/stdout`.
+/// Nothing if the name is that of a file.
+inline std::optional<int> open_file(const std::string& name)
+{
+  if(name == standard_stream || name == "/dev/stdout")
+    return 1;
+  if(name == "/dev/stderr")
+    return 2;
+  for(const std::string folder : {"/dev/fd/", "/proc/self/fd/"})
+    if(int number = 0; name.rfind(folder, 0) == 0 && parse_number(name.substr(folder.size()), number) == nullptr)
+      return number;
+  return std::nullopt;
+}
+
+inline bool is_standard_output(const std::string& name) { return open_file(name) == 1; }
+
+/// What a result is called in messages.
+inline std::string name_of_result(const std::string& name)
+{
+  return is_standard_output(name) ? "standard output" : printable(name);
+}
+
 /// Do two names stand for one file, whether it exists or not?
 inline bool is_same_file(const std::string& a, const std::string& b)
 {
+  if(open_file(a) || open_file(b))
+    return open_file(a) == open_file(b);
   std::error_code failure;
   if(std::filesystem::exists(a, failure) && std::filesystem::exists(b, failure))
     return std::filesystem::equivalent(a, b, failure);

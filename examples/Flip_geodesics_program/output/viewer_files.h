@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_VIEWER_FILES_H
 
 #include "bad_input.h"
-#include "file_name.h"
 #include "output/output_file.h"
 #include "output/viewer_curves.h"
 #include "scene.h"
@@ -14,7 +13,6 @@
 #include <CGAL/Flip_geodesics/IO/PLY.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -29,11 +27,12 @@ namespace program {
 class Viewer_file
 {
 public:
-  /// The format follows from the extension, see `write()`. An empty name means that nothing is to be written.
+  /// An empty name means that nothing is to be written.
+  /// \param format obj, ply, vtp, glb, or polylines for the curves alone
   /// \param tubes the radius of the tubes that curves are, 0 for lines. Not given, it follows from the mesh; curves of
   /// very many points, as trees have, are lines then.
-  Viewer_file(const std::string& name, std::optional<double> tubes)
-    : m_format(check_format(name))
+  Viewer_file(const std::string& name, const std::string& format, std::optional<double> tubes)
+    : m_format(format)
     , m_file(name)
     , m_tubes(tubes)
   {
@@ -59,18 +58,6 @@ public:
   }
 
 private:
-  static std::string check_format(const std::string& name)
-  {
-    const std::string polylines = ".polylines.txt";
-    if(name.size() > polylines.size() && name.compare(name.size() - polylines.size(), polylines.size(), polylines) == 0)
-      return "polylines";
-    const std::vector<std::string> known = {"obj", "ply", "vtp", "glb"};
-    if(!name.empty() && std::find(known.begin(), known.end(), extension(name)) == known.end())
-      throw Bad_input(printable(name) + ": the extension of --mesh tells the format; use .obj, .ply, .vtp, .glb or "
-                                        ".polylines.txt");
-    return extension(name);
-  }
-
   template <class... Parts>
   void write(std::ostream& out, const Parts&... parts) const
   {
