@@ -431,7 +431,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   endforeach()
 
   if(Python3_Interpreter_FOUND AND UNIX)
-    foreach(case inputs results failed_curves page places interruption full_disk closed_streams progress)
+    foreach(case inputs results kinds_of_results failed_curves page places standard_streams interruption full_disk
+                 closed_streams progress)
       add_test(NAME program_files_${case}
                COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/Flip_geodesics/check_program_files.py --program
                        $<TARGET_FILE:flip_geodesics> --torus $<TARGET_FILE:generate_torus> ${case})
@@ -506,7 +507,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(most_memory 1 "curve 0 .*--most-memory" torus.off --edges path.txt
                                   --kernel certified --most-memory 0.0001)
   flip_geodesics_add_program_test(unwritable 2 "no_such_folder/x" torus.off --random 2 --stats no_such_folder/x)
-  flip_geodesics_add_program_test(unwritable_page 2 "no_such_folder/x" torus.off --random 2 --page no_such_folder/x)
+  flip_geodesics_add_program_test(unwritable_page 2 "no_such_folder/x.html: the folder [^\n]*no_such_folder does not exist"
+                                  torus.off --random 2 --page no_such_folder/x.html)
   flip_geodesics_add_program_test(viewer_format 2 "x.xyz" torus.off --random 2 --mesh x.xyz)
   flip_geodesics_add_program_test(out_of_range 2 "vertex 288" torus.off --from 0 --to 288)
   flip_geodesics_add_program_test(out_of_range_in_file 2 "far.txt line 2: vertex 400" torus.off --pairs far.txt)

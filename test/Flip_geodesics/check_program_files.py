@@ -224,6 +224,19 @@ def case_standard_streams(folder):
     folder.refuse('--output-format is the format', 'torus.off', *pairs, '--mesh', 'a.obj', '--output-format', 'obj')
 
 
+def case_kinds_of_results(folder):
+    """A page or lines of text do not replace a mesh whose name has got behind their option."""
+    for name in ('a.obj', 'a.off', 'a.glb', 'A.PLY'):
+        (folder.path / name).write_text('earlier\n')
+        for option in ('--page', '--live'):
+            folder.refuse(f'{option} writes a page', 'torus.off', '--random', '2', option, name)
+        for option in ('--stats', '--polylines'):
+            folder.refuse(f'{option} writes lines', 'torus.off', '--random', '2', option, name)
+        folder.refuse('--map writes lines', 'torus.off', '--source', '0', '--map', name)
+    folder.refuse('--stats writes lines', 'torus.off', '--random', '2', '--stats', 'a.html')
+    folder.refuse('--page writes a page', 'torus.off', '--random', '2', '--page', 'page')
+
+
 def case_interruption(folder):
     """A signal removes temporary files and says so in one line; results of earlier runs stay."""
     def by_default():

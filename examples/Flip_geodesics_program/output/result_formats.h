@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// The formats of the results that are meshes.
+// The formats of the results that are meshes, and names that do not fit a result.
 namespace program {
 
 /// The format of a mesh: that of the file's extension, `polylines` for `.polylines.txt`, or what is wanted on standard
@@ -41,6 +41,23 @@ inline void check_result_format(const Options& options, const std::string& optio
                       : printable(name) + ": the extension tells the format of " + option + "; use one of" + formats);
 }
 
+/// Refuses names with which a page or a file of lines would replace a mesh by a slip in the command line.
+/// \throws Bad_input
+inline void check_extension(const std::string& option, const std::string& name, bool is_page)
+{
+  static const std::vector<std::string> pages = {"html", "htm"},
+                                        meshes = {"off", "obj", "ply", "stl", "ts", "vtp", "glb"};
+  const auto has_one_of = [&](const std::vector<std::string>& extensions) {
+    return std::find(extensions.begin(), extensions.end(), extension(name)) != extensions.end();
+  };
+  if(name.empty() || open_file(name) || is_special_file(name))
+    return;
+  if(is_page && !has_one_of(pages))
+    throw Bad_input(printable(name) + ": " + option + " writes a page; let its name end in .html");
+  if(!is_page && (has_one_of(pages) || has_one_of(meshes)))
+    throw Bad_input(printable(name) + ": " + option + " writes lines of text; let its name end in .txt or .csv");
+}
+
 /// \throws Bad_input
 inline void check_formats_of_results(const Options& options)
 {
@@ -51,6 +68,11 @@ inline void check_formats_of_results(const Options& options)
   check_result_format(options, "--insert", options.meshes.insertion, meshes);
   check_result_format(options, "--cut", options.meshes.cut, meshes);
   check_result_format(options, "--repaired", names.repaired, meshes);
+  check_extension("--page", names.page, true);
+  check_extension("--live", names.live, true);
+  check_extension("--polylines", names.polylines, false);
+  check_extension("--stats", names.stats, false);
+  check_extension("--map", names.map, false);
 }
 
 } // namespace program

@@ -72,6 +72,13 @@ inline bool is_plain_file(const std::string& name)
   return std::filesystem::is_regular_file(name, failure);
 }
 
+/// Returns whether something exists that is not a plain file, such as a pipe or a device.
+inline bool is_special_file(const std::string& name)
+{
+  std::error_code failure;
+  return std::filesystem::exists(name, failure) && !is_plain_file(name);
+}
+
 /*!
  * The files that this run has not completed, so that whoever ends it early removes them, and whether one could not be.
  * For several threads.
