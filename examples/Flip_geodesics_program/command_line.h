@@ -64,6 +64,10 @@ public:
         const std::string meant = nearest_option(unknown[1] == '-' ? unknown : '-' + unknown);
         return unknown + " is not known; " + (meant.empty() ? "see --help" : "did you mean " + meant + "?");
       }
+    if(!m_app.remaining().empty())
+      return "'" + m_app.remaining().front() +
+             "' is not expected: one mesh, and an option before each other value; "
+             "see --help";
     return error.what() + std::string("; see --help");
   }
 
@@ -316,7 +320,7 @@ private:
   // Neither a name nor a negative number.
   static bool is_like_an_option(const std::string& argument)
   {
-    return argument.size() > 2 && argument[0] == '-' && argument.find_first_of("0123456789.") != 1;
+    return argument.size() > 1 && argument[0] == '-' && argument.find_first_of("0123456789.") != 1;
   }
 
   std::string nearest_option(const std::string& name) const

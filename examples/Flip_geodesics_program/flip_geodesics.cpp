@@ -182,32 +182,48 @@ void check_field_options(const Options& options)
         "--kernel, --delaunay, --refine, --subdivision, --insert and --cut do not go with them");
 }
 
-// The live page needs no curves; what else is written does.
-bool is_only_live_page_wanted(const Options& options)
+// The live page and the repaired mesh need no curves; what else is written does.
+bool are_no_curves_wanted(const Options& options)
 {
   const Result_names& names = options.results;
-  return !names.live.empty() && names.polylines.empty() && names.stats.empty() && names.viewer.empty() &&
-         names.page.empty() && names.map.empty() && !options.meshes.is_any_wanted();
+  return (!names.live.empty() || !names.repaired.empty()) && names.polylines.empty() && names.stats.empty() &&
+         names.viewer.empty() && names.page.empty() && names.map.empty() && !options.meshes.is_any_wanted();
 }
 
-// How many of the options that give curves there are.
-int number_of_jobs(const Options& options)
+// The options that are given of those that give curves.
+std::vector<std::string> options_of_curves(const Options& options)
 {
-  return (options.from || options.to ? 1 : 0) + (options.random ? 1 : 0) + (options.pairs.empty() ? 0 : 1) +
-         (options.edges.empty() ? 0 : 1) + (options.loop.empty() ? 0 : 1) + (options.network.empty() ? 0 : 1) +
-         (options.segmentation.empty() ? 0 : 1) + (options.has_seams ? 1 : 0) + (options.sources.empty() ? 0 : 1) +
-         (options.points.empty() ? 0 : 1) + (options.bezier.empty() ? 0 : 1) + (options.draw.empty() ? 0 : 1) +
-         (options.traces.empty() ? 0 : 1);
+  const std::pair<const char*, bool> all[] = {{options.from ? "--from" : "--to", options.from || options.to},
+                                              {"--random", options.random.has_value()},
+                                              {"--pairs", !options.pairs.empty()},
+                                              {"--edges", !options.edges.empty()},
+                                              {"--loop", !options.loop.empty()},
+                                              {"--network", !options.network.empty()},
+                                              {"--segmentation", !options.segmentation.empty()},
+                                              {"--seams", options.has_seams},
+                                              {"--source", !options.sources.empty()},
+                                              {"--points", !options.points.empty()},
+                                              {"--bezier", !options.bezier.empty()},
+                                              {"--draw", !options.draw.empty()},
+                                              {"--trace", !options.traces.empty()}};
+  std::vector<std::string> given;
+  for(const auto& [name, is_given] : all)
+    if(is_given)
+      given.push_back(name);
+  return given;
 }
 
 void check_options(const Options& options)
 {
-  const int jobs = number_of_jobs(options);
+  const std::vector<std::string> jobs = options_of_curves(options);
   if(options.sources.empty() && (!options.results.map.empty() || options.is_field_wanted()))
     throw Bad_input("--map, --isolines, --spacing and --voronoi belong to --source; give a source");
-  if(jobs > 1 || (jobs == 0 && !is_only_live_page_wanted(options)))
+  if(jobs.size() > 1)
+    throw Bad_input(jobs[0] + " and " + jobs[1] + " do not go together; give the curves by one of them");
+  if(jobs.empty() && !are_no_curves_wanted(options))
     throw Bad_input("give the curves by one of --from with --to, --pairs, --random, --edges, --loop, --network, "
-                    "--points, --bezier, --draw, --segmentation, --seams, --source, --trace; or give --live alone");
+                    "--points, --bezier, --draw, --segmentation, --seams, --source, --trace; or give --live or "
+                    "--repaired alone");
   if(!options.is_repaired && !options.results.repaired.empty())
     throw Bad_input("--repaired belongs to --repair; give both");
   check_field_options(options);
@@ -404,7 +420,7 @@ int run_traces(const Options& options, const Input_mesh& input, const std::strin
   return run_at_once(options, input, title, progress, [&] { return traced_curves(input, requests, progress); });
 }
 
-// The live page alone, for which no curves are given.
+// The live page or the repaired mesh alone, for which no curves are given.
 int run_without_curves(const Options& options, const Input_mesh& input, const std::string& title)
 {
   const std::unique_ptr<Outputs> outputs = make_outputs(options);
@@ -437,7 +453,7 @@ int run(const Options& options)
     return run_traces(options, input, title.str(), progress);
   if(options.ways)
     return run_other_ways(options, input, title.str(), progress);
-  if(number_of_jobs(options) == 0)
+  if(options_of_curves(options).empty())
     return run_without_curves(options, input, title.str());
   return options.is_field_wanted() ? run_field(options, input, title.str(), progress)
                                    : run(options, input, metric, title.str(), progress);

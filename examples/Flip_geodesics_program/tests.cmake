@@ -182,6 +182,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(repair_seams 0 "1 LOCALLY_SHORTEST" quad_seam.obj --repair --seams)
   flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 triangle"
                                   collapsed.off --repair --from 0 --to 1)
+  flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" pyramid.off --repair
+                                  --repaired only_repaired.off)
   flip_geodesics_add_program_test(repaired_alone 2 "--repaired belongs to --repair" torus.off --from 0 --to 1 --repaired
                                   x.off)
   flip_geodesics_add_program_test(bad_repaired 2 "x.xyz" torus.off --repair --from 0 --to 1 --repaired x.xyz)
@@ -237,7 +239,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(trace_too_much 2 "give a vertex, an angle and a length" torus.off --trace 0,1,2,3)
   flip_geodesics_add_program_test(trace_negative 2 "must not be negative" torus.off --trace 0,1,-2)
   flip_geodesics_add_program_test(trace_of_no_vertex 2 "--trace: vertex 288 does not exist" torus.off --trace 288,0,1)
-  flip_geodesics_add_program_test(trace_and_random 2 "give the curves by one of" torus.off --trace 0,0,1 --random 3)
+  flip_geodesics_add_program_test(trace_and_random 2 "--random and --trace do not go together" torus.off --trace 0,0,1
+                                  --random 3)
   # Walls along meridians, which open the torus, and all of its faces.
   set(meridian "0 1 2 3 4 5 6 7 8 9 10 11 0\n")
   file(WRITE ${program_dir}/wall.txt "# a meridian\n${meridian}")
@@ -492,7 +495,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(live_and_stats 2 "give the curves by one of" torus.off --live live.html --stats x.csv)
   flip_geodesics_add_program_test(unknown_option 2 "--wrong" torus.off --wrong)
   flip_geodesics_add_program_test(no_curves 2 "--random.*or give --live" torus.off)
-  flip_geodesics_add_program_test(two_sets_of_curves 2 "one of" torus.off --random 2 --pairs pairs.txt)
+  flip_geodesics_add_program_test(two_sets_of_curves 2 "--random and --pairs do not go together" torus.off --random 2
+                                  --pairs pairs.txt)
   flip_geodesics_add_program_test(from_without_to 2 "both" torus.off --from 3)
   flip_geodesics_add_program_test(certified 0 "5 LOCALLY_SHORTEST.*certificates: 5 PROVEN" torus.off --random 5)
   flip_geodesics_add_program_test(double 0 "5 LOCALLY_SHORTEST\nlength" torus.off --random 5 --kernel double)
