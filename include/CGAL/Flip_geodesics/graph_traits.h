@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/graph_parts.h>
+#include <CGAL/Flip_geodesics/internal/words/umbrellas.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Iterator_range.h>
@@ -156,6 +157,8 @@ Halfedge_index next(Halfedge_index h, const Intrinsic_triangulation<M, T, E>& t)
 {
   if(!t.is_border(h))
     return t.next(h);
+  if(!t.is_inserted(t.head(h))) // the border leads to the next umbrella, if there are several
+    return internal::first_spoke(t, t.input().next(t.crossing_word(h).along));
   Halfedge_index along_border = internal::twin_index(h);
   while(!t.is_border(along_border))
     along_border = t.counterclockwise(along_border);
@@ -168,7 +171,9 @@ Halfedge_index prev(Halfedge_index h, const Intrinsic_triangulation<M, T, E>& t)
   if(!t.is_border(h))
     return t.previous(h);
   Halfedge_index last = h;
-  for(Halfedge_index g = h; g != null_index; g = t.clockwise(g))
+  if(!t.is_inserted(t.tail(h))) // from the umbrella before, if there are several
+    last = internal::first_spoke(t, internal::previous_umbrella(t.input(), t.crossing_word(h).along));
+  for(Halfedge_index g = last; g != null_index; g = t.clockwise(g))
     last = g;
   return internal::twin_index(last);
 }

@@ -5,6 +5,7 @@
 #include "trees.h"
 
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/graph_traits.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -141,7 +142,10 @@ BOOST_AUTO_TEST_CASE(spokes_are_those_of_all_umbrellas)
       BOOST_TEST((std::adjacent_find(around.begin(), around.end()) == around.end()));
       for(Halfedge_index h : around)
         BOOST_TEST(t.tail(h) == v);
+      BOOST_TEST(out_degree(v, t) == around.size()); // as a graph
     }
+    for(Halfedge_index h : FG::internal::descriptors<Halfedge_index>(t.number_of_halfedges()))
+      BOOST_TEST((prev(next(h, t), t) == h && target(h, t) == source(next(h, t), t)));
   }
 }
 

@@ -39,6 +39,16 @@ Input_halfedge_index next_umbrella(const Input_mesh& input, Input_halfedge_index
   return input.next(twin_index(h));
 }
 
+/* The one before. */
+template <class Input_mesh>
+Input_halfedge_index previous_umbrella(const Input_mesh& input, Input_halfedge_index border)
+{
+  Input_halfedge_index result = border;
+  for(Input_halfedge_index next = next_umbrella(input, result); next != border; next = next_umbrella(input, result))
+    result = next;
+  return result;
+}
+
 /* The halfedge of a triangulation that leads along a border halfedge of the input from its vertex. */
 template <class Triangulation>
 Halfedge_index first_spoke(const Triangulation& triangulation, Input_halfedge_index border)
