@@ -303,7 +303,8 @@ int run(const Options& options, const Input_mesh& input, const Program_metric& m
                                    options.is_snapped,
                                    options.are_zero_edges_refused,
                                    options.meshes,
-                                   most_memory(options)};
+                                   most_memory(options),
+                                   !options.results.map.empty()};
   const auto make_engine = [&] {
     return (options.kernel == "double" ? make_double_engine : make_certified_engine)(mesh, metric, run_options,
                                                                                      progress);

@@ -67,6 +67,7 @@ struct Run_options
   bool are_zero_edges_refused = false; ///< and not contracted where they are met
   Mesh_result_options meshes;
   std::size_t most_memory = (std::numeric_limits<std::size_t>::max)(); ///< for the records of flips, in bytes
+  bool has_map = false;                                                ///< compute the logarithmic map of a tree
 };
 
 /// The meshes that were asked for: they have the edges of a triangulation, or its curves.
@@ -97,7 +98,7 @@ public:
   /// The record of the last run, if it was wanted and has not failed.
   const std::optional<Shortening_record>& record() const { return m_record; }
 
-  /// The map of the last run, if it was that of a tree and has not failed.
+  /// The map of the last run, if it was wanted, and the run was that of a tree and has not failed.
   const std::optional<CGAL::Flip_geodesics::Logarithmic_map>& map() const { return m_map; }
 
   /// The meshes of the last run that has not failed.

@@ -191,7 +191,7 @@ private:
     if(left.request.tree_source || !left.request.curves.empty())
       computed = compute(left.request);
     if(left.request.tree_source) {
-      put_on_mesh(m_triangulation, computed, *m_map);
+      put_on_mesh(m_triangulation, computed, m_map);
       return computed;
     }
     std::size_t next = 0;
@@ -459,9 +459,11 @@ private:
       shortest = FG::make_shortest(tree);
       m_progress.add_flips(shortest.flips);
     }
-    m_progress.enter("mapping vertices");
-    m_map = FG::logarithmic_map(tree);
-    m_tree_results = describe_tree(*m_map, source, report.flips + shortest.flips);
+    if(m_options.has_map) {
+      m_progress.enter("mapping vertices");
+      m_map = FG::logarithmic_map(tree);
+    }
+    m_tree_results = describe_tree(tree, report.flips + shortest.flips);
     if(m_options.is_shortest)
       m_tree_results += describe_shortest_paths(shortest);
     Curve_result common;

@@ -6,10 +6,8 @@
 #include "program_mesh.h"
 #include "readable.h"
 
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
-#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -17,22 +15,22 @@
 namespace program {
 
 /// Where the paths of a tree lead, in lines for people.
-inline std::string describe_tree(const CGAL::Flip_geodesics::Logarithmic_map& map, Vertex_index source,
-                                 std::size_t flips)
+template <class Tree>
+std::string describe_tree(const Tree& tree, std::size_t flips)
 {
-  Vertex_index farthest = source;
+  Vertex_index farthest = tree.source();
   std::size_t number_of_paths = 0;
-  for(Vertex_index v(0); static_cast<std::size_t>(v.idx()) < map.vertices.size(); ++v) {
-    const double distance = map.vertices[v].radius;
-    if(v == source || !std::isfinite(distance))
+  for(Vertex_index v(0); v.idx() < tree.triangulation().number_of_vertices(); ++v) {
+    if(v == tree.source() || !tree.is_reached(v))
       continue;
     ++number_of_paths;
-    if(distance > map.vertices[farthest].radius)
+    if(tree.distance(v) > tree.distance(farthest))
       farthest = v;
   }
   std::ostringstream out;
-  out << "paths    " << readable(number_of_paths) << " from vertex " << source.idx() << ", the longest to vertex "
-      << farthest.idx() << ", " << map.vertices[farthest].radius << " long\nflips    " << readable(flips) << '\n';
+  out << "paths    " << readable(number_of_paths) << " from vertex " << tree.source().idx()
+      << ", the longest to vertex " << farthest.idx() << ", " << tree.distance(farthest) << " long\nflips    "
+      << readable(flips) << '\n';
   return out.str();
 }
 

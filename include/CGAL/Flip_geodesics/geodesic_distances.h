@@ -8,7 +8,9 @@
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/field/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
@@ -16,7 +18,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <complex>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -43,6 +48,18 @@ void write_distances(const Geodesic_tree<Triangulation>& tree, const typename Tr
     put(distances, v, tree.distance(tree.triangulation().input().index(v)));
 }
 
+namespace internal {
+
+template <class Triangulation, class VertexPolarMap>
+void write_polar_coordinates(const Logarithmic_map& map, const Triangulation& triangulation,
+                             const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
+{
+  for(const auto v : vertices(mesh))
+    put(coordinates, v, map.vertices[triangulation.input().index(v)]);
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
@@ -62,8 +79,7 @@ void write_polar_coordinates(const Logarithmic_map& map, const Geodesic_tree<Tri
                              const typename Triangulation::Triangle_mesh& mesh, VertexPolarMap coordinates)
 {
   static_assert(internal::is_property_map<VertexPolarMap>());
-  for(const auto v : vertices(mesh))
-    put(coordinates, v, map.vertices[tree.triangulation().input().index(v)]);
+  internal::write_polar_coordinates(map, tree.triangulation(), mesh, coordinates);
 }
 
 /*!
@@ -161,6 +177,27 @@ std::vector<Vertex_index> source_indices(const Triangulation& triangulation, con
   return result;
 }
 
+/* Computes a field from vertices, and returns what is known of the distances. */
+template <class Triangulation>
+Shortest_tree_report compute_from_vertices(Geodesic_distance_field<Triangulation>& field,
+                                           const Triangulation& triangulation, const std::vector<Vertex_index>& sources,
+                                           const Window_limit& limit)
+{
+  for(Vertex_index source : sources)
+    field.add_source(source);
+  Distance_field_limits limits;
+  limits.windows = limit;
+  const Distance_field_report computed = field.compute(limits);
+  Shortest_tree_report report;
+  report.windows = computed.windows;
+  report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face;
+  for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) { // but sources
+    const double distance = field.distance(v);
+    report.vertices += distance > 0 && distance < std::numeric_limits<double>::infinity() ? 1 : 0;
+  }
+  return report;
+}
+
 /* Computes the distances of a field from vertices. */
 template <class Triangulation>
 Computed_values<double> field_distances(const Triangulation& triangulation,
@@ -168,21 +205,55 @@ Computed_values<double> field_distances(const Triangulation& triangulation,
                                         const std::vector<Vertex_index>& sources, const Window_limit& limit)
 {
   Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
-  for(Vertex_index source : sources)
-    field.add_source(source);
-  Distance_field_limits limits;
-  limits.windows = limit;
-  const Distance_field_report computed = field.compute(limits);
   Computed_values<double> result;
-  Shortest_tree_report& report = result.report;
-  report.windows = computed.windows;
-  report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face;
-  for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) { // but sources
-    const double distance = field.distance(v);
-    report.vertices += distance > 0 && distance < std::numeric_limits<double>::infinity() ? 1 : 0;
-  }
+  result.report = compute_from_vertices(field, triangulation, sources, limit);
   write_distances(field, triangulation, mesh,
                   Value_collector<typename Triangulation::Mesh_vertex, double>{&result.values});
+  return result;
+}
+
+/* The logarithmic map of the source of a field; none where roundings hide in which direction a path starts. */
+template <class Triangulation>
+std::optional<Logarithmic_map> logarithmic_map_of_field(const Geodesic_distance_field<Triangulation>& field,
+                                                        const Triangulation& triangulation, Vertex_index source)
+{
+  const Vertex_directions<Triangulation> directions(triangulation, source);
+  const auto query = field.query();
+  Source_directions<Triangulation> starts(triangulation, query.propagation());
+  Logarithmic_map map;
+  map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
+  map.total_angle = directions.total();
+  map.is_on_border = directions.has_border();
+  for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) {
+    Polar_coordinates& p = map.vertices[v];
+    p.radius = field.distance(v);
+    if(v == source || !(p.radius < std::numeric_limits<double>::infinity()))
+      continue;
+    const std::optional<Start_direction> start = starts(v);
+    if(!start)
+      return std::nullopt;
+    p.angle = directions.of_input(start->first) + std::arg(start->direction);
+    p.angle += !map.is_on_border && p.angle < 0 ? map.total_angle : 0;
+  }
+  return map;
+}
+
+/* Computes the polar coordinates of vertices by a field; no values unless all are confirmed. */
+template <class Triangulation>
+Computed_values<Polar_coordinates> field_coordinates(const Triangulation& triangulation,
+                                                     const typename Triangulation::Triangle_mesh& mesh,
+                                                     Vertex_index source, const Window_limit& limit)
+{
+  Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
+  Computed_values<Polar_coordinates> result;
+  result.report = compute_from_vertices(field, triangulation, {source}, limit);
+  if(!result.report.is_confirmed)
+    return result;
+  const std::optional<Logarithmic_map> map = logarithmic_map_of_field(field, triangulation, source);
+  result.report.is_confirmed = map.has_value();
+  if(map)
+    write_polar_coordinates(*map, triangulation, mesh,
+                            Value_collector<typename Triangulation::Mesh_vertex, Polar_coordinates>{&result.values});
   return result;
 }
 
@@ -249,7 +320,8 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
  * \ingroup PkgFlipGeodesicsTree
  *
  * Computes the logarithmic map of a vertex: for all others how long the shortest path is, and in which direction it
- * starts.
+ * starts, from a `Geodesic_distance_field`. Where that is not confirmed, a tree of geodesics is grown and made shortest,
+ * as by `geodesic_distances()`.
  *
  * \param mesh a triangle mesh
  * \param source a vertex of the mesh
@@ -259,7 +331,7 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
  * \return how many paths are shortest, and whether that is sure
  * \throws as `geodesic_distances()`
  *
- * Complexity: that of `make_shortest()`.
+ * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
  */
 template <class TriangleMesh, class Source, class VertexPolarMap, class Limit, class NamedParameters>
 Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
@@ -271,9 +343,15 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& s
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   const auto computed = internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
     const Mesh_vertex<TriangleMesh> from = source;
-    return internal::make_shortest_tree<Polar_coordinates>(
-        triangulation, triangulation.index(from), limit,
-        [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
+    const Vertex_index s = triangulation.index(from);
+    auto result = internal::field_coordinates(triangulation, mesh, s, limit);
+    if(!result.report.is_confirmed)
+      result = internal::make_shortest_tree<Polar_coordinates>(
+          triangulation, s, limit,
+          [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
+    result.report.is_confirmed = result.report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
+                                 !internal::is_input_rounded(triangulation);
+    return result;
   });
   internal::write_values(mesh, computed.values, coordinates);
   return computed.report;

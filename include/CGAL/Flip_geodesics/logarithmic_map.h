@@ -6,6 +6,8 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/assertions.h>
 
@@ -52,6 +54,31 @@ struct Logarithmic_map
   }
 };
 
+namespace internal {
+
+/*
+ * Calls function(v, direction) for the vertices to which the first edges of a tree's paths lead, with directions at the
+ * source. They are measured all at once, as far as that is possible; not those in other umbrellas.
+ */
+template <class Tree, class Directions, class Function>
+void measure_first_edges(const Tree& tree, const Directions& directions, const Function& function)
+{
+  const auto& triangulation = tree.triangulation();
+  const Vertex_index source = tree.source();
+  if(triangulation.outgoing(source) == null_index)
+    return;
+  using Straightness = Tree_straightness<Tree>;
+  typename Straightness::Measured_legs measured(static_cast<std::size_t>(triangulation.number_of_vertices()));
+  const std::vector<Halfedge_index> around = triangulation.is_inserted(source)
+                                                 ? spokes(triangulation, source)
+                                                 : spokes_beside(triangulation, triangulation.input().outgoing(source));
+  Straightness straightness(tree, measured);
+  for(const Fan_leg& leg : straightness.legs(around, directions, Spoke_place()))
+    function(leg.head, leg.is_found ? directions.of_input(leg.reference) + leg.angle : directions(leg.halfedge));
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsTree
  *
@@ -89,25 +116,27 @@ Logarithmic_map logarithmic_map(const Geodesic_tree<Triangulation>& tree, Input_
   map.is_on_border = directions.has_border();
   const double start = is_zero_told && !map.is_on_border ? directions.of_input(zero) : 0;
 
+  const auto set_angle = [&](Vertex_index v, double direction) {
+    const double angle = direction - start;
+    map.vertices[v].angle = angle + (!map.is_on_border && angle < 0 ? map.total_angle : 0);
+  };
+  internal::measure_first_edges(tree, directions, set_angle);
+
   std::vector<Vertex_index> way; // from a vertex back to one whose angle is known
   for(Vertex_index v : internal::descriptors<Vertex_index>(triangulation.number_of_vertices())) {
     if(!tree.is_reached(v) || v == tree.source())
       continue;
+    map.vertices[v].radius = tree.distance(v);
     way.clear();
     for(Vertex_index w = v; w != tree.source() && std::isnan(map.vertices[w].angle);
         w = triangulation.tail(tree.incoming(w)))
       way.push_back(w);
     for(std::size_t i = way.size(); i-- > 0;) {
-      const Vertex_index w = way[i];
-      const Halfedge_index h = tree.incoming(w);
-      const Vertex_index parent = triangulation.tail(h);
-      Polar_coordinates& p = map.vertices[w];
-      p.radius = tree.distance(w);
-      p.angle = map.vertices[parent].angle;
-      if(parent == tree.source()) {
-        p.angle = directions(h) - start;
-        p.angle += !map.is_on_border && p.angle < 0 ? map.total_angle : 0;
-      }
+      const Halfedge_index h = tree.incoming(way[i]);
+      if(triangulation.tail(h) == tree.source())
+        set_angle(way[i], directions(h));
+      else
+        map.vertices[way[i]].angle = map.vertices[triangulation.tail(h)].angle;
     }
   }
   return map;

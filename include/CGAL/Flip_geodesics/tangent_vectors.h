@@ -5,7 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
+#include <CGAL/Flip_geodesics/internal/field/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -14,6 +16,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -37,16 +41,52 @@ struct Logarithm_result
 
 namespace internal {
 
-/* What the logarithm says of a target; vertices may be isolated. */
-template <class Triangulation, class TriangleMesh, class Place>
-Polar_coordinates logarithm_of(const Geodesic_logarithm<Triangulation>& logarithm, const Triangulation& triangulation,
-                               const TriangleMesh& mesh, const Place& target)
+/*
+ * What a `Geodesic_logarithm` says of many targets. Of a vertex the distance is known, and where the path starts is found
+ * without a walk along it.
+ */
+template <class Triangulation>
+class Logarithm_of_targets
 {
-  if constexpr(is_mesh_vertex<TriangleMesh, Place>)
-    return logarithm(triangulation.index(target));
-  else
-    return logarithm(trace_start(triangulation, mesh, target));
-}
+public:
+  /* \param source that of the logarithm */
+  Logarithm_of_targets(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                       const Geodesic_logarithm<Triangulation>& logarithm, const Surface_location& source)
+    : m_triangulation(triangulation)
+    , m_mesh(mesh)
+    , m_logarithm(logarithm)
+    , m_frame(triangulation, canonical_location(triangulation.input(), source))
+    , m_starts(triangulation, logarithm.distance_field().query().propagation())
+  {
+  }
+
+  template <class Target>
+  Polar_coordinates operator()(const Target& target)
+  {
+    if constexpr(is_mesh_vertex<typename Triangulation::Triangle_mesh, Target>)
+      return at_vertex(m_triangulation.index(target));
+    else
+      return m_logarithm(trace_start(m_triangulation, m_mesh, target));
+  }
+
+private:
+  // It may be isolated.
+  Polar_coordinates at_vertex(Vertex_index v)
+  {
+    const double radius = m_logarithm.distance_field().distance(v);
+    const bool has_path = radius > 0 && radius < std::numeric_limits<double>::infinity();
+    const std::optional<Start_direction> start = has_path ? m_starts(v) : std::nullopt;
+    if(!start)
+      return m_logarithm(v);
+    return {radius, m_frame.angle(m_frame.position(start->first, start->direction), m_logarithm.halfedge())};
+  }
+
+  const Triangulation& m_triangulation;
+  const typename Triangulation::Triangle_mesh& m_mesh;
+  const Geodesic_logarithm<Triangulation>& m_logarithm;
+  Place_frame<Triangulation> m_frame;
+  Source_directions<Triangulation> m_starts;
+};
 
 } // namespace internal
 
@@ -68,7 +108,8 @@ Polar_coordinates logarithm_of(const Geodesic_logarithm<Triangulation>& logarith
  * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
  * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and for each target that of `Geodesic_logarithm`.
+ * Complexity: that of `Geodesic_distance_field::compute()`, also for all vertices as targets; and for each other target
+ * that of `Geodesic_logarithm`.
  */
 template <class TriangleMesh, class Source, class TargetRange, class OutputIterator,
           class NamedParameters = parameters::Default_named_parameters>
@@ -78,11 +119,12 @@ Logarithm_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMes
 {
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   const Triangulation triangulation = internal::make_triangulation(mesh, np);
-  const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh,
-                                                    internal::trace_start(triangulation, mesh, source));
+  const Surface_location from = internal::trace_start(triangulation, mesh, source);
+  const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, from);
+  internal::Logarithm_of_targets<Triangulation> logarithm_of(triangulation, mesh, logarithm, from);
   std::vector<Polar_coordinates> result;
   for(const auto& target : targets)
-    result.push_back(internal::logarithm_of(logarithm, triangulation, mesh, target));
+    result.push_back(logarithm_of(target));
   return {std::copy(result.begin(), result.end(), out), triangulation.input().halfedge(logarithm.halfedge()),
           logarithm.total_angle(), logarithm.is_on_border(), logarithm.report()};
 }

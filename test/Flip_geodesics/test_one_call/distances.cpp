@@ -33,6 +33,47 @@ BOOST_AUTO_TEST_CASE(distances_come_in_maps_of_the_user)
     }
 }
 
+namespace {
+
+// How many of the vertices have other polar coordinates than a tree of shortest paths gives them.
+std::size_t number_of_other_coordinates(const Surface& mesh, Vertex source)
+{
+  using Triangulation = FG::Intrinsic_triangulation<Surface>;
+  std::map<Vertex, FG::Polar_coordinates> polar;
+  const auto report = FG::polar_coordinates(mesh, source, boost::make_assoc_property_map(polar));
+  BOOST_CHECK(report.is_confirmed);
+  BOOST_CHECK_EQUAL(report.flips, 0u); // no tree has been grown, and none made shortest
+  Triangulation triangulation(mesh);
+  FG::Geodesic_tree<Triangulation> tree(triangulation);
+  tree.grow(triangulation.index(source));
+  FG::make_shortest(tree);
+  const FG::Logarithmic_map map = FG::logarithmic_map(tree);
+  std::size_t result = 0;
+  for(Vertex v : mesh.vertices()) {
+    const FG::Polar_coordinates& p = map.vertices[triangulation.index(v)];
+    BOOST_CHECK_SMALL(p.radius - polar.at(v).radius, 1e-9);
+    const double difference = std::remainder(p.angle - polar.at(v).angle, map.total_angle);
+    result += v != source && !(std::abs(difference) < 1e-8) ? 1 : 0;
+  }
+  return result;
+}
+
+} // namespace
+
+// Only where two paths are as short, roundings choose: on a torus, beyond the two circles opposite to the source.
+BOOST_AUTO_TEST_CASE(polar_coordinates_are_those_of_a_tree)
+{
+  for(int source : {0, 40, 77}) {
+    const Vertex v(static_cast<unsigned>(source));
+    BOOST_CHECK_EQUAL(
+        number_of_other_coordinates(to_mesh<Surface>(jittered_grid(12, 12, Diagonal_rule::RANDOM, 0.2, 3)), v), 0u);
+    BOOST_CHECK_EQUAL(number_of_other_coordinates(to_mesh<Surface>(flat_grid(12, 12, Diagonal_rule::RISING)), v), 0u);
+    BOOST_CHECK_EQUAL(number_of_other_coordinates(to_mesh<Surface>(needle_strip(12, 12, 1e-4)), v), 0u);
+    BOOST_CHECK_EQUAL(number_of_other_coordinates(to_mesh<Surface>(bumpy_sphere(5, 0.3, 7)), v), 0u);
+    BOOST_CHECK_LE(number_of_other_coordinates(to_mesh<Surface>(torus(16, 12, 3, 1)), v), 28u);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(distances_from_several_vertices_are_the_least)
 {
   Surface mesh = bumpy_sphere_mesh();
