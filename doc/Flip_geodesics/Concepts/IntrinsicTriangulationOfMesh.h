@@ -12,6 +12,9 @@
  * The words of crossed edges are exact. An edge runs straight through the faces that its word names. So it is known
  * from the word and the input alone, whatever the numbers of the triangulation do.
  *
+ * The mesh may have non-manifold vertices, in which several umbrellas of faces meet. Curves and trees lead through them
+ * from one umbrella to another. Directions in different umbrellas have no angles between them.
+ *
  * \cgalRefines{IntrinsicTriangulation}
  *
  * \cgalHasModelsBegin

@@ -60,7 +60,7 @@ std::size_t number_of_other_coordinates(const Surface& mesh, Vertex source)
 
 } // namespace
 
-// Only where two paths are as short, roundings choose: on a torus, beyond the two circles opposite to the source.
+// Only where two paths are as short, roundings choose: on a torus, on the two circles opposite to the source.
 BOOST_AUTO_TEST_CASE(polar_coordinates_are_those_of_a_tree)
 {
   for(int source : {0, 40, 77}) {
