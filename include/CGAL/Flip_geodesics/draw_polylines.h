@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Polyline_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
@@ -84,43 +85,33 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * Draws a polyline that runs anywhere on the mesh into a network, by making its points vertices [SC20, Figure 9]: a
- * curve whose nodes are fixed at all its points. `shorten()` then makes it the very polyline, since each segment is the
- * only geodesic in its face; `Edge_path_network::free_nodes()` lets it be pulled tight.
+ * curve whose nodes are fixed at all its points. Its segments become edges of the triangulation, for which edges in
+ * their input faces are flipped; a segment that passes a vertex consists of several edges. So the curve is the polyline
+ * itself. `Edge_path_network::free_nodes()` allows it to be shortened.
  *
- * The segments start out as paths of edges in their input faces. So polylines may be drawn one after another; those
- * that cross themselves or others are told from the rest by `order_overlapping_curves()`.
+ * Which edges a segment crosses is decided exactly, by the weights of the points. Polylines may be drawn one after
+ * another. They may meet at vertices and overlap; `order_overlapping_curves()` then detects whether they cross there.
+ * Segments that cross elsewhere cannot be edges of one triangulation, and are refused.
  *
  * \param polyline the points; each two in a row lie in a common face or on a common edge of the input. A closed polyline
  *        does not repeat the first. Points that repeat the one before are skipped.
  * \return the curve's index
  * \pre no edge of the triangulation in these faces crosses an input edge
  * \throws Invalid_curve_error if two points in a row are in no common face, or there are too few
+ * \throws Crossing_curves_error if a segment crosses another one, or a curve of the network, between vertices;
+ *         `elements()` are the ends of the edge that is crossed. No curve is added then, but points of the polyline may
+ *         have become vertices
  * \throws Invalid_location_error, and as `Edge_path_network::insert()`
  */
 template <class Network>
 Curve_index draw_polyline(Network& network, const std::vector<Surface_location>& polyline, bool is_closed = false)
 {
-  auto& triangulation = network.triangulation();
-  const auto points = internal::canonical_polyline(triangulation.input(), polyline, is_closed);
-  std::vector<Vertex_index> vertices;
-  for(const Surface_location& point : points)
-    vertices.push_back(network.insert(point));
-  std::vector<Halfedge_index> chain;
-  std::vector<std::size_t> nodes; // positions in the chain
-  for(std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if(vertices[i] == vertices[i + 1])
-      continue;
-    const Input_halfedge_index face = internal::common_face(triangulation.input(), points[i], points[i + 1]);
-    const auto leg =
-        internal::Path_in_face<typename Network::Triangulation>(triangulation, face)(vertices[i], vertices[i + 1]);
-    CGAL_precondition_msg(!leg.empty(), "the triangulation's edges cross those of the input");
-    chain.insert(chain.end(), leg.begin(), leg.end());
-    nodes.push_back(chain.size() - 1);
-  }
-  const Curve_index curve = network.add_curve(chain, is_closed);
+  const auto points = internal::canonical_polyline(network.triangulation().input(), polyline, is_closed);
+  const internal::Drawn_chain drawn = internal::Polyline_drawer<Network>(network)(points);
+  const Curve_index curve = network.add_curve(drawn.halfedges, is_closed);
   std::size_t position = 0, next = 0;
   network.for_each_segment(curve, [&](Segment_index s) {
-    if(next < nodes.size() && position == nodes[next]) {
+    if(next < drawn.nodes.size() && position == drawn.nodes[next]) {
       network.set_head_fixed(s, true);
       ++next;
     }

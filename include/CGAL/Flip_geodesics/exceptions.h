@@ -169,7 +169,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// Strands of the input curves cross at the vertex in `elements()`, whatever their order on shared edges.
+/// Strands of the input curves cross at the vertex in `elements()`, whatever their order on shared edges; or a segment
+/// of a polyline crosses the edge of a curve between the two vertices in `elements()`.
 class Crossing_curves_error : public Error
 {
 public:

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Polyline_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
@@ -38,14 +39,13 @@ public:
   {
   }
 
-  /* A geodesic from a shortest edge path, pulled tight by `tighten(network)`. */
+  /* A geodesic from a shortest edge path, pulled tight by `tighten(network)`; the point twice if both ends are in one
+   * place. */
   template <class Tighten>
   Surface_polyline shortest(const Surface_location& p, const Surface_location& q, const Tighten& tighten)
   {
-    const auto find_path = [&](Vertex_index v, Vertex_index w) {
-      if(v == w)
-        throw Invalid_curve_error("two way points in a row are in one place");
-      return shortest_intrinsic_edge_path(m_triangulation, v, w);
+    const auto find_path = [&](Network&, Vertex_index v, Vertex_index w) {
+      return v == w ? std::vector<Halfedge_index>() : shortest_intrinsic_edge_path(m_triangulation, v, w);
     };
     try {
       return pull(p, q, find_path, tighten);
@@ -66,13 +66,24 @@ public:
   {
     if(is_in_one_face(path))
       return {path.front(), path.back()};
-    return pull(
-        path.front(), path.back(), [&](Vertex_index v, Vertex_index w) { return snapped(path, v, w); }, tighten);
+    const auto snap = [&](Network&, Vertex_index v, Vertex_index w) { return snapped(path, v, w); };
+    return pull(path.front(), path.back(), snap, tighten);
   }
 
+  /* The same by all flips that it takes. Vertices at the ends can lie between a path and the edges that it is snapped to;
+   * if that makes it cross itself, the path itself is drawn instead. */
   Surface_polyline straightened(const Surface_polyline& path)
   {
-    return straightened(path, [](Network& network) { return shorten(network); });
+    const auto tighten = [](Network& network) { return shorten(network); };
+    try {
+      return straightened(path, tighten);
+    } catch(const Crossing_curves_error&) {
+    } catch(const Ambiguous_order_error&) {
+    }
+    const auto draw = [&](Network& network, Vertex_index, Vertex_index) {
+      return Polyline_drawer<Network>(network)(path).halfedges;
+    };
+    return pull(path.front(), path.back(), draw, tighten);
   }
 
   /* What became of all paths together, as if they were one curve. */
@@ -96,9 +107,10 @@ private:
     try {
       Network network(m_triangulation, Beside_empty_network());
       const Vertex_index v = network.insert(p), w = network.insert(q);
-      const std::vector<Halfedge_index> path = make_path(v, w);
+      const std::vector<Halfedge_index> path = make_path(network, v, w);
       if(path.empty()) {
-        result = {p, q};
+        result = {canonical_location(m_triangulation.input(), p),
+                  canonical_location(m_triangulation.input(), v == w ? p : q)};
       } else {
         network.add_curve(path, false);
         order_overlapping_curves(network);

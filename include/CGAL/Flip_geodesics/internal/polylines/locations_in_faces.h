@@ -58,6 +58,20 @@ Input_halfedge_index common_face(const Input_mesh& input, const Surface_location
   return null_index;
 }
 
+/* Does an edge of a triangulation lie in the closed input face of a halfedge? */
+template <class Triangulation>
+bool is_edge_in_face(const Triangulation& triangulation, Halfedge_index h, Input_halfedge_index face)
+{
+  if(triangulation.crossings(Triangulation::edge(h)) > 0)
+    return false;
+  const auto& input = triangulation.input();
+  const auto is_side = [&](Input_halfedge_index g) {
+    return g == face || g == input.next(face) || input.next(g) == face;
+  };
+  const Crossing_word word = triangulation.crossing_word(h);
+  return word.along == null_index ? is_side(word.face) : is_side(word.along) || is_side(twin_index(word.along));
+}
+
 /* Shortest paths along those edges of a triangulation that lie in one closed input face. */
 template <class Triangulation>
 class Path_in_face
@@ -85,7 +99,7 @@ public:
       if(length > labels[v].first)
         continue;
       for(Halfedge_index h : spokes(m_triangulation, v)) {
-        if(!is_in_face(h))
+        if(!is_edge_in_face(m_triangulation, h, m_face))
           continue;
         const double longer = length + m_triangulation.length(h);
         const auto [label, is_new] = labels.insert({m_triangulation.head(h), {longer, h}});
@@ -104,21 +118,6 @@ public:
   }
 
 private:
-  bool is_in_face(Halfedge_index h) const
-  {
-    if(m_triangulation.crossings(Triangulation::edge(h)) > 0)
-      return false;
-    const Crossing_word word = m_triangulation.crossing_word(h);
-    return word.along == null_index ? is_of_face(word.face)
-                                    : is_of_face(word.along) || is_of_face(twin_index(word.along));
-  }
-
-  bool is_of_face(Input_halfedge_index h) const
-  {
-    const auto& input = m_triangulation.input();
-    return h == m_face || h == input.next(m_face) || input.next(h) == m_face;
-  }
-
   const Triangulation& m_triangulation;
   Input_halfedge_index m_face;
 };

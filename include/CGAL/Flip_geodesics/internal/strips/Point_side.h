@@ -22,6 +22,28 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+template <class Number>
+Number determinant_of_weights(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                              const std::array<Number, 3>& r, const Number& sign)
+{
+  return p[0] * (q[1] * r[2] + sign * q[2] * r[1]) + p[1] * (q[2] * r[0] + sign * q[0] * r[2]) +
+         p[2] * (q[0] * r[1] + sign * q[1] * r[0]);
+}
+
+/* The orientation of three points of an input face, given by weights that are not negative, exactly: POSITIVE if they
+ * are in counterclockwise order. */
+inline Sign orientation_of_weights(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                   const std::array<double, 3>& r)
+{
+  // A sum of six products of three, each with less than six roundings.
+  const double quick = determinant_of_weights(p, q, r, -1.0), bound = determinant_of_weights(p, q, r, 1.0);
+  if(std::abs(quick) > 8 * std::numeric_limits<double>::epsilon() * bound)
+    return quick > 0 ? POSITIVE : NEGATIVE;
+  const Integer exact =
+      determinant_of_weights<Integer>(integer_weights(p), integer_weights(q), integer_weights(r), Integer(-1));
+  return exact > 0 ? POSITIVE : (exact < 0 ? NEGATIVE : ZERO);
+}
+
 /*
  * On which side of an intrinsic edge does a point of an input face lie that the edge passes: the sign of the exact
  * number that the input and the point's weights define. POSITIVE is on the left.
@@ -44,7 +66,8 @@ public:
     if(word.along != null_index)
       return weights[2] > 0 ? POSITIVE : ZERO;
     if(word.crossed.empty())
-      return in_one_face(word, weights);
+      return orientation_of_weights(vertex_weights(m_triangulation, word.tail, word.face),
+                                    vertex_weights(m_triangulation, word.head, word.face), weights);
     const Uncertain<Sign> quick = in_double(word, gap, weights);
     if(quick.is_certain()) {
       ++m_statistics.by_strip;
@@ -75,27 +98,6 @@ public:
   }
 
 private:
-  Sign in_one_face(const Crossing_word& word, const std::array<double, 3>& weights) const
-  {
-    const std::array<double, 3> tail = vertex_weights(m_triangulation, word.tail, word.face);
-    const std::array<double, 3> head = vertex_weights(m_triangulation, word.head, word.face);
-    // Weights are not negative: a sum of six products of three, each with less than six roundings.
-    const double quick = determinant(tail, head, weights, -1.0), bound = determinant(tail, head, weights, 1.0);
-    if(std::abs(quick) > 8 * std::numeric_limits<double>::epsilon() * bound)
-      return quick > 0 ? POSITIVE : NEGATIVE;
-    const Integer exact =
-        determinant<Integer>(integer_weights(tail), integer_weights(head), integer_weights(weights), Integer(-1));
-    return exact > 0 ? POSITIVE : (exact < 0 ? NEGATIVE : ZERO);
-  }
-
-  template <class Number>
-  static Number determinant(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
-                            const std::array<Number, 3>& r, const Number& sign)
-  {
-    return p[0] * (q[1] * r[2] + sign * q[2] * r[1]) + p[1] * (q[2] * r[0] + sign * q[0] * r[2]) +
-           p[2] * (q[0] * r[1] + sign * q[1] * r[0]);
-  }
-
   Uncertain<Sign> in_double(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
   {
     const Strip<Triangulation> strip(m_triangulation, word);
