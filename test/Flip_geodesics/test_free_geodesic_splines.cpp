@@ -29,6 +29,8 @@ std::vector<std::vector<Flat_point>> simple_and_crossing_polygons()
   result.push_back({{1.2, 1.1}, {7.3, 6.8}, {6.9, 1.4}, {1.3, 7.1}}); // crosses itself
   result.push_back({{0.5, 0.5}, {1, 4}, {6, 4}, {4, 4}});             // the second leg passes over the last point
   result.push_back({{1, 1}, {6, 6}, {1, 1.5}, {6, 5.5}, {3, 7}});
+  result.push_back({{1, 1}, {1, 1}, {6, 5}, {3, 7}}); // control points are repeated
+  result.push_back({{1.5, 1}, {6, 5}, {6, 5}, {6, 5}, {3.25, 7}, {3.25, 7}});
   return result;
 }
 
@@ -175,6 +177,21 @@ BOOST_AUTO_TEST_CASE(paths_through_points_may_cross_themselves)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_spline_of_one_point_is_that_point)
+{
+  const Bent_surface surface = surfaces().front();
+  for(auto kind : {FG::Spline_kind::BEZIER, FG::Spline_kind::CUBIC_B_SPLINE, FG::Spline_kind::CLOSED_CUBIC_B_SPLINE}) {
+    Triangulation t(surface.bent);
+    Spline spline(t, locations(t, surface, {{2.3, 1.4}, {2.3, 1.4}, {2.3, 1.4}}), kind);
+    spline.refine();
+    for(const auto& piece : spline.finish())
+      for(const FG::Surface_location& p : piece)
+        BOOST_TEST(distance(rolled_out(surface.flat, p), {2.3, 1.4}) < 1e-12);
+    BOOST_TEST(spline.report().curves.front().length == 0);
+    BOOST_TEST((spline.report().curves.front().status == FG::Shortening_status::CONTRACTED));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bad_control_points_are_refused)
 {
   const Bent_surface surface = surfaces().front();
@@ -182,7 +199,6 @@ BOOST_AUTO_TEST_CASE(bad_control_points_are_refused)
   const auto points = locations(t, surface, {{1, 1}, {5, 5}});
   BOOST_CHECK_THROW(Spline(t, {points[0]}, FG::Spline_kind::BEZIER), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(Spline(t, points, FG::Spline_kind::CLOSED_CUBIC_B_SPLINE), FG::Invalid_curve_error);
-  BOOST_CHECK_THROW(Spline(t, {points[0], points[0]}, FG::Spline_kind::BEZIER), FG::Invalid_curve_error);
   BOOST_CHECK_THROW(Spline(t, {points[0], FG::Surface_location{100000_input_h, {{1, 1, 1}}}}, FG::Spline_kind::BEZIER),
                     FG::Invalid_location_error);
   BOOST_TEST(t.log_position() == 0u);

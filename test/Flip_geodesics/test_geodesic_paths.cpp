@@ -155,7 +155,9 @@ BOOST_AUTO_TEST_CASE(an_error_is_the_result_of_its_pair_alone)
   check_same(paths, paths_of<CGAL::Parallel_if_available_tag>(mesh, pairs));
 
   const std::vector<Path> equal_ends = paths_of<CGAL::Sequential_tag>(mesh, {{Vertex(0), Vertex(0)}, pairs[0]});
-  BOOST_CHECK_THROW(std::rethrow_exception(equal_ends[0].error), FG::Invalid_curve_error);
+  BOOST_TEST(!equal_ends[0].error);
+  BOOST_TEST((equal_ends[0].report.status == FG::Shortening_status::CONTRACTED));
+  BOOST_TEST(equal_ends[0].points.size() == 2u);
   BOOST_TEST((equal_ends[1].points == paths[0].points));
 }
 

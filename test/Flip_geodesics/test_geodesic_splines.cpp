@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(bad_points_are_refused)
                                                             {f, {{nan, 0.5, 0.5}}},
                                                             {f, {{0, 0, 0}}}})
     BOOST_CHECK_THROW(FG::geodesic_path(mesh, good, bad, std::back_inserter(points)), FG::Invalid_location_error);
-  BOOST_CHECK_THROW(FG::geodesic_path(mesh, good, good, std::back_inserter(points)), FG::Invalid_curve_error);
+  BOOST_CHECK(points.empty());
   // Located with rounding: at the vertex.
   Triangulation t(mesh);
   const auto snapped = FG::surface_location(t, mesh, Face_location{f, {{1 + 5.6e-17, -5.6e-17, 1e-16}}});

@@ -100,13 +100,13 @@ public:
   }
 
 private:
-  // Returns the message of an error, with the program's advice. It does not name a vertex that was inserted for a point:
-  // the mesh does not have it.
+  // Returns the message of an error, with the program's advice. It does not name a vertex that was inserted for a
+  // point: the mesh does not have it.
   std::string message(const std::exception& error) const
   {
     const auto* const crossing = dynamic_cast<const CGAL::Flip_geodesics::Crossing_curves_error*>(&error);
     if(crossing != nullptr && crossing->elements().front() >= m_mesh.number_of_vertices())
-      return "strands cross at one of the given points";
+      return "curves cross at one of the given points, or between them";
     return with_advice(error, m_options.are_zero_edges_refused ? "leave out --refuse-zero-edges, or give --mollify"
                                                                : "give --mollify");
   }
@@ -127,7 +127,35 @@ private:
     }
   }
 
+  // A curve of which a point is left needs no computation; the others are computed together.
   std::vector<Curve_result> compute(const Network_request& request)
+  {
+    forget_last_run();
+    const Surface_request left = surface_request(m_triangulation, request);
+    const bool is_contracted = m_triangulation.input().is_contracted();
+    std::vector<Curve_result> computed, results;
+    if(left.request.tree_source || !left.request.curves.empty())
+      computed = compute_lines(left.request);
+    if(left.request.tree_source) {
+      if(is_contracted)
+        put_on_mesh(m_triangulation, computed, m_map);
+      return computed;
+    }
+    std::size_t next = 0;
+    for(std::size_t c = 0; c < request.curves.size(); ++c) {
+      if(left.places[c]) {
+        results.push_back(make_result(request.curves[c]));
+        make_point(m_triangulation, *left.places[c], results.back());
+      } else {
+        results.push_back(std::move(computed[next++]));
+      }
+      if(is_contracted)
+        put_on_mesh(request.curves[c], results.back());
+    }
+    return results;
+  }
+
+  std::vector<Curve_result> compute_lines(const Network_request& request)
   {
     std::vector<Curve_result> results;
     for(const Curve_request& curve : request.curves)
@@ -171,7 +199,7 @@ private:
         m_on_surface =
             std::make_unique<Curve_runner>(m_mesh, m_metric, m_options, m_progress, FG::Zero_length_edges::CONTRACT);
       m_on_surface->set_most_recorded_points(m_most_recorded_points);
-      const std::vector<Curve_result> results = m_on_surface->compute_on_surface(request);
+      const std::vector<Curve_result> results = m_on_surface->compute(request);
       take_results(*m_on_surface);
       return results;
     } catch(const FG::Disconnected_endpoints_error&) { // by faces without area, or in a point
@@ -181,30 +209,6 @@ private:
       m_on_surface.reset();
       return failures(request, message(error));
     }
-  }
-
-  std::vector<Curve_result> compute_on_surface(const Network_request& request)
-  {
-    forget_last_run();
-    const Surface_request left = surface_request(m_triangulation, request);
-    std::vector<Curve_result> computed, results;
-    if(left.request.tree_source || !left.request.curves.empty())
-      computed = compute(left.request);
-    if(left.request.tree_source) {
-      put_on_mesh(m_triangulation, computed, m_map);
-      return computed;
-    }
-    std::size_t next = 0;
-    for(std::size_t c = 0; c < request.curves.size(); ++c) {
-      if(left.places[c]) {
-        results.push_back(make_result(request.curves[c]));
-        make_point(m_triangulation, *left.places[c], results.back());
-      } else {
-        results.push_back(std::move(computed[next++]));
-      }
-      put_on_mesh(request.curves[c], results.back());
-    }
-    return results;
   }
 
   void take_results(Curve_runner& other)
@@ -237,6 +241,9 @@ private:
       }
       m_progress.enter("searching");
       if(!request.curves[c].points.empty()) {
+        if(request.curves[c].spline && has_repeated_point(m_triangulation, request.curves[c]))
+          throw CGAL::Flip_geodesics::Invalid_curve_error("a control point is repeated, which a spline in a network "
+                                                          "cannot have; leave out meshes and --stop-length");
         const auto curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
         results[c].search_s = stopwatch.seconds();
         results[c].initial_segments = network.halfedges(curve).size();

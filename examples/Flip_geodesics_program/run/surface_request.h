@@ -13,8 +13,11 @@
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,6 +54,33 @@ inline Curve_result tree_result(Vertex_index source)
   return result;
 }
 
+/// Are several points of the surface one?
+template <class Triangulation>
+bool are_in_one_place(const Triangulation& triangulation,
+                      const std::vector<CGAL::Flip_geodesics::Surface_location>& points)
+{
+  namespace FG = CGAL::Flip_geodesics;
+  const auto place = [&](const FG::Surface_location& location) {
+    const FG::Surface_location at = FG::internal::canonical_location(triangulation.input(), location);
+    const bool is_vertex = kind(at) == FG::Location_kind::VERTEX;
+    return std::make_tuple(is_vertex, is_vertex ? triangulation.input().tail(at.halfedge).idx() : at.halfedge.idx(),
+                           at.weights);
+  };
+  return points.size() > 1 && std::all_of(points.begin(), points.end(), [&](const FG::Surface_location& location) {
+           return place(location) == place(points.front());
+         });
+}
+
+/// Is a point of a curve in the place of the one before it?
+template <class Triangulation>
+bool has_repeated_point(const Triangulation& triangulation, const Curve_request& curve)
+{
+  for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < curve.points.size(); ++i)
+    if(are_in_one_place(triangulation, {curve.points[i], curve.points[(i + 1) % curve.points.size()]}))
+      return true;
+  return false;
+}
+
 /// Where a curve lies. Curves along edges keep the mesh's vertices, since these tell which edges are meant.
 /// \return the point, if that is all that is left of it
 template <class Triangulation>
@@ -60,15 +90,16 @@ std::optional<CGAL::Flip_geodesics::Surface_point> put_on_surface(const Triangul
   namespace FG = CGAL::Flip_geodesics;
   if(!curve.points.empty()) {
     curve.points = FG::points_on_surface(triangulation, curve.points);
-    return curve.points.size() == 1 ? std::make_optional(FG::surface_point(triangulation, curve.points.front()))
-                                    : std::nullopt;
+    return are_in_one_place(triangulation, curve.points)
+               ? std::make_optional(FG::surface_point(triangulation, curve.points.front()))
+               : std::nullopt;
   }
   bool is_point = false;
   const Vertex_index v = FG::vertex_on_surface(triangulation, curve.vertices.front());
   if(curve.is_pair) {
     curve.vertices = {v, FG::vertex_on_surface(triangulation, curve.vertices.back())};
     is_point = v == curve.vertices.back();
-  } else {
+  } else if(triangulation.input().is_contracted()) {
     is_point = FG::halfedges_on_surface(triangulation, curve.vertices, curve.is_closed).empty();
   }
   return is_point ? std::make_optional(FG::Surface_point{v, v, 0, FG::null_index, FG::null_index, 0, v}) : std::nullopt;

@@ -50,9 +50,9 @@ public:
    * The spline with these control points, joined by shortest edge paths that are pulled straight.
    *
    * \param triangulation that of the input, without flips and curves; it has to live as long as the spline is refined
-   * \param control_points at least two, no two in a row in one place; a closed spline has at least three, and does not
-   *        repeat the first
-   * \throws Invalid_curve_error for fewer points, or two in a row in one place
+   * \param control_points at least two; a closed spline has at least three, and does not repeat the first. Points in a
+   *        row may be in one place: the leg between them has length zero
+   * \throws Invalid_curve_error for fewer points
    * \throws Occupied_triangulation_error if there are curves
    * \throws Invalid_location_error, Insertion_error, Disconnected_endpoints_error, and as `refine()`
    */
@@ -157,6 +157,8 @@ public:
     m_report = m_straightener.report();
     m_report.curves.front().initial_length = m_control_length;
     m_report.curves.front().length = finished_length;
+    if(finished_length == 0)
+      m_report.curves.front().status = Shortening_status::CONTRACTED;
     return pieces;
   }
 

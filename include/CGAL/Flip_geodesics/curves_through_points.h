@@ -18,6 +18,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,10 +35,10 @@ namespace Flip_geodesics {
  * Adds a curve through points of the surface: makes them vertices, joins each two in a row by a shortest path along
  * edges, and fixes the curve's nodes there.
  *
- * \param locations a range of `Surface_location`s, at least two, no two in a row in one place; a closed curve does not
- *        repeat the first
+ * \param locations a range of `Surface_location`s, at least two; those in the place of the one before count once. A
+ *        closed curve need not repeat the first
  * \return the curve's index
- * \throws Invalid_curve_error for fewer than two points, or two in a row in one place
+ * \throws Invalid_curve_error for fewer than two points, or if all are in one place
  * \throws Disconnected_endpoints_error
  * \throws as `Edge_path_network::insert()`
  */
@@ -48,6 +49,12 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
   std::vector<Vertex_index> way_points;
   for(const Surface_location& location : locations)
     way_points.push_back(network.insert(location));
+  const bool are_several = way_points.size() > 1;
+  way_points.erase(std::unique(way_points.begin(), way_points.end()), way_points.end());
+  while(is_closed && way_points.size() > 1 && way_points.front() == way_points.back())
+    way_points.pop_back();
+  if(are_several && way_points.size() == 1)
+    throw Invalid_curve_error("all points of a curve are in one place; the curve is a point, and has no edges");
   const auto search = [&](Vertex_index v, Vertex_index w) { return shortest_intrinsic_edge_path(triangulation, v, w); };
   const Curve_index curve = network.add_curve(shortest_halfedges_through(search, way_points, is_closed), is_closed);
   std::size_t next = 1;
@@ -75,10 +82,13 @@ struct Free_legs
  * the next one. So legs do not hold up one another, and may cross, unlike those of `add_curve_through()`; there is no
  * triangulation that has all of them.
  *
+ * A leg between two points in one place is that point twice. If all are in one place, so is the curve, and its status
+ * is `Shortening_status::CONTRACTED`.
+ *
  * \param triangulation that of the input, without flips and curves, as it is afterwards
- * \param points at least two, no two in a row in one place
+ * \param points at least two
  * \param stop, visitor as for `shorten()`, for each leg; the first `restarted()` for each if it can be
- * \throws Invalid_curve_error for fewer than two points, or two in a row in one place
+ * \throws Invalid_curve_error for fewer than two points
  * \throws Occupied_triangulation_error if there are curves
  * \throws Disconnected_endpoints_error, and as `Intrinsic_triangulation::insert()`, `shorten()`
  */
@@ -98,14 +108,16 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
     result.legs.push_back(straightener.shortest(points[i], points[i + 1], tighten));
   }
   result.report = straightener.report();
+  if(std::all_of(result.legs.begin(), result.legs.end(), internal::is_point))
+    result.report.curves.front() = report_of_point(triangulation);
   return result;
 }
 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Where points of the mesh lie on the surface of a triangulation, as `location_on_surface()`. Where edges of length
- * zero were contracted, points in the place of the one before are left out.
+ * Where points of the mesh lie on the surface of a triangulation, as `location_on_surface()`. On a contracted surface
+ * each place has one location.
  */
 template <class Triangulation>
 std::vector<Surface_location> points_on_surface(const Triangulation& triangulation,
@@ -114,12 +126,8 @@ std::vector<Surface_location> points_on_surface(const Triangulation& triangulati
   if(!triangulation.input().is_contracted())
     return locations;
   std::vector<Surface_location> result;
-  for(const Surface_location& location : locations) {
-    const Surface_location at =
-        internal::canonical_location(triangulation.input(), location_on_surface(triangulation, location));
-    if(result.empty() || result.back().halfedge != at.halfedge || result.back().weights != at.weights)
-      result.push_back(at);
-  }
+  for(const Surface_location& location : locations)
+    result.push_back(internal::canonical_location(triangulation.input(), location_on_surface(triangulation, location)));
   return result;
 }
 
@@ -213,19 +221,11 @@ std::vector<Form> polyline_forms(const Triangulation& triangulation, const Trian
 {
   std::vector<Form> points;
   for(const Surface_polyline& polyline : polylines)
-    append_polyline(triangulation, mesh, polyline, points);
+    if(!is_point(polyline))
+      append_polyline(triangulation, mesh, polyline, points);
+  if(points.empty()) // all are one point
+    append_polyline(triangulation, mesh, polylines.front(), points);
   return points;
-}
-
-/* A curve of which all points lie in one place: that point twice. */
-template <class Form, class Triangulation, class TriangleMesh>
-Computed_output<Form> curve_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh,
-                                         const Surface_location& place)
-{
-  Shortening_report report;
-  report.curves.push_back(report_of_point(triangulation));
-  note_contraction(triangulation, report);
-  return {polyline_forms<Form>(triangulation, mesh, {{place, place}}), std::move(report)};
 }
 
 /* A geodesic through the points that `locate(triangulation)` gives. */
@@ -241,8 +241,6 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
   std::vector<Surface_location> given;
   const auto compute = [&](Triangulation& triangulation) {
     const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
-    if(given.size() > 1 && points.size() == 1)
-      return curve_in_one_place<Form>(triangulation, mesh, points.front());
     auto visitor = make_visitor(np);
     Free_legs path = geodesics_through(triangulation, points, stop, visitor.get());
     note_contraction(triangulation, path.report);
@@ -257,7 +255,8 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
  * \ingroup PkgFlipGeodesicsFunctions
  *
  * Computes a geodesic, a locally shortest path, through points anywhere on the surface: from the first to the last,
- * with a corner at each point in between. Two points give a geodesic between them. The path may cross itself.
+ * with a corner at each point in between. Two points give a geodesic between them. The path may cross itself. A point
+ * in the place of the one before it changes nothing; if all points are in one place, the path is that point.
  *
  * \param mesh a triangle mesh
  * \param locations a range of vertices of the mesh, of `CGAL::Polygon_mesh_processing::Face_location`s, pairs of a face
@@ -333,8 +332,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  * lie on the curve, joined by geodesics. The control polygon, and the curve, may cross themselves.
  *
  * \param mesh a triangle mesh
- * \param control_points a range of locations as for `geodesic_path_through()`, at least two, no two in a row in one
- *        place
+ * \param control_points a range of locations as for `geodesic_path_through()`, at least two. One that is repeated
+ *        counts as often as it is given, and draws the curve closer
  * \param kind which spline, a `Spline_kind`
  * \param out receives the points of the curve, as `geodesic_path()` writes them
  * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, as for `geodesic_path()`; and
@@ -363,8 +362,6 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
   std::vector<Surface_location> given;
   const auto compute = [&](typename Types::Triangulation& triangulation) {
     const std::vector<Surface_location> points = internal::points_on_surface(triangulation, locate, given);
-    if(given.size() > 1 && points.size() == 1)
-      return internal::curve_in_one_place<Form>(triangulation, mesh, points.front());
     Free_geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
     for(int i = 0; i < static_cast<int>(rounds); ++i)
       spline.refine();

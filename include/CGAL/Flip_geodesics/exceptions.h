@@ -160,8 +160,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A curve is empty or not a chain of edges of the mesh, or two of its way points in a row are equal. Or it is open, and
-/// a closed one is asked for.
+/// A curve is empty or not a chain of edges of the mesh. Or a curve of a network would be a point, since all its way
+/// points are in one place. Or a curve is open, and a closed one is asked for.
 class Invalid_curve_error : public Error
 {
 public:

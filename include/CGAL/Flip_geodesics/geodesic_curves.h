@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -21,6 +22,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -168,12 +170,17 @@ std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, 
   return result;
 }
 
-/* A path between two vertices that edges of length zero join: its two ends. */
+/* A path of length zero, between vertices in one place: its two ends. */
 template <class Form, class Triangulation, class TriangleMesh>
 Computed_output<Form> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh, Vertex_index v)
 {
-  if(triangulation.input().outgoing(v) == null_index)
-    throw_no_surface_left(v);
+  check_vertex(v, triangulation.input().number_of_vertices());
+  if(triangulation.input().outgoing(v) == null_index) {
+    if(triangulation.input().is_contracted())
+      throw_no_surface_left(v);
+    throw Vertex_out_of_range_error("vertex " + std::to_string(v.idx()) + " is in no face of the mesh",
+                                    {static_cast<std::size_t>(v.idx())});
+  }
   Computed_output<Form> result;
   result.report.curves.push_back(report_of_point(triangulation));
   note_contraction(triangulation, result.report);
@@ -190,7 +197,7 @@ Computed_output<Form> geodesic_between(Network& network, Search& search, const T
 {
   const auto& triangulation = network.triangulation();
   const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
-  if(triangulation.input().is_contracted() && ends[0] == ends[1])
+  if(ends[0] == ends[1])
     return path_in_one_place<Form>(triangulation, mesh, ends[0]);
   Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
   return {curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
@@ -247,14 +254,17 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  * path that takes another way round a hole or a bump may be shorter still. With `curves_through_points.h` the ends can
  * lie anywhere.
  *
+ * A path between ends in one place is that point. It has length zero, `Shortening_status::CONTRACTED` and
+ * `Certificate_verdict::PROVEN`, and is written as its two ends.
+ *
  * If it meets an edge of length zero, such edges are contracted, and the path is computed again: it is a geodesic of
- * the surface that is left, and `Curve_report::are_zero_edges_contracted` says so. Ends in one place have a path of
- * length zero, `Shortening_status::CONTRACTED`. So it is with all functions that take a mesh and give curves. Whichever
+ * the surface that is left, and `Curve_report::are_zero_edges_contracted` says so. The ends of such an edge are in one
+ * place. All this holds for all functions that take a mesh and give curves. Whichever
  * attempt succeeds, its result is written once, when it is complete: if an exception is thrown, nothing is written. A
  * visitor observes the steps of both attempts.
  *
  * \param mesh a triangle mesh
- * \param source, target different vertices of one component
+ * \param source, target vertices of one component
  * \param out receives the points of the path, from `source` to `target`: in space, as the metric's points, if it has
  *        any, as lengths have none; if the output does not take those, as
  *        `CGAL::Polygon_mesh_processing::Face_location`s; if it takes neither, as `Curve_point`s, which have both, the
@@ -268,8 +278,8 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
  *        one's own without `exact_face()`, `Intrinsic_triangulation_traits`; `visitor`, a model of `FlipOutVisitor`,
  *        which is copied unless it is given by `std::ref()`, by default none
  * \return the end of the output, and the report, which has one curve
- * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_curve_error if `source == target`,
- *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
+ * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Degenerate_face_error, Invalid_coordinate_error,
+ *         Invalid_mesh_error
  *
  * Complexity: that of the search, \f$O(k \log k)\f$ for the \f$k\f$ vertices it visits, and of `shorten()`; meshes
  * other than `Surface_mesh` are indexed first, \f$O(n \log n)\f$.

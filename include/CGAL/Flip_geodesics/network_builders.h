@@ -148,8 +148,9 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  * The chain of input halfedges along shortest edge paths from each way point to the next.
  *
  * \param search a `Shortest_edge_path` over the network's triangulation, whose edges are still the input's
- * \param way_points vertex indices, at least two, no two in a row equal; a closed curve does not repeat the first
- * \throws Invalid_curve_error for fewer than two way points, or two equal ones in a row
+ * \param way_points vertex indices, at least two; those that repeat the one before count once. A closed curve need not
+ *        repeat the first
+ * \throws Invalid_curve_error for fewer than two way points, or if all are one vertex
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error as `Shortest_edge_path`
  */
 template <class Search, class VertexRange>
@@ -163,12 +164,13 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
-    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1]); // first of all refuses what is no vertex
-    if(v[i] == v[i + 1])
-      throw Invalid_curve_error("a curve starts and ends at the same vertex " + std::to_string(v[i].idx()),
-                                {static_cast<std::size_t>(v[i].idx())});
+    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1]); // also refuses what is no vertex
     result.insert(result.end(), leg.begin(), leg.end());
   }
+  if(result.empty())
+    throw Invalid_curve_error("all way points of a curve are vertex " + std::to_string(v.front().idx()) +
+                                  "; the curve is a point, and has no edges",
+                              {static_cast<std::size_t>(v.front().idx())});
   return result;
 }
 

@@ -335,7 +335,7 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
   const auto compute = [&](typename Types::Triangulation& triangulation) {
     const Mesh_vertex<TriangleMesh> from = source, to = target;
     const Vertex_index s = triangulation.index(from), t = triangulation.index(to);
-    if(triangulation.input().is_contracted() && s == t) {
+    if(s == t) {
       auto point = path_in_one_place<Form>(triangulation, mesh, s);
       return Computed{std::move(point.values), report_of_no_length(point.report)};
     }
@@ -360,7 +360,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  * `add_shortest_path()` for what that means and costs.
  *
  * \param mesh a triangle mesh
- * \param source, target different vertices of one component
+ * \param source, target vertices of one component; a path between ends in one place is
+ *        `Shortest_path_verdict::PROVEN_SHORTEST`
  * \param out receives the points of the path, as `geodesic_path()` writes them
  * \param limit a `Window_limit`; beyond it the search is given up, and the rest of the gap reported
  * \param np the named parameters of `geodesic_path()`

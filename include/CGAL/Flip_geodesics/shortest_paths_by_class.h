@@ -233,20 +233,6 @@ Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation
   return report;
 }
 
-/* Where edges of length zero are contracted, different vertices can be one. */
-template <class Triangulation, class Vertex>
-void check_places(const Triangulation& triangulation, Vertex source, Vertex target)
-{
-  const auto& input = triangulation.input();
-  if(!input.is_contracted() || input.index(source) != input.index(target))
-    return;
-  const Index s = input.uncontracted().index(source).idx(), t = input.uncontracted().index(target).idx();
-  if(s != t)
-    throw Invalid_curve_error("a curve starts and ends in one place: edges of length zero join vertex " +
-                                  std::to_string(s) + " and vertex " + std::to_string(t),
-                              {static_cast<std::size_t>(s), static_cast<std::size_t>(t)});
-}
-
 /* Calls `function(limit, np)` with what a caller has given last: named parameters, or a limit alone. */
 template <class Options, class Function>
 auto with_covering_limit(const Options& options, const Function& function)
@@ -271,20 +257,20 @@ auto with_covering_limit(const Options& options, const Function& function)
  * `shortest_path()` does it. Ways that leave the part are bounded from below, and the part is enlarged until they are
  * longer than the paths. So the result is confirmed, or the report says that it is not.
  *
- * Edges of length zero are contracted where they matter. Then the ends must lie in different places.
+ * Edges of length zero are contracted where they matter. If both ends are in one place, the first path is that point,
+ * of length zero, and the others are the shortest loops there, one in each class.
  *
  * A sphere and a disk have one class. Obstacles make more: the mesh can be a `CGAL::Face_filtered_graph` without the
  * faces that no path is to enter.
  *
  * \param mesh a triangle mesh, a surface: sheets that meet in a vertex only are none
- * \param source, target different vertices of one component
+ * \param source, target vertices of one component
  * \param number of classes
  * \param out receives one `std::vector` per path, by length, of what `geodesic_path()` writes
  * \param limit a `Covering_limit`; beyond it the search is given up, and the report tells what is known
  * \param np the named parameters of `geodesic_path()` without `visitor`
  * \return the end of the output, and the report
- * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface; Invalid_curve_error if the ends are one
- *         vertex, or edges of length zero join them
+ * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface
  * \pre `number > 0`
  *
  * Complexity: \f$O(m \log m)\f$ for \f$m\f$ vertices of the covering that are visited, and that of `shortest_path()` for
@@ -305,7 +291,6 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
   using Report = Paths_by_class_report<TriangleMesh>;
   const auto compute = [&](Triangulation& triangulation) {
-    internal::check_places(triangulation, source, target);
     internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
                                                triangulation.index(target));
     paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));

@@ -230,12 +230,19 @@ private:
     }
   }
 
+  // Is a lift of the target the start of all paths? Then the path of its class is a point.
+  bool is_source(Index lift) const { return m_surface->vertex(lift) == m_surface->vertex(0); }
+
   // Pulls an edge path to a lift of the target tight, unless that has been done, and more of the covering is no help.
   void find_geodesic(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift)
   {
     Geodesic& geodesic = m_geodesics[lift];
     if(!geodesic.is_held || geodesic.part == m_part)
       return;
+    if(is_source(lift)) {
+      geodesic = {0, false, true, m_part, m_part};
+      return;
+    }
     {
       Network network(covering);
       const std::vector<Vertex_index> ends = {m_surface->vertex(0), m_surface->vertex(lift)};
@@ -312,8 +319,20 @@ private:
     });
   }
 
+  // The path of the class that is a point, as its two ends.
+  static Path point_path(const Covering& covering, const Surface& surface, Index lift)
+  {
+    Shortening_report shortening;
+    shortening.curves.push_back(report_of_point(covering));
+    const Form_converter<Covering, Place> convert(covering, surface);
+    return {lift, report_of_no_length(shortening),
+            std::vector<Place>(2, convert(surface_point_at_vertex(covering, surface.vertex(lift))))};
+  }
+
   void find_path(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift, std::size_t number)
   {
+    if(is_source(lift))
+      return keep(point_path(covering, *m_surface, lift), number);
     {
       Network network(covering);
       Path path = {lift, add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift)), {}};

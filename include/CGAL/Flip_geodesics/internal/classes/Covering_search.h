@@ -49,7 +49,7 @@ template <class Triangulation>
 class Covering_search
 {
 public:
-  /* \throws Vertex_out_of_range_error, Invalid_curve_error, Disconnected_endpoints_error, Invalid_mesh_error,
+  /* \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_mesh_error,
    * Invalid_coordinate_error. And `run_to_targets()` Degenerate_face_error, where it meets an edge of length zero. */
   Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
     : m_triangulation(triangulation)
@@ -180,9 +180,6 @@ private:
     const auto& input = triangulation.input();
     check_vertex(source, input.number_of_vertices());
     check_vertex(target, input.number_of_vertices());
-    if(source == target)
-      throw Invalid_curve_error("a curve starts and ends at the same vertex " + std::to_string(source.idx()),
-                                {static_cast<std::size_t>(source.idx())});
     check_surface(input);
     if(input.outgoing(source) == null_index || input.outgoing(target) == null_index)
       throw_disconnected(source, target);

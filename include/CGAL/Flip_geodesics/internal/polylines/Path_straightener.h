@@ -70,8 +70,8 @@ public:
     return pull(path.front(), path.back(), snap, tighten);
   }
 
-  /* The same by all flips that it takes. Vertices at the ends can lie between a path and the edges that it is snapped to;
-   * if that makes it cross itself, the path itself is drawn instead. */
+  /* The same by all flips that it takes. Vertices at the ends can lie between a path and the edges that it is snapped
+   * to; if that makes it cross itself, the path itself is drawn instead. */
   Surface_polyline straightened(const Surface_polyline& path)
   {
     const auto tighten = [](Network& network) { return shorten(network); };

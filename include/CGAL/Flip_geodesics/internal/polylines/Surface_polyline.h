@@ -22,6 +22,13 @@ namespace internal {
 /* Canonical locations, each two in a row in a common input face: the points of a straight line, or of several. */
 using Surface_polyline = std::vector<Surface_location>;
 
+/* Is it one location twice? */
+inline bool is_point(const Surface_polyline& polyline)
+{
+  return polyline.size() == 2 && polyline[0].halfedge == polyline[1].halfedge &&
+         polyline[0].weights == polyline[1].weights;
+}
+
 /* The weights of a canonical location in the face of h, also of a vertex, summing to one. */
 template <class Input_mesh>
 std::array<double, 3> normalized_weights(const Input_mesh& input, const Surface_location& p, Input_halfedge_index h)
@@ -70,8 +77,9 @@ public:
     }
     Surface_polyline first(polyline.begin(), polyline.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     Surface_polyline second(polyline.begin() + static_cast<std::ptrdiff_t>(i) + 1, polyline.end());
-    const double t = step > 0 ? (std::min)((std::max)(distance_from_start / step, 0.0), 1.0) : 0;
-    const Surface_location middle = between(polyline[i], polyline[i + 1], t);
+    const Surface_location middle =
+        step > 0 ? between(polyline[i], polyline[i + 1], (std::min)((std::max)(distance_from_start / step, 0.0), 1.0))
+                 : polyline[i];
     first.push_back(middle);
     second.insert(second.begin(), middle);
     return {first, second};
