@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -333,6 +334,55 @@ BOOST_AUTO_TEST_CASE(one_call)
   const auto limited = FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40),
                                          std::back_inserter(points), FG::Window_limit(1));
   BOOST_TEST(limited.report.windows <= 60u);
+}
+
+// The error of a length may exceed a short edge: its ends do not lower each other's distances for ever. Edges on the
+// border let rays start without a window.
+BOOST_AUTO_TEST_CASE(an_edge_shorter_than_the_error_of_a_length)
+{
+  const std::size_t edges = 3;
+  for(double height : {1e10, 1e15, 1e17, 1e30}) {
+    const Surface mesh = to_mesh<Surface>(Mesh_soup{{{-1, 0, 0}, {0, 0, 0}, {0, 0, height}}, {{0, 1, 2}}});
+    std::vector<Surface::Point> points;
+    const auto result =
+        FG::shortest_path(mesh, Surface::Vertex_index(2), Surface::Vertex_index(0), std::back_inserter(points));
+    BOOST_TEST(result.report.windows <= edges);
+    BOOST_TEST((result.report.verdict == FG::Shortest_path_verdict::PROVEN_SHORTEST));
+    BOOST_TEST(std::abs(result.length() - height) <= 1e-12 * height);
+  }
+}
+
+// Whenever a visitor stops the computation, in the search or before it, nothing wrong is confirmed.
+BOOST_AUTO_TEST_CASE(a_visitor_stops_the_search)
+{
+  const Surface mesh = to_mesh<Surface>(bumpy_sphere(32, 0.2, 3));
+  const Surface::Vertex_index source(0), target(static_cast<unsigned>(mesh.number_of_vertices() / 2));
+  struct Stopping_visitor : FG::Default_shortening_visitor
+  {
+    std::size_t calls = 0, most = std::numeric_limits<std::size_t>::max();
+    bool go_further() { return ++calls <= most; }
+  };
+  const auto compute = [&](Stopping_visitor& visitor) {
+    std::vector<Surface::Point> points;
+    return FG::shortest_path(mesh, source, target, std::back_inserter(points),
+                             CGAL::parameters::visitor(std::ref(visitor)))
+        .report;
+  };
+  Stopping_visitor patient;
+  const auto complete = compute(patient);
+  BOOST_TEST((complete.verdict == FG::Shortest_path_verdict::PROVEN_SHORTEST));
+  BOOST_TEST(patient.calls > complete.shortening.flip_outs + 2); // the search has called it, too
+  for(std::size_t most = 0; most <= patient.calls; ++most) {
+    Stopping_visitor visitor;
+    visitor.most = most;
+    const auto report = compute(visitor);
+    BOOST_TEST(report.is_confirmed() == (most == patient.calls));
+    BOOST_TEST(report.lower_bound <= complete.length);
+    BOOST_TEST(report.length >= complete.lower_bound);
+    BOOST_TEST(visitor.calls == std::min(most + 1, patient.calls));
+    if(most < patient.calls)
+      BOOST_TEST((report.shortening.curves.front().status == FG::Shortening_status::STOPPED_BY_VISITOR));
+  }
 }
 
 // Given up, a tree stays as it was grown, and nothing is claimed.

@@ -24,6 +24,69 @@
 
 using namespace ways_test;
 
+namespace {
+
+// The lengths of a lattice of parallelograms on `torus(n, m, ...)`.
+struct Skewed_torus_metric
+{
+  double length(int i, int j) const { return scale * std::hypot(i + shear * j, height * j); }
+
+  double operator()(int u, int v) const
+  {
+    const auto step = [](int from, int to, int size) {
+      const int forward = (to - from + size) % size;
+      return forward <= size / 2 ? forward : forward - size;
+    };
+    return length(step(u % n, v % n, n), step(u / n, v / n, m));
+  }
+
+  // From vertex 0 to that of cell (i, j).
+  double distance(int i, int j) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(int p = -100; p <= 100; ++p)
+      for(int q = -100; q <= 100; ++q)
+        least = std::min(least, length(i + p * n, j + q * m));
+    return least;
+  }
+
+  int n, m;
+  double shear, height, scale;
+};
+
+} // namespace
+
+// On needles, bounds within 1 % do not single a class out; the search is confined all the same. What it visits does not
+// depend on the scale.
+BOOST_AUTO_TEST_CASE(needles_of_a_skewed_torus)
+{
+  const int n = 8, m = 4, i = 5, j = 2;
+  const Surface mesh = to_mesh<Surface>(torus(n, m, 3, 1));
+  for(const auto& [shear, height] : {std::pair(3.3, 0.3), std::pair(5.3, 0.1), std::pair(17.3, 0.1)}) {
+    double length = 0;
+    std::size_t visited = 0;
+    for(double scale : {1.0, 0x1p-110, 0x1p80}) {
+      const Skewed_torus_metric flat = {n, m, shear, height, scale};
+      std::map<Surface::Edge_index, double> lengths = edge_lengths(mesh, flat);
+      const auto map = boost::make_assoc_property_map(lengths);
+      const FG::Edge_length_metric<Surface, std::decay_t<decltype(map)>> metric(mesh, map);
+      std::vector<std::vector<FG::Curve_place<Surface>>> out;
+      const auto result = FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(static_cast<unsigned>(i + n * j)), 1,
+                                                      std::back_inserter(out), FG::with_metric(metric));
+      BOOST_TEST_REQUIRE(result.number_of_paths() == 1u);
+      BOOST_TEST(result.report.is_confirmed());
+      BOOST_TEST(result.report.visited <= 1000u);
+      BOOST_TEST(std::abs(result.length(0) - flat.distance(i, j)) <= 1e-11 * flat.distance(i, j));
+      if(scale == 1) {
+        length = result.length(0);
+        visited = result.report.visited;
+      }
+      BOOST_TEST(result.length(0) == length * scale);
+      BOOST_TEST(result.report.visited == visited);
+    }
+  }
+}
+
 // Classes are lattice points.
 BOOST_AUTO_TEST_CASE(lattice_on_a_flat_torus)
 {

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Shortest_path_report.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
@@ -29,7 +30,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// How many windows a search for shortest paths may make, of some 60 bytes each; then it is given up.
+/// How many windows a search for shortest paths may make, of some 60 bytes each, and along how many edges rays may start
+/// from vertices; beyond either the search is given up.
 class Window_limit
 {
 public:
@@ -70,11 +72,11 @@ auto with_limit(const Options& options, const Function& function)
 }
 
 /* Searches; false if there may be shorter paths than it found, on account of edges of length zero. */
-template <class Search>
-bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
+template <class Search, class... Interruptions>
+bool run_to_the_end(Search& search, double bound, std::size_t most_windows, Interruptions*... interruption)
 {
   try {
-    search.run(bound, most_windows);
+    search.run(bound, most_windows, interruption...);
   } catch(const Degenerate_face_error&) {
     return false;
   }
@@ -83,15 +85,15 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows)
 
 /* The same between two vertices, where a path as long as the bound is known. */
 template <class Sweep, class Search>
-bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_windows)
+bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_windows, Interruption* interruption)
 {
   constexpr double tolerance = Shortest_path_report::proof_tolerance();
   try {
-    sweep.run(bound * (1 + 2 * tolerance));
+    sweep.run(bound * (1 + 2 * tolerance), interruption);
   } catch(const Degenerate_face_error&) {
     return false;
   }
-  return run_to_the_end(search, bound * (1 + tolerance), most_windows);
+  return run_to_the_end(search, bound * (1 + tolerance), most_windows, interruption);
 }
 
 /* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
@@ -161,6 +163,20 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
   return report;
 }
 
+/* No path is shorter, by the places of its ends alone. */
+template <class Triangulation>
+double lower_bound_in_space(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
+{
+  const auto& metric = triangulation.metric();
+  return (1 - 0x1p-48) * metric.distance_lower_bound(metric.place(triangulation.input(), source),
+                                                     metric.place(triangulation.input(), target));
+}
+
+inline bool is_stopped_by_visitor(const Shortest_path_report& report)
+{
+  return report.shortening.curves.front().status == Shortening_status::STOPPED_BY_VISITOR;
+}
+
 /* Looks for a shorter path than the only one of a network, where faces without area are in the way of windows. */
 template <class Network, class Visitor>
 void take_shorter_path(Network& network, Vertex_index source, Vertex_index target, Shortest_path_report& report,
@@ -190,11 +206,12 @@ void take_shorter_path(Network& network, Vertex_index source, Vertex_index targe
     count_before(report.shortening, before, best->flips.size());
 }
 
-/* Adds a shortest path to a network; landmarks, if there are any, tell where it can run. */
+/* Adds a shortest path to a network, or some path if there is none up to a length of `longest`. Landmarks, if there are
+ * any, narrow the search. */
 template <class Network, class Search, class Visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, const Geodesic_landmarks* landmarks,
                                        Vertex_index source, Vertex_index target, const Window_limit& limit,
-                                       Visitor&& visitor)
+                                       Visitor&& visitor, double longest = std::numeric_limits<double>::infinity())
 {
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
@@ -207,15 +224,26 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
   Shortest_path_report report;
   report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
   report.length = report.first_length = network.length(Curve_index(0));
+  report.lower_bound = lower_bound_in_space(triangulation, source, target);
+  Interruption interruption(visitor);
+  if(is_stopped_by_visitor(report)) {
+    guard.dismiss();
+    return report;
+  }
 
   constexpr double tolerance = Shortest_path_report::tolerance();
   Unfolded_faces<Triangulation> faces(triangulation);
   const Landmark_rows* const rows = landmarks == nullptr ? nullptr : &landmarks->rows();
   Cone_sweep<Triangulation> sweep(triangulation, faces, target, {triangulation, source, rows});
   Window_search<Triangulation> windows(triangulation, faces, source, &sweep);
-  const bool is_sound =
-      run_between(sweep, windows, report.length, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
+  const bool is_sound = run_between(sweep, windows, (std::min)(report.length, longest),
+                                    limit(static_cast<std::size_t>(triangulation.number_of_vertices())), &interruption);
   report.windows = windows.number_of_windows();
+  if(interruption.has_occurred()) {
+    report.shortening.curves.front().status = Shortening_status::STOPPED_BY_VISITOR;
+    guard.dismiss();
+    return report;
+  }
   if(windows.distance(target) < report.length * (1 - Shortest_path_report::proof_tolerance())) {
     const Shortening_report before = report.shortening;
     network.clear();
@@ -243,14 +271,11 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     report.length = network.length(Curve_index(0));
   }
 
-  const auto& metric = triangulation.metric();
-  report.lower_bound = (1 - 0x1p-48) * metric.distance_lower_bound(metric.place(triangulation.input(), source),
-                                                                   metric.place(triangulation.input(), target));
   if(is_sound && !triangulation.input().has_split_point())
     report.lower_bound = (std::max)(report.lower_bound,
                                     (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
   report.verdict = verdict_of(report);
-  if(!report.is_confirmed() && has_flat_face(triangulation)) {
+  if(!report.is_confirmed() && !is_stopped_by_visitor(report) && has_flat_face(triangulation)) {
     take_shorter_path(network, source, target, report, visitor);
     report.verdict = verdict_of(report);
   }
@@ -287,7 +312,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \param search an edge path search over that triangulation
  * \param source, target different vertices of one component
  * \param limit beyond it the rest of the gap is reported
- * \param visitor a model of `FlipOutVisitor`, for the shortening
+ * \param visitor a model of `FlipOutVisitor`. The search calls `go_further()` as well, at regular intervals. If it
+ *        returns `false`, then the path has the status `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed
  * \return what is known; the path is the network's only curve
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`; the network is empty then, and
  *         nothing is flipped, also if the visitor throws

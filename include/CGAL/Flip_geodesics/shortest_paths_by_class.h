@@ -32,7 +32,7 @@ namespace Flip_geodesics {
 enum class Class_search_status {
   FOUND,           ///< there is a path for each class that was asked for
   NO_MORE_CLASSES, ///< there are fewer classes, and each has its path
-  COVERING_LIMIT   ///< more of the covering would have been needed than allowed; there may be fewer paths, or others
+  COVERING_LIMIT   ///< the `Covering_limit` did not suffice; there may be fewer paths, or others
 };
 
 /// The name of a status, as the enumerator is spelled.
@@ -116,7 +116,8 @@ struct Paths_by_class_result
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// How many vertices of a universal covering may be visited, of some 1200 bytes each; then the search is given up.
+/// How many vertices of a universal covering may be visited, of some 1200 bytes each; then the search is given up. So it
+/// is when its searches for shortest paths have made 200 windows for each vertex of the limit and a million more.
 class Covering_limit
 {
 public:

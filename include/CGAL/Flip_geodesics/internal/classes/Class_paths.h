@@ -10,9 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/classes/Covering_metric.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_search.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_surface.h>
-#include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
-#include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
-#include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/classes/Distance_bounds.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
@@ -28,71 +26,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* Lower bounds of distances from a vertex, of paths to a goal that are not longer than a bound. */
-template <class Triangulation>
-class Distance_bounds
-{
-public:
-  Distance_bounds(const Triangulation& triangulation, Vertex_index source, Vertex_index goal, double bound)
-    : m_triangulation(triangulation)
-    , m_source(triangulation.metric().place(triangulation.input(), source))
-    , m_goal(triangulation.metric().place(triangulation.input(), goal))
-    , m_faces(triangulation)
-    , m_sweep(triangulation, m_faces, source, {triangulation, goal}, free_updates)
-  {
-    m_sweep.run(bound);
-  }
-
-  /* A way to a vertex that the sweep has nothing to say of is too long to go on from there, and as long as in space. */
-  double at_vertex(Vertex_index v) const
-  {
-    const auto& metric = m_triangulation.metric();
-    const auto place = metric.place(m_triangulation.input(), v);
-    const double most = m_sweep.bound() - metric.distance_lower_bound(place, m_goal);
-    return (std::max)((std::min)(m_sweep.distance_lower_bound(v), most), metric.distance_lower_bound(place, m_source));
-  }
-
-  /*
-   * The least bound of ways over the edge of a border halfedge h: from the source over faces on the other side, and on
-   * from the edge of another surface over which h lies, where bounds from the goal are known.
-   */
-  template <class Surface, class Other>
-  double beyond(const Surface& surface, Input_halfedge_index h, const Distance_bounds<Other>& other) const
-  {
-    const auto beyond_end = [&](Input_halfedge_index g) {
-      return at_vertex(surface.tail(g)) + other.at_vertex(surface.below().tail(surface.below(g)));
-    };
-    const Input_halfedge_index t = twin_index(h);
-    const double length = m_triangulation.metric().length(m_triangulation.input(), h);
-    const double at_ends[] = {beyond_end(h), beyond_end(t)}, least = (std::min)(at_ends[0], at_ends[1]);
-    if(!m_sweep.is_useful())
-      return 0.5 * (at_ends[0] + at_ends[1]) - length; // both bounds change by no more than a step is long
-    const Edge_cones* const cones = m_sweep.cones(t);
-    if(cones == nullptr)
-      return least;
-    const Edge_cones from = cones->mirrored(length);
-    double across = other.through(surface.below(h), length, from.first, 0, (std::min)(from.split, length));
-    if(from.split < length)
-      across = (std::min)(across, other.through(surface.below(h), length, from.second, from.split, length));
-    return (std::min)(least, across - m_sweep.total_error());
-  }
-
-  /* As that of the sweep. */
-  double through(Input_halfedge_index h, double length, const Cone& cone, double from, double to) const
-  {
-    return m_sweep.through(h, length, cone, from, to);
-  }
-
-private:
-  // Many, since few cones on needles need them, and a sweep that fails there costs far more of the covering.
-  static constexpr int free_updates = 400;
-
-  const Triangulation& m_triangulation;
-  typename Triangulation::Metric::Place m_source, m_goal;
-  Unfolded_faces<Triangulation> m_faces;
-  Cone_sweep<Triangulation> m_sweep;
-};
 
 /*
  * The shortest paths from one vertex to another in several homotopy classes: shortest paths to the target's lifts in the
@@ -139,9 +72,11 @@ public:
   {
   }
 
-  /* Finds the paths of `number` classes, if the covering's part needs no more lifts than `most_lifts`. */
+  /* Finds the paths of `number` classes, if the covering's part needs no more lifts than `most_lifts`, and the searches
+   * in its parts no more windows than in proportion. */
   void run(std::size_t number, std::size_t most_lifts)
   {
+    m_windows_left = (std::min)(most_lifts, most_windows / windows_per_lift) * windows_per_lift + least_windows;
     m_search.run_to_targets(number, most_lifts);
     if(m_search.targets().empty())
       return;
@@ -167,6 +102,9 @@ private:
   static constexpr double large_gap = 0x1p-4;
   // Of a bound, for the rounding of sums.
   static constexpr double rounding = 0x1p-40;
+  // Few parts need more than a hundred windows for each lift in all; a lift takes about as much time as ten windows.
+  static constexpr std::size_t least_windows = 1000000, windows_per_lift = 200;
+  static constexpr std::size_t most_windows = (std::numeric_limits<std::size_t>::max)() / 2;
 
   /* A geodesic of a class, which may be held by where the covering's part ended when it was found. */
   struct Geodesic
@@ -188,14 +126,21 @@ private:
     for(std::size_t i = 0; i < (std::min)(number, m_search.targets().size()); ++i)
       find_geodesic(covering, edge_paths, m_search.targets()[i]);
     const double bound = length_of_class(number) * margin;
-    const Distance_bounds<Covering> bounds(covering, m_surface->vertex(0),
-                                           m_surface->vertex(m_search.targets().front()), bound);
+    Distance_bounds<Covering> bounds(covering, m_surface->vertex(0), m_surface->vertex(m_search.targets().front()),
+                                     bound);
+    find_bounds(bounds);
     find_short_geodesics(covering, edge_paths, bounds, number);
     const double longest = length_of_class(number);
-    if(m_to_target == nullptr)
+    if(m_to_target == nullptr) {
       m_to_target = std::make_unique<Distance_bounds<Triangulation>>(m_triangulation, m_target, m_source, bound);
+      find_bounds(*m_to_target);
+    }
+    if(bounds.are_by_windows() != m_to_target->are_by_windows()) {
+      find_bounds(bounds);
+      find_bounds(*m_to_target);
+    }
     const std::vector<Open_lift> open = find_frontier(bounds, bound, longest);
-    if(!open.empty() && m_search.number_of_lifts() <= most_lifts) {
+    if(!open.empty() && m_search.number_of_lifts() <= most_lifts && m_windows_left > 0) {
       m_search.run_from(
           open, [&](Vertex_index v) { return m_to_target->at_vertex(v); }, longest, most_lifts);
       return false;
@@ -203,6 +148,26 @@ private:
     m_search.shorten_paths();
     find_paths(covering, bounds, number);
     return true;
+  }
+
+  // By a sweep if that does; sweeps fail in all parts or in none, mostly.
+  template <class Bounds>
+  void find_bounds(Bounds& bounds)
+  {
+    if(!m_do_sweeps_fail && bounds.sweep())
+      return;
+    m_do_sweeps_fail = true;
+    bounds.propagate_windows(m_windows_left);
+    count_windows(bounds.number_of_windows());
+  }
+
+  void count_windows(std::size_t number) { m_windows_left -= (std::min)(m_windows_left, number); }
+
+  // What one of the searches may use: no more than without other classes.
+  Window_limit window_limit(const Covering& covering) const
+  {
+    return Window_limit(
+        (std::min)(Window_limit()(static_cast<std::size_t>(covering.number_of_vertices())), m_windows_left));
   }
 
   void mark_frontier()
@@ -222,11 +187,12 @@ private:
       targets.emplace_back(bounds.at_vertex(m_surface->vertex(lift)), lift);
     std::sort(targets.begin(), targets.end());
     for(const auto& [bound, lift] : targets) {
-      if(!(bound < length_of_class(number)))
+      const double longest = length_of_class(number);
+      if(!(bound < longest))
         return;
       find_geodesic(covering, edge_paths, lift);
-      if(bound < (1 - large_gap) * m_geodesics[lift].length)
-        find_shortest(covering, edge_paths, lift);
+      if(bound < (1 - large_gap) * m_geodesics[lift].length && m_windows_left > 0)
+        find_shortest(covering, edge_paths, lift, longest);
     }
   }
 
@@ -253,15 +219,19 @@ private:
     covering.rollback();
   }
 
-  // Finds the shortest path of the part, where one that was pulled tight may be far from it, unless that has been done.
-  void find_shortest(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift)
+  // Finds the shortest path of the part if it is at most so long, unless that has been done; the geodesic may be far
+  // longer.
+  void find_shortest(Covering& covering, Shortest_edge_path<Covering>& edge_paths, Index lift, double longest)
   {
     Geodesic& geodesic = m_geodesics[lift];
     if(geodesic.is_shortest && (!geodesic.is_held || geodesic.part_of_shortest == m_part))
       return;
     {
       Network network(covering);
-      add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift));
+      Default_shortening_visitor visitor;
+      count_windows(internal::add_shortest_path(network, edge_paths, nullptr, m_surface->vertex(0),
+                                                m_surface->vertex(lift), window_limit(covering), visitor, longest)
+                        .windows);
       note_geodesic(geodesic, network);
       geodesic.is_shortest = true;
       geodesic.part_of_shortest = m_part;
@@ -335,7 +305,11 @@ private:
       return keep(point_path(covering, *m_surface, lift), number);
     {
       Network network(covering);
-      Path path = {lift, add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift)), {}};
+      Path path = {
+          lift,
+          add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift), window_limit(covering)),
+          {}};
+      count_windows(path.report.windows);
       path.report.lower_bound = (std::min)(path.report.lower_bound, m_frontier_bound);
       if(path.report.is_confirmed())
         path.report.verdict = verdict_of(path.report);
@@ -375,6 +349,8 @@ private:
   const Triangle_mesh& m_mesh;
   Vertex_index m_source, m_target;
   Covering_search<Triangulation> m_search;
+  std::size_t m_windows_left = 0;
+  bool m_do_sweeps_fail = false;
   std::size_t m_part = 0; // how many parts have been laid out
   std::unique_ptr<Surface> m_surface;
   std::unique_ptr<Distance_bounds<Triangulation>> m_to_target;

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/base/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/Written_records.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_wave.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
@@ -62,38 +63,50 @@ class Cone_sweep
   using Faces = Unfolded_faces<Triangulation>;
   using Vector = typename Faces::Vector;
   using Wave = Cone_wave;
+  using Vertex_record = Swept_vertex;
+  using Entry = Queued_wave;
 
 public:
   /* \param goal where the paths go that matter
-   * \param free_updates of a cone, that are exact; more of them are dear on needles, and keep the sweep useful there */
+   * \param free_updates of a cone, that are exact; more of them are dear on needles, and keep the sweep useful there
+   * \param most_updates_per_side on average; more of them, which six free ones cannot lead to, end a useless sweep */
   Cone_sweep(const Triangulation& triangulation, Faces& faces, Vertex_index source,
-             const Goal_bound<Triangulation>& goal, int free_updates = 6)
+             const Goal_bound<Triangulation>& goal, int free_updates = 6, std::size_t most_updates_per_side = 26)
     : m_triangulation(triangulation)
     , m_faces(faces)
     , m_source(source)
     , m_goal(goal)
     , m_vertices(static_cast<std::size_t>(triangulation.number_of_vertices()))
     , m_free_updates(free_updates)
+    , m_most_updates_per_side(most_updates_per_side)
   {
   }
 
   /*
-   * Sweeps over all that paths from the source to the goal pass which are not longer than `bound`.
+   * Sweeps over all that paths from the source to the goal pass which are not longer than `bound`. If it is interrupted,
+   * then it is not useful.
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
    */
-  void run(double bound) { run_from(std::array<Vertex_index, 1>{{m_source}}, bound); }
+  void run(double bound, Interruption* interruption = nullptr)
+  {
+    run_from(std::array<Vertex_index, 1>{{m_source}}, bound, interruption);
+  }
 
   /* The same from the nearest of several vertices. */
   template <class Vertices>
-  void run_from(const Vertices& sources, double bound)
+  void run_from(const Vertices& sources, double bound, Interruption* interruption = nullptr)
   {
     m_bound = bound;
     m_error = 0x1p-46 * bound;
     m_total_error = 2 * static_cast<double>(m_triangulation.number_of_halfedges()) * m_error;
     for(const Vertex_index v : sources)
       reach(v, 0, 0);
-    while(!m_queue.empty() && is_useful())
-      pass_first();
+    while(!m_queue.empty() && is_useful()) {
+      if(is_interrupted(interruption))
+        m_total_error = infinity;
+      else
+        pass_first();
+    }
   }
 
   /* Is not all of what was found lost to errors that had to be allowed, for it to come to an end? */
@@ -144,23 +157,6 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double largest_error = 1e-2; // of the bound, above which other bounds are better
-
-  struct Vertex_record
-  {
-    double distance = 0, to_goal = 0;
-    bool is_reached = false, is_waiting = false, has_bound = false;
-  };
-
-  struct Entry
-  {
-    std::uint64_t key;
-    Index id; // of a side, or -1 less that of a vertex
-
-    static std::size_t is_before(const Entry& a, const Entry& b)
-    {
-      return a.key == b.key ? static_cast<std::size_t>(a.id < b.id) : static_cast<std::size_t>(a.key < b.key);
-    }
-  };
 
   // By which paths come to a side of a face: over the side before it, over the side after it, or by way of the apex.
   enum class Entrance : char { BEFORE, AFTER, APEX };
@@ -384,6 +380,8 @@ private:
     ++wave.number_of_updates;
     if(wave.number_of_updates > m_free_updates)
       m_total_error += tolerance(wave);
+    if(m_updates > m_most_updates_per_side * m_faces.size()) // not useful any more
+      m_total_error = infinity;
     wave.cones = fitted_cones(parts, length, m_error);
     wave.is_set = true;
     wave.is_borrowed = false;
@@ -484,6 +482,7 @@ private:
   Block_array<Wave> m_waves; // of sides, that is, of halfedges that have been laid out
   Written_records<Vertex_index, Vertex_record> m_vertices;
   int m_free_updates;
+  std::size_t m_most_updates_per_side;
   Heap_of_four<Entry> m_queue;
   double m_bound = infinity, m_error = 0, m_total_error = 0;
   std::size_t m_updates = 0;

@@ -3,11 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_WAVE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_WAVE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -31,6 +33,25 @@ struct Cone_wave
   {
     const double less = (std::min)(at_tail, at_head), more = (std::max)(at_tail, at_head);
     return ordered_bits((std::max)(0.75 * less + 0.25 * more, 0.0));
+  }
+};
+
+/* What a sweep knows of a vertex. */
+struct Swept_vertex
+{
+  double distance = 0, to_goal = 0;
+  bool is_reached = false, is_waiting = false, has_bound = false;
+};
+
+/* A wave that is to be carried on, or a vertex from which waves are to start. */
+struct Queued_wave
+{
+  std::uint64_t key;
+  Index id; // of a side, or -1 less that of a vertex
+
+  static std::size_t is_before(const Queued_wave& a, const Queued_wave& b)
+  {
+    return a.key == b.key ? static_cast<std::size_t>(a.id < b.id) : static_cast<std::size_t>(a.key < b.key);
   }
 };
 

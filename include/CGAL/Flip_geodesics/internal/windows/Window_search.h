@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/base/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/Written_records.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/windows/Ray_window.h>
@@ -83,16 +84,19 @@ public:
   }
 
   /*
-   * Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`. With a sweep, only
-   * those that can lead to its source.
+   * Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`, or rays have started
+   * along more edges than that. With a sweep, only paths count that can lead to its source.
    */
-  void run(double bound, std::size_t most_windows = (std::numeric_limits<std::size_t>::max)())
+  void run(double bound, std::size_t most_windows = (std::numeric_limits<std::size_t>::max)(),
+           Interruption* interruption = nullptr)
   {
     if(!is_reached(m_source))
       offer(m_source, {0, 0, 0, 0}, {});
-    while(!m_heap.empty() && m_windows.size() <= most_windows) {
+    while(!m_heap.empty() && (std::max)(m_windows.size(), m_number_of_starts) <= most_windows) {
       const Entry entry = m_heap.top();
       if(entry.priority >= (m_sweep == nullptr ? bound : (std::min)(bound, longest_tie(m_sweep->source()))))
+        return;
+      if(is_interrupted(interruption))
         return;
       m_heap.pop();
       if(!entry.is_vertex)
@@ -121,7 +125,22 @@ public:
     return v != m_source;
   }
 
+  /* No rays start from a vertex, or run along it, with less than this; infinite if there are none. */
+  double least_start(Vertex_index v) const
+  {
+    if(!is_reached(v))
+      return infinity;
+    const Vertex_record& record = m_vertices[v];
+    const double least = (std::min)(record.length.least, record.promised);
+    return record.has_started ? (std::min)(least, record.started) : least;
+  }
+
   std::size_t number_of_windows() const { return m_windows.size(); }
+  const std::vector<Window>& windows() const { return m_windows; }
+
+  /* The windows on border halfedges, which end there; kept if they are asked for before the search. */
+  const std::vector<Window>& border_windows() const { return m_border_windows; }
+  void keep_border_windows() { m_keeps_border_windows = true; }
 
   /* The last leg of the shortest path found to a vertex that is not the source. */
   Leg leg(Vertex_index v) const
@@ -290,10 +309,13 @@ private:
       return;
     Input_halfedge_index h = first;
     do {
+      ++m_number_of_starts;
       const double along = m_triangulation.metric().length(input, h);
       const double computed = before.computed + along, error = evaluation_error * (before.computed + along);
+      // Never less than where the rays start: ends of an edge that is shorter than the error would lower each other.
       offer(input.tail(twin_index(h)),
-            {sigma + along - error, computed, before.most + along + error, step_error * along}, {null_index, h, along});
+            {(std::max)(sigma, sigma + along - error), computed, before.most + along + error, step_error * along},
+            {null_index, h, along});
       if(!input.is_border(h)) {
         const Index opposite = Faces::next(m_faces.number(h));
         const Vector place = m_faces.apex(opposite);
@@ -310,12 +332,17 @@ private:
   void open(const Window& w, double length)
   {
     const auto& input = m_triangulation.input();
-    if(input.is_border(w.halfedge) || !(w.to >= w.from))
+    const bool is_border = input.is_border(w.halfedge);
+    if((is_border && !m_keeps_border_windows) || !(w.to >= w.from))
       return;
     const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
     const double to_from = w.least(w.from), to_to = w.least(w.to);
     if(most(tail) + w.to < to_to || most(head) + (length - w.from) < to_from) // all through it are shorter
       return;
+    if(is_border) {
+      m_border_windows.push_back(w);
+      return;
+    }
     const bool may_be_none = w.to - w.from <= 2 * w.margin;
     if(may_be_none && (goes_along(w, tail, 0, w.to) || goes_along(w, head, length, length - w.from) || comes_back(w)))
       return;
@@ -387,7 +414,7 @@ private:
     const Length& before = m_vertices[w.root].length;
     const double leg_error = error + evaluation_error * (before.computed + leg);
     const bool is_seen = crossing - crossing_error >= w.from + w.margin && crossing + crossing_error <= w.to - w.margin;
-    const Length length = {w.sigma + leg - leg_error, before.computed + leg,
+    const Length length = {(std::max)(w.sigma, w.sigma + leg - leg_error), before.computed + leg,
                            is_seen ? before.most + leg + leg_error : infinity, error};
     if(previous.tail != w.root) // which flat faces can lead back to
       offer(previous.tail, length, {id, null_index, leg});
@@ -458,9 +485,11 @@ private:
   const Sweep* m_sweep;
   Written_records<Vertex_index, Vertex_record> m_vertices;
   Block_array<Split> m_splits; // of sides
-  std::vector<Window> m_windows;
+  std::vector<Window> m_windows, m_border_windows;
+  bool m_keeps_border_windows = false;
   Heap_of_four<Entry> m_heap;
-  bool m_may_come_round = false; // is a vertex not farther away than the one that its way comes from?
+  std::size_t m_number_of_starts = 0; // of rays along edges; a vertex can start rays again and again without a window
+  bool m_may_come_round = false;      // is a vertex not farther away than the one that its way comes from?
 };
 
 } // namespace internal
