@@ -210,6 +210,33 @@ BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
   }
 }
 
+// A pair whose ends are one vertex throws as soon as a path is searched.
+BOOST_AUTO_TEST_CASE(no_path_is_searched_once_the_visitor_has_cancelled)
+{
+  const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(8, 0.2, 3));
+  Pairs pairs = random_pairs(mesh, 20, 5);
+  for(std::size_t i = 5; i < pairs.size(); ++i)
+    pairs[i].second = pairs[i].first;
+  struct Cancelling_visitor : FG::Default_shortening_visitor
+  {
+    std::size_t calls = 0;
+    bool go_further()
+    {
+      ++calls;
+      return false;
+    }
+  } visitor;
+  std::vector<Path> paths;
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::visitor(std::ref(visitor)));
+  BOOST_TEST_REQUIRE(paths.size() == pairs.size());
+  for(const Path& path : paths) {
+    BOOST_TEST(!path.error);
+    BOOST_TEST(path.points.empty());
+    BOOST_TEST((path.report.status == FG::Shortening_status::STOPPED_BY_VISITOR));
+  }
+  BOOST_TEST(visitor.calls == pairs.size());
+}
+
 // Whatever a path that was interrupted has flipped, the next one starts from the mesh's own edges.
 BOOST_AUTO_TEST_CASE(an_exception_leaves_no_flips_behind)
 {

@@ -20,8 +20,9 @@
 class FlipOutVisitor
 {
 public:
-  /// Called before each step. If it answers `false`, then the shortening ends, and the curves that could still be
-  /// shortened have the status `Shortening_status::STOPPED_BY_VISITOR`.
+  /// Called before each step. If it returns `false`, then the shortening ends, and the curves that could still be
+  /// shortened have the status `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` calls it before each pair of
+  /// vertices as well, and the search of `shortest_path()` at regular intervals.
   bool go_further();
 
   /// Called after the edge of halfedge `h` was flipped, before the step moves its curve. There is no call for flips

@@ -39,9 +39,10 @@ namespace Flip_geodesics {
 template <class Point>
 struct Geodesic_path
 {
-  std::vector<Point> points; ///< from the source to the target; none if there is an error
-  Curve_report report;       ///< what became of the curve, if there is no error
-  std::exception_ptr error;  ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
+  /// From the source to the target; none if there is an error, or if the visitor stopped the computation before it.
+  std::vector<Point> points;
+  Curve_report report;      ///< what became of the curve, if there is no error
+  std::exception_ptr error; ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
 };
 
 namespace internal {
@@ -71,7 +72,7 @@ public:
   Result operator()(Vertex source, Vertex target)
   {
     try {
-      return compute(m_state, Zero_length_edges::REFUSE, source, target);
+      return is_to_go_on() ? compute(m_state, Zero_length_edges::REFUSE, source, target) : stopped();
     } catch(const Degenerate_face_error& error) {
       try {
         return compute(m_contracted_state, Zero_length_edges::CONTRACT, source, target);
@@ -103,6 +104,20 @@ private:
     {
     }
   };
+
+  bool is_to_go_on() const
+  {
+    auto visitor = make_visitor(m_np);
+    return visitor.get().go_further();
+  }
+
+  // Of a pair that the visitor does not want to be computed.
+  static Result stopped()
+  {
+    Result result;
+    result.report.status = Shortening_status::STOPPED_BY_VISITOR;
+    return result;
+  }
 
   // What is being thrown.
   static Result failed()
@@ -198,6 +213,9 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
  *
  * A pair for which something is thrown, such as `Disconnected_endpoints_error`, has that as its result; the others are
  * computed all the same.
+ *
+ * A visitor's `go_further()` is called before each pair, too. If it returns `false`, then no path is searched, and the
+ * pair has the status `Shortening_status::STOPPED_BY_VISITOR`.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
  *         TBB for the second
