@@ -303,6 +303,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(spacing_too_small 2 "--spacing 1e-09 makes more than 10000 isolines" torus.off
                                   --source 0 --spacing 1e-9)
   flip_geodesics_add_program_test(spacing_zero 2 "--spacing must be greater than 0" torus.off --source 0 --spacing 0)
+  flip_geodesics_add_program_test(voronoi_of_one_source 0 "0 curves.*no boundary: there is only one source" torus.off
+                                  --source 0 --voronoi)
   flip_geodesics_add_program_test(spacing_and_isolines 2 "--spacing and --isolines do not go" torus.off --source 0
                                   --spacing 1 --isolines 1)
   flip_geodesics_add_program_test(isoline_no_number 2 "--isolines: 'nan' in '1,nan' is not a finite number" torus.off

@@ -30,4 +30,8 @@ public:
   /// `halfedge(face, mesh)`, are not negative and sum to one, but for roundings. The weight of the opposite vertex is
   /// exactly zero on an edge.
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const;
+
+  /// Optional. Returns true only if all places of a face with a finite distance have the same nearest source.
+  /// `voronoi_boundaries()` does not search such faces for boundaries.
+  bool has_one_source(face_descriptor face) const;
 };

@@ -129,7 +129,10 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
   for(Vertex_index source : request.sources)
     field.add_source(source);
   progress.enter("computing distances");
-  if(field.compute().status != FG::Distance_field_status::COMPLETE)
+  // One source alone has no boundary, and no distance is needed to see that.
+  const bool has_boundaries = request.is_diagram && request.sources.size() > 1;
+  const bool is_field_needed = has_boundaries || !request.levels.empty() || request.spacing > 0;
+  if(is_field_needed && field.compute().status != FG::Distance_field_status::COMPLETE)
     throw std::runtime_error("--source: the distances of so large a mesh were given up");
 
   Field_curves result;
@@ -155,7 +158,9 @@ Field_curves field_curves(const Mesh& mesh, const Field_request& request, Progre
     result.curves.push_back(
         curve_result(triangulation, mesh, boundary, "between vertices " + vertex(0) + " and " + vertex(1), "BOUNDARY"));
   };
-  if(request.is_diagram)
+  if(request.is_diagram && !has_boundaries)
+    result.remarks += "no boundary: there is only one source\n";
+  if(has_boundaries)
     with_tolerance(
         [&] { FG::voronoi_boundaries(mesh, field, boost::make_function_output_iterator(add_boundary), tolerance); });
   return result;

@@ -25,7 +25,7 @@ struct Field_request
 struct Field_curves
 {
   std::vector<Curve_result> curves; ///< the isolines, in the order of the levels, and then the boundaries
-  std::string remarks;              ///< lines for people about levels that have no isoline
+  std::string remarks;              ///< lines for people about levels without isolines and sources without boundaries
 };
 
 /// \throws Bad_input if the tolerance or the spacing is so small that the results would not fit anywhere

@@ -239,7 +239,7 @@ public:
       internal::check_location(m_triangulation.input(), target);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const std::size_t between_looks = 200 * limits.targets.size();
-    index_parts();
+    m_parts_by_face = internal::parts_by_face(m_triangulation.input(), m_propagation.parts());
     const std::size_t most = limits.windows(static_cast<std::size_t>(m_triangulation.input().number_of_vertices()));
     Distance_field_report report;
     for(;;) {
@@ -299,6 +299,15 @@ public:
   Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
   {
     return answer({m_triangulation.input().index(internal::graph_halfedge(face, m_mesh)), weights});
+  }
+
+  /// Returns whether one source is known to be the nearest at all places of a face that have a finite distance; false
+  /// before the field is complete. Linear in the windows on the sides of the face. \pre `EVERYWHERE`
+  bool has_one_source(face_descriptor face) const
+  {
+    CGAL_precondition(m_extent == Distance_field_extent::EVERYWHERE);
+    return m_reach == std::numeric_limits<double>::infinity() &&
+           query().has_one_source(m_triangulation.input().index(internal::graph_halfedge(face, m_mesh)));
   }
 
   /*!
@@ -440,18 +449,6 @@ private:
     else if(!is_side(at.halfedge)) // on the edge, from the other side
       at = {internal::twin_index(at.halfedge), {{at.weights[1], at.weights[0], 0}}};
     return query().turned(internal::normalized(at.weights), at.halfedge, face);
-  }
-
-  void index_parts()
-  {
-    const auto& input = m_triangulation.input();
-    m_parts_by_face.clear();
-    for(std::size_t i = 0; i < m_propagation.parts().size(); ++i) {
-      const Input_halfedge_index h = m_propagation.parts()[i].halfedge, hn = input.next(h);
-      m_parts_by_face.emplace_back((std::min)({h, hn, input.next(hn)}),
-                                   input.number_of_vertices() + static_cast<Index>(i));
-    }
-    std::sort(m_parts_by_face.begin(), m_parts_by_face.end());
   }
 
   // The distance of the farthest target, as far as it is known; infinite if there are none.

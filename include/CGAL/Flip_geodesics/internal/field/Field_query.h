@@ -20,6 +20,25 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* The least halfedge of the face of h. */
+template <class Input>
+Input_halfedge_index least_in_face(const Input& input, Input_halfedge_index h)
+{
+  return (std::min)({h, input.next(h), input.next(input.next(h))});
+}
+
+/* The roots of parts of sources by the least halfedges of their faces, in this order. */
+template <class Input>
+std::vector<std::pair<Input_halfedge_index, Index>> parts_by_face(const Input& input,
+                                                                  const std::vector<Source_part>& parts)
+{
+  std::vector<std::pair<Input_halfedge_index, Index>> result;
+  for(std::size_t i = 0; i < parts.size(); ++i)
+    result.emplace_back(least_in_face(input, parts[i].halfedge), input.number_of_vertices() + static_cast<Index>(i));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 /*
  * What the windows kept by a propagation say of points anywhere: a shortest path to a point of a face comes from a
  * corner, from a part of a source in the face, or through a window on one of its sides.
@@ -41,7 +60,7 @@ public:
     Window window;                             // in the frame of that
   };
 
-  /* \param parts_by_face the numbers of the parts of sources, ordered by the smallest halfedges of their faces */
+  /* \param parts_by_face see `parts_by_face()` */
   Field_query(const Triangulation& triangulation, const Propagation& propagation,
               const std::vector<std::pair<Input_halfedge_index, Index>>& parts_by_face)
     : m_triangulation(triangulation)
@@ -60,6 +79,32 @@ public:
   }
 
   std::size_t source(const Arrival& a) const { return m_propagation.source(a.root); }
+
+  /* Do all paths that can be the shortest to a point of the face of h come from one source? */
+  bool has_one_source(Input_halfedge_index h) const
+  {
+    Index last = null_index; // root
+    std::size_t source = 0;
+    bool result = true;
+    const auto add = [&](Index root) {
+      if(root == last)
+        return;
+      const std::size_t next = m_propagation.source(root);
+      result = result && (last == null_index || next == source);
+      last = root;
+      source = next;
+    };
+    for_each_part(h, add);
+    for(int i = 0; i < 3 && result; ++i, h = m_triangulation.input().next(h)) {
+      const Vertex_index v = m_triangulation.input().tail(h);
+      if(m_propagation.is_reached(v))
+        add(v.idx());
+      for(const Window& w : m_propagation.windows().on_edge(h.idx() / 2))
+        if((w.side == 0) == is_first_side(h))
+          add(w.root);
+    }
+    return result;
+  }
 
   /* The point of the same face from which the path comes straight: where it enters, or the source; as weights from h. */
   Face_weights from(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
@@ -190,25 +235,27 @@ private:
     return m_propagation.parts()[static_cast<std::size_t>(root - m_triangulation.input().number_of_vertices())];
   }
 
-  Input_halfedge_index face_of(Input_halfedge_index h) const
+  // Calls `function(root)` for the parts of sources in the face of h.
+  template <class Function>
+  void for_each_part(Input_halfedge_index h, const Function& function) const
   {
-    const auto& input = m_triangulation.input();
-    return (std::min)({h, input.next(h), input.next(input.next(h))});
+    const Input_halfedge_index face = least_in_face(m_triangulation.input(), h);
+    const auto before = [](const auto& entry, Input_halfedge_index f) { return entry.first < f; };
+    auto i = std::lower_bound(m_parts_by_face.begin(), m_parts_by_face.end(), face, before);
+    for(; i != m_parts_by_face.end() && i->first == face; ++i)
+      function(i->second);
   }
 
   template <class IsWanted>
   void come_from_parts(Input_halfedge_index h, const Face_weights& weights, const IsWanted& is_wanted,
                        Arrival& best) const
   {
-    const Input_halfedge_index face = face_of(h);
-    const auto before = [](const auto& entry, Input_halfedge_index f) { return entry.first < f; };
-    auto i = std::lower_bound(m_parts_by_face.begin(), m_parts_by_face.end(), face, before);
-    for(; i != m_parts_by_face.end() && i->first == face; ++i) {
-      const Source_part& p = part(i->second);
+    for_each_part(h, [&](Index root) {
+      const Source_part& p = part(root);
       const double d = p.distance(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
-      if(d < best.distance && is_wanted(i->second))
-        best = {d, i->second, null_index, 0, Window()};
-    }
+      if(d < best.distance && is_wanted(root))
+        best = {d, root, null_index, 0, Window()};
+    });
   }
 
   template <class IsWanted>
