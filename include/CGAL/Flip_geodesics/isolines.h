@@ -61,12 +61,15 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *
  * An isoline is the boundary of the points that are nearer than its level. It ends on the border of the mesh or is
  * closed, and isolines never cross. Its vertices are on the true curve, but for roundings; between them it is nowhere
- * farther than the tolerance from it. What is nearer than the level less the tolerance is on its left, what is farther
- * than the level and the tolerance is on its right: so no component is lost that reaches that deep or that high. Those
- * that do not may be.
+ * farther than the tolerance from it, and the distance differs there from the level by the tolerance at most. What is
+ * nearer than the level less the tolerance is on its left, what is farther than the level and the tolerance is on its
+ * right: so no component is lost that reaches that deep or that high. Those that do not may be.
  *
  * Faces are divided where a level may be, until their parts are as small as the tolerance. The bounds follow from
- * distances being 1-Lipschitz. An isoline is straight in each part, and its points on edges are computed once. A level
+ * distances being 1-Lipschitz. Of the curve's points on the sides of the parts, an isoline keeps those on edges of the
+ * mesh, which are computed once, and inside faces only as many as the tolerance requires: their number grows like the
+ * inverse square root of the tolerance. All points are kept where parts of one isoline come within three tolerances of
+ * one another, at sharp bends, and where levels are too close for chords of two of them to keep apart. A level
  * that is the distance of a vertex, or of a whole area, is no special case: what is at the level is counted to the
  * farther side. Where the field becomes infinite inside the surface, as one does that is limited, what is beyond is
  * farther. A face that has infinite distances at all three vertices is taken to have no others.
@@ -85,8 +88,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \throws Invalid_mesh_error if a face is no triangle
  * \throws Invalid_coordinate_error if a coordinate is no finite number
  *
- * Complexity: the field is asked once per vertex, and about twenty times for each piece of isoline as long as the
- * tolerance. A mesh other than a `Surface_mesh` is numbered, in \f$O(n \log n)\f$.
+ * Complexity: the field is evaluated once per vertex, and about twenty times for each piece of isoline as long as the
+ * tolerance. An isoline has a point for each edge that it crosses, and \f$O(\ell / \sqrt{r t})\f$ more for a length
+ * \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. A mesh other than a `Surface_mesh` is numbered, in \f$O(n \log n)\f$.
  */
 template <class TriangleMesh, class Field, class LevelRange, class OutputIterator, class Tolerance,
           class NamedParameters = parameters::Default_named_parameters>

@@ -46,14 +46,16 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * Boundaries end at junctions, where three regions meet, or on the border of the mesh, or are closed. Where more than
  * three regions meet there are several junctions within the tolerance. The vertices of a boundary are on the true one,
  * but for roundings; between them it is nowhere farther than the tolerance from it. A junction, and vertices beside it,
- * may be off by some hundredths of the tolerance.
+ * may be off by some hundredths of the tolerance. As with `isolines()`, the number of vertices inside faces grows like
+ * the inverse square root of the tolerance.
  *
- * Faces are divided where the nearest source changes until their parts are as small as the tolerance. A field does not
- * say how far the second source is, so no bound excludes that a region reaches between places with one nearest source.
- * Therefore all of the surface is divided until parts have no side longer than the square root of tolerance times size.
- * The size is the square root of the area. The surroundings of sources with distance zero are divided as finely as the
- * tolerance. So a region, or a finger of one, is found unless it is narrower than that square root and free of such
- * sources.
+ * Faces are divided where the nearest source changes until their parts are as small as the tolerance. Faces in which
+ * the field knows one source to be the nearest everywhere, by `GeodesicDistanceField::has_one_source()`, are not
+ * divided further. So the boundaries of one source take no time. Apart from that, a field does not return the distance
+ * of the second source, so no bound excludes that a region reaches between places with one nearest source. Therefore
+ * all other faces are divided until parts have no side longer than the square root of tolerance times size. The size is
+ * the square root of the area. The surroundings of sources with distance zero are divided as finely as the tolerance.
+ * So a region, or a finger of one, is found unless it is narrower than that square root and free of such sources.
  *
  * What no source reaches is a region, too, with source `Voronoi_boundary::none`.
  *
@@ -68,8 +70,8 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \throws Invalid_mesh_error if a face is no triangle
  * \throws Invalid_coordinate_error if a coordinate is no finite number
  *
- * Complexity: the field is asked about fifty times for each piece of boundary as long as the tolerance. It is asked a
- * few times for each piece of a curve as long as the size, and once per vertex.
+ * Complexity: the field is evaluated about fifty times for each piece of boundary as long as the tolerance. It is
+ * evaluated a few times for each piece of a curve as long as the size, and once per vertex.
  */
 template <class TriangleMesh, class Field, class OutputIterator, class Tolerance,
           class NamedParameters = parameters::Default_named_parameters>

@@ -209,8 +209,8 @@ std::vector<Isoline> isolines(const Mesh& mesh, const Field& field, const Levels
   return result;
 }
 
-inline std::vector<Isoline> checked_isolines(const Mesh& mesh, const Closed_field& field, const std::vector<double>& levels,
-                                      double tolerance)
+inline std::vector<Isoline> checked_isolines(const Mesh& mesh, const Closed_field& field,
+                                             const std::vector<double>& levels, double tolerance)
 {
   const std::vector<Isoline> result = isolines(mesh, field, levels, tolerance);
   for(const Isoline& isoline : result)
@@ -243,6 +243,15 @@ inline bool do_cross(const Polyline& a, const Polyline& b)
   return false;
 }
 
+inline bool does_cross_itself(const Polyline& a)
+{
+  for(std::size_t i = 0; i + 1 < a.points.size(); ++i)
+    for(std::size_t j = i + 2; j + 1 < a.points.size(); ++j)
+      if(do_cross(a.points[i], a.points[i + 1], a.points[j], a.points[j + 1]))
+        return true;
+  return false;
+}
+
 template <class Field>
 std::vector<Boundary> boundaries(const Mesh& mesh, const Field& field, double tolerance)
 {
@@ -260,7 +269,7 @@ struct Diagram
 // Vertices of boundaries are where two distances are equal and least, all else is within the tolerance of that;
 // junctions have three ends at the same point.
 inline Diagram check_diagram(const Mesh& mesh, const Closed_field& field, const std::vector<Boundary>& diagram,
-                      double tolerance)
+                             double tolerance)
 {
   Diagram result;
   std::map<std::size_t, std::vector<Point>> junctions;

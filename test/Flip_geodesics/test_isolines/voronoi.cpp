@@ -37,6 +37,24 @@ BOOST_AUTO_TEST_CASE(bisectors_in_the_plane)
   }
 }
 
+// A hyperbola, whose chords are as long as those of circles of its curvature.
+BOOST_AUTO_TEST_CASE(points_of_boundaries_grow_like_the_root_of_the_tolerance)
+{
+  const Mesh mesh = to_mesh<Mesh>(scaled(single_triangle(), 2));
+  const Distance first = from_point(1.5, 2), second = from_point(2.5, 2);
+  const Closed_field field(mesh, {first, [&](const Coordinates& p) { return second(p) + 0.6; }});
+  const auto points = [&](double tolerance) {
+    const auto curves = boundaries(mesh, field, tolerance);
+    BOOST_TEST_REQUIRE(curves.size() == 1u);
+    check_diagram(mesh, field, curves, tolerance);
+    return static_cast<double>(curves[0].points.size());
+  };
+  const double coarse = points(1e-2), middle = points(1e-3), fine = points(1e-4);
+  BOOST_TEST(coarse > 4);
+  BOOST_TEST(middle < 2 * std::sqrt(10.) * coarse);
+  BOOST_TEST(fine < 1.5 * std::sqrt(10.) * middle);
+}
+
 // V - E + F of the mesh, from the diagram: regions of one source are disks.
 BOOST_AUTO_TEST_CASE(regions_of_many_sources)
 {

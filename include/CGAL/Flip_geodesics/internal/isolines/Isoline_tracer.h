@@ -3,12 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_ISOLINES_ISOLINE_TRACER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_ISOLINES_ISOLINE_TRACER_H
 
-#include <CGAL/Flip_geodesics/internal/isolines/follow.h>
+#include <CGAL/Flip_geodesics/internal/isolines/Curve_thinner.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ public:
   Isoline_tracer(Surface& surface, const std::vector<double>& levels, double tolerance)
     : m_surface(surface)
     , m_levels(levels)
+    , m_tolerance(tolerance)
     , m_crossings(levels.size())
   {
     const double largest_side = side_by_tolerance * tolerance;
@@ -49,6 +51,28 @@ public:
   template <class Write>
   void trace(std::size_t level, const Write& write)
   {
+    std::vector<Followed_curve> curves = followed(level);
+    Curve_thinner<Surface>(m_surface, m_tolerance, radius(level)).thin(curves);
+    for(const Followed_curve& curve : curves)
+      write(curve);
+  }
+
+private:
+  // How far what chords replace may be from them. The field on a chord differs by as much at most from its level, so
+  // that chords of two levels do not meet within half of their difference.
+  double radius(std::size_t level) const
+  {
+    const double at = m_levels[level];
+    const auto [first, last] = std::equal_range(m_levels.begin(), m_levels.end(), at);
+    double result = m_tolerance;
+    if(first != m_levels.begin())
+      result = (std::min)(result, (at - first[-1]) / 2);
+    return last == m_levels.end() ? result : (std::min)(result, (*last - at) / 2);
+  }
+
+  std::vector<Followed_curve> followed(std::size_t level)
+  {
+    std::vector<Followed_curve> curves;
     Crossings& crossings = m_crossings[level];
     crossings.forget_visits(); // a level may be asked for again
     const auto is_inside = [&](const Sample& sample) { return sample.distance < m_levels[level]; };
@@ -58,13 +82,13 @@ public:
         const Index half = entering_half(m_surface, crossing.side, is_inside);
         if(crossing.is_visited || half == null_index || (is_from_border && !m_surface.is_border(Surface::twin(half))))
           continue;
-        const Followed_curve curve = follow(m_surface, half, crossings, is_inside, is_end);
+        Followed_curve curve = follow(m_surface, half, crossings, is_inside, is_end);
         if(curve.samples.size() > 1) // else a point
-          write(curve);
+          curves.push_back(std::move(curve));
       }
+    return curves;
   }
 
-private:
   void find_crossings(Index half)
   {
     const Sample &tail = m_surface.sample(m_surface.tail(half)), &head = m_surface.sample(m_surface.head(half));
@@ -103,6 +127,7 @@ private:
 
   const Surface& m_surface;
   const std::vector<double>& m_levels;
+  double m_tolerance;
   std::vector<Crossings> m_crossings; // by level
 };
 

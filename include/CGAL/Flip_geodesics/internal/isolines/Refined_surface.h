@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,14 @@ struct Sample
   double distance;
   std::size_t source;
 };
+
+/* Does a field have the optional member of `GeodesicDistanceField`? */
+template <class Field, class Face, class = void>
+constexpr bool finds_single_sources = false;
+template <class Field, class Face>
+constexpr bool finds_single_sources<
+    Field, Face, std::void_t<decltype(std::declval<const Field&>().has_one_source(std::declval<const Face&>()))>> =
+    true;
 
 /* A weight that no location can have is none. */
 inline Weights_in_face between(const Weights_in_face& a, const Weights_in_face& b, double t)
@@ -97,6 +106,7 @@ public:
         ask_field(sample);
   }
 
+  Index number_of_faces() const { return static_cast<Index>(m_faces.size()); }
   Index number_of_pieces() const { return static_cast<Index>(m_pieces.size()); }
   Index number_of_halves() const { return static_cast<Index>(m_uses.size()); }
   const Piece& piece(Index p) const { return m_pieces[p]; }
@@ -155,6 +165,15 @@ public:
     return sampled(piece.face, between(piece.weights[i], piece.weights[(i + 1) % 3], t));
   }
 
+  /* Is one source known to be the nearest in all of a face? */
+  bool has_one_source(Index face) const
+  {
+    if constexpr(finds_single_sources<Field, Face>)
+      return m_field.has_one_source(m_faces[face].descriptor);
+    else
+      return false;
+  }
+
   Location location(const Sample& sample) const { return {m_faces[sample.face].descriptor, sample.weights}; }
 
   Place place(const Sample& sample) const
@@ -165,6 +184,19 @@ public:
     for(std::size_t i = 0; i < 3; ++i)
       result[i] = w[0] * p[0][i] + w[1] * p[1][i] + w[2] * p[2][i];
     return result;
+  }
+
+  /* The two of the three coordinates that differ most in a face. */
+  std::array<std::size_t, 2> widest_axes(Index face) const
+  {
+    const std::array<Place, 3>& p = m_faces[face].corners;
+    const auto width = [&](std::size_t axis) {
+      const auto ends = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
+      return ends.second - ends.first;
+    };
+    std::array<std::size_t, 3> axes = {{0, 1, 2}};
+    std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) { return width(a) > width(b); });
+    return {{axes[0], axes[1]}};
   }
 
   /* Of all faces. */

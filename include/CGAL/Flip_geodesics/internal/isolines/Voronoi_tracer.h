@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_ISOLINES_VORONOI_TRACER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_ISOLINES_VORONOI_TRACER_H
 
-#include <CGAL/Flip_geodesics/internal/isolines/follow.h>
+#include <CGAL/Flip_geodesics/internal/isolines/Curve_thinner.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,10 +21,10 @@ namespace internal {
 /*
  * The boundaries of Voronoi regions on a refined surface. A piece whose corners have three sources has a junction.
  *
- * A field says which source is nearest, but not how far the next one is. So no bound tells that a piece whose corners
- * have one source has no boundary: pieces have sides of sqrt(tolerance * size) at most, and a boundary that bends no
- * more than a circle of an eighth of the size leaves such a piece by less than the tolerance, through one side and
- * back.
+ * Some fields know faces in which one source is the nearest everywhere, and these are not divided. Otherwise a field
+ * gives the nearest source, but not the distance of the next one. So no bound excludes a boundary in a piece whose
+ * corners have one source: pieces have sides of sqrt(tolerance * size) at most, and a boundary that bends no more than
+ * a circle of an eighth of the size leaves such a piece by less than the tolerance, through one side and back.
  */
 template <class Surface>
 class Voronoi_tracer
@@ -31,15 +32,23 @@ class Voronoi_tracer
 public:
   Voronoi_tracer(Surface& surface, double tolerance)
     : m_surface(surface)
+    , m_tolerance(tolerance)
   {
     const double largest_side = side_by_tolerance * tolerance, largest_junction = junction_by_tolerance * tolerance,
                  largest_distance = std::sqrt(tolerance * std::sqrt(surface.area()));
+    std::vector<char> has_one_source;
+    for(Index face = 0; face < surface.number_of_faces(); ++face)
+      has_one_source.push_back(surface.has_one_source(face) ? 1 : 0);
     surface.refine([&](const auto& piece) {
       const double length = surface.length(surface.longest(piece));
       if(length <= largest_side)
         return length <= largest_junction || !is_junction(piece);
+      if(is_divided(piece))
+        return false;
+      if(has_one_source[piece.face] != 0)
+        return true;
       const Field_bounds bounds(surface, piece);
-      return !is_divided(piece) && (length <= largest_distance || std::isinf(bounds.least)) &&
+      return (length <= largest_distance || std::isinf(bounds.least)) &&
              !(bounds.least <= 0 && 0 <= bounds.largest); // a source may be inside
     });
     find_crossings();
@@ -50,22 +59,30 @@ public:
   template <class Write>
   void trace(const Write& write)
   {
+    follow_boundaries();
+    Curve_thinner<Surface>(m_surface, m_tolerance, m_tolerance).thin(m_curves);
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+      write(m_curves[i], m_ends[i].sources, m_ends[i].junctions);
+  }
+
+private:
+  using Piece = typename Surface::Piece;
+
+  void follow_boundaries()
+  {
     for(std::size_t j = 0; j < m_junctions.size(); ++j)
       for(Index half : m_surface.piece(m_junctions[j].piece).halves)
         if(!m_crossings[half / 2].is_visited)
           trace_from(Surface::twin(half), m_surface.sample(m_surface.head(half)).source,
-                     m_surface.sample(m_surface.tail(half)).source, j, write);
+                     m_surface.sample(m_surface.tail(half)).source, j);
     for(bool is_from_border : {true, false})
       for(const Crossing& crossing : m_crossings) {
         const Index half = m_surface.telling_half(2 * crossing.side);
         if(!crossing.is_visited && (!is_from_border || m_surface.is_border(Surface::twin(half))))
           trace_from(half, m_surface.sample(m_surface.tail(half)).source, m_surface.sample(m_surface.head(half)).source,
-                     no_source, write);
+                     no_source);
       }
   }
-
-private:
-  using Piece = typename Surface::Piece;
 
   // Pieces with three sources have sides of this length at most, in tolerances.
   static constexpr double junction_by_tolerance = 0.01;
@@ -74,6 +91,11 @@ private:
   {
     Index piece;
     Sample sample;
+  };
+
+  struct Ends
+  {
+    std::array<std::size_t, 2> sources, junctions; // left and right; first and last
   };
 
   bool is_divided(const Piece& piece) const
@@ -163,27 +185,33 @@ private:
       }
   }
 
-  template <class Write>
-  void trace_from(Index half, std::size_t left, std::size_t right, std::size_t first_junction, const Write& write)
+  void trace_from(Index half, std::size_t left, std::size_t right, std::size_t first_junction)
   {
     const auto is_inside = [&](const Sample& sample) { return sample.source == left; };
     const auto is_end = [&](const Piece& piece) { return is_junction(piece); };
     Followed_curve curve = follow(m_surface, half, m_crossings, is_inside, is_end);
     std::size_t last_junction = no_source;
-    if(first_junction != no_source)
-      curve.samples.insert(curve.samples.begin(), m_junctions[first_junction].sample);
+    if(first_junction != no_source) {
+      const Junction& junction = m_junctions[first_junction];
+      curve.samples.insert(curve.samples.begin(), junction.sample);
+      curve.faces.insert(curve.faces.begin(), m_surface.piece(junction.piece).face);
+    }
     if(curve.last_piece != null_index) {
       last_junction = m_junction_of_piece.at(curve.last_piece);
       curve.samples.push_back(m_junctions[last_junction].sample);
+      curve.faces.push_back(m_surface.piece(curve.last_piece).face);
     }
-    write(curve, std::array<std::size_t, 2>{{left, right}},
-          std::array<std::size_t, 2>{{first_junction, last_junction}});
+    m_curves.push_back(std::move(curve));
+    m_ends.push_back({{{left, right}}, {{first_junction, last_junction}}});
   }
 
   const Surface& m_surface;
+  double m_tolerance;
   Crossings m_crossings;
   std::vector<Junction> m_junctions;
   std::unordered_map<Index, std::size_t> m_junction_of_piece;
+  std::vector<Followed_curve> m_curves;
+  std::vector<Ends> m_ends; // of the curves
 };
 
 } // namespace internal

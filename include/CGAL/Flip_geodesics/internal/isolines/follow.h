@@ -163,14 +163,20 @@ private:
 struct Followed_curve
 {
   std::vector<Sample> samples;
+  std::vector<Index> faces; // those of its segments
   Index last_piece = null_index;
   bool is_closed = false;
 };
 
-inline void append(std::vector<Sample>& samples, const Sample& sample)
+/* Appends a segment through a face, or the first sample. */
+inline void append(Followed_curve& curve, const Sample& sample, Index face)
 {
-  if(samples.empty() || samples.back().face != sample.face || samples.back().weights != sample.weights)
-    samples.push_back(sample);
+  std::vector<Sample>& samples = curve.samples;
+  if(!samples.empty() && samples.back().face == sample.face && samples.back().weights == sample.weights)
+    return;
+  if(!samples.empty())
+    curve.faces.push_back(face);
+  samples.push_back(sample);
 }
 
 /*
@@ -188,19 +194,21 @@ Followed_curve follow(const Surface& surface, Index half, Crossings& crossings, 
                       const IsEnd& is_end)
 {
   Followed_curve result;
+  Index face = null_index; // of the last piece
   for(;;) {
     Crossing& crossing = crossings[half / 2];
     if(crossing.is_visited) {
       result.is_closed = true;
-      append(result.samples, result.samples.front());
+      append(result, Sample(result.samples.front()), face);
       return result;
     }
     crossing.is_visited = true;
-    append(result.samples, crossing.sample);
+    append(result, crossing.sample, face);
     if(surface.is_border(half))
       return result;
     const auto& use = surface.use(half);
     const auto& piece = surface.piece(use.piece);
+    face = piece.face;
     if(is_end(piece)) {
       result.last_piece = use.piece;
       return result;
