@@ -401,6 +401,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
   const Surface no_point = to_mesh<Surface>({{{0, 0, 0}, {2, 0, 0}, {1, nan, 0}}, {{0, 1, 2}}});
   const Face_location inside = {Face(0), {0.25, 0.25, 0.5}};
   BOOST_CHECK_THROW(trace(flat, inside, Vector(1, 0, 0), 1), FG::Degenerate_face_error);
+  BOOST_CHECK_THROW(trace(flat, inside, std::make_pair(flat.halfedge(Face(0)), 1.0), 1), FG::Degenerate_face_error);
   BOOST_CHECK_THROW(trace(no_point, inside, Vector(1, 0, 0), 1), FG::Invalid_coordinate_error);
   // Along the border, to both sides.
   BOOST_TEST(distance(trace(mesh, corner, std::make_pair(rim, 0.0), 1).points.back(), Point(1, 0, 0)) < 1e-14);
