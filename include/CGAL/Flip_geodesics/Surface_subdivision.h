@@ -92,7 +92,8 @@ public:
   /// the mesh.
   Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
 
-  /// The area of a face, measured in the input face's plane.
+  /// The area of a face, measured in the input face's plane. It is not negative, and 0 if the rounding errors of the
+  /// corners would turn the face over.
   double area(face_descriptor f) const { return get(m_faces, f).area; }
 
   /// The barycentric coordinates of a face's corners in its input face: of the source, the target and the third vertex
@@ -305,7 +306,9 @@ private:
       face.corners[i] = layout.weights(side);
       p[i] = Layout::point(corners, face.corners[i]);
     }
-    face.area = 0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+    const double signed_area =
+        0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+    face.area = (std::max)(0.0, signed_area); // closer to the area, which is not negative
     put(m_faces, internal::graph_face(built.halfedge(h), m_mesh), face);
   }
 
@@ -340,7 +343,7 @@ private:
     };
     std::map<decltype(key_of(face_descriptor())), Sum> sums;
     for(face_descriptor f : faces(m_mesh)) {
-      const double weight = (std::max)(area(f), 0.0);
+      const double weight = area(f);
       const Value value = get(in, f) * 1.0;
       const auto [found, is_new] = sums.emplace(key_of(f), Sum{value * weight, value, weight, 1});
       Sum& sum = found->second;
