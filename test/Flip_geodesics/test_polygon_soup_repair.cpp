@@ -485,6 +485,90 @@ BOOST_AUTO_TEST_CASE(edges_of_length_zero_close)
   BOOST_CHECK(repaired.report.vertices_of_point(12) == repaired.report.vertices_of_point(13));
 }
 
+namespace {
+
+// A grid in two halves, with points of their own along the seam, those of one moved by less than `error`.
+Soup grid_with_seam(double scale_of_all, double error)
+{
+  Soup soup;
+  Random_numbers random(5);
+  for(int half = 0; half < 2; ++half)
+    for(int y = 0; y <= 6; ++y)
+      for(int x = 3 * half; x <= 3 * half + 3; ++x) {
+        const double e = half == 1 && x == 3 ? error : 0;
+        const double dx = random.uniform(-e, e), dy = random.uniform(-e, e), dz = random.uniform(-e, e);
+        soup.points.emplace_back(scale_of_all * (x + dx), scale_of_all * (y + dy), scale_of_all * (0.1 * x + dz));
+      }
+  for(std::size_t half = 0; half < 2; ++half)
+    for(std::size_t y = 0; y < 6; ++y)
+      for(std::size_t x = 0; x < 3; ++x) {
+        const std::size_t p = 28 * half + 4 * y + x;
+        soup.polygons.push_back({p, p + 1, p + 5});
+        soup.polygons.push_back({p, p + 5, p + 4});
+      }
+  return soup;
+}
+
+Repaired weld(const Soup& soup, double tolerance)
+{
+  Repaired result;
+  result.report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.polygons, result.mesh,
+                                                    CGAL::parameters::snapping_tolerance(tolerance));
+  check_mesh(result.mesh);
+  check_face_map(soup, result.mesh, result.report);
+  return result;
+}
+
+} // namespace
+
+// The box is 6 wide.
+BOOST_AUTO_TEST_CASE(borders_that_nearly_coincide_are_reported_and_welded)
+{
+  for(const double factor : {1.0, 1e-9, 1e12})
+    for(const double error : {1e-15, 1e-12, 1e-7}) {
+      const Soup soup = grid_with_seam(factor, error);
+      const Repaired open = repair(soup);
+      BOOST_CHECK_EQUAL(open.number_of_components(), 2u);
+      BOOST_CHECK(open.report.is_empty());
+      BOOST_CHECK_EQUAL(open.report.number_of_near_border_edges(), 12u);
+      BOOST_REQUIRE_EQUAL(open.report.lines().size(), 1u);
+      BOOST_CHECK_EQUAL(open.report.lines()[0].find("12 border edges nearly coincide with others and stay open"), 0u);
+      const double distance = open.report.distance_of_near_border_edges();
+      BOOST_CHECK_GT(distance, error / 60);
+      BOOST_CHECK_LT(distance, error / 6 * 1.5 + 1e-15);
+
+      const Repaired welded = weld(soup, 2 * distance);
+      check_repairs(welded.report, {{Repair::POINTS_WELDED, welded.report.number_of(Repair::POINTS_WELDED)},
+                                    {Repair::POINTS_MERGED, 7}});
+      BOOST_CHECK_LE(welded.report.number_of(Repair::POINTS_WELDED), 7u);
+      BOOST_CHECK_EQUAL(welded.number_of_components(), 1u);
+      BOOST_CHECK_EQUAL(welded.number_of_border_edges(), 24u);
+      BOOST_CHECK_EQUAL(welded.report.number_of_near_border_edges(), 0u);
+      BOOST_CHECK(weld(to_soup(welded.mesh), 2 * distance).report.is_empty());
+    }
+  // Borders that are apart, and one that coincides to the bit, are not mentioned.
+  BOOST_CHECK_EQUAL(repair(grid_with_seam(1, 1e-3)).report.number_of_near_border_edges(), 0u);
+  BOOST_CHECK_EQUAL(repair(grid_with_seam(1, 0)).report.number_of_near_border_edges(), 0u);
+}
+
+// Of points in a row, closer to each other than the tolerance, some stay; no chain of them falls into one place.
+BOOST_AUTO_TEST_CASE(points_are_not_welded_farther_than_the_tolerance)
+{
+  Soup soup;
+  for(int i = 0; i <= 100; ++i)
+    for(int j = 0; j < 2; ++j)
+      soup.points.emplace_back(i, 40 * j, 0);
+  for(std::size_t i = 0; i < 100; ++i)
+    soup.polygons.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  const Repaired repaired = weld(soup, 0.025); // points at 0, 3, 6, ...
+  BOOST_CHECK_EQUAL(repaired.number_of_used_vertices(), 2 * 34u);
+  BOOST_CHECK_CLOSE(repaired.area(), 99 * 40, 1e-9);
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    BOOST_CHECK_LE(std::abs(repaired.mesh.point(Mesh::Vertex_index(static_cast<unsigned>(i))).x() - soup.points[i].x()),
+                   2.5);
+  BOOST_CHECK(weld(to_soup(repaired.mesh), 0.025).report.is_empty());
+}
+
 BOOST_AUTO_TEST_CASE(what_cannot_be_repaired_is_said)
 {
   const auto reason = [](const Soup& soup) -> std::string {
@@ -598,6 +682,25 @@ BOOST_AUTO_TEST_CASE(borders_are_stitched_after_triangles_are_reversed)
       repair({{{0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {0, 0, 0}, {2, 1, 0}},
               {{6, 7, 5}, {7, 1, 2}, {7, 2, 6}, {5, 2, 7}}});
   BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 4u);
+}
+
+// Triangles that were dropped in a later round leave others to be cut apart, whether one was flipped or not.
+BOOST_AUTO_TEST_CASE(triangles_are_cut_apart_after_others_were_dropped)
+{
+  const Repaired repaired = repair({{{1, 1, 0},
+                                     {2, 2, 0},
+                                     {0, 0, 0},
+                                     {1, 1, 0},
+                                     {0, 2, 0},
+                                     {2, 0, 0},
+                                     {1, 1, 0},
+                                     {1, 2, 0},
+                                     {1, 1, 0},
+                                     {1, 1, 0},
+                                     {1, 0, 0}},
+                                    {{8, 2, 5}, {0, 7, 1}, {1, 9, 2}}});
+  BOOST_CHECK_EQUAL(repaired.mesh.number_of_faces(), 2u);
+  BOOST_CHECK_EQUAL(repaired.number_of_components(), 2u);
 }
 
 BOOST_AUTO_TEST_CASE(duplicates_made_by_flips_are_dropped)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ namespace Flip_geodesics {
 /// What `polygon_soup_to_triangle_mesh()` may have to do; each is counted in a `Repair_report`.
 enum class Repair {
   POINTS_NOT_FINITE,       ///< points with a coordinate that is NaN or infinite, which no vertex comes from
+  POINTS_WELDED,           ///< points moved into the place of another one within the tolerance
   POLYGONS_WITHOUT_POINTS, ///< polygons dropped since they name such a point, or one that is not there
   POLYGONS_COLLAPSED,      ///< polygons dropped since they have fewer than three corners in different places
   CORNERS_REPEATED,        ///< corners left out since the corner before them is in the same place
@@ -46,6 +48,8 @@ inline std::string describe(Repair repair, std::size_t count)
   switch(repair) {
   case Repair::POINTS_NOT_FINITE:
     return counted("point", "points", "left out: a coordinate is not a finite number");
+  case Repair::POINTS_WELDED:
+    return counted("point", "points", "moved into the place of others within the weld tolerance");
   case Repair::POLYGONS_WITHOUT_POINTS:
     return counted("polygon", "polygons", "dropped: a corner is no point of the input, or not finite");
   case Repair::POLYGONS_COLLAPSED:
@@ -89,6 +93,8 @@ struct Repair_record
   std::size_t number_of_points = 0, number_of_polygons = 0;
   std::vector<std::size_t> point_of_vertex, polygon_of_face;
   Pairs vertices_of_points, faces_of_polygons;
+  std::size_t near_border_edges = 0;
+  double near_border_distance = 0; // relative to the longest side of the bounding box
 };
 
 } // namespace internal
@@ -126,13 +132,22 @@ public:
     return std::all_of(m_record.counts.begin(), m_record.counts.end(), [](std::size_t count) { return count == 0; });
   }
 
-  /// What was done in words: a line for each repair, without line ends.
+  /// The number of border edges that nearly coincide with other ones in a different place and stay open: no coordinate
+  /// of their ends differs by more than 1e-6 of the longest side of the borders' bounding box.
+  std::size_t number_of_near_border_edges() const { return m_record.near_border_edges; }
+
+  /// The largest distance between such edges, relative to that side; a weld tolerance above it makes them coincide.
+  double distance_of_near_border_edges() const { return m_record.near_border_distance; }
+
+  /// What was done in words: a line for each repair, and one for border edges that nearly coincide; without line ends.
   std::vector<std::string> lines() const
   {
     std::vector<std::string> result;
     for(std::size_t i = 0; i < number_of_repairs; ++i)
       if(m_record.counts[i] > 0)
         result.push_back(describe(static_cast<Repair>(i), m_record.counts[i]));
+    if(m_record.near_border_edges > 0)
+      result.push_back(near_border_edges_in_words());
     return result;
   }
 
@@ -156,6 +171,17 @@ public:
   Elements faces_of_polygon(std::size_t polygon) const { return elements(m_record.faces_of_polygons, polygon); }
 
 private:
+  std::string near_border_edges_in_words() const
+  {
+    std::ostringstream text;
+    text.precision(2);
+    const bool is_one = m_record.near_border_edges == 1;
+    text << m_record.near_border_edges << " border edge" << (is_one ? " nearly coincides" : "s nearly coincide")
+         << " with others and stay" << (is_one ? "s" : "") << " open: a weld tolerance above "
+         << m_record.near_border_distance << " stitches them";
+    return text.str();
+  }
+
   static Elements elements(const internal::Repair_record::Pairs& pairs, std::size_t key)
   {
     Elements result;

@@ -13,6 +13,8 @@
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/soup/Near_borders.h>
+#include <CGAL/Flip_geodesics/internal/soup/Near_points.h>
 #include <CGAL/Flip_geodesics/internal/soup/Soup_polygons.h>
 #include <CGAL/Flip_geodesics/internal/soup/Soup_repair.h>
 #include <CGAL/Flip_geodesics/internal/soup/Triangle_soup.h>
@@ -24,6 +26,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -216,18 +219,23 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * - Triangles are oriented as their neighbors, with `CGAL::Polygon_mesh_processing::orient_polygon_soup()`. In each
  *   component as many as possible stay as they are. Faces are cut apart at edges with more than two of them, and where
  *   they share a vertex only. They are cut apart, too, at edges between orientations that cannot be made alike.
+ * - Points are welded if a tolerance is given: one takes the place of the nearest point before it that stays, if no
+ *   coordinate differs by more. Edges shorter than that collapse.
  * - Borders in one place are stitched, with `CGAL::Polygon_mesh_processing::stitch_borders()`; coordinates are equal
  *   there, to the bit. Where more than two border edges lie in one place, two of one component are, and others are not.
  *   Borders stay open where two vertices of the mesh would have two edges in common once they were stitched.
  * - Triangles with collinear corners, which exact predicates tell, are removed by a flip of their longest edge, which
  *   leaves the surface as it is. They are dropped where that cannot be done; inside the surface that leaves a slit.
  *
- * No point is moved, and none is new. The vertex at position `i` of `vertices(mesh)` comes from point `i`, whatever was
- * done; those of points that were merged or lost their faces are isolated, and have no further vertices. Vertices that
- * were split follow. Faces are in the order of the polygons they come from. So a soup with nothing wrong gives the very
- * mesh, and an empty report. `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes those without faces.
- * The result depends on nothing but the input. A repair of the result does nothing: these steps are repeated until none
- * of them changes the triangles.
+ * The report counts border edges that nearly coincide with others, too, which a tolerance would stitch.
+ *
+ * No point is moved unless a tolerance is given, and none is new. The vertex at position `i` of `vertices(mesh)` comes
+ * from point `i`, whatever was done; those of points that were merged or lost their faces are isolated, and have no
+ * further vertices. Vertices that were split follow. Faces are in the order of the polygons they come from. So a soup
+ * with nothing wrong gives the very mesh, and an empty report.
+ * `CGAL::Polygon_mesh_processing::remove_isolated_vertices()` removes those without faces. The result depends on
+ * nothing but the input. A repair of the result does nothing: these steps are repeated until none of them changes the
+ * triangles.
  *
  * \tparam PointRange a range of points of a CGAL kernel. Where its number type is `double`, the predicates of
  *         `CGAL::Exact_predicates_inexact_constructions_kernel` decide; where not, its own, which have to be exact.
@@ -238,8 +246,10 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * \param polygons the corners of each polygon
  * \param mesh the mesh that is made. An isolated vertex of a point that is not finite gets the place of another.
  * \param np named parameters: `vertex_point_map` of the mesh, a model of `WritablePropertyMap` with its vertices as keys
- *        and points as values; by default `get(CGAL::vertex_point, mesh)`
- * \pre `mesh` is empty
+ *        and points as values; by default `get(CGAL::vertex_point, mesh)`; `snapping_tolerance`, the weld tolerance, a
+ *        number relative to the longest side of the bounding box of the points; by default 0, for which only equal
+ *        coordinates are in one place
+ * \pre `mesh` is empty, and the tolerance is in [0, 1)
  * \return what was done, and which elements come from which
  * \throws Invalid_mesh_error if there are no polygons, or no triangle is left of them, with the reason; `mesh` is then
  *         empty
@@ -253,10 +263,15 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
                                             const NamedParameters& np = parameters::default_values())
 {
   CGAL_precondition_msg(num_vertices(mesh) == 0, "the mesh is not empty");
+  const double tolerance = CGAL::to_double(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), 0.0));
+  CGAL_precondition_msg(0 <= tolerance && tolerance < 1, "the weld tolerance is not in [0, 1)");
   using Point_3 = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   using Kernel = internal::Repair_kernel<Point_3>;
   internal::Repair_record record;
-  internal::Triangle_soup<Kernel> soup(internal::repair_points<Kernel>(points));
+  auto places = internal::repair_points<Kernel>(points);
+  record.add(Repair::POINTS_WELDED, internal::weld_points(places, tolerance));
+  internal::Triangle_soup<Kernel> soup(std::move(places));
   record.number_of_points = soup.points.size();
   record.add(Repair::POINTS_NOT_FINITE,
              static_cast<std::size_t>(std::count(soup.places.begin(), soup.places.end(), soup.none)));
@@ -264,6 +279,8 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
   internal::Soup_repair<Kernel>(soup, record)();
   const internal::Repaired_elements<Kernel> elements(soup, had_polygon, record);
   internal::check_repaired(soup, record);
+  const internal::Near_borders<Kernel> find_near_borders(soup);
+  find_near_borders(record);
 
   const auto map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                 get_property_map(CGAL::vertex_point, mesh));
