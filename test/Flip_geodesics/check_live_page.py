@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Drags a point on the live page in a browser, and compares the lengths with those of the program.
+"""Drags a point on the live page in a browser, compares the lengths with those of the program, and opens other meshes.
 
     check_live_page.py --program flip_geodesics --mesh FILE.off --chromium BROWSER
 
@@ -23,6 +23,13 @@ SCRIPT = '''
 const data = document.documentElement.dataset;
 const post = (value) => fetch('http://127.0.0.1:PORT/', { method: 'POST', mode: 'no-cors', body: JSON.stringify(value) });
 addEventListener('error', (event) => post({ failure: event.message }));
+const contexts = new Set(); // of WebGL, that the page has made
+const getContext = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...options) {
+  const context = getContext.call(this, kind, ...options);
+  if (kind.startsWith('webgl') && context) contexts.add(context);
+  return context;
+};
 addEventListener('unhandledrejection', (event) => post({ failure: String(event.reason) }));
 const until = async (isTrue) => { while (!isTrue()) await new Promise((next) => setTimeout(next, 20)); };
 const settle = async (action) => {
@@ -53,6 +60,16 @@ const drop = async (name, text) => {
   files.items.add(new File([text], name));
   dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
 };
+// Opens a mesh, and sees what the page says of it.
+const openMesh = async (name, text) => {
+  const before = data.revision;
+  data.error = '';
+  await drop(name, text);
+  await until(() => data.revision !== before || data.error);
+  const read = (id) => document.getElementById(id).textContent;
+  return { ...data, title: read('title'), facts: read('facts'), message: read('message') };
+};
+const frames = async (count) => { for (let i = 0; i < count; ++i) await new Promise(requestAnimationFrame); };
 // The bytes of a file that the page saves, one character each.
 const save = async (format) => {
   const create = URL.createObjectURL;
@@ -81,9 +98,16 @@ const save = async (format) => {
   seen.loop = await choose('loop');
   seen.distances = await choose('distances');
   seen.distances.command = document.getElementById('command').textContent;
+  seen.back = await choose('path');
   await drop('bad.off', 'OFF nothing');
   await until(() => data.error);
   seen.bad = { ...data, title: document.getElementById('title').textContent };
+  seen.quad = await openMesh('quad.obj', 'v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3 4\\n');
+  seen.pieces = await openMesh('pieces.off', PIECES);
+  for (let i = 0; i < 4; ++i) await openMesh(`triangle${i}.off`, 'OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n');
+  document.getElementById('view').parentElement.style.width = '80px'; // which every observer sees before the next frame
+  await frames(2);
+  seen.contexts = [...contexts].filter((context) => !context.isContextLost()).length;
   return post(seen);
 })();
 </script>
@@ -154,6 +178,19 @@ def check_saved(options, folder, saved, line):
             check(a == b or abs(float(a) - float(b)) < 1e-9, f'{format}: {a} instead of {b}')
 
 
+# Two triangles of opposite orientation, one of them twice, and a point without faces.
+PIECES = 'OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n9 9 9\n3 0 1 2\n3 0 3 2\n3 0 1 2\n'
+
+
+def check_opened(seen):
+    """Meshes that need a repair are repaired, as the page says; those before leave nothing behind."""
+    check((seen['quad']['title'], seen['quad']['facts']) == ('quad.obj', '4 vertices, 2 triangles'), seen['quad'])
+    check('polygon' in seen['quad']['message'], f'no word of the repair: {seen["quad"]}')
+    check((seen['pieces']['title'], seen['pieces']['facts']) == ('pieces.off', '5 vertices, 2 triangles'), seen['pieces'])
+    check(seen['pieces']['message'].count(';') >= 1, f'one thing is told, not all: {seen["pieces"]}')
+    check(seen['contexts'] <= 2, f'{seen["contexts"]} WebGL contexts are left by the meshes opened before')
+
+
 def check_isolines(options, folder, seen):
     """The command that the page shows gives as many isolines."""
     _, mesh, *arguments = seen['command'].split()
@@ -173,7 +210,7 @@ def main():
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         folder = Path(folder)
         subprocess.run([options.program, options.mesh, '--quiet', '--live', folder / 'live.html'], check=True)
-        script = SCRIPT.replace('PLACES', json.dumps([[0.3, 0.5], [0.7, 0.5], [0.66, 0.62], [0.5, 0.3]]))
+        script = SCRIPT.replace('PIECES', json.dumps(PIECES)).replace('PLACES', json.dumps([[0.3, 0.5], [0.7, 0.5], [0.66, 0.62], [0.5, 0.3]]))
         seen = run_in_browser(options.chromium, folder / 'live.html', script, folder)
         check('failure' not in seen, f'the page fails: {seen}')
         compared = 0
@@ -192,8 +229,11 @@ def main():
         check(len(lines) >= 7, f'the drags have not moved the point: {lines}')
         check_isolines(options, folder, seen['distances'])
         check(seen['bad']['error'].startswith('bad.off'), f'a bad file: {seen["bad"]}')
-        check(seen['bad']['title'] == options.mesh.name and seen['bad']['curves'] == seen['distances']['curves'],
+        check(seen['back']['line'] == seen['through']['line'],
+              f'the points have moved: {seen["back"]["line"]} instead of {seen["through"]["line"]}')
+        check(seen['bad']['title'] == options.mesh.name and seen['bad']['curves'] == seen['back']['curves'],
               f'a bad file replaces the mesh: {seen["bad"]}')
+        check_opened(seen)
         print(f'{compared} curves of the page have the lengths that the program computes')
 
 

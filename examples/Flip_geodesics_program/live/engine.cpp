@@ -54,8 +54,9 @@ public:
   {
     std::ostringstream out;
     out << "{\"title\":" << json_string(m_scene.title) << ",\"remarks\":[";
-    for(const std::string& remark : m_mesh.remarks())
-      out << (&remark == &m_mesh.remarks().front() ? "" : ",") << json_string(remark);
+    const std::vector<std::string> remarks = m_mesh.remarks();
+    for(std::size_t i = 0; i < remarks.size(); ++i)
+      out << (i == 0 ? "" : ",") << json_string(remarks[i]);
     out << "],";
     Scene_json(m_mesh).write_mesh(out);
     out << '}';

@@ -88,13 +88,12 @@ function joined(curves) {
 export class Stage {
   constructor(canvas, scene) {
     this.canvas = canvas;
-    this.data = scene;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, preserveDrawingBuffer: true });
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
     this.scene.add(this.camera);
     this.addLights();
-    this.addSurface();
+    this.addSurface(scene);
     this.addLines();
     this.controls = new TrackballControls(this.camera, canvas);
     this.controls.staticMoving = true;
@@ -119,15 +118,23 @@ export class Stage {
     lamp.target.position.set(0, 0, -1);
   }
 
-  addSurface() {
-    this.positions = new BufferAttribute(this.data.positions, 3);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.positions);
-    geometry.setIndex(new BufferAttribute(this.data.corners, 1));
-    this.surface = new Mesh(geometry, new MeshLambertMaterial({ side: DoubleSide, flatShading: true }));
+  addSurface(scene) {
+    this.surface = new Mesh(new BufferGeometry(), new MeshLambertMaterial({ side: DoubleSide, flatShading: true }));
     this.surface.material.polygonOffset = true;
     this.surface.material.polygonOffsetUnits = 4;
     this.scene.add(this.surface);
+    this.setSurface(scene);
+  }
+
+  // Another surface takes the place of this one, in the same context: a browser has few of them, and collects them late.
+  setSurface(scene) {
+    this.data = scene;
+    this.positions = new BufferAttribute(scene.positions, 3);
+    this.surface.geometry.dispose();
+    this.surface.geometry = new BufferGeometry();
+    this.surface.geometry.setAttribute('position', this.positions);
+    this.surface.geometry.setIndex(new BufferAttribute(scene.corners, 1));
+    this.meshEdgeCount = undefined; // its edges are made when they are shown
   }
 
   // Drawn in the order in which they are made, so that curves cover edges.

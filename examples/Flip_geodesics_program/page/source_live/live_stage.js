@@ -45,9 +45,4 @@ export class Live_stage extends Stage {
     const distance = (p) => this.camera.position.distanceTo(new Vector3(...p));
     return distance(position) < distance(hit.position) + 0.01;
   }
-
-  dispose() {
-    this.controls.dispose();
-    this.renderer.dispose();
-  }
 }

@@ -56,10 +56,15 @@ class Live_page {
   show(mesh, name) {
     this.mesh = mesh;
     this.name = name;
-    this.stage?.dispose();
-    const canvas = at('view').cloneNode();
-    at('view').replaceWith(canvas);
-    this.stage = new Live_stage(canvas, mesh);
+    this.results = null;
+    this.points = [];
+    if (this.stage) {
+      this.stage.setSurface(mesh);
+      this.showResults(null);
+    } else {
+      this.stage = new Live_stage(at('view'), mesh);
+      this.listenToCanvas(at('view'));
+    }
     this.stage.setTheme(this.theme);
     document.documentElement.dataset.theme = this.theme;
     at('title').textContent = name;
@@ -68,11 +73,8 @@ class Live_page {
     this.stage.setSmooth(this.stage.isSmooth());
     this.stage.setShowsHidden(at('show-hidden').checked);
     this.stage.showMeshEdges(at('show-mesh').checked);
-    this.results = null;
     this.milliseconds = 0;
     this.stage.findHome();
-    this.listenToCanvas(canvas);
-    this.points = [];
     this.chooseTool(this.tool);
     this.begin();
   }
@@ -98,13 +100,12 @@ class Live_page {
     return at('snap').checked || tools[this.tool].isAtVertices;
   }
 
-  // A point of a curve at a place of the surface.
+  // A point of a curve at a place of the surface. The place stays as it was chosen while the point is at a vertex.
   point(place) {
     const corners = this.stage.cornersOf(place.face);
-    if (!this.isAtVertices) return { ...place, text: pointText(place, corners) };
-    const nearest = place.weights.indexOf(Math.max(...place.weights));
-    const weights = [0, 1, 2].map((i) => (i === nearest ? 1 : 0));
-    return { face: place.face, weights, position: this.stage.vertex(corners[nearest]).toArray(), text: String(corners[nearest]) };
+    if (!this.isAtVertices) return { place, position: place.position, text: pointText(place, corners) };
+    const nearest = corners[place.weights.indexOf(Math.max(...place.weights))];
+    return { place, position: this.stage.vertex(nearest).toArray(), text: String(nearest) };
   }
 
   chooseTool(tool) {
@@ -116,7 +117,7 @@ class Live_page {
     document.querySelectorAll('.of-distances').forEach((e) => (e.hidden = tool !== 'distances'));
     at('hint').textContent = tools[tool].hint;
     at('tree').disabled = !this.mesh || this.mesh.vertices > mostVerticesOfTree;
-    this.setPoints(this.points.map((p) => this.point(p)));
+    this.setPoints(this.points.map((p) => this.point(p.place)));
   }
 
   setPoints(points) {
