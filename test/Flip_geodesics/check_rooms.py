@@ -5,9 +5,9 @@
     check_rooms.py SOURCE_DIR
 
 Each header is in one room: a public one in the row that names it, an internal one in the row of its folder. It includes
-headers of its own room and of rooms above it in the table, and never, over others, itself. It has 500 lines at most. Its
-classes have no friends but functions that they define themselves, and classes of the same header. Flip_geodesics.h
-includes each public header but those that its comment names.
+headers of its own room and of rooms above it in the table, and never, over others, itself. Its classes have no friends
+but functions that they define themselves, and classes of the same header. Flip_geodesics.h includes each public header
+but those that its comment names.
 """
 
 import collections
@@ -20,7 +20,6 @@ INCLUDE = re.compile(r'^ *# *include +<CGAL/Flip_geodesics/([^>]+)>', re.MULTILI
 COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/', re.DOTALL)
 FRIEND = re.compile(r'\bfriend\s+([^;{]*?)\s*([;{])')
 FRIEND_NAME = re.compile(r'([\w:]+)(?:<[^;]*>)?$')
-MOST_LINES = 500
 
 
 def rooms_of_table(manual):
@@ -92,7 +91,6 @@ def main():
     order, room_of, wrong = rooms_of_table(source / 'doc/Flip_geodesics/Design.txt')
     texts = {str(p.relative_to(folder)): p.read_text() for p in sorted(folder.rglob('*.h'))}
     includes = {name: INCLUDE.findall(text) for name, text in texts.items()}
-    wrong += [f'{name} has {text.count(chr(10))} lines' for name, text in texts.items() if text.count('\n') > MOST_LINES]
     wrong += [f'{name} befriends {friend}' for name, text in texts.items() for friend in wrong_friends(text)]
     wrong += [f'{h} of the table does not exist' for h in room_of if h not in includes]
     for name, others in includes.items():

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/insertion/nearest_weights.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
@@ -32,11 +33,6 @@ Place_in_space half_of(const Point& p)
   return {{CGAL::to_double(p.x()) / 2, CGAL::to_double(p.y()) / 2, CGAL::to_double(p.z()) / 2}};
 }
 
-inline bool is_finite_place(const Place_in_space& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 /* The corner of a face of the mesh at the tail of a halfedge, as seen from a place. */
 template <class Triangulation>
 Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfedge_index h, const Place_in_space& from)
@@ -44,7 +40,7 @@ Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfed
   const auto& input = triangulation.input().uncontracted();
   const Vertex_index v = input.tail(h);
   const Place_in_space p = half_of(triangulation.metric().point(input, v));
-  if(!is_finite_place(p))
+  if(!are_finite(p))
     throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) + " has a coordinate that is no finite number",
                                    {static_cast<std::size_t>(v.idx())});
   return {{p[0] - from[0], p[1] - from[1], p[2] - from[2]}};
@@ -73,7 +69,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
 {
   using Face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
   const internal::Place_in_space from = internal::half_of(point);
-  if(!internal::is_finite_place(from))
+  if(!internal::are_finite(from))
     throw Invalid_location_error("a point in space has a coordinate that is no finite number");
   const auto& input = triangulation.input().uncontracted();
   internal::Nearest_weights nearest;

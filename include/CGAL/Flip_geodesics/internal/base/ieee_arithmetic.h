@@ -3,7 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_BASE_IEEE_ARITHMETIC_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_BASE_IEEE_ARITHMETIC_H
 
+#include <array>
 #include <cfloat>
+#include <cmath>
 #include <complex>
 
 /* What is proven relies on bounds of rounding errors, on errors that are computed, and on infinity: no bound. */
@@ -49,6 +51,12 @@ inline std::complex<double> unfused(const std::complex<double>& product)
 }
 
 #undef CGAL_FLIP_GEODESICS_UNFUSED_REGISTER
+
+/* Returns whether all coordinates of a place in space are finite. */
+inline bool are_finite(const std::array<double, 3>& coordinates)
+{
+  return std::isfinite(coordinates[0]) && std::isfinite(coordinates[1]) && std::isfinite(coordinates[2]);
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SOUP_NEAR_POINTS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SOUP_NEAR_POINTS_H
 
+#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -25,11 +27,6 @@ Soup_coordinates soup_coordinates(const Point_3& p)
   return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
 }
 
-inline bool is_finite_place(const Soup_coordinates& p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 /* The largest difference of two coordinates. */
 inline double maximum_distance(const Soup_coordinates& p, const Soup_coordinates& q)
 {
@@ -45,7 +42,7 @@ struct Soup_box
     Soup_coordinates high = {{-infinity, -infinity, -infinity}};
     low = {{infinity, infinity, infinity}};
     for(const Soup_coordinates& p : points)
-      for(int k = 0; k < 3 && is_finite_place(p); ++k) {
+      for(int k = 0; k < 3 && are_finite(p); ++k) {
         low[k] = (std::min)(low[k], p[k]);
         high[k] = (std::max)(high[k], p[k]);
       }
@@ -118,7 +115,7 @@ std::size_t weld_points(std::vector<Point_3>& points, double tolerance)
   std::vector<Soup_coordinates> places;
   std::vector<std::size_t> numbers; // of finite points
   for(std::size_t i = 0; i < points.size(); ++i)
-    if(const Soup_coordinates p = soup_coordinates(points[i]); is_finite_place(p)) {
+    if(const Soup_coordinates p = soup_coordinates(points[i]); are_finite(p)) {
       places.push_back(p);
       numbers.push_back(i);
     }
