@@ -47,14 +47,24 @@ private:
   std::vector<Ray_window> m_windows;
 };
 
-/* No path through a window, and back through one on the other halfedge of an edge of some length, is shorter. */
-inline double least_sum(const Ray_window& w, const Ray_window& other, double length)
+/* The same window, seen from the other end of an edge of some length. */
+inline Ray_window reversed_window(Ray_window w, double length)
 {
-  const double from = (std::max)(w.from, length - other.to), to = (std::min)(w.to, length - other.from);
+  w.x = length - w.x;
+  const double from = length - w.to;
+  w.to = length - w.from;
+  w.from = from;
+  return w;
+}
+
+/* No two paths through windows, seen from one end of an edge, that meet on it are shorter together. */
+inline double least_sum(const Ray_window& w, const Ray_window& other)
+{
+  const double from = (std::max)(w.from, other.from), to = (std::min)(w.to, other.to);
   if(!(from <= to))
     return std::numeric_limits<double>::infinity();
-  const Cone cone = {w.x, w.y, w.sigma}, opposite = {length - other.x, other.y, other.sigma};
-  const double sum = cone.least_sum(opposite, from, to);
+  const Cone cone = {w.x, w.y, w.sigma}, other_cone = {other.x, other.y, other.sigma};
+  const double sum = cone.least_sum(other_cone, from, to);
   return sum - (w.radius + other.radius + 2 * Ray_window::evaluation_error * sum);
 }
 
@@ -129,7 +139,7 @@ public:
     const double length = m_triangulation.metric().length(m_triangulation.input(), h);
     const double at_ends[] = {beyond_end(h), beyond_end(t)}, least = (std::min)(at_ends[0], at_ends[1]);
     if(are_by_windows())
-      return (std::min)(least, between_ends(h, surface.below(t), length, other));
+      return (std::min)(least, between_ends(h, surface.below(h), length, other));
     const Edge_cones* const cones = m_sweep.cones(t);
     if(cones == nullptr)
       return least;
@@ -154,15 +164,19 @@ private:
   static constexpr int free_updates = 400;
   static constexpr std::size_t most_updates_per_side = 26;
 
-  // What meets on the edge of h between its ends: straight rays from both sides. Others run along it from an end.
+  // What meets on the edge of h between its ends. Paths to the goal on either side count: those on the one side may be
+  // dropped for shorter ones on the other. Paths that run along the edge pass an end.
   template <class Other>
-  double between_ends(Input_halfedge_index h, Input_halfedge_index opposite_below, double length,
+  double between_ends(Input_halfedge_index h, Input_halfedge_index below, double length,
                       const Distance_bounds<Other>& other) const
   {
     double least = (std::min)(m_unknown_from, other.unknown_from());
     m_windows_on_border.for_each(h, [&](const Ray_window& w) {
-      other.windows_inside().for_each(
-          opposite_below, [&](const Ray_window& back) { least = (std::min)(least, least_sum(w, back, length)); });
+      other.windows_inside().for_each(below,
+                                      [&](const Ray_window& on) { least = (std::min)(least, least_sum(w, on)); });
+      other.windows_inside().for_each(twin_index(below), [&](const Ray_window& back) {
+        least = (std::min)(least, least_sum(w, reversed_window(back, length)));
+      });
     });
     return least;
   }
