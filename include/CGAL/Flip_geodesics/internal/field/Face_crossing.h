@@ -47,7 +47,6 @@ struct Face_crossing
     next = f.next;
     previous = sides.known(next).next;
     apex = sides.known(previous).tail;
-    const double equal = tolerance * f.length;
     nearest = nullptr;
     distance = std::numeric_limits<double>::infinity();
     for(Crossing_window* i = first; i != last; ++i) {
@@ -55,9 +54,11 @@ struct Face_crossing
       if(!is_first_side(halfedge))
         w.mirror(f.length);
       const double c = i->crossing = w.crossing(f.x, f.y);
-      if(!(c > w.from - equal && c < w.to + equal))
+      if(!(c > w.from - beside * f.length && c < w.to + beside * f.length))
         continue;
-      const double through = w.distance(f.x, f.y);
+      const double through = w.bent_distance(f.x, f.y, c);
+      if(!(c >= w.from && c <= w.to) && through - w.distance(f.x, f.y) > tie * through)
+        continue;
       if(through < distance) {
         distance = through;
         nearest = i;
@@ -70,14 +71,14 @@ struct Face_crossing
   template <class Function>
   void arrive_left(const Face_side& f, double length, const Function& function) const
   {
-    const double equal = tolerance * f.length, best = nearest == nullptr ? 0 : nearest->crossing;
+    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best + beside * f.length;
     for(const Crossing_window* i = first; i != last; ++i) {
       const Window& w = i->window;
       const double c = i->crossing;
-      if(!(c > w.from) || (is_split(*i) && c > best + equal))
+      if(!(c > w.from) || (is_split(*i) && c > limit))
         continue;
       // Of a window the part before the ray to the apex, which crosses at c.
-      Window child = turned(w, f.cosine, f.sine, (std::min)(c, w.to), c < w.to + equal, length);
+      Window child = turned(w, f.cosine, f.sine, (std::min)(c, w.to), c < w.to + w.error(f.length), length);
       if(!(child.y > 0))
         continue;
       child.mirror(length);
@@ -89,22 +90,27 @@ struct Face_crossing
   template <class Function>
   void arrive_right(const Face_side& f, const Face_side& fn, const Function& function) const
   {
-    const double equal = tolerance * f.length, best = nearest == nullptr ? 0 : nearest->crossing;
+    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best - beside * f.length;
     for(const Crossing_window* i = first; i != last; ++i) {
       const double c = i->crossing;
-      if(!(c < i->window.to) || (is_split(*i) && c < best - equal))
+      if(!(c < i->window.to) || (is_split(*i) && c < limit))
         continue;
       Window w = i->window;
       w.mirror(f.length);
-      Window child =
-          turned(w, fn.cosine, fn.sine, (std::min)(f.length - c, w.to), f.length - c < w.to + equal, fn.length);
+      Window child = turned(w, fn.cosine, fn.sine, (std::min)(f.length - c, w.to),
+                            f.length - c < w.to + w.error(f.length), fn.length);
       if(child.y > 0)
         function(child);
     }
   }
 
 private:
-  static constexpr double tolerance = 1e-9;
+  // Windows whose ray to the apex misses them by more than this part of the side do not reach it; their paths are not
+  // measured. This is a filter for speed: what it passes is decided by the lengths of paths.
+  static constexpr double beside = 1e-9;
+  // Lengths that differ by less than this part of them are equal up to rounding. If a ray misses its window, the window
+  // reaches the apex only if the path that bends at its end is as long as the straight line.
+  static constexpr double tie = 2e-14;
 
   // Does the ray to the apex part it? If it is not the best there, it is of no use beyond the best one's ray [CH90].
   static bool is_split(const Crossing_window& i) { return i.crossing > i.window.from && i.crossing < i.window.to; }

@@ -277,10 +277,9 @@ private:
       if(!is_first_side(h))
         w.mirror(f.length);
       const double crossing = w.crossing(p.real(), p.imag());
-      const double b = (std::min)((std::max)(crossing, w.from), w.to);
-      const double d = b == crossing ? w.distance(p.real(), p.imag()) : w.distance(b) + std::abs(p - b);
+      const double d = w.bent_distance(p.real(), p.imag(), crossing);
       if(d < best.distance && is_wanted(w.root))
-        best = {d, w.root, h, b, w};
+        best = {d, w.root, h, (std::min)((std::max)(crossing, w.from), w.to), w};
     }
   }
 

@@ -67,7 +67,7 @@ public:
     const Input_halfedge_index start = first_halfedge(sides, v, record, angle);
     const bool is_free = record.through == null_index && record.along == null_index;
     const Input_halfedge_index border = walk_counterclockwise(sides, start, angle);
-    const double bend = is_free ? -infinity : boost::math::constants::pi<double>() - rounding;
+    const double bend = is_free ? -infinity : boost::math::constants::pi<double>() - slack(sides);
     const double total = m_fan.back().angle + m_fan.back().corner - angle;
     const double most = border == null_index ? total - bend : infinity;
     for(const Fan_face& face : m_fan)
@@ -105,6 +105,24 @@ private:
     Input_halfedge_index halfedge;
     double angle, corner; // of the halfedge, from where the path to the vertex comes; and of the face
   };
+
+  /*
+   * Returns by how much less than pi the angle of a path at the vertex may be. The window of a ray that passes the
+   * vertex closer than the rounding errors of positions on its longest edge can be lost. Such a ray turns by at most
+   * that error relative to the lengths of the path before and after the vertex; windows from the vertex take its place.
+   * Their distances are the lengths of existing paths, so that more windows never make a distance too short.
+   */
+  double slack(const Sides& sides) const
+  {
+    double shortest = infinity, longest = 0;
+    for(const Fan_face& face : m_fan) {
+      const Input_halfedge_index h = face.halfedge;
+      const double length = sides.known(m_triangulation.input().is_border(h) ? twin_index(h) : h).length;
+      shortest = (std::min)(shortest, length);
+      longest = (std::max)(longest, length);
+    }
+    return (std::max)(rounding, 2 * Window::place_error * (longest / shortest));
+  }
 
   // Up to the border, whose halfedge is returned, or all round.
   Input_halfedge_index walk_counterclockwise(const Sides& sides, Input_halfedge_index start, double angle)

@@ -49,6 +49,14 @@ struct Window
     return sigma + std::sqrt(dx * dx + dy * dy);
   }
 
+  /* Returns the length of the path to a point above the edge whose ray crosses the edge at `crossing`. If that lies
+   * outside of the window, the path bends at the nearer end: it is the shortest path through the window. */
+  double bent_distance(double b, double height, double crossing) const
+  {
+    const double at = (std::min)((std::max)(crossing, from), to);
+    return at == crossing ? distance(b, height) : distance(at) + std::hypot(b - at, height);
+  }
+
   /* The least distance of all its points. */
   double least_distance() const
   {
@@ -66,6 +74,13 @@ struct Window
 
   /* Where the ray to a point above the edge crosses the edge. */
   double crossing(double b, double height) const { return (x * height + b * y) / (y + weight() * height); }
+
+  /* Bounds the rounding errors of positions on an edge relative to the size of the frame: eight operations per face
+   * that round to 2^-53, through sixteen faces. In a longer strip of such faces the path is longer as well. */
+  static constexpr double place_error = 0x1p-46;
+
+  /* The bound in the frame of an edge of a given length. */
+  double error(double length) const { return place_error * (length + weight() * (std::abs(x) + y)); }
 
   /* Takes off the part that is nearer to the start of the edge, along the edge, if that is so far itself. */
   void trim(double to_start)
