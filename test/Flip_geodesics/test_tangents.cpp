@@ -298,6 +298,7 @@ BOOST_AUTO_TEST_CASE(one_call_tells_the_angle_about_its_source)
   BOOST_TEST(corners == 8u);
 }
 
+// Up to roundings.
 BOOST_AUTO_TEST_CASE(one_call_does_the_same)
 {
   const Mesh mesh = to_mesh<Mesh>(bumpy_sphere(4, 0.2, 5));
@@ -315,8 +316,9 @@ BOOST_AUTO_TEST_CASE(one_call_does_the_same)
   BOOST_REQUIRE(coordinates.size() == mesh.number_of_vertices());
   for(const auto v : mesh.vertices()) {
     const FG::Polar_coordinates& p = coordinates[v];
-    BOOST_TEST(p.radius == logarithm(t.index(v)).radius);
-    BOOST_TEST(p.angle == logarithm(t.index(v)).angle);
+    const FG::Polar_coordinates q = logarithm(t.index(v)); // by the faces along the path, not by windows
+    BOOST_TEST(std::abs(p.radius - q.radius) < 1e-14);
+    BOOST_TEST(std::abs(p.angle - q.angle) < 1e-13);
     std::vector<Face_location> way;
     const std::pair direction(result.halfedge, 0.1 * static_cast<double>(v.idx()));
     const auto trace = FG::trace_geodesic(mesh, source, direction, 0.75, std::back_inserter(way));
