@@ -171,6 +171,24 @@ struct Annulus
   Triangulation triangulation;
 };
 
+// A leg through vertices of a plane: each of them is an end of several edges that the leg crosses, which takes one exact
+// comparison, not one for each of the edges.
+BOOST_AUTO_TEST_CASE(a_vertex_on_a_leg_is_compared_once)
+{
+  const Surface mesh = to_mesh<Surface>(flat_grid(6, 3, Diagonal_rule::FALLING));
+  const Triangulation triangulation(mesh);
+  Triangulation edited(mesh);
+  const auto place = [&](const Flat_point& p) {
+    return FG::surface_location(triangulation, mesh, location_on_grid(mesh, mesh, p));
+  };
+  Editor editor(edited, {place({0.5, 0.25}), place({5.5, 2.75})}); // by the vertices (2, 1) and (4, 2)
+  BOOST_TEST(is_geodesic(editor.verdict(0)));
+  BOOST_TEST(std::abs(editor.leg_length(0) - std::hypot(5, 2.5)) < 1e-12);
+  const FG::Decision_statistics& statistics = editor.statistics();
+  BOOST_TEST(statistics.zeros_by_roots > 0u);
+  BOOST_TEST(statistics.zeros_by_roots <= 20u, statistics.zeros_by_roots << " comparisons");
+}
+
 // From the lower end of a circle about the hole once round it, counterclockwise or back, in steps of a quarter cell.
 void drag_round_hole(const Annulus& annulus, Editor& editor, int direction)
 {

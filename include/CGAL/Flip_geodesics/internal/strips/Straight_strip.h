@@ -19,6 +19,7 @@
 #include <complex>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -125,12 +126,18 @@ private:
                  Strip_obstacle& obstacle) const
   {
     double passed = 0; // the part of the line that has been followed
-    Gate_sides_beyond_doubles precise(*this, word);
+    Gate_sides_beyond_doubles precise(*this, word, strip);
+    Gate_sides before = {ZERO, ZERO};
     for(std::size_t i = 0; i < strip.gates().size(); ++i) {
       const Gate& gate = strip.gates()[i];
       Gate_sides sides = in_double(strip, gate);
-      sides.left = sides.left == ZERO ? precise.side(i, true) : sides.left;
-      sides.right = sides.right == ZERO ? precise.side(i, false) : sides.right;
+      // Gates share an end with the one before, and what has been proven of that is not proven again.
+      const bool is_left_shared = i > 0 && !is_right_shared(strip.gates()[i - 1], gate);
+      if(sides.left == ZERO)
+        sides.left = is_left_shared ? before.left : precise.side(i, true);
+      if(sides.right == ZERO)
+        sides.right = i > 0 && !is_left_shared ? before.right : precise.side(i, false);
+      before = sides;
       const bool is_along = sides.left == ZERO && sides.right == ZERO;
       if(sides.left == NEGATIVE || sides.right == NEGATIVE || (is_along && !runs_along(strip, gate, passed))) {
         obstacle.vertex =
@@ -146,6 +153,12 @@ private:
     }
     m_statistics.by_strip += precise.is_exact_needed() ? 0 : 1;
     return true;
+  }
+
+  // Do two gates in a row start at one vertex, or else end at one?
+  bool is_right_shared(const Gate& gate, const Gate& next) const
+  {
+    return next.crossed == m_triangulation.input().next(twin_index(gate.crossed));
   }
 
   static double along(const Strip_in_double& strip, const std::complex<double>& p)
@@ -182,10 +195,11 @@ private:
     using Strip_beyond_doubles = Precise_strip<Triangulation>;
 
   public:
-    Gate_sides_beyond_doubles(const Straight_strip& owner, const Crossing_word& word)
+    Gate_sides_beyond_doubles(const Straight_strip& owner, const Crossing_word& word, const Strip_in_double& strip)
       : m_triangulation(owner.m_triangulation)
       , m_statistics(owner.m_statistics)
       , m_word(word)
+      , m_strip_in_double(strip)
     {
     }
 
@@ -209,18 +223,87 @@ private:
       return m_strip->side(is_left ? ends.left : ends.right);
     }
 
-    // The sign of the sine of the angle from the line to an end of a gate.
+    // A vertex on the line, which is an end of gates in a row.
+    struct Touched_end
+    {
+      Vertex_index vertex;
+      std::size_t first, last; // gates
+      bool is_left;
+      std::complex<double> place;
+      double error; // of the place
+    };
+
+    // \pre no gate before has the same end
     Sign exact_side(std::size_t gate, bool is_left)
     {
       m_is_exact_needed = true;
+      const Touched_end end = touched_end(gate, is_left);
+      const Sign result = is_in_line(end) ? ZERO : sign(m_word, gate, is_left);
+      if(result == ZERO) {
+        m_before_last = m_last;
+        m_last = end;
+      }
+      return result;
+    }
+
+    Touched_end touched_end(std::size_t gate, bool is_left) const
+    {
+      const Input_halfedge_index h = m_word.crossed[gate];
+      const Gate& g = m_strip_in_double.gates()[gate];
+      const std::complex<double> place = is_left ? g.left : g.right;
+      const double error =
+          (is_left ? g.left_error : g.right_error) + 2 * m_strip_in_double.relative_error() * std::abs(place);
+      return {m_triangulation.input().tail(is_left ? twin_index(h) : h),
+              gate,
+              last_gate(gate, is_left),
+              is_left,
+              place,
+              error};
+    }
+
+    std::size_t last_gate(std::size_t gate, bool is_left) const
+    {
+      const std::vector<Input_halfedge_index>& crossed = m_word.crossed;
+      while(gate + 1 < crossed.size() &&
+            (crossed[gate + 1] != m_triangulation.input().next(twin_index(crossed[gate]))) == is_left)
+        ++gate;
+      return gate;
+    }
+
+    // The sign of the sine of the angle from the line to an end of a gate.
+    Sign sign(const Crossing_word& word, std::size_t gate, bool is_left) const
+    {
       const Unfolding_chains<Triangulation> unfolding(m_triangulation);
-      return Exact_sign(m_statistics)({unfolding.gate(m_word, gate, is_left), unfolding.head(m_word, true)});
+      return Exact_sign(m_statistics)({unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
+    }
+
+    // Is a vertex on the line through the last two that have been found on the line, or the tail and the only one? The
+    // faces between them prove it, which are few as compared with all of the strip. Two vertices that can be in one
+    // place, as faces without area allow, do not define a line.
+    bool is_in_line(const Touched_end& end) const
+    {
+      if(!m_last)
+        return false;
+      const std::size_t first = m_before_last ? m_before_last->last + 1 : 0;
+      if(first > m_last->first || m_last->last >= end.first)
+        return false;
+      const double distance = std::abs(m_last->place - (m_before_last ? m_before_last->place : 0.0));
+      if(!(distance > m_last->error + (m_before_last ? m_before_last->error : 0)))
+        return false;
+      Crossing_word part;
+      part.tail = m_before_last ? m_before_last->vertex : m_word.tail;
+      part.head = end.vertex;
+      const auto begin = m_word.crossed.begin();
+      part.crossed.assign(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end.first));
+      return sign(part, m_last->first - first, m_last->is_left) == ZERO;
     }
 
     const Triangulation& m_triangulation;
     Decision_statistics& m_statistics;
     const Crossing_word& m_word;
+    const Strip_in_double& m_strip_in_double;
     std::optional<Strip_beyond_doubles> m_strip;
+    std::optional<Touched_end> m_before_last, m_last; // of the vertices on the line
     bool m_is_exact_needed = false;
   };
 
