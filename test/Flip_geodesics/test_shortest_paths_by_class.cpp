@@ -241,6 +241,7 @@ BOOST_AUTO_TEST_CASE(links_of_a_slit_mesh)
     BOOST_TEST((target(h, mesh) == source(next(h, mesh), mesh)));
     BOOST_TEST((target(h, mesh) == source(opposite(h, mesh), mesh)));
     BOOST_TEST((edge(h, mesh) == edge(opposite(h, mesh), mesh)));
+    BOOST_TEST((halfedge(edge(h, mesh), mesh) == h));
     BOOST_TEST((face(h, mesh) == face(next(h, mesh), mesh)));
     const auto [g, is_edge] = halfedge(source(h, mesh), target(h, mesh), mesh); // a slit of one edge has two of these
     BOOST_TEST(is_edge);
@@ -248,6 +249,9 @@ BOOST_AUTO_TEST_CASE(links_of_a_slit_mesh)
     borders += face(h, mesh) == Surface::null_face() ? 1 : 0;
   }
   BOOST_TEST(borders > 20u);
+  BOOST_TEST(CGAL::is_valid_halfedge_graph(mesh));
+  BOOST_TEST(CGAL::is_valid_face_graph(mesh));
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
   for(const Slit::Vertex& v : vertices(mesh))
     BOOST_TEST((target(halfedge(v, mesh), mesh) == v));
 }

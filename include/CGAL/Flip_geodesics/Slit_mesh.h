@@ -117,6 +117,7 @@ public:
     Mesh_edge edge;                                  ///< of the mesh
     Mesh_halfedge halfedge = Graph::null_halfedge(); ///< of the mesh's edge; at a slit, that on this side
     bool is_at_slit = false;                         ///< is it one of two?
+    bool is_outer = false;                           ///< was it obtained from its halfedge on the border of a slit?
 
     /// The edge of the mesh.
     operator Mesh_edge() const { return edge; }
@@ -175,11 +176,7 @@ public:
   const std::vector<Halfedge>& all_halfedges() const { return m_halfedges; }
 
   /// The edge of a halfedge of the mesh, on this side of a slit.
-  Edge edge_of(Mesh_halfedge h) const
-  {
-    const Mesh_edge e = internal::graph_edge(h, *m_mesh);
-    return make_edge(e, is_slit(h) ? h : internal::graph_halfedge(e, *m_mesh), is_slit(h));
-  }
+  Edge edge_of(Mesh_halfedge h) const { return make_edge(internal::graph_edge(h, *m_mesh), h, is_slit(h)); }
 
 private:
   void add_edge(Mesh_edge e, bool is_to_be_slit)
@@ -313,10 +310,12 @@ typename Slit_mesh<M>::Halfedge halfedge(typename boost::graph_traits<M>::face_d
   return typename Slit_mesh<M>::Halfedge(halfedge(f, mesh.mesh()));
 }
 
+/* The halfedge that the edge was obtained from, as CGAL's validity check requires; otherwise the mesh's. */
 template <class M>
-typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Edge e, const Slit_mesh<M>&)
+typename Slit_mesh<M>::Halfedge halfedge(typename Slit_mesh<M>::Edge e, const Slit_mesh<M>& mesh)
 {
-  return typename Slit_mesh<M>::Halfedge(e.halfedge);
+  const typename Slit_mesh<M>::Halfedge h(e.halfedge);
+  return e.is_outer ? opposite(h, mesh) : h;
 }
 
 template <class M>
@@ -328,7 +327,9 @@ typename Slit_mesh<M>::Halfedge opposite(typename Slit_mesh<M>::Halfedge h, cons
 template <class M>
 typename Slit_mesh<M>::Edge edge(typename Slit_mesh<M>::Halfedge h, const Slit_mesh<M>& mesh)
 {
-  return mesh.edge_of(h.is_outer ? opposite(h.halfedge, mesh.mesh()) : h.halfedge);
+  auto result = mesh.edge_of(h.is_outer ? opposite(h.halfedge, mesh.mesh()) : h.halfedge);
+  result.is_outer = h.is_outer;
+  return result;
 }
 
 /* Border halfedges follow each other around the faces of the sector between them. */
