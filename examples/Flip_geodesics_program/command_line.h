@@ -166,6 +166,8 @@ private:
     add("--format", "NAME", m_options.format, "Format of MESH: off, obj, ply, stl or ts [by the extension]");
     add("--repair", m_options.is_repaired,
         "Make a triangle mesh of any polygons: triangulate, orient, cut apart, stitch, drop; and say what was done");
+    add("--weld", "TOLERANCE", m_options.weld,
+        "With --repair: merge points at most this far apart, relative to the longest side of the bounding box [0]");
     add("--repaired", "FILE", m_options.results.repaired,
         "With --repair: write the repaired mesh, which the results are about: .off, .obj, .ply, .stl or .vtp");
     add("--mollify", "MARGIN", m_options.mollify,

@@ -226,6 +226,11 @@ void check_options(const Options& options)
                     "--repaired alone");
   if(!options.is_repaired && !options.results.repaired.empty())
     throw Bad_input("--repaired belongs to --repair; give both");
+  if(!options.is_repaired && options.weld)
+    throw Bad_input("--weld belongs to --repair; give both");
+  if(options.weld && !(*options.weld >= 0 && *options.weld < 1))
+    throw Bad_input(
+        "--weld: the tolerance is not at least 0 and below 1; give a part of the bounding box, such as 1e-9");
   check_field_options(options);
   check_other_ways(options);
   check_shortest_paths(options);

@@ -35,6 +35,7 @@ struct Options
   std::string mesh, format;  ///< the format empty if the name of the mesh tells it
   std::string output_format; ///< of a mesh that goes to standard output
   bool is_repaired = false;
+  std::optional<double> weld; ///< the tolerance of the repair
   std::optional<long long> from, to;
   std::string pairs, edges, loop, network, segmentation, points, bezier, draw;
   bool is_snapped = false;

@@ -76,15 +76,17 @@ inline Input_mesh read_mesh(const Input_text& input)
   return Input_mesh(std::move(mesh), std::move(soup.remarks));
 }
 
-/// Reads whatever a file holds and repairs it. \throws Bad_input if nothing is left
-inline Input_mesh repair_mesh(Input_text input)
+/// Reads whatever a file holds and repairs it, with a tolerance within which points are welded. \throws Bad_input if
+/// nothing is left
+inline Input_mesh repair_mesh(Input_text input, double weld_tolerance = 0)
 {
   namespace FG = CGAL::Flip_geodesics;
   input.allow_points_not_finite();
   Soup soup = read_soup(input);
   Mesh mesh;
   try {
-    FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh);
+    FG::Repair_report report = FG::polygon_soup_to_triangle_mesh(soup.points, soup.faces, mesh,
+                                                                 CGAL::parameters::snapping_tolerance(weld_tolerance));
     return Input_mesh(std::move(mesh), std::move(report), std::move(soup.remarks));
   } catch(const FG::Error& error) {
     throw Bad_input(input.name() + ": " + error.what() + "; give another mesh");

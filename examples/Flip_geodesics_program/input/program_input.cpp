@@ -19,7 +19,7 @@ program::Input_mesh program::read_input_mesh(const Options& options)
   if(!options.format.empty() && mesh_formats().count(lower_case(options.format)) == 0)
     throw Bad_input("--format " + printable(options.format) + ": not known; use one of" + names_of_mesh_formats());
   const Input_text input = read_text(options.mesh, lower_case(options.format));
-  Input_mesh mesh = options.is_repaired ? repair_mesh(input) : read_mesh(input);
+  Input_mesh mesh = options.is_repaired ? repair_mesh(input, options.weld.value_or(0)) : read_mesh(input);
   if(options.has_seams)
     mesh.keep_text(input);
   return mesh;
