@@ -445,9 +445,9 @@ BOOST_AUTO_TEST_CASE(edges_of_length_zero)
   for(const auto& path : result.report.paths)
     BOOST_TEST(path.shortening.curves[0].are_zero_edges_contracted);
   out.clear();
-  const auto point = folded.paths(grid_vertex(6, 3, 3), grid_vertex(6, 4, 3), 1, out);
-  BOOST_TEST(point.number_of_paths() == 1u);
-  BOOST_TEST(point.length(0) == 0);
+  const auto in_one_place = folded.paths(grid_vertex(6, 3, 3), grid_vertex(6, 4, 3), 1, out);
+  BOOST_TEST(in_one_place.number_of_paths() == 1u);
+  BOOST_TEST(in_one_place.length(0) == 0);
 }
 
 // Weights that are none, and such that no face has a shape.
