@@ -40,6 +40,8 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   file(WRITE ${program_dir}/loose_network.txt "3 4 5\n! 9\n")
   file(WRITE ${program_dir}/no_curve.txt "# nothing\n\n")
   file(WRITE ${program_dir}/equal.txt "0 1\n4 4\n")
+  file(WRITE ${program_dir}/seam.off "OFF\n8 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1.0000000000000002 0 0\n2 0 0\n2 1 0\n"
+                                     "1.0000000000000002 1 0\n3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n")
   file(WRITE ${program_dir}/some_joined.txt "0 1\n0 3\n3 5\n2 4\n")
   file(WRITE ${program_dir}/far.txt "0 1\n4 400\n")
   file(WRITE ${program_dir}/word.txt "0 one\n")
@@ -181,6 +183,10 @@ if(TARGET flip_geodesics AND TARGET generate_torus)
   flip_geodesics_add_program_test(repair_segmentation 0 "1 CONTRACTED" pyramid.off --repair --segmentation
                                   pyramid.seg)
   flip_geodesics_add_program_test(repair_seams 0 "1 LOCALLY_SHORTEST" quad_seam.obj --repair --seams)
+  flip_geodesics_add_program_test(near_borders 1 "nearly coincide" seam.off --repair --from 0 --to 5)
+  flip_geodesics_add_program_test(welded_borders 0 "1 LOCALLY_SHORTEST" seam.off --repair --weld 1e-12 --from 0 --to 5)
+  flip_geodesics_add_program_test(weld_alone 2 "--weld" seam.off --weld 1e-12 --from 0 --to 1)
+  flip_geodesics_add_program_test(bad_weld 2 "--weld" seam.off --repair --weld 2 --from 0 --to 1)
   flip_geodesics_add_program_test(repair_nothing_left 2 "collapsed.off: no triangle is left by the repair: 1 triangle"
                                   collapsed.off --repair --from 0 --to 1)
   flip_geodesics_add_program_test(only_repaired 0 "11 vertices, 7 triangles.*repair: 1 polygon" pyramid.off --repair
