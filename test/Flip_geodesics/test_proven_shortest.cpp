@@ -4,6 +4,7 @@
 
 #include "Curve_setting.h"
 #include "Exact_distances.h"
+#include "closed_forms.h"
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
@@ -176,6 +177,40 @@ BOOST_AUTO_TEST_CASE(windows_do_not_multiply_along_rows)
       BOOST_TEST(report.windows < 4000u, s << " to " << t << ": " << report.windows);
     });
   }
+}
+
+// The rounding errors of steps across long faces and along rows of flat vertices add up to more than the tolerance of a
+// proof. Bounds in double-double arithmetic are within it, and not above the distance.
+BOOST_AUTO_TEST_CASE(long_faces_and_rows_of_flat_vertices)
+{
+  check("steep pyramid", pyramid(1e4));
+  check("steep cone", cone(7, 1, 1, 1000));
+  const auto is_in_sponge = [](int x, int y, int z) { return x % 2 + y % 2 + z % 2 < 2; };
+  for(const Mesh_soup& soup :
+      {cylinder(26, 1, 1, 100), cylinder(100, 10, 1, 100), cylinder(200, 2, 1, 5), cylinder(26, 2, 1, 2, true),
+       cone(26, 1, 1, 100), grid_with_hole(6, 6, 2, 4, 2, 4), genus_3_plate(1), voxel_surface(5, 5, 5, is_in_sponge)})
+  {
+    Setting setting(soup);
+    for_pairs(soup, 1 + static_cast<int>(soup.points.size()) / 40, [&](int s, int t) {
+      const auto report = shortest(setting, s, t);
+      BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t << ", gap " << report.gap());
+    });
+  }
+}
+
+// Around a cylinder of long faces, distances are those in the plane.
+BOOST_AUTO_TEST_CASE(bounds_on_cylinders_are_not_above_the_distance)
+{
+  constexpr int n = 26, m = 2;
+  constexpr double radius = 1, height = 100;
+  const Mesh_soup soup = cylinder(n, m, radius, height);
+  Setting setting(soup);
+  for_pairs(soup, 3, [&](int s, int t) {
+    const double distance = cylinder_distance(n, m, radius, height, s, t);
+    const auto report = shortest(setting, s, t);
+    BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t << ", gap " << report.gap());
+    BOOST_TEST(report.lower_bound <= distance * (1 + 2e-15), s << " to " << t); // of the rounded coordinates
+  });
 }
 
 // Faces without area, whose corners lie in a line, can be passed again and again at one place.

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
+#include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 
@@ -153,6 +154,39 @@ inline Shortest_path_verdict verdict_of(const Shortest_path_report& report)
   return is_proven ? Shortest_path_verdict::PROVEN_SHORTEST : Shortest_path_verdict::CONFIRMED;
 }
 
+/* Is a better lower bound all that a confirmed path lacks to be proven shortest? */
+inline bool lacks_proof_tolerance(const Shortest_path_report& report)
+{
+  return verdict_of(report) == Shortest_path_verdict::CONFIRMED &&
+         report.shortening.curves.front().verdict == Certificate_verdict::PROVEN;
+}
+
+/*
+ * Raises the lower bound of a path by a second search in double-double arithmetic, if possible. The bound of the first
+ * search falls below the length by 16 units of roundoff of the lengths in each face, and by 32 times that error at each
+ * flat vertex, so that rays which start there can replace the windows beside it. These allowances keep the number of
+ * windows small and cannot be reduced in doubles; with units of 2^-97 they are negligible.
+ *
+ * The second search is sound by itself, by the argument of `Window_search`, which holds for either kind of numbers: it
+ * covers all paths again and takes only the length of the known path from the first search. It ends once no path can be
+ * shorter than that by half the tolerance, or when it has taken `most_windows`, and its bound holds in either case.
+ */
+template <class Triangulation>
+void raise_lower_bound(const Triangulation& triangulation, Unfolded_faces<Triangulation>& faces,
+                       const Cone_sweep<Triangulation>& sweep, Vertex_index source, std::size_t most_windows,
+                       Interruption& interruption, Shortest_path_report& report)
+{
+  using Precise_faces = Precise_unfolded_faces<Triangulation>;
+  Precise_faces precise_faces(triangulation, faces);
+  Window_search<Triangulation, Precise_faces> windows(triangulation, precise_faces, source, &sweep);
+  const double enough = report.length * (1 - Shortest_path_report::proof_tolerance() / 2);
+  const bool is_sound = run_to_the_end(windows, enough, most_windows, &interruption);
+  report.windows += windows.number_of_windows();
+  if(is_sound)
+    report.lower_bound = (std::max)(
+        report.lower_bound, (std::min)({windows.lower_bound(), windows.least_distance(sweep.source()), sweep.bound()}));
+}
+
 /* There is nothing shorter than a path of no length, if its ends are proven to be in one place. */
 inline Shortest_path_report report_of_no_length(const Shortening_report& shortening)
 {
@@ -271,9 +305,14 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     report.length = network.length(Curve_index(0));
   }
 
-  if(is_sound && !triangulation.input().has_split_point())
+  if(is_sound && !triangulation.input().has_split_point()) {
     report.lower_bound = (std::max)(report.lower_bound,
                                     (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
+    if(lacks_proof_tolerance(report) && !is_input_rounded(triangulation))
+      raise_lower_bound(triangulation, faces, sweep, source, 2 * windows.effort(), interruption, report);
+    if(interruption.has_occurred())
+      report.shortening.curves.front().status = Shortening_status::STOPPED_BY_VISITOR;
+  }
   report.verdict = verdict_of(report);
   if(!report.is_confirmed() && !is_stopped_by_visitor(report) && has_flat_face(triangulation)) {
     take_shorter_path(network, source, target, report, visitor);

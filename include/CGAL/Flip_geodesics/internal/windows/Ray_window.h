@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_RAY_WINDOW_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/Precise_number.h>
 
 #include <cmath>
 #include <cstddef>
@@ -13,30 +14,39 @@ namespace Flip_geodesics {
 namespace internal {
 
 /* A part of an edge through which straight rays pass, in the frame that `Window_search` draws. */
-struct Ray_window
+template <class Number>
+struct Basic_ray_window
 {
   Input_halfedge_index halfedge;
   Index parent; // the window before, null_index if there is none
   Vertex_index root;
-  double from, to, x, y, sigma, radius, margin;
+  Number from, to, x, y, sigma, radius, margin;
 
-  static constexpr double evaluation_error = 0x1p-50; // of the length of a path, from a root's and a point's
+  // Of the length of a path, from a root's and a point's.
+  static constexpr double evaluation_error = 8 * Number_rounding<Number>::unit;
 
-  static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
+  static Number norm(const Number& x, const Number& y)
+  {
+    using std::sqrt;
+    return sqrt(x * x + y * y);
+  }
 
   /* No path through the window to a place on its edge is shorter. */
-  double least(double place) const
+  Number least(const Number& place) const
   {
-    const double value = sigma + norm(place - x, y);
+    const Number value = sigma + norm(place - x, y);
     return value - (radius + evaluation_error * value);
   }
 };
 
+using Ray_window = Basic_ray_window<double>;
+
 /* The length of a path: not more than it is, as computed, and not less than that of one that there is. */
+template <class Number>
 struct Path_length
 {
-  double least, computed, most;
-  double error; // of the least one, since the last root
+  Number least, computed, most;
+  Number error; // of the least one, since the last root
 };
 
 /* How a path arrives at a vertex: along a halfedge to it, or through a window; and the length since the last root. */
@@ -48,19 +58,22 @@ struct Path_arrival
 };
 
 /* What a search knows of a vertex. */
+template <class Number>
 struct Reached_vertex
 {
-  Path_length length; // each the smallest of all paths
+  Path_length<Number> length; // each the smallest of all paths
   Path_arrival arrival;
-  double promised; // from which length the rays have to start at most that start here, for what they replace
-  double started;  // from which they have started
+  Number promised; // from which length the rays have to start at most that start here, for what they replace
+  Number started;  // from which they have started
   bool is_reached = false, has_started = false, has_tie = false;
 };
 
 /* A window whose rays are to go on, or a vertex from which rays are to start. */
+template <class Number>
 struct Queued_rays
 {
-  double priority, least;
+  double priority;
+  Number least;
   Index id; // of a window or a vertex
   bool is_vertex;
 

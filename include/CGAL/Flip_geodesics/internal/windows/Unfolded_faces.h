@@ -33,6 +33,7 @@ template <class Triangulation>
 class Unfolded_faces
 {
 public:
+  using Number = double;
   using Vector = std::complex<double>;
 
   /* A halfedge, and the angle at its tail in the face on its left. */
@@ -84,6 +85,8 @@ public:
     const Side& s = (*this)[side];
     return (*this)[previous(side)].length * Vector(s.cosine, s.sine);
   }
+
+  double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
 
   /*
    * May a shortest path pass the vertex? Only on the border and where the angles add up to more than 2 pi; where they

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_WINDOW_SEARCH_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/Precise_number.h>
 #include <CGAL/Flip_geodesics/internal/base/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
@@ -17,6 +18,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -49,21 +51,24 @@ namespace internal {
  * below; and a way is dropped only where a true path is shorter beyond doubt. A vertex has three numbers: the computed
  * distance, one that no path is shorter than, and the length of a path that there is.
  *
+ * All errors are in units of the numbers' roundoff, so that the same holds with faces in double-double arithmetic.
+ *
  * A window whose ends are closer than their errors may be none at all. Where it goes along a vertex, paths through it
  * are no shorter than those by way of the vertex, less twice the offset of its rays. Rays from the vertex take its part
  * then, if there are such; otherwise two would follow from it at each vertex of a straight row.
  */
-template <class Triangulation>
+template <class Triangulation, class Faces = Unfolded_faces<Triangulation>>
 class Window_search
 {
-  using Faces = Unfolded_faces<Triangulation>;
   using Sweep = Cone_sweep<Triangulation>;
+  using Number = typename Faces::Number;
+  using Rounding = Number_rounding<Number>;
   using Vector = typename Faces::Vector;
-  using Length = Path_length;
+  using Length = Path_length<Number>;
   using Arrival = Path_arrival;
-  using Vertex_record = Reached_vertex;
-  using Window = Ray_window;
-  using Entry = Queued_rays;
+  using Vertex_record = Reached_vertex<Number>;
+  using Window = Basic_ray_window<Number>;
+  using Entry = Queued_rays<Number>;
 
 public:
   /* How a shortest path arrives at a vertex: straight from another, along a word. */
@@ -92,7 +97,7 @@ public:
   {
     if(!is_reached(m_source))
       offer(m_source, {0, 0, 0, 0}, {});
-    while(!m_heap.empty() && (std::max)(m_windows.size(), m_number_of_starts) <= most_windows) {
+    while(!m_heap.empty() && effort() <= most_windows) {
       const Entry entry = m_heap.top();
       if(entry.priority >= (m_sweep == nullptr ? bound : (std::min)(bound, longest_tie(m_sweep->source()))))
         return;
@@ -110,10 +115,16 @@ public:
   double lower_bound() { return m_heap.empty() ? infinity : m_heap.top().priority; }
 
   /* The length of the shortest path found to a vertex; infinite if there is none yet. */
-  double distance(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.computed : infinity; }
+  double distance(Vertex_index v) const
+  {
+    return is_reached(v) ? Rounding::nearest(m_vertices[v].length.computed) : infinity;
+  }
 
   /* No path that was found to a vertex is shorter than this; infinite if there is none yet. */
-  double least_distance(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.least : infinity; }
+  double least_distance(Vertex_index v) const
+  {
+    return is_reached(v) ? Rounding::below(m_vertices[v].length.least) : infinity;
+  }
 
   bool is_reached(Vertex_index v) const { return m_vertices[v].is_reached; }
 
@@ -131,11 +142,14 @@ public:
     if(!is_reached(v))
       return infinity;
     const Vertex_record& record = m_vertices[v];
-    const double least = (std::min)(record.length.least, record.promised);
-    return record.has_started ? (std::min)(least, record.started) : least;
+    const Number least = (std::min)(record.length.least, record.promised);
+    return Rounding::below(record.has_started ? (std::min)(least, record.started) : least);
   }
 
   std::size_t number_of_windows() const { return m_windows.size(); }
+
+  /* What `run()` compares with its limit. */
+  std::size_t effort() const { return (std::max)(m_windows.size(), m_number_of_starts); }
   const std::vector<Window>& windows() const { return m_windows; }
 
   /* The windows on border halfedges, which end there; kept if they are asked for before the search. */
@@ -160,8 +174,9 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double step_error = 0x1p-49; // of a step from face to face, in parts of the lengths in it
-  static constexpr double evaluation_error = Ray_window::evaluation_error;
+  static constexpr bool is_in_double = std::is_same<Number, double>::value;
+  static constexpr double step_error = 16 * Rounding::unit; // of a step to a face, in parts of the lengths in it
+  static constexpr double evaluation_error = Window::evaluation_error;
   static constexpr double row_allowance = 32;      // of errors, at vertices that can be in a row
   static constexpr double same_way = 1e-6;         // angle between the ends of paths that are one
   static constexpr double tie_tolerance = 0x1p-42; // of the length of a path, within which another one ties
@@ -169,7 +184,7 @@ private:
   // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
   struct Split
   {
-    double length, crossing, error;
+    Number length, crossing, error;
     bool is_set;
   };
 
@@ -177,18 +192,21 @@ private:
   struct Edge
   {
     Input_halfedge_index halfedge; // that has the next face on its left
-    double length;
+    Number length;
     Vector axis;             // its direction
-    double base, base_place; // where it meets the x-axis, there, and on itself
+    Number base, base_place; // where it meets the x-axis, there, and on itself
   };
 
   // A part of an edge, and how far the true ends can be inside of it.
   struct Part
   {
-    double from, to, margin;
+    Number from, to, margin;
   };
 
-  void push(double priority, double least, Index id, bool is_vertex) { m_heap.push({priority, least, id, is_vertex}); }
+  void push(double priority, const Number& least, Index id, bool is_vertex)
+  {
+    m_heap.push({priority, least, id, is_vertex});
+  }
 
   // A path to v has been found.
   void offer(Vertex_index v, const Length& length, const Arrival& arrival)
@@ -201,9 +219,10 @@ private:
       return;
     record.is_reached = true;
     record.length.most = (std::min)(record.length.most, length.most);
-    const double allowed = tie_tolerance * length.computed;
-    const bool ties = std::abs(length.computed - record.length.computed) <= allowed;
-    if(ties && are_apart(record.arrival, arrival, length.computed))
+    const Number allowed = tie_tolerance * length.computed;
+    using std::abs;
+    const bool ties = abs(length.computed - record.length.computed) <= allowed;
+    if(ties && are_apart(record.arrival, arrival, Rounding::nearest(length.computed)))
       record.has_tie = true;
     else if((ties ? arrival.leg < record.arrival.leg : length.computed < record.length.computed) &&
             !comes_round(v, arrival))
@@ -250,7 +269,9 @@ private:
     const Window& w = m_windows[arrival.window];
     const Index side = m_faces.number(w.halfedge);
     const Vector apex = m_faces.apex(side);
-    return {m_faces[Faces::previous(side)].halfedge, std::arg((Vector(w.x, -w.y) - apex) / -apex)};
+    const std::complex<double> to_apex(Rounding::nearest(apex.real()), Rounding::nearest(apex.imag()));
+    const std::complex<double> from(Rounding::nearest(w.x), -Rounding::nearest(w.y));
+    return {m_faces[Faces::previous(side)].halfedge, std::arg((from - to_apex) / -to_apex)};
   }
 
   /*
@@ -266,7 +287,7 @@ private:
   }
 
   // No path to v that is known is shorter than this.
-  void lower(Vertex_index v, double least, double error)
+  void lower(Vertex_index v, const Number& least, const Number& error)
   {
     Vertex_record& record = m_vertices.write(v);
     if(least >= record.length.least)
@@ -278,15 +299,15 @@ private:
   }
 
   // Rays are to start from a vertex, with a length.
-  void push_vertex(Vertex_index v, double length)
+  void push_vertex(Vertex_index v, const Number& length)
   {
-    const double total = length + (m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v));
+    const double total = Rounding::below(length) + (m_sweep == nullptr ? 0 : m_sweep->distance_lower_bound(v));
     if(is_wanted(total))
       push(total, m_vertices[v].length.least, v.idx(), true);
   }
 
   // Have rays to start, as they were to when this was the least length?
-  static bool is_due(const Vertex_record& record, double least)
+  static bool is_due(const Vertex_record& record, const Number& least)
   {
     return record.length.least == least && !(record.has_started && record.started <= least);
   }
@@ -299,8 +320,8 @@ private:
   {
     const auto& input = m_triangulation.input();
     const Length before = m_vertices[v].length;
-    const double allowance = m_faces.is_flat(v) ? row_allowance * before.error : 0.0;
-    const double sigma = (std::min)(before.least - allowance, m_vertices[v].promised);
+    const Number allowance = m_faces.is_flat(v) ? row_allowance * before.error : Number(0);
+    const Number sigma = (std::min)(before.least - allowance, m_vertices[v].promised);
     Vertex_record& record = m_vertices.write(v);
     record.started = sigma;
     record.has_started = true;
@@ -310,33 +331,33 @@ private:
     Input_halfedge_index h = first;
     do {
       ++m_number_of_starts;
-      const double along = m_triangulation.metric().length(input, h);
-      const double computed = before.computed + along, error = evaluation_error * (before.computed + along);
+      const Number along = m_faces.length(h);
+      const Number computed = before.computed + along, error = evaluation_error * (before.computed + along);
       // Never less than where the rays start: ends of an edge that is shorter than the error would lower each other.
       offer(input.tail(twin_index(h)),
             {(std::max)(sigma, sigma + along - error), computed, before.most + along + error, step_error * along},
-            {null_index, h, along});
+            {null_index, h, Rounding::nearest(along)});
       if(!input.is_border(h)) {
         const Index opposite = Faces::next(m_faces.number(h));
         const Vector place = m_faces.apex(opposite);
         const auto& side = m_faces[opposite]; // seen from the other side it is reversed
         open({twin_index(side.halfedge), null_index, v, 0, side.length, side.length - place.real(),
-              (std::max)(place.imag(), 0.0), sigma, step_error * (side.length + along), 0},
+              (std::max)(place.imag(), Number(0)), sigma, step_error * (side.length + along), 0},
              side.length);
       }
       h = input.next(twin_index(h));
     } while(h != first);
   }
 
-  // Keeps a window on an edge of some length if it can be of use.
-  void open(const Window& w, double length)
+  // Keeps a window on an edge if it can be of use. The length is a copy, since laying out faces moves their sides.
+  void open(const Window& w, Number length)
   {
     const auto& input = m_triangulation.input();
     const bool is_border = input.is_border(w.halfedge);
     if((is_border && !m_keeps_border_windows) || !(w.to >= w.from))
       return;
     const Vertex_index tail = input.tail(w.halfedge), head = input.tail(twin_index(w.halfedge));
-    const double to_from = w.least(w.from), to_to = w.least(w.to);
+    const Number to_from = w.least(w.from), to_to = w.least(w.to);
     if(most(tail) + w.to < to_to || most(head) + (length - w.from) < to_from) // all through it are shorter
       return;
     if(is_border) {
@@ -346,31 +367,39 @@ private:
     const bool may_be_none = w.to - w.from <= 2 * w.margin;
     if(may_be_none && (goes_along(w, tail, 0, w.to) || goes_along(w, head, length, length - w.from) || comes_back(w)))
       return;
-    const double nearest = (std::min)((std::max)(w.x, w.from), w.to);
-    const double least = w.least(nearest);
-    const double total = m_sweep == nullptr ? least
-                                            : m_sweep->through(w.halfedge, length, {w.x, w.y, w.sigma}, w.from, w.to) -
-                                                  (w.radius + evaluation_error * m_sweep->bound());
+    const Number nearest = (std::min)((std::max)(w.x, w.from), w.to);
+    const Number least = w.least(nearest);
+    const double total = m_sweep == nullptr ? Rounding::below(least) : least_to_target(w, length);
     if(!is_wanted(total))
       return;
     m_windows.push_back(w);
     push(total, least, static_cast<Index>(m_windows.size()) - 1, false);
   }
 
+  // No path through a window on an edge of some length to the target is shorter. The sweep takes it in doubles.
+  double least_to_target(const Window& w, const Number& length) const
+  {
+    const auto nearest = [](const Number& number) { return Rounding::nearest(number); };
+    const double rounded = is_in_double ? 0 : nearest(norm(w.x, w.y) + length);
+    const Cone cone = {nearest(w.x), nearest(w.y), nearest(w.sigma)};
+    return m_sweep->through(w.halfedge, nearest(length), cone, nearest(w.from), nearest(w.to)) -
+           (nearest(w.radius) + Ray_window::evaluation_error * (m_sweep->bound() + rounded));
+  }
+
   // The length of a path that there is.
-  double most(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.most : infinity; }
+  Number most(Vertex_index v) const { return is_reached(v) ? m_vertices[v].length.most : infinity; }
 
   // Does a vertex take the part of a window whose places are not farther from it than this?
-  bool goes_along(const Window& w, Vertex_index v, double place, double farthest)
+  bool goes_along(const Window& w, Vertex_index v, const Number& place, const Number& farthest)
   {
     if(!is_reached(v) || !m_faces.is_passable(v))
       return false;
     // How far the rays pass from the vertex.
-    const double run = norm(place - w.x, w.y) - farthest - w.radius;
-    const double offset = run > 0 ? farthest * (std::min)((w.y + w.radius) / run, 1.0) : farthest;
+    const Number run = norm(place - w.x, w.y) - farthest - w.radius;
+    const Number offset = run > 0 ? farthest * (std::min)((w.y + w.radius) / run, Number(1)) : farthest;
     if(offset > 32 * w.radius || !(2 * farthest < m_faces.nearest_edge(v)))
       return false;
-    const double least = w.least(place) - 2 * offset;
+    const Number least = w.least(place) - 2 * offset;
     Vertex_record& record = m_vertices.write(v);
     if(record.has_started)
       return record.started <= least;
@@ -399,27 +428,28 @@ private:
     const Edge left = {twin_index(previous.halfedge), previous.length, {base.cosine, base.sine}, 0, 0};
     const Edge right = {twin_index(next.halfedge), next.length, {next.cosine, -next.sine}, base.length, next.length};
     // Where the ray to the apex passes the edge.
-    const double height = w.y + apex.imag();
-    const double away = norm(w.x, w.y) + base.length + previous.length;
-    const double error = w.radius + step_error * away;
+    using std::abs;
+    const Number height = w.y + apex.imag();
+    const Number away = norm(w.x, w.y) + base.length + previous.length;
+    const Number error = w.radius + step_error * away;
     const bool is_flat = !(height > 8 * error);
-    const double crossing = is_flat ? w.from : w.x + (apex.real() - w.x) * (w.y / height);
-    const double crossing_error = is_flat ? infinity : 2 * error * (1 + std::abs(apex.real() - w.x) / height);
+    const Number crossing = is_flat ? w.from : w.x + (apex.real() - w.x) * (w.y / height);
+    const Number crossing_error = is_flat ? infinity : 2 * error * (1 + abs(apex.real() - w.x) / height);
     if(crossing + crossing_error < w.from)
       return enter(id, right, {w.from, w.to, w.margin});
     if(crossing - crossing_error > w.to)
       return enter(id, left, {w.from, w.to, w.margin});
 
-    const double leg = norm(apex.real() - w.x, height);
+    const Number leg = norm(apex.real() - w.x, height);
     const Length& before = m_vertices[w.root].length;
-    const double leg_error = error + evaluation_error * (before.computed + leg);
+    const Number leg_error = error + evaluation_error * (before.computed + leg);
     const bool is_seen = crossing - crossing_error >= w.from + w.margin && crossing + crossing_error <= w.to - w.margin;
     const Length length = {(std::max)(w.sigma, w.sigma + leg - leg_error), before.computed + leg,
                            is_seen ? before.most + leg + leg_error : infinity, error};
     if(previous.tail != w.root) // which flat faces can lead back to
-      offer(previous.tail, length, {id, null_index, leg});
+      offer(previous.tail, length, {id, null_index, Rounding::nearest(leg)});
     const auto [goes_left, goes_right] = sides_to_enter(side, length, crossing, crossing_error);
-    const double margin = (std::max)(w.margin, 2 * crossing_error);
+    const Number margin = (std::max)(w.margin, 2 * crossing_error);
     if(goes_left)
       enter(id, left, {w.from, (std::min)(crossing + crossing_error, w.to), margin});
     if(goes_right)
@@ -427,7 +457,7 @@ private:
   }
 
   // On which sides of the apex the rays can be of use, of a window with a way to there across the edge of a side.
-  std::pair<bool, bool> sides_to_enter(Index side, const Length& length, double crossing, double error)
+  std::pair<bool, bool> sides_to_enter(Index side, const Length& length, const Number& crossing, const Number& error)
   {
     if(!(length.most < infinity))
       return {true, true};
@@ -435,7 +465,7 @@ private:
       m_splits.resize(m_faces.size(), Split());
     Split& split = m_splits[static_cast<std::size_t>(side)];
     const bool is_worse = split.is_set && length.least > split.length;
-    const double allowed = error + split.error;
+    const Number allowed = error + split.error;
     const bool is_left = crossing + allowed < split.crossing;
     const bool is_right = crossing - allowed > split.crossing;
     if(!split.is_set || length.most < split.length)
@@ -448,36 +478,37 @@ private:
   void enter(Index id, const Edge& edge, const Part& part)
   {
     const Window& w = m_windows[id];
-    const auto in_frame = [&](double x, double y) {
-      return Vector(x - edge.base, y) * std::conj(edge.axis) + edge.base_place;
+    const auto in_frame = [&](const Number& x, const Number& y) {
+      return Vector(x - edge.base, y) * conj(edge.axis) + edge.base_place;
     };
     const Vector seen = in_frame(w.x, -w.y);
-    const double away = norm(w.x - edge.base, w.y);
-    const double carried = w.radius + step_error * (away + edge.base + edge.length);
+    const Number away = norm(w.x - edge.base, w.y);
+    const Number carried = w.radius + step_error * (away + edge.base + edge.length);
     if(!(seen.imag() < carried))
       return;
-    const double depth = (std::max)(-seen.imag(), 0.0);
-    const double radius = carried + (depth + seen.imag()); // by that the point has been moved
-    double margin = 0;
-    const auto hit = [&](double b, bool is_end) {
+    const Number depth = (std::max)(-seen.imag(), Number(0));
+    const Number radius = carried + (depth + seen.imag()); // by that the point has been moved
+    Number margin = 0;
+    const auto hit = [&](const Number& b, bool is_end) {
       const Vector point = in_frame(b, 0);
-      const double fall = point.imag() + depth;
+      const Number fall = point.imag() + depth;
       if(!(fall > 4 * radius)) {
         margin = edge.length;
-        return is_end ? edge.length : 0.0;
+        return is_end ? edge.length : Number(0);
       }
-      const double run = depth * ((point.real() - seen.real()) / fall);
-      const double error = 4 * radius * ((std::abs(run) + depth) / fall);
-      const double spread = (w.y + radius) * ((depth + radius) / fall) / (fall - part.margin);
+      const Number run = depth * ((point.real() - seen.real()) / fall);
+      using std::abs;
+      const Number error = 4 * radius * ((abs(run) + depth) / fall);
+      const Number spread = (w.y + radius) * ((depth + radius) / fall) / (fall - part.margin);
       margin = fall > 2 * part.margin ? (std::max)(margin, part.margin * spread + 2 * error) : edge.length;
-      const double place = seen.real() + run + (is_end ? error : -error);
-      return (std::min)((std::max)(place, 0.0), edge.length);
+      const Number place = seen.real() + run + (is_end ? error : -error);
+      return (std::min)((std::max)(place, Number(0)), edge.length);
     };
-    const double from = hit(part.from, false), to = hit(part.to, true);
+    const Number from = hit(part.from, false), to = hit(part.to, true);
     open({edge.halfedge, id, w.root, from, to, seen.real(), depth, w.sigma, radius, margin}, edge.length);
   }
 
-  static double norm(double x, double y) { return Ray_window::norm(x, y); }
+  static Number norm(const Number& x, const Number& y) { return Window::norm(x, y); }
 
   const Triangulation& m_triangulation;
   Faces& m_faces;
