@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -161,14 +162,13 @@ public:
 
     static void rescale(Turn& turn)
     {
-      constexpr double huge = 0x1p200, tiny = 0x1p-200;
-      while(norm_bound(turn.x, turn.y) > huge) {
-        turn.x *= tiny;
-        turn.y *= tiny;
+      while(norm_bound(turn.x, turn.y) > internal::greatest_unscaled) {
+        turn.x *= internal::least_unscaled;
+        turn.y *= internal::least_unscaled;
       }
-      while(norm_bound(turn.x, turn.y) < tiny && (turn.x != 0 || turn.y != 0)) {
-        turn.x *= huge;
-        turn.y *= huge;
+      while(norm_bound(turn.x, turn.y) < internal::least_unscaled && (turn.x != 0 || turn.y != 0)) {
+        turn.x *= internal::greatest_unscaled;
+        turn.y *= internal::greatest_unscaled;
       }
     }
   };
@@ -258,7 +258,7 @@ public:
   {
   public:
     /// Is the bound not below \f$2^{-14}\f$?
-    bool operator()(const Halfedge_geometry& h) const { return !(h.error < 0x1p-14); }
+    bool operator()(const Halfedge_geometry& h) const { return !(h.error < internal::inaccurate_vector); }
   };
 
   /// Computes the squared length of a halfedge.

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Number_operations.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/metric/Area_unit.h>
 #include <CGAL/Flip_geodesics/internal/metric/Squared_length_geometry.h>
 #include <CGAL/Flip_geodesics/internal/metric/Vector_geometry.h>
@@ -273,7 +274,9 @@ public:
     {
       if constexpr(is_interval || std::is_floating_point<NT>::value) {
         const double norm = std::abs(Operations::to_double(turn.x)) + std::abs(Operations::to_double(turn.y));
-        if((norm > 0x1p200 || norm < 0x1p-200) && norm > 0 && norm < std::numeric_limits<double>::infinity()) {
+        if((norm > internal::greatest_unscaled || norm < internal::least_unscaled) && norm > 0 &&
+           norm < std::numeric_limits<double>::infinity())
+        {
           const NT factor(std::ldexp(1.0, -std::ilogb(norm)));
           turn.x *= factor;
           turn.y *= factor;
@@ -309,7 +312,9 @@ public:
         return key_by_cotangent(turn);
       const double x = Operations::to_double(turn.x), y = Operations::to_double(turn.y);
       const double norm = std::abs(x) + y;
-      return is_exact && !(norm > 0x1p-900 && norm < 0x1p900) ? key_by_cotangent(turn) : key(x, y);
+      return is_exact && !(norm > internal::least_quotient_size && norm < internal::greatest_quotient_size)
+                 ? key_by_cotangent(turn)
+                 : key(x, y);
     }
 
   private:

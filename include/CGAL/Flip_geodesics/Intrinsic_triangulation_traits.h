@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -72,8 +73,8 @@ public:
     Halfedge_geometry tp; ///< of the halfedge before `t` in its old face
   };
 
-  /// An angle, in radians, by which a straight angle may be missed and still count as straight.
-  static constexpr double angle_tolerance() { return 1e-9; }
+  /// An angle, in radians, by which a straight angle may be missed and still count as straight: 1e-9.
+  static constexpr double angle_tolerance() { return internal::straight_angle_tolerance; }
 
   /*!
    * Lays out a face given by its three points. Each vector comes from differences and dot products of its own, since
@@ -205,25 +206,23 @@ public:
     }
 
   private:
-    static constexpr double huge = 0x1p200, tiny = 0x1p-200;
-
     static void rescale(Turn& turn)
     {
       const double size = std::abs(turn.x) + std::abs(turn.y);
-      if(BOOST_UNLIKELY(size > huge || size < tiny))
+      if(BOOST_UNLIKELY(size > internal::greatest_unscaled || size < internal::least_unscaled))
         turn = brought_into_range(turn);
     }
 
     // By value, so that turns stay in registers.
     BOOST_NOINLINE static Turn brought_into_range(Turn turn)
     {
-      while(std::abs(turn.x) + std::abs(turn.y) > huge) {
-        turn.x *= tiny;
-        turn.y *= tiny;
+      while(std::abs(turn.x) + std::abs(turn.y) > internal::greatest_unscaled) {
+        turn.x *= internal::least_unscaled;
+        turn.y *= internal::least_unscaled;
       }
-      while(std::abs(turn.x) + std::abs(turn.y) < tiny && (turn.x != 0 || turn.y != 0)) {
-        turn.x *= huge;
-        turn.y *= huge;
+      while(std::abs(turn.x) + std::abs(turn.y) < internal::least_unscaled && (turn.x != 0 || turn.y != 0)) {
+        turn.x *= internal::greatest_unscaled;
+        turn.y *= internal::greatest_unscaled;
       }
       return turn;
     }

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_MOLLIFIED_METRIC_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/metric/least_stretch.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -61,13 +62,13 @@ public:
    * Finds the length to add; linear in the mesh.
    *
    * \param mesh the triangle mesh of the metric
-   * \param factor the margin of the triangle inequality, relative to the mean edge length
+   * \param factor the margin of the triangle inequality, relative to the mean edge length; 1e-5 unless given
    * \pre 0 < factor < 1
    * \throws Invalid_coordinate_error if an edge's length is negative or not a finite number
    * \throws Invalid_mesh_error if a face is not a triangle
    */
   template <class TriangleMesh>
-  Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor = 1e-5)
+  Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor = internal::default_mollification)
     : Base(metric)
   {
     CGAL_precondition(0 < factor && factor < 1);

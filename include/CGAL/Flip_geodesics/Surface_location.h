@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_SURFACE_LOCATION_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 
@@ -59,11 +60,11 @@ struct Known_piece
 
 namespace internal {
 
-/* The smallest weight that is not zero. */
-inline constexpr double least_weight = 1e-100;
-
 /* Are two weights a point strictly between the ends? Then the sums and products of weights are normal numbers. */
-inline bool is_usable_weight(double weight) { return weight == 0 || (weight >= least_weight && weight <= 1e100); }
+inline bool is_usable_weight(double weight)
+{
+  return weight == 0 || (weight >= least_weight && weight <= greatest_weight);
+}
 
 template <class Input_mesh>
 void check_location(const Input_mesh& input, const Surface_location& location)

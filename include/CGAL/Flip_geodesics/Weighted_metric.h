@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/metric/least_stretch.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
@@ -106,7 +107,7 @@ public:
     if constexpr(std::is_empty<Place>::value)
       return 0;
     else
-      return (1 - 0x1p-50) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
+      return (1 - internal::distance_bound_rounding) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
   }
 
   /// The point of vertex `v`. Only over `Embedded_metric`.

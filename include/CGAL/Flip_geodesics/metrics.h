@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/metric/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/metric/face_lengths.h>
@@ -159,7 +160,7 @@ private:
   void check_length(const Mesh& mesh, Input_halfedge_index h) const
   {
     const double square = squared_distance(place(mesh, mesh.tail(h)), place(mesh, mesh.tail(internal::twin_index(h))));
-    if(!(square > 1e-139 && square < 1e139))
+    if(!(square > internal::least_safe_square && square < internal::greatest_safe_square))
       length(mesh, h);
   }
 

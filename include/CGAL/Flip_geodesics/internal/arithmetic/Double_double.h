@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
 
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <cmath>
 
@@ -28,8 +29,6 @@ struct Double_double
 {
   double high = 0, low = 0;
 };
-
-constexpr double double_double_error = 0x1p-102;
 
 /* a + b, exactly. [Knuth, TwoSum] */
 inline Double_double exact_sum(double a, double b)
@@ -98,8 +97,6 @@ struct Double_double_vector
 {
   Double_double x, y;
 };
-
-constexpr double double_double_vector_error = 0x1p-100;
 
 inline Double_double_vector operator-(const Double_double_vector& v) { return {-v.x, -v.y}; }
 inline Double_double_vector conjugate(const Double_double_vector& v) { return {v.x, -v.y}; }

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_NUMBER_OPERATIONS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_NUMBER_OPERATIONS_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>
@@ -127,7 +129,7 @@ double sign_tolerance()
     return 0;
   constexpr int digits =
       std::numeric_limits<NT>::is_specialized ? std::numeric_limits<NT>::digits : std::numeric_limits<double>::digits;
-  return std::ldexp(1.0, (std::max)(-digits / 2 - 4, -1000));
+  return std::ldexp(1.0, (std::max)(-digits / 2 - 4, least_tolerance_exponent));
 }
 
 } // namespace internal

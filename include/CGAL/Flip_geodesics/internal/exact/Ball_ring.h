@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_EXACT_BALL_RING_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_EXACT_BALL_RING_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 
 #include <CGAL/Uncertain.h>
@@ -57,7 +58,7 @@ public:
     }
     const Float x = Float(dot.number()) * m_inverse;
     const double size = std::hypot(as_double(x), as_double(m_root));
-    return {x, sign > 0 ? m_root : Float(-m_root), size * (1 + 1e-14)};
+    return {x, sign > 0 ? m_root : Float(-m_root), size * (1 + radius_rounding)};
   }
 
   Complex one() const { return {1, 0, 0, 1}; }
@@ -132,8 +133,9 @@ private:
   // Adds rounding, and that of the radius itself. A radius too small for a double is kept from vanishing.
   static Complex rounded(const Float& re, const Float& im, double radius)
   {
-    const double size = (std::abs(as_double(re)) + std::abs(as_double(im))) * (1 + 1e-14);
-    return {re, im, (radius + size * unit()) * (1 + 1e-12) + (std::numeric_limits<double>::min)(), size};
+    const double size = (std::abs(as_double(re)) + std::abs(as_double(im))) * (1 + radius_rounding);
+    return {re, im, (radius + size * unit()) * (1 + product_radius_rounding) + (std::numeric_limits<double>::min)(),
+            size};
   }
 
   // Of the last face: two sides of it are asked for one after the other.

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
 
 #include <CGAL/enum.h>
@@ -37,7 +38,9 @@ public:
   /* Products of two neither overflow, nor does their last bit underflow. What follows has this as a precondition. */
   bool has_exact_products() const
   {
-    const auto is_in_range = [](double x) { return x == 0 || (std::abs(x) > 0x1p-450 && std::abs(x) < 0x1p450); };
+    const auto is_in_range = [](double x) {
+      return x == 0 || (std::abs(x) > least_of_two_factors && std::abs(x) < greatest_of_two_factors);
+    };
     return std::all_of(m_coordinates.begin(), m_coordinates.end(),
                        [&](const Double_double& x) { return is_in_range(x.high) && is_in_range(x.low); });
   }

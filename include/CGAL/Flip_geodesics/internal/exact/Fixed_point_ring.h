@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_EXACT_FIXED_POINT_RING_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_EXACT_FIXED_POINT_RING_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 
 #include <CGAL/Uncertain.h>
@@ -106,7 +107,7 @@ private:
     const unsigned shift = excess > 0 ? static_cast<unsigned>(excess) : 0;
     const double size =
         std::hypot(static_cast<double>(absolute(x) >> shift), static_cast<double>(absolute(y) >> shift));
-    return Integer(std::ceil(size * (1 + 1e-14)) + 2) << shift;
+    return Integer(std::ceil(size * (1 + radius_rounding)) + 2) << shift;
   }
 
   Integer scaled(const Integer& n) const { return n < 0 ? Integer(-(Integer(-n) << m_bits)) : Integer(n << m_bits); }

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_EXACT_ORIENTATION_OF_PLACES_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 
 #include <CGAL/enum.h>
@@ -82,7 +83,7 @@ public:
   {
     const Matrix<double> vectors = differences<double>(places, [](double a, double b) { return a - b; });
     const double size = error_scale(vectors), value = determinant(vectors);
-    if(std::abs(value) > eight_roundings * size + underflow)
+    if(std::abs(value) > determinant_error * size + underflow_of_products)
       return value > 0 ? POSITIVE : NEGATIVE;
     if(has_zero_column(vectors))
       return ZERO;
@@ -91,20 +92,13 @@ public:
     const auto precise_vectors =
         differences<Double_double>(places, [](double a, double b) { return exact_sum(a, -b); });
     const double precise_value = determinant(precise_vectors).high;
-    if(std::abs(precise_value) > 8 * double_double_error * size + underflow)
+    if(std::abs(precise_value) > 8 * double_double_error * size + underflow_of_products)
       return precise_value > 0 ? POSITIVE : NEGATIVE;
     return are_doubles(precise_vectors) ? sign_of_sum(vectors) : sign_of_integer(places);
   }
 
 private:
   static Sign sign_of(double x) { return x > 0 ? POSITIVE : (x < 0 ? NEGATIVE : ZERO); }
-
-  // Of half a unit in the last place each: three of differences, two of products, and three of sums at most. A little
-  // more, for the rounding of the bound itself.
-  static constexpr double eight_roundings = 8.001 * 0x1p-53;
-
-  // What products of three lose by underflow, none of the factors being huge.
-  static constexpr double underflow = 0x1p-800;
 
   template <class Number, class Places, class Difference>
   static Matrix<Number> differences(const Places& places, Difference difference)
@@ -117,7 +111,10 @@ private:
   }
 
   // Neither does a product of three overflow, nor does its last bit underflow.
-  static bool has_exact_products(double x) { return x == 0 || (std::abs(x) > 0x1p-250 && std::abs(x) < 0x1p250); }
+  static bool has_exact_products(double x)
+  {
+    return x == 0 || (std::abs(x) > least_of_three_factors && std::abs(x) < greatest_of_three_factors);
+  }
 
   static bool are_doubles(const Matrix<Double_double>& vectors)
   {
@@ -136,9 +133,9 @@ private:
     for(const Place& place : places)
       for(double x : place)
         largest = (std::max)(largest, std::abs(x));
-    if(!(largest > 0x1p-200 && largest < 0x1p200))
+    if(!(largest > least_unscaled && largest < greatest_unscaled))
       return false;
-    const double shift = largest * 0x1p39;
+    const double shift = largest * short_coordinate_shift;
     for(const Place& place : places)
       for(double x : place)
         if((x + shift) - shift != x)
@@ -181,7 +178,7 @@ private:
       for(std::size_t k = 0; k < N; ++k)
         sizes[i][k] = std::abs(v[i][k]);
     for(double x : sizes[0])
-      if(!(x < 0x1p250))
+      if(!(x < greatest_of_three_factors))
         return std::numeric_limits<double>::infinity();
     return sum_of_products(sizes, [](double a, double b) { return a + b; });
   }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -203,12 +204,12 @@ private:
   template <class Metric>
   std::vector<Input_halfedge_index> longest_sides_of_flat_faces(const Metric& metric) const
   {
-    constexpr double error = 1e-12; // relative, of a sum of lengths, generously
     std::vector<Input_halfedge_index> result;
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_input.number_of_halfedges())) {
       const Input_halfedge_index hn = next(h), hp = next(hn);
       if(!is_border(h) && next(hp) == h && m_is_zero[h] + m_is_zero[hn] + m_is_zero[hp] == 0 &&
-         std::isfinite(metric.length(h)) && metric.length(h) >= (metric.length(hn) + metric.length(hp)) * (1 - error))
+         std::isfinite(metric.length(h)) &&
+         metric.length(h) >= (metric.length(hn) + metric.length(hp)) * (1 - length_sum_rounding))
         result.push_back(h);
     }
     return result;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/isolines/Refined_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -29,9 +30,6 @@ namespace internal {
 /* Sides of a piece that a curve crosses may have this length, in tolerances. All of the piece is within the tolerance
  * of its corners then, and its center of all of its sides, since no median is longer than the longest side. */
 inline constexpr double side_by_tolerance = 1.5;
-
-/* Where roots on sides are good enough, by the size of the numbers that are compared. */
-inline constexpr double root_precision = 1e-13;
 
 /* Can a field be asked about places in the faces of a mesh? Of what is no mesh nothing is said. */
 template <class Field, class TriangleMesh, bool IS_MESH = Has_faces<TriangleMesh>::value>
@@ -85,8 +83,7 @@ auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const Na
 {
   using Surface = Refined_surface<TriangleMesh, Point_map<TriangleMesh, NamedParameters>, Field>;
   Surface surface(mesh, point_map(mesh, np), field);
-  constexpr double finest = 1e-14;
-  if(tolerance < finest * surface.longest_side()) {
+  if(tolerance < least_curve_tolerance * surface.longest_side()) {
     std::ostringstream message;
     message << "the tolerance is " << tolerance << ", too small for a mesh with a side of length "
             << surface.longest_side() << ": roundings hide it";

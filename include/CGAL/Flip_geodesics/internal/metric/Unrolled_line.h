@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_METRIC_UNROLLED_LINE_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/exact/Root_sum.h>
 
@@ -89,7 +90,8 @@ private:
   {
     const auto length = [](const Precise_vector& w) { return std::hypot(w[0].high, w[1].high, w[2].high); };
     const double size = length(u) * length(v);
-    return size == 0 || (size > 0x1p-200 && size < 0x1p200) ? size : std::numeric_limits<double>::infinity();
+    return size == 0 || (size > least_unscaled && size < greatest_unscaled) ? size
+                                                                            : std::numeric_limits<double>::infinity();
   }
 
   // How far a line leads up, times how far another one leads sideways.

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_METRIC_VECTOR_GEOMETRY_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Number_operations.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/metric/Area_unit.h>
 
 #include <array>
@@ -88,7 +89,7 @@ public:
   {
     if constexpr(is_interval)
       return !(Operations::radius(h.x) + Operations::radius(h.y) <
-               0x1p-14 * (std::abs(Operations::to_double(h.x)) + std::abs(Operations::to_double(h.y))));
+               inaccurate_vector * (std::abs(Operations::to_double(h.x)) + std::abs(Operations::to_double(h.y))));
     else
       return static_cast<void>(h), false;
   }

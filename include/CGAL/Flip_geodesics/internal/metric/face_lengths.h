@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 
 #include <array>
@@ -17,8 +18,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Lengths whose squares and products of squares stay normal doubles. */
-inline bool is_usable_length(double length) { return length > 1e-70 && length < 1e70; }
+/* Lengths whose squares and products of squares are normal doubles, by the range in tolerances.h. */
+inline bool is_usable_length(double length) { return length > least_length && length < greatest_length; }
 
 /* The same for searches along edges, which pass edges of length zero. */
 inline bool is_zero_or_usable_length(double length) { return length == 0 || is_usable_length(length); }

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_METRIC_LEAST_STRETCH_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/metric/face_lengths.h>
 
 #include <algorithm>
@@ -49,11 +50,11 @@ inline double least_stretch(std::array<double, 3> before, std::array<double, 3> 
   for(int i = 0; i < 3; ++i)
     sum += shape.cotangents[i] * before[(i + 1) % 3] * before[(i + 1) % 3]; // of the side opposite to the corner
   const double area_before = Plane_triangle(before).area;
-  const double most_squares = sum / (2 * shape.area) + 0x1p-44 / (shape.area * shape.area);
-  const double least_square_of_product = (area_before * area_before - 0x1p-44) / (shape.area * shape.area);
+  const double most_squares = sum / (2 * shape.area) + area_product_error / (shape.area * shape.area);
+  const double least_square_of_product = (area_before * area_before - area_product_error) / (shape.area * shape.area);
   const double difference = most_squares * most_squares - 4 * (std::max)(least_square_of_product, 0.0);
   const double most = 0.5 * (most_squares + std::sqrt((std::max)(difference, 0.0)));
-  return most > 0 ? (1 - 0x1p-40) * std::scalbn(1 / std::sqrt(most), exponent) : 0; // NaN without an area
+  return most > 0 ? (1 - stretch_rounding) * std::scalbn(1 / std::sqrt(most), exponent) : 0; // NaN without an area
 }
 
 /* The least of all faces of a mesh, between two metrics; infinite if there are none. Linear in the mesh. */

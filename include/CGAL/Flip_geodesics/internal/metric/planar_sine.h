@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_METRIC_PLANAR_SINE_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_vector.h>
 #include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
@@ -167,7 +168,7 @@ private:
       size += std::abs(normal * w[i]);
       folded += normal * (u[k] * w[l] - u[l] * w[k]);
     }
-    return folded > 0 || !(std::abs(height) < 0x1p-30 * size);
+    return folded > 0 || !(std::abs(height) < flat_bend * size);
   }
 
   bool is_parallel(Input_halfedge_index g, Input_halfedge_index h) const

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
 #include <CGAL/number_utils.h>
@@ -59,8 +60,6 @@ struct Precise_halfedge
  */
 class Precise_face_traits
 {
-  static constexpr double direction_error = 0x1p-97;
-
 public:
   using Face_geometry = std::array<Precise_halfedge, 3>;
 
@@ -144,14 +143,14 @@ private:
   static Face_geometry assembled(const std::array<Double_double, 3>& lengths, const std::array<Double_double, 3>& dots,
                                  const Double_double& doubled_area)
   {
-    const auto is_usual = [](const Double_double& a) { return a.high > 0x1p-200 && a.high < 0x1p200; };
+    const auto is_usual = [](const Double_double& a) { return a.high > least_unscaled && a.high < greatest_unscaled; };
     const bool are_usual = std::all_of(lengths.begin(), lengths.end(), is_usual);
     Face_geometry result;
     for(int i = 0; i < 3; ++i) {
       const Double_double scale = Double_double{1, 0} / (lengths[i] * lengths[(i + 1) % 3]);
       result[i] = {lengths[i],
                    {dots[i] * scale, doubled_area * scale},
-                   are_usual ? direction_error : std::numeric_limits<double>::infinity()};
+                   are_usual ? precise_direction_error : std::numeric_limits<double>::infinity()};
     }
     return result;
   }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_face.h>
 
 #include <CGAL/Uncertain.h>
@@ -120,7 +121,7 @@ private:
     const Precise_halfedge& side = face(h);
     const Double_double_vector position = from.position + side.length * d.vector;
     const double way = side.length.high * (d.error + side.error + 3 * double_double_vector_error);
-    return {position, (from.error + way + length(position) * double_double_vector_error) * (1 + 0x1p-40)};
+    return {position, (from.error + way + length(position) * double_double_vector_error) * (1 + bound_rounding)};
   }
 
   void unfold(const Crossing_word& word, bool has_gates)
@@ -159,12 +160,12 @@ private:
   {
     const double size = length(head.position);
     const double infinity = std::numeric_limits<double>::infinity();
-    const bool is_known = head.error < 0x1p-20 * size && direction.error < 0x1p-20;
+    const bool is_known = head.error < largest_first_order_error * size && direction.error < largest_first_order_error;
     m_edge = {head.position,
               direction.vector,
               size,
-              is_known ? head.error / size * (1 + 0x1p-18) : infinity,
-              is_known ? direction.error * (1 + 0x1p-18) : infinity,
+              is_known ? head.error / size * (1 + second_order_errors) : infinity,
+              is_known ? direction.error * (1 + second_order_errors) : infinity,
               reference,
               arrival,
               0};

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_TOUCHED_VERTICES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_TOUCHED_VERTICES_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
@@ -145,7 +146,7 @@ private:
   }
 
   // In doubt two places are one.
-  double tolerance() const { return 1e-9 * m_length; }
+  double tolerance() const { return touched_vertex_tolerance * m_length; }
 
   bool is_known(const Edge& e, const Interval& part) const
   {
