@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
@@ -182,7 +183,7 @@ private:
 
   bool end_on_gate(const Ray& ray, double length, Trace_end end)
   {
-    const double place = (std::min)((std::max)(ray.place_on_gate(), least_weight), 1 - 0x1p-53);
+    const double place = (std::min)((std::max)(ray.place_on_gate(), least_weight), largest_below_one);
     m_trace.location = {ray.gate(), {{1 - place, place, 0}}};
     return finish(ray, length, end);
   }
@@ -226,8 +227,7 @@ private:
   // Are the angles about the tail of h exactly 2 pi, of faces with areas? Then a ray goes on as in a plane.
   bool is_flat(Input_halfedge_index first)
   {
-    constexpr double nearly = 1e-3; // far more than rounding, far less than pi
-    if(!(std::abs(m_directions.total_angle(first) - boost::math::constants::two_pi<double>()) < nearly))
+    if(!(std::abs(m_directions.total_angle(first) - boost::math::constants::two_pi<double>()) < near_full_turn))
       return false;
     Unfolding_chain turn;
     Input_halfedge_index h = first;

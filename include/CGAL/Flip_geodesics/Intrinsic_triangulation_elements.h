@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Network_place.h>
 #include <CGAL/Flip_geodesics/internal/base/is_valid_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/store/Placed_halfedge.h>
 
@@ -176,9 +177,10 @@ public:
 
   /*!
    * Checks the invariant of all that has been touched: the links of faces, the closing of their vectors, the equal
-   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`. Linear in the mesh.
+   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`, 1e-9 unless given.
+   * Linear in the mesh.
    */
-  bool is_valid(double tolerance = 1e-9) const
+  bool is_valid(double tolerance = internal::default_validity_tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(number_of_halfedges()))
       if(m_halfedges[m_halfedges.slot(h)].encoded_next > 0 &&

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/measuring/Curve_measurement.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
@@ -26,8 +27,8 @@ struct Straightness
   /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
   double smallest_angle = std::numeric_limits<double>::infinity();
 
-  /// The angle, in radians, by which a straight angle may be missed: far above the error of the measurement.
-  static constexpr double tolerance() { return 1e-8; }
+  /// The angle, in radians, by which a straight angle may be missed, 1e-8: far above the error of the measurement.
+  static constexpr double tolerance() { return internal::reported_bend; }
   /// The angle, in radians, from which on a side of a joint counts as straight: \f$\pi\f$ less `tolerance()`.
   static constexpr double straight_angle() { return boost::math::constants::pi<double>() - tolerance(); }
 

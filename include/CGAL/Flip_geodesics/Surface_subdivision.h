@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H
 
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/overlay/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/overlay/Overlay_layout.h>
 #include <CGAL/Flip_geodesics/internal/overlay/Polygon_triangulator.h>
@@ -270,8 +271,7 @@ private:
   // A place on an edge, told as strictly between its ends.
   static double inside_edge(double t)
   {
-    constexpr double below_one = 1 - std::numeric_limits<double>::epsilon() / 2;
-    return (std::min)((std::max)(internal::least_weight, t), below_one);
+    return (std::min)((std::max)(internal::least_weight, t), internal::largest_below_one);
   }
 
   void set_vertex(vertex_descriptor to, const Overlay& overlay, const Layout& layout, internal::Overlay_vertex v)

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/insertion/nearest_weights.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
@@ -88,7 +89,7 @@ Surface_location surface_location(const Triangulation& triangulation, const type
   }
   if(nearest.distance == std::numeric_limits<double>::infinity())
     throw Invalid_location_error("a mesh without faces has no point nearest to one in space");
-  return surface_location(triangulation, mesh, std::make_pair(found, nearest.weights), 1e-9);
+  return surface_location(triangulation, mesh, std::make_pair(found, nearest.weights), internal::nearest_point_snap);
 }
 
 } // namespace Flip_geodesics

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/Is_curve_network.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Delaunay_refiner.h>
 
 #include <CGAL/assertions.h>
@@ -111,11 +112,10 @@ Refinement_status refinement_status(End end, std::size_t missed)
 /* Beyond these bounds a refinement goes on to its limit, whatever the mesh. \throws Invalid_parameter_error */
 inline void check_options(const Refinement_options& options)
 {
-  constexpr double shortest_edge = 1e-70;
   if(!(options.smallest_angle >= 0 && options.smallest_angle <= 30))
     throw Invalid_parameter_error("the smallest angle of a refinement is to be " +
                                   std::to_string(options.smallest_angle) + " degrees, which is not between 0 and 30");
-  if(!(options.longest_edge >= shortest_edge)) {
+  if(!(options.longest_edge >= least_length)) {
     std::ostringstream number;
     number << options.longest_edge;
     throw Invalid_parameter_error("the longest edge of a refinement is to be " + number.str() +

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_SUBDIVIDE_H
 
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <cstddef>
 #include <set>
@@ -52,9 +53,6 @@ public:
   }
 
 private:
-  // Radians by which a curve may bend at a vertex and still count as straight for this purpose.
-  static constexpr double straight = 1e-7;
-
   bool is_kept(Overlay_halfedge h) const { return m_overlay.input_halfedge(h) != null_index || is_on_curve(h); }
 
   // Does nothing but an input edge without a curve go through the target of h?
@@ -97,7 +95,7 @@ private:
       return true;
     const Vector_2 u = direction(h), v = direction(next);
     const double dot = u[0] * v[0] + u[1] * v[1], cross = u[0] * v[1] - u[1] * v[0];
-    return cross < 0 && !(dot < 0 && -cross <= straight * -dot);
+    return cross < 0 && !(dot < 0 && -cross <= internal::straight_division * -dot);
   }
 
   Vector_2 direction(Overlay_halfedge h) const

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
@@ -48,7 +49,7 @@ Surface_location surface_location(
  * This is where points are snapped, once: coordinates of at most `snap` count as exactly zero. So points that were
  * located with rounding, at -5.6e-17 for instance, are on the edge or at the vertex that is meant.
  *
- * \param snap a barycentric coordinate, not negative and below 1/3
+ * \param snap a barycentric coordinate, not negative and below 1/3; 1e-12 unless given
  * \throws Invalid_location_error if the face is null or none of the mesh's, a coordinate is less than `-snap` or no number, or the three do
  *         not sum to one within 1e-6
  *
@@ -59,7 +60,7 @@ Surface_location surface_location(
     const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
     const std::pair<typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor,
                     std::array<FT, 3>>& location,
-    double snap = 1e-12)
+    double snap = internal::default_snap)
 {
   if(!internal::is_face(location.first, mesh))
     throw Invalid_location_error("a location is in no face of the mesh");
@@ -68,13 +69,13 @@ Surface_location surface_location(
   double sum = 0;
   for(std::size_t i = 0; i < 3; ++i) {
     const double weight = CGAL::to_double(location.second[i]);
-    if(!(weight >= -snap && weight <= 1 + 1e-6))
+    if(!(weight >= -snap && weight <= 1 + internal::weight_sum_tolerance))
       throw Invalid_location_error("a barycentric coordinate of a location is " + std::to_string(weight) +
                                    ", not between 0 and 1");
     sum += weight;
     result.weights[i] = weight <= snap ? 0 : weight;
   }
-  if(!(std::abs(sum - 1) <= 1e-6))
+  if(!(std::abs(sum - 1) <= internal::weight_sum_tolerance))
     throw Invalid_location_error("the barycentric coordinates of a location sum to " + std::to_string(sum) +
                                  ", not to one");
   internal::check_location(triangulation.input(), result);
@@ -129,7 +130,7 @@ public:
     Surface_location result = m_best;
     const double sum = result.weights[0] + result.weights[1] + result.weights[2];
     for(double& weight : result.weights)
-      weight = weight / sum < 1e-15 ? 0 : weight / sum;
+      weight = weight / sum < zero_weight ? 0 : weight / sum;
     return canonical_location(m_triangulation.input(), result);
   }
 

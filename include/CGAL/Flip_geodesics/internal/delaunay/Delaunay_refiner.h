@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_DELAUNAY_REFINER_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_chart.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_shape.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Refinement_outlook.h>
@@ -209,7 +210,7 @@ private:
       return false;
     const std::array<double, 3> lengths = Shape(m_triangulation, bad.halfedge).lengths();
     for(int i = 0; i < 3; ++i) // a face may have been laid out afresh
-      if(std::abs(lengths[i] - bad.lengths[i]) > 1e-9 * bad.lengths[i])
+      if(std::abs(lengths[i] - bad.lengths[i]) > same_shape * bad.lengths[i])
         return false;
     return true;
   }
@@ -283,16 +284,14 @@ private:
     return result;
   }
 
-  // Are weights in the input face fine enough for edges as short as `distance`? Weights are off by some 1e-15, so that
-  // angles at points this close are off by some 1e-6, a tenth of what flips may be wrong by.
+  // Are weights in the input face fine enough for edges as short as `distance`?
   bool has_room(const Surface_location& location, double distance) const
   {
-    constexpr double resolution = 1e-9;
     double longest = 0;
     Input_halfedge_index h = location.halfedge;
     for(int i = 0; i < 3; ++i, h = m_triangulation.input().next(h))
       longest = (std::max)(longest, m_triangulation.metric().length(m_triangulation.input(), h));
-    return distance > resolution * longest;
+    return distance > least_point_spacing * longest;
   }
 
   std::optional<Place> walk_to_circumcenter(Halfedge_index h) const

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
@@ -229,7 +230,7 @@ private:
     for(double& weight : result.weights) {
       if(!(std::abs(weight) < 2))
         return {}; // a face without area
-      weight = weight < 1e-14 ? 0 : weight;
+      weight = weight < zero_layout_weight ? 0 : weight;
     }
     return result;
   }
@@ -270,7 +271,7 @@ std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, H
   for(std::size_t i = 0; i <= word.crossed.size(); ++i) {
     const double high = i < word.crossed.size() ? strip.crossing_along(i) : 1, room = margin * (high - low);
     const double nearest = (std::min)((std::max)(t, low + room), high - room);
-    if(room > 1e-9 && std::abs(nearest - t) < best_distance) {
+    if(room > least_point_spacing && std::abs(nearest - t) < best_distance) {
       best_distance = std::abs(nearest - t);
       best_t = nearest;
       result.gap = i;
@@ -290,7 +291,7 @@ std::optional<Point_on_edge> point_on_edge(const Triangulation& triangulation, H
   result.location.weights = {{0, cross(d, c) / area, cross(b, d) / area}};
   result.location.weights[0] = 1 - result.location.weights[1] - result.location.weights[2];
   for(double weight : result.location.weights)
-    if(!(weight > 1e-14 && weight < 1))
+    if(!(weight > zero_layout_weight && weight < 1))
       return {};
   return result;
 }

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_SHARP_SECTORS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_SHARP_SECTORS_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_shape.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 
@@ -50,8 +51,6 @@ public:
 
 private:
   static constexpr double sharp = boost::math::constants::pi<double>() / 3;
-  // Where it depends on the order of summation whether a sector is sharp, each corner decides for itself.
-  static constexpr double margin = 1e-9;
 
   // Returns whether the sector is noted there.
   bool walk_over(Halfedge_index g, double& sum)
@@ -63,7 +62,7 @@ private:
 
   bool note(double sum)
   {
-    if(sum < sharp - margin)
+    if(sum < sharp - sharp_sector_margin)
       for(Halfedge_index g : m_walked) {
         if(m_versions.size() <= static_cast<std::size_t>(g.idx()))
           m_versions.resize(static_cast<std::size_t>(m_triangulation.number_of_halfedges()), null_index);

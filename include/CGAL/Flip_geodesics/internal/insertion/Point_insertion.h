@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
@@ -236,15 +237,12 @@ private:
         fail("it is too close to a vertex");
   }
 
-  // An angle, in radians, by which rounded decisions may have been wrong.
-  static constexpr double largest_drift = 1e-5;
-
   typename Traits::Face_geometry geometry_of_new_face(const std::array<Halfedge_index, 3>& sides)
   {
     if constexpr(Has_exact_subfaces<Traits>::value) {
       return part_of_input_face(sides);
     } else {
-      const auto geometry = fresh_face(m_triangulation, sides[0], Traits::Has_drift::value ? largest_drift : 0);
+      const auto geometry = fresh_face(m_triangulation, sides[0], Traits::Has_drift::value ? largest_angle_drift : 0);
       if(!geometry)
         fail("the flips of the triangulation were wrong by rounding");
       return *geometry;

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/words/umbrellas.h>
 
@@ -31,8 +32,8 @@ namespace internal {
 struct Located_point
 {
   Halfedge_index halfedge =
-      null_index;              // of the face that holds the point, or of the edge that it lies on, face on the left
-  std::size_t gap = 0;         // of the halfedge's word: its input face, seen from the intrinsic face, holds the point
+      null_index;      // of the face that holds the point, or of the edge that it lies on, face on the left
+  std::size_t gap = 0; // of the halfedge's word: its input face, seen from the intrinsic face, holds the point
   bool is_on_edge = false;
   Vertex_index vertex = null_index; // the vertex in the same place, if there is one
 };
@@ -87,7 +88,6 @@ public:
   }
 
 private:
-  static constexpr double largest_miss = 1e-6; // relative to the length of the edge
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
   // Takes the word of h from what a search may cost. Returns false if nothing is left then.
@@ -183,7 +183,7 @@ private:
     const Triangle_crossings c = crossings(h); // corners O, A, B
     const std::size_t at_a = c.cutting[1], at_b = c.cutting[2], n = letters(h);
     std::vector<Gap> result = {start};
-    const bool is_at_a = start.gap < at_a, is_at_b = start.gap > n - at_b;
+    const bool is_at_a = start.gap<at_a, is_at_b = start.gap> n - at_b;
     if(is_at_a || (start.gap == at_a && c.emanating[1] == 0 && !is_at_b))
       result.push_back({hp, letters(hp) - start.gap});
     if(is_at_b || (start.gap == n - at_b && c.emanating[2] == 0 && !is_at_a))
@@ -203,7 +203,8 @@ private:
     return result;
   }
 
-  void note_miss(const std::vector<Gap>& beyond, const Surface_location& point, double& smallest, Located_point& at) const
+  void note_miss(const std::vector<Gap>& beyond, const Surface_location& point, double& smallest,
+                 Located_point& at) const
   {
     double miss = 0;
     Gap worst = beyond.front();
@@ -234,7 +235,7 @@ private:
 
   Located_point checked_miss(const Located_point& nearest, double miss, const Surface_location& point) const
   {
-    if(!(miss < largest_miss))
+    if(!(miss < largest_point_miss))
       throw Insertion_error("a point in the face of halfedge " + std::to_string(point.halfedge.idx()) +
                                 " lies in no face of the triangulation, whose flips were wrong by rounding",
                             {static_cast<std::size_t>(point.halfedge.idx())});

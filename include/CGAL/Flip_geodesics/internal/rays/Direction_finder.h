@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_RAYS_DIRECTION_FINDER_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/rays/Ray.h>
 
@@ -91,7 +92,7 @@ public:
     double position = fan.start + angle;
     if(!fan.has_border)
       position -= fan.total * std::floor(position / fan.total);
-    const double allowed = 1e-12 * fan.total;
+    const double allowed = direction_rounding * fan.total;
     if(!(position >= -allowed && position <= fan.total + allowed))
       return {{fan.first, {{1, 0, 0}}}, {0, 0}, true, position};
     Input_halfedge_index spoke = fan.first;
@@ -212,7 +213,7 @@ private:
     // An angle along the border is along it, though rounding leads out of the surface, or into it a little.
     const double off = std::abs(std::sin(angle_at_edge));
     if(kind(at) == Location_kind::EDGE && input().is_border(twin_index(at.halfedge)) &&
-       off <= (away_from_side(at.halfedge, best, direction) < 0 ? 1e-12 : 1e-14))
+       off <= (away_from_side(at.halfedge, best, direction) < 0 ? off_border : into_border))
       return {at, {std::copysign(1, std::cos(angle_at_edge)), 0}, false, 0};
     return {{best, weights_in_face(input(), at, best)}, direction, false, 0};
   }

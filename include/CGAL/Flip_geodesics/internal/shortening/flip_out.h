@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortening/Free_wedges.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
@@ -173,7 +174,10 @@ private:
   }
 
   // Is the change larger than what rounding makes of the length?
-  bool is_visible(double change, Curve_index curve) const { return std::abs(change) > 1e-14 * m_curves[curve].length; }
+  bool is_visible(double change, Curve_index curve) const
+  {
+    return std::abs(change) > visible_shortening * m_curves[curve].length;
+  }
 
   /*
    * Every step shortens, but by less than doubles see where the angle is within 1e-7 of pi. Exact decisions end all the
@@ -185,7 +189,7 @@ private:
     constexpr std::size_t patience = 10000;
     Curve_state& state = m_curves[curve];
     ++state.steps_since_shortest;
-    if(state.length < state.shortest * (1 - 1e-14)) {
+    if(state.length < state.shortest * (1 - visible_shortening)) {
       state.shortest = state.length;
       state.steps_since_shortest = 0;
     }

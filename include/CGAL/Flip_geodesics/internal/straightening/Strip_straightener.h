@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Crossing_removal.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Input_faces.h>
@@ -103,8 +104,6 @@ private:
 
   // There are about as many rounds as rows of vertices between path and geodesic; FlipOut goes on from where they end.
   static constexpr int most_rounds = 1000;
-  // An angle, in radians, that is left to FlipOut.
-  static constexpr double angle_tolerance = 1e-7;
 
   bool straighten(const std::vector<Halfedge_index>& path)
   {
@@ -225,7 +224,7 @@ private:
       } while(spoke != to.spoke);
     }
     angle = product(angle, to.turn);
-    return angle.imag() > angle_tolerance * magnitude(angle);
+    return angle.imag() > unstraightened_angle * magnitude(angle);
   }
 
   // Does a turn counterclockwise from one direction to another stay in one corner?

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Input_faces.h>
 #include <CGAL/Flip_geodesics/internal/straightening/word_turns.h>
@@ -129,13 +130,11 @@ private:
 
   // There are about as many rounds as rows of vertices between the path and the geodesic.
   static constexpr int most_rounds = 1000;
-  // An angle, in radians, that is not told in plain doubles.
-  static constexpr double least_angle = 1e-9;
 
   // ---- angles
 
   // How the angle on a side of the joint between two pieces compares with pi; LARGER at the border. Exact if both
-  // directions are right up to `least_angle`.
+  // directions are right up to `unfunneled_angle`.
   Comparison_result compare_angle(const Taut_piece& in, const Taut_piece& out, Side side) const
   {
     return side == Side::LEFT ? compare_clockwise({in, false}, {out, true})
@@ -157,7 +156,7 @@ private:
   Way way_round(const Taut_piece& in, const Taut_piece& out) const
   {
     const Spoke_direction &back = in.at_head, &on = out.at_tail;
-    if(back.spoke == on.spoke && magnitude(back.turn - on.turn) <= least_angle)
+    if(back.spoke == on.spoke && magnitude(back.turn - on.turn) <= unfunneled_angle)
       return Way::RIGHT;
     if(compare_angle(in, out, Side::LEFT) == SMALLER)
       return Way::LEFT;
@@ -178,16 +177,16 @@ private:
           return LARGER;
         angle = normalized(product(angle, m_faces.corner(spoke)));
         ++steps;
-        if(angle.imag() < -least_angle && (steps > 1 || angle.real() < 0))
+        if(angle.imag() < -unfunneled_angle && (steps > 1 || angle.real() < 0))
           return LARGER;
-        is_near_straight = is_near_straight || (std::abs(angle.imag()) <= least_angle && angle.real() < 0);
+        is_near_straight = is_near_straight || (std::abs(angle.imag()) <= unfunneled_angle && angle.real() < 0);
         spoke = m_faces.counterclockwise(spoke);
       } while(spoke != to.spoke);
     }
     angle = product(angle, to.turn);
-    if(angle.imag() > least_angle && !is_near_straight)
+    if(angle.imag() > unfunneled_angle && !is_near_straight)
       return SMALLER;
-    if(angle.imag() < -least_angle)
+    if(angle.imag() < -unfunneled_angle)
       return LARGER;
     if(angle.real() > 0 && !is_near_straight)
       return SMALLER;
@@ -326,7 +325,7 @@ private:
   {
     const Plane_vector along = to - from;
     const double base = (std::min)(magnitude(bend.position - from), magnitude(to - bend.position));
-    if(!(std::abs(cross(along, bend.position - from)) <= least_angle * base * magnitude(along)))
+    if(!(std::abs(cross(along, bend.position - from)) <= unfunneled_angle * base * magnitude(along)))
       return;
     while(bend.first > 0 && m_gates[bend.first].side != bend.side)
       --bend.first;
@@ -343,7 +342,7 @@ private:
       const bool is_first = i == 0, is_last = i + 1 == m_bends.size();
       const Plane_vector at = m_bends[i].position, from = is_first ? m_source : m_bends[i - 1].position,
                          to = is_last ? m_target : m_bends[i + 1].position;
-      if(std::abs(cross(at - from, to - at)) > least_angle * magnitude(at - from) * magnitude(to - at) ||
+      if(std::abs(cross(at - from, to - at)) > unfunneled_angle * magnitude(at - from) * magnitude(to - at) ||
          !is_straight_across(part(word, is_first ? nullptr : &m_bends[i - 1], is_last ? nullptr : &m_bends[i + 1])))
         ++i;
       else

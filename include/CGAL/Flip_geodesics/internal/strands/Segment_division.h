@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/insertion/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/strands/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
@@ -65,7 +66,7 @@ public:
       const bool is_along = sliver.halfedge == m_segments.halfedge(s);
       const double at = is_along ? sliver.place : 1 - sliver.place; // of its apex, along s
       const Segment_index first = move_to_apex(sliver.halfedge, s);
-      if(std::abs(t - at) <= same_place)
+      if(std::abs(t - at) <= on_divided_line)
         return first;
       s = t < at ? first : m_segments.next(first);
       t = t < at ? t / at : (t - at) / (1 - at);
@@ -83,9 +84,6 @@ public:
   }
 
 private:
-  // Points that were rounded lie off the lines that they divide. Where such a line is divided again, a vertex this
-  // close to it, relative to its length, is taken to be on it.
-  static constexpr double same_place = 1e-12;
   static constexpr int most_slivers = 64;
 
   // A face on the left of a halfedge whose apex is next to the halfedge, that part of the way along it.
@@ -102,7 +100,7 @@ private:
         continue;
       const Halfedge_index to_apex = Triangulation::twin(m_triangulation.previous(side));
       const double place = m_triangulation.length(to_apex) / m_triangulation.length(side);
-      if(place < 1 - same_place && wedge_angle(m_triangulation, to_apex, side).value * place <= same_place)
+      if(place < 1 - on_divided_line && wedge_angle(m_triangulation, to_apex, side).value * place <= on_divided_line)
         return {side, place};
     }
     return {};

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/base/Version_cache.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_face.h>
@@ -99,8 +100,6 @@ public:
   }
 
 private:
-  // What a derived edge may err by.
-  static constexpr double largest_error = 0x1p-64;
   // Vectors are kept in so much memory. Along a lantern of 60 000 faces, in a megabyte each is derived three times.
   static constexpr std::size_t few_bytes = 3 << 20, bytes_per_record = 12;
 
@@ -150,7 +149,7 @@ private:
           continue;
         }
         Precise_edge kl = joined(triangulation, known_edge(triangulation, ki), known_edge(triangulation, il), spokes);
-        if(!(kl.end_error < largest_error))
+        if(!(kl.end_error < largest_derived_error))
           kl = unfolded(triangulation, of_first_side);
         else if(is_first_side(flip.h)) // the flip leaves h = l->k
           kl = kl.reversed();
@@ -192,8 +191,8 @@ private:
 
     Precise_edge result = {end * back.direction, turn.direction * back.direction, 0, 0, 0, reference, turn.spoke, 0};
     result.length = internal::length(result.end);
-    result.end_error = (ways / result.length + back.error + double_double_vector_error) * (1 + 0x1p-18);
-    result.direction_error = (turn.error + back.error + double_double_vector_error) * (1 + 0x1p-18);
+    result.end_error = (ways / result.length + back.error + double_double_vector_error) * (1 + second_order_errors);
+    result.direction_error = (turn.error + back.error + double_double_vector_error) * (1 + second_order_errors);
     return result;
   }
 
