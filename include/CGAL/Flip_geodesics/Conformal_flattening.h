@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/linear_algebra/Cut_surface.h>
 
 #include <CGAL/assertions.h>
@@ -54,12 +55,12 @@ public:
   /*!
    * Cuts and flattens.
    * \param network the finished curves, a model of `CurveNetwork`, in a triangulation of a connected surface
-   * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians
+   * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians; 1e-10 unless given
    * \throws Flattening_error if the cut surface is no disk; if a face stays degenerate; if the angle sums stay off
    * \throws Degenerate_face_error if a face has no area to begin with
    */
   template <class Network>
-  explicit Conformal_flattening(const Network& network, double tolerance = 1e-10)
+  explicit Conformal_flattening(const Network& network, double tolerance = internal::default_angle_sum_tolerance)
     : m_triangulation(&network.triangulation())
     , m_faces(all_faces(network.triangulation()))
     , m_surface(network.triangulation(), m_faces, [&network](Halfedge_index h) { return network.is_occupied(h); })
@@ -233,7 +234,7 @@ private:
     Matrix result(m_number_of_free, m_number_of_free);
     result.setFromTriplets(entries.begin(), entries.end());
     for(Index i = 0; i < m_number_of_free; ++i) // keeps rows of nothing but degenerate faces regular
-      result.coeffRef(i, i) += 1e-12;
+      result.coeffRef(i, i) += internal::hessian_regularization;
     return result;
   }
 
@@ -272,7 +273,7 @@ private:
     const double slope = gradient.dot(step);
     if(!(slope < 0))
       return false;
-    for(double t = 1; t > 1e-10; t /= 2) {
+    for(double t = 1; t > internal::least_line_search_step; t /= 2) {
       Values u = m_log_scales;
       for(Vertex_copy_index copy : internal::descriptors<Vertex_copy_index>(number_of_copies()))
         if(m_free[copy] != null_index)

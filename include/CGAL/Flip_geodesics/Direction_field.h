@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/Tangent_spaces.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/linear_algebra/Constrained_system.h>
 
@@ -112,7 +113,7 @@ public:
     std::vector<char> is_given(n, 0);
     bool is_aligned = false;
     for(std::size_t v = 0; v < n; ++v)
-      if(std::abs(m_aligned[v]) > 1e-6) { // opposite directions cancel out but for rounding
+      if(std::abs(m_aligned[v]) > internal::cancelled_directions) { // opposite directions cancel out but for rounding
         is_given[v] = 1;
         is_aligned = true;
       }
@@ -224,7 +225,7 @@ private:
     const std::vector<Index> component = internal::components(none.size(), m_operators.faces());
     const Vector mass = system.restricted(m_operators.vertex_areas().template cast<Complex>());
     // Eigenvalues are of the order of 1/area: this shift makes the matrix definite and changes nothing else.
-    const double shift = 1e-6 / mass.real().sum();
+    const double shift = internal::eigenvalue_shift / mass.real().sum();
     Matrix shifted = system.inner();
     for(Eigen::Index i = 0; i < mass.size(); ++i)
       shifted.coeffRef(i, i) += shift * mass[i];
@@ -239,7 +240,8 @@ private:
       u = solver.solve(mass.cwiseProduct(u)).eval();
       normalize(u, mass, system.free_vertices(), component);
       const double next = std::real(u.dot(system.inner() * u));
-      const bool has_converged = iteration > 0 && std::abs(next - energy) <= 1e-12 * std::abs(energy);
+      const bool has_converged =
+          iteration > 0 && std::abs(next - energy) <= internal::converged_energy * std::abs(energy);
       energy = next;
       if(has_converged)
         break;

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -58,7 +59,8 @@ struct Mean_report
 /// When the search for a mean ends.
 struct Mean_limits
 {
-  double tolerance = 1e-11;          ///< the residual, as a part of the root of the variance, that counts as none
+  /// The residual, as a part of the root of the variance, that counts as none: 1e-11.
+  double tolerance = internal::default_mean_tolerance;
   std::size_t most_iterations = 100; ///< how many steps may be tried
 };
 
@@ -155,7 +157,7 @@ public:
         report.status = Mean_status::CONVERGED;
         break;
       }
-      if(part < least_part) {
+      if(part < internal::least_mean_step) {
         report.status = Mean_status::STUCK;
         break;
       }
@@ -165,7 +167,7 @@ public:
       const Trace step = step_from(here, part);
       const State next = step.length > 0 ? look(step.location) : here;
       const bool is_better = next.variance < here.variance || next.residual < here.residual;
-      if(is_better && next.variance <= here.variance * (1 + rounding)) {
+      if(is_better && next.variance <= here.variance * (1 + internal::variance_rounding)) {
         part = (std::min)(1.0, 2 * part);
         here = next;
       } else
@@ -176,9 +178,6 @@ public:
   }
 
 private:
-  static constexpr double rounding = 1e-14;     // of the variance
-  static constexpr double least_part = 0x1p-40; // of a step
-
   struct State
   {
     Surface_location place;

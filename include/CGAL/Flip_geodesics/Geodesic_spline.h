@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
@@ -332,7 +333,7 @@ private:
   {
     for(;; s = m_network.next(s)) {
       const double length = m_network.triangulation().length(m_network.halfedge(s));
-      constexpr double closest = 1e-6; // to a vertex that the leg passes, as a part of the segment
+      constexpr double closest = internal::dividing_vertex;
       const double t = distance / length;
       if(t < 1 + closest || m_network.is_head_fixed(s)) {
         if(t > 1 - closest && !m_network.is_head_fixed(s)) {

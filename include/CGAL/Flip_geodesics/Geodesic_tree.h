@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/shortening/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/internal/tree/Hindered_joints.h>
@@ -183,8 +184,8 @@ public:
     return regrow(grafts.m_taken_off);
   }
 
-  /// Checks the invariant, lengths up to a relative `tolerance`. Linear in the mesh.
-  bool is_valid(double tolerance = 1e-10) const
+  /// Checks the invariant, lengths up to a relative `tolerance`, which is 1e-10 unless given. Linear in the mesh.
+  bool is_valid(double tolerance = internal::default_tree_tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
       const Vertex_index u = m_triangulation->tail(h), v = m_triangulation->head(h);
@@ -305,8 +306,9 @@ private:
     constexpr std::size_t any = (std::numeric_limits<std::size_t>::max)(); // the edges that are left are on offer, too
     const double new_length = internal::flip_out_wedge(*m_triangulation, a, c, m_arc, flip, any);
     ++m_report.flip_outs;
-    const bool is_in_vain = new_length - old_length > visible * old_distance &&
-                            internal::can_be_folded(*m_triangulation, m_arc, rounding * old_distance);
+    const bool is_in_vain =
+        new_length - old_length > internal::visible_lengthening * old_distance &&
+        internal::can_be_folded(*m_triangulation, m_arc, internal::length_sum_rounding * old_distance);
     if(is_in_vain)
       m_hindered.add(a, c);
     m_lengthened += is_in_vain || (Triangulation::Traits::Has_drift::value && new_length >= old_length) ? 1 : 0;
@@ -328,7 +330,7 @@ private:
     if(!is_reached(u) || u == v)
       return;
     const double distance = m_labels.distance(u) + m_triangulation->length(last);
-    if(distance <= old_distance * (1 + rounding))
+    if(distance <= old_distance * (1 + internal::length_sum_rounding))
       m_labels.offer(v, distance, last);
   }
 
@@ -378,7 +380,9 @@ private:
     if(!is_reached(u) || u == v || v == m_source)
       return infinity;
     const double start = m_labels.distance(u);
-    const double needed = m_labels.is_unknown(v) ? infinity : m_labels.distance(v) * (is_reached(v) ? 1 - rounding : 1);
+    const double needed = m_labels.is_unknown(v)
+                              ? infinity
+                              : m_labels.distance(v) * (is_reached(v) ? 1 - internal::length_sum_rounding : 1);
     if(start >= needed) // without a root: one way or the other it is so, along any edge
       return infinity;
     const double distance = start + h.length();
@@ -475,9 +479,7 @@ private:
   }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double straight = 3;     // above all keys, which round to 2 close to pi
-  static constexpr double rounding = 1e-12; // relative, of lengths and their sums
-  static constexpr double visible = 1e-10;  // relative, of a path that has become longer; more than rounding does
+  static constexpr double straight = 3; // above all keys, which round to 2 close to pi
 
   Triangulation* m_triangulation;
   internal::Tree_labels m_labels;

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -127,8 +128,7 @@ private:
 
   Place_on_leg place(double length) const
   {
-    constexpr double rounding = 1e-12;
-    if(!(length >= 0 && length <= m_lengths.back() * (1 + rounding))) {
+    if(!(length >= 0 && length <= m_lengths.back() * (1 + internal::length_sum_rounding))) {
       std::ostringstream message;
       message << "a length along a curve is " << length << ", not between 0 and " << m_lengths.back();
       throw Invalid_parameter_error(message.str());

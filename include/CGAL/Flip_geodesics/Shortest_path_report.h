@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATH_REPORT_H
 
 #include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -55,11 +56,11 @@ struct Shortest_path_report
   /// By how much the path may be longer than a shortest one.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// By what part of its length a path may be longer than a shortest one and is confirmed.
-  static constexpr double tolerance() { return 1e-10; }
+  /// By what part of its length a path may be longer than a shortest one and is confirmed: 1e-10.
+  static constexpr double tolerance() { return internal::confirmed_gap; }
 
-  /// By what part of its length a path may be longer than a shortest one and is proven to be one.
-  static constexpr double proof_tolerance() { return 1e-12; }
+  /// By what part of its length a path may be longer than a shortest one and is proven to be one: 1e-12.
+  static constexpr double proof_tolerance() { return internal::proven_gap; }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions

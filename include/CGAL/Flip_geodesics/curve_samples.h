@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Located_curve.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
@@ -111,14 +112,13 @@ private:
 template <class Input_mesh>
 bool is_one_place(const Input_mesh& input, const Surface_location& p, const Surface_location& q)
 {
-  constexpr double rounding = 1e-9;
   if(kind(p) != kind(q))
     return false;
   if(kind(p) == Location_kind::VERTEX)
     return input.tail(p.halfedge) == input.tail(q.halfedge);
   const double p_sum = p.weights[0] + p.weights[1] + p.weights[2], q_sum = q.weights[0] + q.weights[1] + q.weights[2];
   for(std::size_t i = 0; i < 3; ++i)
-    if(std::abs(p.weights[i] / p_sum - q.weights[i] / q_sum) > rounding)
+    if(std::abs(p.weights[i] / p_sum - q.weights[i] / q_sum) > same_start)
       return false;
   return p.halfedge == q.halfedge;
 }

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Polyline_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
@@ -75,7 +76,7 @@ std::vector<Surface_location> complete_polyline(Triangulation& triangulation,
     auto between = internal::Path_straightener<Triangulation>(triangulation).shortest(p, q);
     for(Surface_location& crossing : between)
       for(double& weight : crossing.weights)
-        weight = weight < 1e-15 ? 0 : weight; // as close to a vertex as that, it is inserted there
+        weight = weight < internal::zero_weight ? 0 : weight; // as close to a vertex as that, it is inserted there
     result.insert(result.end(), between.begin() + 1, between.end() - 1);
   }
   return result;

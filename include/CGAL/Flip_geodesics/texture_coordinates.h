@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
@@ -80,8 +81,7 @@ public:
   }
 
 private:
-  static constexpr double most_stretch = 2;    // of a side; curvature stretches less over one face
-  static constexpr double least_height = 1e-9; // over a side; behind a vertex at which paths bend the map is a line
+  static constexpr double most_stretch = 2; // of a side; curvature stretches less over one face
 
   Vector in_plane(const Polar_coordinates& p) const
   {
@@ -104,7 +104,8 @@ private:
   {
     const Vector first = corners[1] - corners[0], second = corners[2] - corners[1];
     const double longest = (std::max)({std::abs(first), std::abs(second), std::abs(first + second)});
-    return std::imag(std::conj(first) * second) > least_height * longest * longest; // of a line it is a rounding
+    return std::imag(std::conj(first) * second) >
+           internal::least_map_height * longest * longest; // of a line it is a rounding
   }
 
   // Laid out from where the shortest path to its center arrives. Corners that are near their vertices are put there,

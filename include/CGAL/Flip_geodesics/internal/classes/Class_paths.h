@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_metric.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_search.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_surface.h>
@@ -96,12 +97,6 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  // Of what is swept, so that bounds beyond the longest path tell something.
-  static constexpr double margin = 1 + 0x1p-5;
-  // Of a length above its lower bound, that is worth a search for a shorter path.
-  static constexpr double large_gap = 0x1p-4;
-  // Of a bound, for the rounding of sums.
-  static constexpr double rounding = 0x1p-40;
   // Few parts need more than a hundred windows for each lift in all; a lift takes about as much time as ten windows.
   static constexpr std::size_t least_windows = 1000000, windows_per_lift = 200;
   static constexpr std::size_t most_windows = (std::numeric_limits<std::size_t>::max)() / 2;
@@ -125,7 +120,7 @@ private:
     Shortest_edge_path<Covering> edge_paths(covering);
     for(std::size_t i = 0; i < (std::min)(number, m_search.targets().size()); ++i)
       find_geodesic(covering, edge_paths, m_search.targets()[i]);
-    const double bound = length_of_class(number) * margin;
+    const double bound = length_of_class(number) * (1 + class_search_margin);
     Distance_bounds<Covering> bounds(covering, m_surface->vertex(0), m_surface->vertex(m_search.targets().front()),
                                      bound);
     find_bounds(bounds);
@@ -191,7 +186,7 @@ private:
       if(!(bound < longest))
         return;
       find_geodesic(covering, edge_paths, lift);
-      if(bound < (1 - large_gap) * m_geodesics[lift].length && m_windows_left > 0)
+      if(bound < (1 - class_large_gap) * m_geodesics[lift].length && m_windows_left > 0)
         find_shortest(covering, edge_paths, lift, longest);
     }
   }
@@ -254,7 +249,7 @@ private:
       lengths.push_back(geodesic.length);
     const auto last = lengths.begin() + static_cast<std::ptrdiff_t>((std::min)(number, lengths.size()) - 1);
     std::nth_element(lengths.begin(), last, lengths.end());
-    return *last * (1 + rounding);
+    return *last * (1 + class_bound_rounding);
   }
 
   // Where ways leave the part that may be shorter than the longest of the paths.
@@ -265,7 +260,7 @@ private:
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_surface->number_of_halfedges())) {
       if(!m_surface->is_frontier(h))
         continue;
-      const double least = (std::max)(bounds.beyond(*m_surface, h, *m_to_target) * (1 - rounding), 0.0);
+      const double least = (std::max)(bounds.beyond(*m_surface, h, *m_to_target) * (1 - class_bound_rounding), 0.0);
       m_frontier_bound = (std::min)(m_frontier_bound, least);
       if(least < longest)
         for(Input_halfedge_index g : {h, twin_index(h)})

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_IO_TUBE_H
 
 #include <CGAL/Flip_geodesics/IO/Tubes.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/io/Figure.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -102,8 +103,7 @@ private:
       const Vector next = direction(m_is_closed || i < last ? i : last - 1);
       const Vector before = m_is_closed || i > 0 ? direction(i > 0 ? i - 1 : last) : next;
       const Vector sum = before + next;
-      constexpr double reversal = 1e-12; // no plane halves the angle where a curve comes straight back
-      m_tangents.push_back(sum.squared_length() > reversal ? unit(sum) : before);
+      m_tangents.push_back(sum.squared_length() > reversal ? unit(sum) : before); // no plane halves a reversal
     }
   }
 
@@ -118,7 +118,6 @@ private:
   // The normal after the least turn that takes tangent t to tangent u.
   static Vector carried(const Vector& normal, const Vector& t, const Vector& u)
   {
-    constexpr double reversal = 1e-12;
     const double cosine_plus_one = 1 + t * u;
     if(cosine_plus_one < reversal)
       return normal;

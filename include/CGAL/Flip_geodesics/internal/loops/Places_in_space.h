@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_PLACES_IN_SPACE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Integer.h>
 
 #include <CGAL/enum.h>
@@ -72,7 +73,7 @@ public:
   }
 
   /* More than what coordinates of `close_by()` are off. */
-  double rounding() const { return 8 * 0x1p-53 * m_size; }
+  double rounding() const { return weighted_place_error * m_size; }
 
   /* Is c on the left of the line from a to b, as seen against a direction? */
   Sign side(const Weighted_place& a, const Weighted_place& b, const Weighted_place& c, const Direction& direction) const
@@ -127,7 +128,8 @@ private:
   double error(const Coordinates& u, const Coordinates& v, const Coordinates& w) const
   {
     const double a = largest(u), b = largest(v), c = largest(w), off = 2.1 * rounding();
-    return 6.1 * (off * (a * b + b * c + a * c) + off * off * (a + b + c + off) + 0x1p-50 * a * b * c) + 0x1p-900;
+    return 6.1 * (off * (a * b + b * c + a * c) + off * off * (a + b + c + off) + three_vectors_error * a * b * c) +
+           underflow_of_small_products;
   }
 
   // ZERO if that cannot be told.

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_SOLID_LOOPS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_SOLID_LOOPS_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/loops/Bounding_loop_search.h>
 #include <CGAL/Flip_geodesics/internal/loops/Generator_words.h>
 #include <CGAL/Flip_geodesics/internal/loops/Linking_matrix.h>
@@ -115,7 +116,7 @@ private:
     const Places_in_space::Coordinates result = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
                                                  CGAL::to_double(p.z())};
     for(double x : result)
-      if(!(std::abs(x) < 1e70))
+      if(!(std::abs(x) < greatest_length))
         throw Invalid_coordinate_error("a coordinate of vertex " + std::to_string(v.idx()) +
                                            " is not a number below 1e70",
                                        {static_cast<std::size_t>(v.idx())});
@@ -227,7 +228,7 @@ private:
       off += error;
       largest = (std::max)(largest, std::abs(sum));
     });
-    off += static_cast<double>(input().number_of_halfedges()) * 0x1p-53 * largest;
+    off += rounding_errors(static_cast<double>(input().number_of_halfedges())) * largest;
     if(std::abs(sum) > 2 * off)
       return sum > 0;
     Integer exact(0);

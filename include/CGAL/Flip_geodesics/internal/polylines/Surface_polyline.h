@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_POLYLINES_SURFACE_POLYLINE_H
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
@@ -103,7 +104,7 @@ private:
     Surface_location result = {h, {{0, 0, 0}}};
     for(int i = 0; i < 3; ++i) {
       const double weight = (1 - t) * a[i] + t * b[i];
-      result.weights[i] = weight < 1e-15 ? 0 : weight; // what lies there by rounding lies on the edge
+      result.weights[i] = weight < zero_weight ? 0 : weight; // what lies there by rounding lies on the edge
     }
     return canonical_location(input, result);
   }

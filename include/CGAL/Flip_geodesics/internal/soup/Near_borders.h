@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SOUP_NEAR_BORDERS_H
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/soup/Near_points.h>
 #include <CGAL/Flip_geodesics/internal/soup/Triangle_soup.h>
 
@@ -41,7 +42,7 @@ public:
 
   void operator()(Repair_record& record) const
   {
-    const double side = Soup_box(m_tails).longest_side, distance = near_distance * side;
+    const double side = Soup_box(m_tails).longest_side, distance = near_border_distance * side;
     if(!(distance > 0) || !std::isfinite(side))
       return;
     const Near_points tails(m_tails, distance);
@@ -53,8 +54,7 @@ public:
   }
 
 private:
-  static constexpr double near_distance = 1e-6; // relative: six digits are the default of streams and of printf
-  static constexpr double least_length = 4;     // in near distances: the ends of one edge are not near each other
+  static constexpr double least_length = 4; // in near distances: the ends of one edge are not near each other
 
   static std::vector<Edge> border_edges(const Soup& soup)
   {

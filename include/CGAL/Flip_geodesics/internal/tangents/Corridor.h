@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
@@ -110,22 +111,18 @@ public:
   {
     join_pieces();
     constexpr int most_rounds = 1000; // more than one means that shortest paths differ by roundings
-    constexpr double nearly = 1e-9;   // straight, as a part of the length of a leg
     bool has_changed = true;
     for(int round = 0; round < most_rounds && has_changed; ++round) {
       has_changed = divide_legs();
       has_changed = join_legs() || has_changed;
     }
     for(std::size_t i = 0; i < m_legs.size() && has_changed; ++i)
-      if(const auto leg = unfolded(i); leg.violation().distance > nearly * std::abs(leg.end()))
+      if(const auto leg = unfolded(i); leg.violation().distance > straight_in_last_round * std::abs(leg.end()))
         throw Degenerate_face_error("a shortest path cannot be shortened to a geodesic: there are faces so flat that "
                                     "rounding errors hide where it bends");
   }
 
 private:
-  // What is left to chance when a path is pulled tight: an angle, and a distance as a part of the length of a leg.
-  static constexpr double straight = 1e-12;
-
   const auto& input() const { return m_triangulation.input(); }
 
   bool has_place(const Surface_location& place, Input_halfedge_index h) const
@@ -243,7 +240,7 @@ private:
     for(std::size_t i = 0; i < m_legs.size(); ++i) {
       const Unfolded_leg<Triangulation> leg = unfolded(i);
       const auto violation = leg.violation();
-      if(!(violation.distance > straight * std::abs(leg.end())))
+      if(!(violation.distance > straight_in_sleeve * std::abs(leg.end())))
         continue;
       divide(i, violation.vertex, violation.gate);
       has_changed = true;
@@ -290,7 +287,7 @@ private:
     const Start back = start_backward(i - 1), forward = start(i);
     const double left = about.counterclockwise(forward.position, back.position),
                  right = about.counterclockwise(back.position, forward.position);
-    if(!((std::min)(left, right) < boost::math::constants::pi<double>() - straight))
+    if(!((std::min)(left, right) < boost::math::constants::pi<double>() - straight_in_sleeve))
       return false;
     const bool is_left = left < right;
     const bool is_direct = is_left ? back.position >= forward.position : forward.position >= back.position;

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LAST_LEGS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LAST_LEGS_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 
@@ -94,8 +95,6 @@ public:
   }
 
 private:
-  static constexpr double rounding = 1e-11; // of where a root is laid out, and of where rays cross edges
-
   // How the frame of a window is turned against that of its root's face.
   struct Turn
   {
@@ -152,7 +151,7 @@ private:
   std::optional<Straight_leg> through_side(Input_halfedge_index through, const Window& w, const Vector& place)
   {
     const double crossing = w.crossing(place.real(), place.imag()),
-                 equal = rounding * (std::abs(crossing) + sides().copy(through).length);
+                 equal = unfolded_place_error * (std::abs(crossing) + sides().copy(through).length);
     if(w.is_far || !(crossing >= w.from - equal && crossing <= w.to + equal))
       return std::nullopt;
     const Turn t = turn(through, w);
@@ -200,7 +199,7 @@ private:
     const Input_halfedge_index tn = f.next, tp = m_input.next(tn);
     see_windows(tn, f.length, apex - f.length, w.root, root, best);
     see_windows(tp, apex, -apex, w.root, root, best);
-    if(best && !(best->error <= rounding * (f.length + std::abs(root))))
+    if(best && !(best->error <= unfolded_place_error * (f.length + std::abs(root))))
       best.reset();
     return best;
   }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Last_legs.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
@@ -86,7 +87,6 @@ public:
 private:
   static constexpr double pi = boost::math::constants::pi<double>();
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double rounding = 1e-11; // of sums of angles
 
   // A vertex as one at which paths can bend. Directions are positions in its `Place_frame`.
   struct End
@@ -146,7 +146,7 @@ private:
     const double on = directions.of_input(leg.first) + std::arg(leg.start);
     const double wedge =
         (std::min)(directions.counterclockwise(on, end.back), directions.counterclockwise(end.back, on));
-    if(!(wedge >= pi - rounding))
+    if(!(wedge >= pi - unfolded_place_error))
       return std::nullopt;
     const double bend = end.carried - on;
     return Continued{{end.polar.radius + length, end.polar.angle},

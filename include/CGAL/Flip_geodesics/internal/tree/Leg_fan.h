@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
 
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
@@ -55,9 +56,6 @@ class Leg_fan
   using Face = std::array<Vector, 3>;
 
 public:
-  /* By how much the angles of legs may be off, in radians. */
-  static constexpr double near_angle() { return 1e-8; }
-
   explicit Leg_fan(const Triangulation& triangulation)
     : m_triangulation(triangulation)
     , m_faces(static_cast<std::size_t>(triangulation.input().number_of_halfedges()))
@@ -93,8 +91,6 @@ private:
     std::size_t first, last;    // the legs
     Index crossings;            // so many, with this one
   };
-
-  static constexpr double near_length = 1e-9; // relative; the triangulation's lengths have drifted by less
 
   static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
@@ -136,7 +132,7 @@ private:
     const Vector to_left = product(turn, vectors[2]);
     const bool is_near_right = std::norm(from_right) < std::norm(to_left);
     const Vector apex = is_near_right ? here.right + from_right : here.left - to_left;
-    const double margin = near_angle() * std::sqrt(std::norm(apex));
+    const double margin = near_leg_angle * std::sqrt(std::norm(apex));
     const std::size_t i = end_of_left(here, apex, margin);
     std::size_t j = i;
     for(; j < here.last && cross(apex, m_directions[j]) >= -margin; ++j)
@@ -180,7 +176,7 @@ private:
   {
     const bool is_straight = cross(gate.rightmost, apex) > 0 && cross(apex, gate.leftmost) > 0;
     leg.is_found = is_straight && leg.crossings == gate.crossings && leg.head == m_triangulation.input().tail(h) &&
-                   std::abs(std::sqrt(std::norm(apex)) - leg.length) <= near_length * leg.length;
+                   std::abs(std::sqrt(std::norm(apex)) - leg.length) <= near_leg_length * leg.length;
     if(!leg.is_found)
       return;
     leg.angle = angle_from_reference(apex);

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
@@ -262,7 +263,7 @@ private:
         return;
       first = static_cast<std::size_t>(missed - begin);
       const double drift = end - missed > 1 ? drift_of(*missed) : 0;
-      if(!(std::abs(drift) > Leg_fan<Triangulation>::near_angle() / 2))
+      if(!(std::abs(drift) > near_leg_angle / 2))
         continue;
       std::for_each(missed, end, [drift](Fan_leg& leg) { leg.angle += drift; });
       m_fan(&*missed, &*missed + (end - missed));
