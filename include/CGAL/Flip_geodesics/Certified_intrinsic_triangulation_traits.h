@@ -42,10 +42,6 @@ class Certified_intrinsic_triangulation_traits
 {
   using Plain = Intrinsic_triangulation_traits<K>;
 
-  // Bounds of relative errors in units of roundoff: of a layout's vectors, of a product of two, of a flip's rotation.
-  static constexpr double unit = std::numeric_limits<double>::epsilon();
-  static constexpr double layout_error = 16 * unit, product_error = 8 * unit, rotation_error = 16 * unit;
-
   static double norm_bound(double x, double y) { return std::abs(x) + std::abs(y); }
 
   template <class Vector>
@@ -96,7 +92,7 @@ public:
     /// The face with halfedges from `p` to `q`, to `r`, and back.
     Face_geometry operator()(const Point_3& p, const Point_3& q, const Point_3& r) const
     {
-      return with_error(typename Plain::Construct_face_3()(p, q, r), layout_error);
+      return with_error(typename Plain::Construct_face_3()(p, q, r), internal::face_layout_error);
     }
   };
 
@@ -107,7 +103,7 @@ public:
     /// The face whose halfedges have the lengths `a`, `b`, `c`.
     Face_geometry operator()(double a, double b, double c) const
     {
-      return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), layout_error);
+      return with_error(typename Plain::Construct_face_from_lengths()(a, b, c), internal::face_layout_error);
     }
   };
 
@@ -132,14 +128,14 @@ public:
     {
       const double x = -(internal::unfused(out.x * in.x) + internal::unfused(out.y * in.y));
       const double y = internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y);
-      const double corner_error = in.error + out.error + product_error;
+      const double corner_error = in.error + out.error + internal::vector_product_error;
       const bool is_corner_acute = x > corner_error * norm_bound(x, y);
       const bool is_turn_acute = turn.x > turn.error * norm_bound(turn.x, turn.y);
       const double product_x = internal::unfused(turn.x * x) - internal::unfused(turn.y * y);
       const double product_y = internal::unfused(turn.x * y) + internal::unfused(turn.y * x);
       turn.x = product_x;
       turn.y = product_y;
-      turn.error += corner_error + product_error;
+      turn.error += corner_error + internal::vector_product_error;
       decide(turn, is_turn_acute, is_corner_acute);
       rescale(turn);
     }
@@ -203,7 +199,7 @@ public:
                                 const Halfedge_geometry& tp) const
     {
       const auto flipped = typename Plain::Flip()(plain(h), plain(hn), plain(hp), plain(t), plain(tn), plain(tp));
-      const double turned = h.error + t.error + rotation_error;
+      const double turned = h.error + t.error + internal::rotation_error;
       const Halfedge_geometry new_tn = {flipped.tn.x, flipped.tn.y, tn.error + turned};
       const Halfedge_geometry new_tp = {flipped.tp.x, flipped.tp.y, tp.error + turned};
       return {difference(flipped.h, hp, new_tn), difference(flipped.t, hn, new_tp), new_tn, new_tp};
@@ -218,7 +214,8 @@ public:
       const double error = internal::unfused(a.error * length_of(a)) + internal::unfused(b.error * length_of(b));
       const double length = length_of(sum);
       return {sum.x, sum.y,
-              error < length ? error / (length - error) + product_error : std::numeric_limits<double>::infinity()};
+              error < length ? error / (length - error) + internal::vector_product_error
+                             : std::numeric_limits<double>::infinity()};
     }
   };
 
@@ -239,7 +236,7 @@ public:
         return false;
       const double x = internal::unfused(k.x * l.x) - internal::unfused(k.y * l.y);
       const double y = internal::unfused(k.x * l.y) + internal::unfused(k.y * l.x);
-      const double radius = (k.error + l.error + product_error) * norm_bound(x, y);
+      const double radius = (k.error + l.error + internal::vector_product_error) * norm_bound(x, y);
       if(std::abs(y) > radius)
         return y > 0;
       return Uncertain<bool>::indeterminate();
@@ -249,7 +246,8 @@ public:
     static Halfedge_geometry corner(const Halfedge_geometry& in, const Halfedge_geometry& out)
     {
       return {-(internal::unfused(out.x * in.x) + internal::unfused(out.y * in.y)),
-              internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y), in.error + out.error + product_error};
+              internal::unfused(out.y * in.x) - internal::unfused(out.x * in.y),
+              in.error + out.error + internal::vector_product_error};
     }
   };
 

@@ -15,7 +15,7 @@ namespace internal {
 
 // ---- Rounding errors
 
-/* The relative error of one operation on doubles, rounded to nearest. */
+/* The relative error of one operation on doubles, rounded to nearest; u below. */
 inline constexpr double unit_roundoff = 0x1p-53;
 
 /* The relative error of n operations in a row, to first order. */
@@ -43,8 +43,9 @@ inline constexpr double bound_rounding = rounding_errors(1 << 13);
 inline constexpr double largest_first_order_error = 0x1p-20;
 inline constexpr double second_order_errors = 4 * largest_first_order_error;
 
-/* Errors of edges derived from the input in double-double numbers, above which exact arithmetic is used instead. Such
- * numbers have 2^-106; 42 bits are left for the number of crossed faces and their conditioning. Affects speed only. */
+/* The error of an edge derived from other edges in double-double numbers, above which the edge is laid out along its
+ * own sequence of crossed edges instead. Such numbers have 2^-106; 42 bits are left for the number of derivations and
+ * for the shapes of faces. */
 inline constexpr double largest_derived_error = 0x1p-64;
 
 /* The enlargement of a radius of a ball, itself computed in few operations: about 90 u, and 9000 u where it has been
@@ -71,13 +72,47 @@ inline constexpr double weighted_place_error = rounding_errors(8);
  * sums, that is five roundings. */
 inline constexpr double three_vectors_error = rounding_errors(8);
 
+/* A vector of a face that is laid out in double: differences (2), dot or cross products (8), roots and quotients (3)
+ * make 13 u in each coordinate. */
+inline constexpr double face_layout_error = rounding_errors(32);
+
+/* The product of two vectors as complex numbers: two products and a sum, less than 4 u in each coordinate. */
+inline constexpr double vector_product_error = rounding_errors(16);
+
+/* The rotation by the quotient of two vectors: a product, a squared length, a quotient and another product. */
+inline constexpr double rotation_error = rounding_errors(32);
+
+/* The quotient of two vectors of a face, and its product with another one: three errors of a layout. */
+inline constexpr double face_ratio_error = 3 * face_layout_error;
+
+/* An angle of an input face, from its layout by an arc tangent, and in a sum of a few such angles. */
+inline constexpr double input_corner_error = rounding_errors(200);
+
+/* An angle between two directions measured by arc tangents, a difference and a sum, of numbers of up to 2 pi. */
+inline constexpr double measured_angle_error = rounding_errors(32);
+
+/* Sums of up to six products of two or three numbers, relative to the sum of the absolute values, and coordinates of a
+ * vector that is rotated by a rounded unit vector: less than 8 u, twice that with the rounding of the bound. */
+inline constexpr double product_sum_error = rounding_errors(16);
+
+/* The height of a face without area in a rounded layout, relative to its base: four errors of a layout. Faces below it
+ * are examined exactly. */
+inline constexpr double flat_layout_error = 4 * face_layout_error;
+
+/* The relative error of the root of an integer that was rounded to double. */
+inline constexpr double root_rounding = rounding_errors(8);
+
+/* The size of a cell relative to the largest coordinate, from which on numbers of cells are exact in double. */
+inline constexpr double least_cell_size = rounding_errors(8);
+
 /* The relative error of a sum of lengths, of up to 9000 terms: that many u. Lengths that differ by less count as
  * equal. On longer paths rounding errors can exceed it, but only if they all have the same sign. */
 inline constexpr double length_sum_rounding = 1e-12;
 
-/* The relative change of a path's length above the rounding errors of the length: 90 u. A step that shortens by less
- * counts as invisible; too large a value ends shortening earlier by the budget of such steps, never wrongly. */
-inline constexpr double visible_shortening = 1e-14;
+/* The relative change of a curve's length from which on it is more than rounding errors of the length: 90 u. A step
+ * that lengthens the curve by more was decided wrongly and is rolled back. Steps that shorten it by less are limited
+ * in number. */
+inline constexpr double visible_length_change = 1e-14;
 
 /* The rounding errors of a mean of squared distances, relative to it: 90 u. */
 inline constexpr double variance_rounding = 1e-14;
@@ -121,8 +156,8 @@ inline constexpr double underflow_of_products = 0x1p-800;
  * exceeds the loss where these are above 2^-464. */
 inline constexpr double underflow_of_small_products = 0x1p-900;
 
-/* The sum of a coordinate and the largest one times this number is exact only if the coordinate is a multiple of 2^(39
- * - 52), or a little more, of the largest one: then both are short integers in some unit. */
+/* The sum of a coordinate and the largest one times this number is exact only if the coordinate is a multiple of about
+ * 2^-13 of the largest one: then both are short integers in some unit. */
 inline constexpr double short_coordinate_shift = 0x1p39;
 
 /* The smallest power of two that is a sign tolerance of a number type with many digits. */
@@ -154,7 +189,7 @@ inline constexpr double zero_layout_weight = 1e-14;
  * by `zero_weight`, so that angles at points so close are off by 1e-6, a tenth of `largest_angle_drift`. */
 inline constexpr double least_point_spacing = 1e-9;
 
-/* Weights and lengths of a face that differ by at most this, relatively, are of one and the same face, which has been
+/* Lengths of the sides of a face that differ by at most this, relatively, are of one and the same face, which has been
  * laid out afresh in between. Another face of the same shape does just as well. */
 inline constexpr double same_shape = 1e-9;
 
@@ -220,7 +255,8 @@ inline constexpr double direction_rounding = 1e-12;
 inline constexpr double off_border = 1e-12, into_border = 1e-14;
 
 /* The determinant of two adjacent faces, relative to its terms, below which the faces bend by hardly more than
- * rounding errors. Then a sum of angles is not unrolled into a plane but left to vectors. Both are exact: speed only. */
+ * rounding errors. Then a sum of angles is not unrolled into a plane but left to vectors. Both are exact, so that it
+ * affects speed only. */
 inline constexpr double flat_bend = 0x1p-30;
 
 /* The length of a sum of unit vectors below which they cancel, and no direction is prescribed. Rounding errors leave
@@ -251,7 +287,63 @@ inline constexpr double near_full_turn = 1e-3;
  * streams and of printf. */
 inline constexpr double near_border_distance = 1e-6;
 
+/* Lengths of paths over windows that differ by less count as equal, relative to them: 180 u. On needle-shaped faces
+ * errors of positions can exceed it; then windows are kept that could be dropped. Too large a value drops a path that
+ * is shorter by no more than that part. */
+inline constexpr double equal_paths = 2e-14;
+
+/* Windows whose ray to the apex misses them by more than this part of the side do not reach it; their paths are not
+ * measured. This is a filter for speed: what it passes is decided by the lengths of paths. */
+inline constexpr double beside_window = 1e-9;
+
+/* The height of a face over its base, below which rays can be lost in rounding errors: errors of positions of 2^-46
+ * move a ray by 1e-4 of such a face. Distances over flatter faces are computed, but not reported as confirmed. */
+inline constexpr double flat_face = 1e-10;
+
+/* The height over the length of a side that a face without area is given, so that rays pass it: far below u, so that
+ * it does not show in any distance. */
+inline constexpr double least_face_height = 0x1p-60;
+
+/* The height of a face over its base, below which the place where a ray meets the opposite side does not determine its
+ * direction: the side is taken to be visible as a whole, which adds windows and never makes a distance too short. */
+inline constexpr double thin_face = 1e-12;
+
+/* Radians; the error of a sum of angles around a vertex of up to some thousand faces. It lets a path bend at a vertex
+ * whose angle is less than pi by so much, towards more windows. */
+inline constexpr double angle_sum_rounding = 1e-12;
+
+/* Less than every sum of angles around a vertex, if it is negated: directions beyond a border. */
+inline constexpr double beyond_all_angles = 1e100;
+
+/* The cosine between a line and a side, below which no ray perpendicular to the line leaves through the side, other
+ * than by rounding errors of the line's direction: 9 u. */
+inline constexpr double perpendicular = 1e-15;
+
+/* The error of the lower bound that a cone gives, per face that a path crosses, relative to the longest path of
+ * interest: 2^7 u, for about as many operations. It is taken off every bound that is returned. */
+inline constexpr double cone_error = rounding_errors(1 << 7);
+
+/* How far below the line between its ends, as a part of the edge, a cone's value has to be, for the cone to be
+ * determined by it. Without a cone, the lowest one is taken, which is a lower bound as well. */
+inline constexpr double cone_sag_rounding = 1e-12;
+
+/* The enlargement of the part of an edge that a cone covers, and the overlap of two cones there, as parts of the edge.
+ * A larger value makes lower bounds smaller, never wrong. */
+inline constexpr double cone_enlargement = 1e-6, cone_overlap = 1e-5;
+
+/* The rounding errors of distances along edges, up to 10^9 of them, in the radius of a component. */
+inline constexpr double landmark_radius_rounding = 0x1p-20;
+
 // ---- Tuning of algorithms and stopping criteria
+
+/* The accumulated error of lower bounds, relative to the longest path of interest, above which the propagation is
+ * given up for other bounds. Speed only. */
+inline constexpr double largest_cone_error = 1e-2;
+
+/* Fitting of cones, both in parts of the possible range and found by measurement: by how much a cone is lowered at
+ * first if it is too high in the middle, and the deviation from which on an edge gets a second cone. The cones are
+ * lower bounds for any values. Speed only. */
+inline constexpr double least_cone_lift = 3e-3, least_cone_sag = 3e-2;
 
 /* Angles, in radians, that the initial straightening leaves to FlipOut, which ends with exact or rounded predicates. */
 inline constexpr double unstraightened_angle = 1e-7;
@@ -263,8 +355,9 @@ inline constexpr double unfunneled_angle = 1e-9;
  * predicates that the bound leaves open are decided exactly. */
 inline constexpr double inaccurate_vector = 0x1p-14;
 
-/* Parts of a distance by which a search for shortest paths of a class goes beyond the longest path, so that bounds
- * there are of use, and of a length above its lower bound worth a search for a shorter path. Speed only. */
+/* By what part of its length a search for shortest paths of a class goes beyond the longest path, so that bounds there
+ * are of use; and the gap between a length and its lower bound, as a part of the length, that is worth a search for a
+ * shorter path. */
 inline constexpr double class_search_margin = 0x1p-5, class_large_gap = 0x1p-4;
 
 /* The accuracy of roots of a function along a side of a triangle, relative to its values: 900 u. */

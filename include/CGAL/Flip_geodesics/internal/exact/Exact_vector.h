@@ -78,7 +78,7 @@ private:
       value += product;
       size += std::abs(product);
     }
-    if(std::abs(value) > 8 * std::numeric_limits<double>::epsilon() * size)
+    if(std::abs(value) > product_sum_error * size)
       return value > 0 ? POSITIVE : NEGATIVE;
     Exact_sum<8 * N> sum;
     for(const auto& [a, b] : factors)

@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_EXACT_INTEGER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_EXACT_INTEGER_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+
 #include <boost/config.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -207,7 +209,7 @@ inline Integer rounded_root(const Integer& n)
   const int excess = static_cast<int>(n.highest_bit()) - 2 * digits;
   const int half_shift = excess > 0 ? excess / 2 : 0;
   const auto leading = static_cast<double>(n >> (2 * half_shift));
-  Integer root(std::ceil(std::sqrt(leading) * (1 + 4 * std::numeric_limits<double>::epsilon())) + 1);
+  Integer root(std::ceil(std::sqrt(leading) * (1 + root_rounding)) + 1);
   root <<= half_shift;
   for(;;) {
     Integer next = (root + n / root) >> 1;

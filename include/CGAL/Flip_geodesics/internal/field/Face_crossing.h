@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_FACE_CROSSING_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_FACE_CROSSING_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Face_sides.h>
 #include <CGAL/Flip_geodesics/internal/field/Window.h>
 
@@ -54,10 +55,11 @@ struct Face_crossing
       if(!is_first_side(halfedge))
         w.mirror(f.length);
       const double c = i->crossing = w.crossing(f.x, f.y);
-      if(!(c > w.from - beside * f.length && c < w.to + beside * f.length))
+      if(!(c > w.from - beside_window * f.length && c < w.to + beside_window * f.length))
         continue;
       const double through = w.bent_distance(f.x, f.y, c);
-      if(!(c >= w.from && c <= w.to) && through - w.distance(f.x, f.y) > tie * through)
+      // If the ray misses its window, it reaches the apex only if the bent path is as long as the straight line.
+      if(!(c >= w.from && c <= w.to) && through - w.distance(f.x, f.y) > equal_paths * through)
         continue;
       if(through < distance) {
         distance = through;
@@ -71,7 +73,7 @@ struct Face_crossing
   template <class Function>
   void arrive_left(const Face_side& f, double length, const Function& function) const
   {
-    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best + beside * f.length;
+    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best + beside_window * f.length;
     for(const Crossing_window* i = first; i != last; ++i) {
       const Window& w = i->window;
       const double c = i->crossing;
@@ -90,7 +92,7 @@ struct Face_crossing
   template <class Function>
   void arrive_right(const Face_side& f, const Face_side& fn, const Function& function) const
   {
-    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best - beside * f.length;
+    const double best = nearest == nullptr ? 0 : nearest->crossing, limit = best - beside_window * f.length;
     for(const Crossing_window* i = first; i != last; ++i) {
       const double c = i->crossing;
       if(!(c < i->window.to) || (is_split(*i) && c < limit))
@@ -105,13 +107,6 @@ struct Face_crossing
   }
 
 private:
-  // Windows whose ray to the apex misses them by more than this part of the side do not reach it; their paths are not
-  // measured. This is a filter for speed: what it passes is decided by the lengths of paths.
-  static constexpr double beside = 1e-9;
-  // Lengths that differ by less than this part of them are equal up to rounding. If a ray misses its window, the window
-  // reaches the apex only if the path that bends at its end is as long as the straight line.
-  static constexpr double tie = 2e-14;
-
   // Does the ray to the apex part it? If it is not the best there, it is of no use beyond the best one's ray [CH90].
   static bool is_split(const Crossing_window& i) { return i.crossing > i.window.from && i.crossing < i.window.to; }
 

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_FACE_SIDES_H
 
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
 #include <algorithm>
@@ -79,12 +80,11 @@ public:
   /* Computes the sides of a face. Is it so flat that rays can be lost in it? */
   bool compute(Input_halfedge_index h)
   {
-    constexpr double flat = 1e-10;
     bool is_flat = false;
     h = first_halfedge(h);
     for(const Face_side& side : computed(h)) {
       m_sides[h] = side;
-      is_flat = is_flat || !(side.y > flat * (side.length + std::abs(side.x)));
+      is_flat = is_flat || !(side.y > flat_face * (side.length + std::abs(side.x)));
       h = side.next;
     }
     return is_flat;
@@ -138,7 +138,7 @@ private:
     const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
     const double length = v[0].x, next = std::hypot(v[1].x, v[1].y), previous = std::hypot(v[2].x, v[2].y);
     // Light passes a face without area, too: from a vertex on its longest side into the face beyond.
-    const double height = (std::max)(v[1].y, 0x1p-60 * length), x = length + v[1].x, area = length * height;
+    const double height = (std::max)(v[1].y, least_face_height * length), x = length + v[1].x, area = length * height;
     const double xn = -length * v[1].x / next, xp = -(v[1].x * v[2].x + v[1].y * v[2].y) / previous;
     return {{{length, x, height, x / previous, height / previous, hn, input.tail(h)},
              {next, xn, area / next, xn / length, area / (next * length), hp, input.tail(hn)},

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_SOURCE_DIRECTIONS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 
 #include <cmath>
@@ -75,10 +76,6 @@ public:
   }
 
 private:
-  // How far the source can be from where it is laid out, as a part of the length of the path: more than the rounding
-  // errors of thousands of faces.
-  static constexpr double rounding = 1e-11;
-
   // Rays that come from the source through side h. Vectors are in the frame of h, which has the source below.
   struct Rays
   {
@@ -148,7 +145,7 @@ private:
   // Follows rays back to the source, over at most as many edges as there are windows.
   std::optional<First_face> first_face(Rays rays, Index root, double length)
   {
-    const double allowed = rounding * length;
+    const double allowed = unfolded_place_error * length;
     std::optional<First_face> result;
     m_passed.clear();
     for(std::size_t i = 0; i < m_propagation.number_of_windows() && !result; ++i) {

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_SOURCE_PART_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_SOURCE_PART_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Face_sides.h>
 #include <CGAL/Flip_geodesics/internal/field/Window.h>
 
@@ -85,7 +86,7 @@ struct Source_part
     const double length = std::abs(line);
     const std::complex<double> direction = line / length;
     const double down = std::abs(direction.real()); // the normal that leads below is (n, -down)
-    if(!(down > 1e-15))
+    if(!(down > perpendicular))
       return {0, 0, 0, 0, 0, null_index, 0, true, Window_state::WAITING};
     const double n = direction.real() > 0 ? direction.imag() : -direction.imag();
     const double a = p.real() + p.imag() * direction.imag() / direction.real(), b = a + length / direction.real();

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_VERTEX_FAN_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_VERTEX_FAN_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Face_sides.h>
 #include <CGAL/Flip_geodesics/internal/field/Window.h>
 
@@ -96,9 +97,6 @@ public:
   }
 
 private:
-  static constexpr double rounding = 1e-12; // of sums of angles, towards more windows
-  static constexpr double thin = 1e-12;
-
   // A face, counterclockwise of a halfedge that starts at the vertex.
   struct Fan_face
   {
@@ -121,7 +119,7 @@ private:
       shortest = (std::min)(shortest, length);
       longest = (std::max)(longest, length);
     }
-    return (std::max)(rounding, 2 * Window::place_error * (longest / shortest));
+    return (std::max)(angle_sum_rounding, 2 * Window::place_error * (longest / shortest));
   }
 
   // Up to the border, whose halfedge is returned, or all round.
@@ -145,11 +143,10 @@ private:
   // From there on, also over the border, beyond which all directions are open.
   void walk_clockwise(const Sides& sides, Input_halfedge_index start, double angle, Input_halfedge_index end)
   {
-    constexpr double far_away = 1e100;
     const auto& input = m_triangulation.input();
     m_fan.clear();
     for(Input_halfedge_index h = start;;) {
-      angle = input.is_border(twin_index(h)) ? -far_away : angle;
+      angle = input.is_border(twin_index(h)) ? -beyond_all_angles : angle;
       h = input.next(twin_index(h));
       if(h == end)
         return;
@@ -171,7 +168,7 @@ private:
       return;
     const Input_halfedge_index opposite = sides.known(h).next;
     const Face_side& f = sides.known(opposite);
-    const bool is_thin = f.y < thin * f.length; // where a ray meets the side says nothing of its direction then
+    const bool is_thin = f.y < thin_face * f.length; // where a ray meets the side says nothing of its direction then
     const double first = face.angle < least && !is_thin ? hit(f, least - face.angle) : 0;
     const double last = face.angle + face.corner > most && !is_thin ? hit(f, most - face.angle) : f.length;
     if(!(first < last))

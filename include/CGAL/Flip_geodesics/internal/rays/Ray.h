@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
@@ -189,9 +190,6 @@ private:
     double error;
   };
 
-  // Bounds the relative error of a quotient of vectors of a face and of the product with another, as in a strip.
-  static constexpr double ratio_error = 48 * std::numeric_limits<double>::epsilon();
-
   static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
   static double magnitude(const Vector& v) { return std::sqrt(std::norm(v)); }
   static Vector product(const Vector& u, const Vector& v)
@@ -255,7 +253,7 @@ private:
       const int before = (i + 2) % 3;
       const double b = w[(i + 1) % 3] / m_sum, c = w[before] / m_sum;
       m_corners[i] = {c * m_vectors[before] - b * m_vectors[i],
-                      ratio_error * (b * magnitude(m_vectors[i]) + c * magnitude(m_vectors[before]))};
+                      face_ratio_error * (b * magnitude(m_vectors[i]) + c * magnitude(m_vectors[before]))};
     }
     for(int i = 0; i < 3; ++i)
       m_entry[i] = w[i] / m_sum;
@@ -263,7 +261,7 @@ private:
     const double size =
         std::abs(m_direction[0]) * magnitude(m_vectors[0]) + std::abs(m_direction[1]) * magnitude(m_vectors[2]);
     m_unit = direction / magnitude(direction);
-    m_unit_error = ratio_error * (1 + size / magnitude(direction));
+    m_unit_error = face_ratio_error * (1 + size / magnitude(direction));
   }
 
   // Enters a face over the gate: from its left end to its right one, on to the apex, and back. The vectors are products
@@ -275,9 +273,9 @@ private:
     const double to_right = magnitude(m_vectors[1]), to_left = magnitude(m_vectors[2]);
     const bool is_near_right = to_right < to_left;
     const Vector apex = is_near_right ? m_right.position + m_vectors[1] : m_left.position - m_vectors[2];
-    const double turn_error = static_cast<double>(m_crossed.size() + 1) * ratio_error;
+    const double turn_error = static_cast<double>(m_crossed.size() + 1) * face_ratio_error;
     const double error = is_near_right ? m_right.error + turn_error * to_right : m_left.error + turn_error * to_left;
-    m_corners = {m_left, m_right, Corner{apex, error + ratio_error * magnitude(apex)}};
+    m_corners = {m_left, m_right, Corner{apex, error + face_ratio_error * magnitude(apex)}};
     m_apex = 2;
   }
 
@@ -312,7 +310,7 @@ private:
   {
     const Corner& apex = m_corners[2];
     const double sine = cross(m_unit, apex.position), distance = magnitude(apex.position);
-    const double bound = apex.error + (m_unit_error + 8 * std::numeric_limits<double>::epsilon()) * distance;
+    const double bound = apex.error + (m_unit_error + product_sum_error) * distance;
     if(std::abs(sine) > bound)
       return sine > 0 ? POSITIVE : NEGATIVE;
     return m_exact_side(m_triangulation, m_exact_faces, m_crossed, m_statistics);

@@ -176,7 +176,7 @@ private:
   // Is the change larger than what rounding makes of the length?
   bool is_visible(double change, Curve_index curve) const
   {
-    return std::abs(change) > visible_shortening * m_curves[curve].length;
+    return std::abs(change) > visible_length_change * m_curves[curve].length;
   }
 
   /*
@@ -189,7 +189,7 @@ private:
     constexpr std::size_t patience = 10000;
     Curve_state& state = m_curves[curve];
     ++state.steps_since_shortest;
-    if(state.length < state.shortest * (1 - visible_shortening)) {
+    if(state.length < state.shortest * (1 - visible_length_change)) {
       state.shortest = state.length;
       state.steps_since_shortest = 0;
     }

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SOUP_NEAR_POINTS_H
 
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <CGAL/number_utils.h>
 
@@ -66,7 +67,7 @@ public:
     : m_points(points)
     , m_box(points)
     , m_distance(distance)
-    , m_size((std::max)(cell_size * distance, m_box.longest_side * least_cell))
+    , m_size((std::max)(cell_size * distance, m_box.longest_side * least_cell_size))
   {
     for(std::size_t i = 0; i < points.size(); ++i)
       m_cells.emplace_back(cell(points[i]), i);
@@ -90,7 +91,6 @@ public:
 
 private:
   static constexpr double cell_size = 2; // a rounded quotient errs by less than the half
-  static constexpr double least_cell = 4 * std::numeric_limits<double>::epsilon(); // so that cells have exact numbers
 
   Soup_coordinates cell(const Soup_coordinates& p) const
   {

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_POINT_SIDE_H
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
@@ -37,7 +38,7 @@ inline Sign orientation_of_weights(const std::array<double, 3>& p, const std::ar
 {
   // A sum of six products of three, each with less than six roundings.
   const double quick = determinant_of_weights(p, q, r, -1.0), bound = determinant_of_weights(p, q, r, 1.0);
-  if(std::abs(quick) > 8 * std::numeric_limits<double>::epsilon() * bound)
+  if(std::abs(quick) > product_sum_error * bound)
     return quick > 0 ? POSITIVE : NEGATIVE;
   const Integer exact =
       determinant_of_weights<Integer>(integer_weights(p), integer_weights(q), integer_weights(r), Integer(-1));
@@ -107,12 +108,11 @@ private:
     double error = 0;
     for(int i = 0; i < 3; ++i) {
       position += w[i] / sum * corners[i].position;
-      error +=
-          w[i] / sum * (corners[i].error + 8 * std::numeric_limits<double>::epsilon() * std::abs(corners[i].position));
+      error += w[i] / sum * (corners[i].error + product_sum_error * std::abs(corners[i].position));
     }
     const double sine = std::imag(std::conj(strip.end()) * position);
     const double bound = (strip.length() + strip.end_error()) * error + strip.end_error() * std::abs(position) +
-                         8 * std::numeric_limits<double>::epsilon() * strip.length() * std::abs(position);
+                         product_sum_error * strip.length() * std::abs(position);
     if(!(std::abs(sine) > bound))
       return Uncertain<Sign>::indeterminate();
     return sine > 0 ? POSITIVE : NEGATIVE;

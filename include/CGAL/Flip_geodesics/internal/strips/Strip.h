@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
@@ -116,7 +117,7 @@ public:
   double length() const { return std::abs(m_end); }
 
   /* A bound of the error of arrival(), relative to its length: that of end(), and of the last face's turn. */
-  double arrival_error() const { return relative_error() + static_cast<double>(m_gates.size() + 3) * ratio_error; }
+  double arrival_error() const { return relative_error() + static_cast<double>(m_gates.size() + 3) * face_ratio_error; }
 
   /* A bound of the error of end(), relative to its length; infinite if that is all error. */
   double relative_error() const
@@ -161,10 +162,6 @@ public:
 
 private:
   using Face_vectors = std::array<Vector, 3>;
-
-  // Bounds the relative error of the quotient of two vectors of a face, and of the product with another: a layout's
-  // vector has 16 units of roundoff at most, from differences (2), dot or cross products (8), roots and quotients (3).
-  static constexpr double ratio_error = 48 * std::numeric_limits<double>::epsilon();
 
   static double cross(const Vector& u, const Vector& v)
   {
@@ -221,7 +218,7 @@ private:
     const Face_vectors face = first_face();
     const auto d = barycentric_difference(weights(word.tail, m_reference), weights(word.head, m_reference));
     m_end = unfused(d[1] * face[0]) - unfused(d[2] * face[2]);
-    m_error = ratio_error * (std::abs(d[1]) * std::abs(face[0]) + std::abs(d[2]) * std::abs(face[2]));
+    m_error = face_ratio_error * (std::abs(d[1]) * std::abs(face[0]) + std::abs(d[2]) * std::abs(face[2]));
   }
 
   Face_vectors first_face() const
@@ -239,8 +236,8 @@ private:
   {
     const Face_vectors f = first_face();
     if(!m_triangulation->is_inserted(word.tail)) {
-      const double error = ratio_error * std::abs(f[0]);
-      return {{{0, 0}, {f[0], error}, {f[0] + f[1], error + ratio_error * std::abs(f[1])}}};
+      const double error = face_ratio_error * std::abs(f[0]);
+      return {{{0, 0}, {f[0], error}, {f[0] + f[1], error + face_ratio_error * std::abs(f[1])}}};
     }
     const auto w = weights(word.tail, m_reference);
     const double sum = w[0] + w[1] + w[2];
@@ -248,7 +245,7 @@ private:
     for(int i = 0; i < 3; ++i) { // from the corner's two sides
       const double b = w[(i + 1) % 3] / sum, c = w[(i + 2) % 3] / sum;
       result[i].position = unfused(c * f[(i + 2) % 3]) - unfused(b * f[i]);
-      result[i].error = ratio_error * (b * std::abs(f[i]) + c * std::abs(f[(i + 2) % 3]));
+      result[i].error = face_ratio_error * (b * std::abs(f[i]) + c * std::abs(f[(i + 2) % 3]));
     }
     return result;
   }
@@ -277,10 +274,10 @@ private:
       const double to_right = magnitude(face[1]), to_left = magnitude(face[2]);
       const bool is_near_right = to_right < to_left;
       const Vector apex = is_near_right ? right + face[1] : left - face[2];
-      const double turn_error = static_cast<double>(i + 2) * ratio_error;
+      const double turn_error = static_cast<double>(i + 2) * face_ratio_error;
       const double apex_error =
           (is_near_right ? right_error + turn_error * to_right : left_error + turn_error * to_left) +
-          ratio_error * magnitude(apex);
+          face_ratio_error * magnitude(apex);
       if(i + 1 == crossed.size()) {
         m_last_corner = {apex, apex_error};
         if(m_triangulation->is_inserted(word.head))
@@ -315,7 +312,7 @@ private:
       m_end = gate.left + unfused(at_right * face[0]) - unfused(at_apex * face[2]);
       m_error = gate.left_error + turn_error * from_left;
     }
-    m_error += ratio_error * std::abs(m_end);
+    m_error += face_ratio_error * std::abs(m_end);
   }
 
   const Triangulation* m_triangulation;

@@ -158,9 +158,8 @@ private:
 
   bool has_no_area(Input_halfedge_index h) const
   {
-    constexpr double error = 64 * std::numeric_limits<double>::epsilon(); // of a layout, generously
     const auto face = input_face_geometry(m_triangulation, h);
-    if(face[1].y > error * std::abs(face[1].x))
+    if(face[1].y > flat_layout_error * std::abs(face[1].x))
       return false;
     return m_faces(h).doubled_area_squared == 0;
   }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
@@ -37,9 +38,6 @@ struct Wedge_angle
     return value < pi ? SMALLER : LARGER;
   }
 };
-
-/* Bounds the error of an input corner, and of a sum of few. */
-constexpr double input_corner_error = 100 * std::numeric_limits<double>::epsilon();
 
 /* The input corner at the head of input halfedge h, as a complex number, in a face that is known. */
 template <class Triangulation>
@@ -133,7 +131,7 @@ Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Ha
     const Strip<Triangulation> to = strip(h);
     const double next_direction = std::arg(to.end()), corner = direction - next_direction;
     sum += corner < -pi / 2 ? corner + 2 * pi : (corner > 3 * pi / 2 ? corner - 2 * pi : corner);
-    error += 16 * std::numeric_limits<double>::epsilon();
+    error += measured_angle_error;
     direction = next_direction;
     if(h == b) {
       error += to.relative_error();

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
@@ -42,7 +43,7 @@ Word_angle head_angle(const Triangulation& triangulation, const Strip<Triangulat
   if(strip.arrival_reference() == null_index)
     return tail_angle(Strip<Triangulation>(triangulation, word.reversed()));
   // The last face has been turned by a product of as many ratios as there are faces.
-  const double turn_error = 48 * std::numeric_limits<double>::epsilon() * static_cast<double>(word.crossed.size() + 3);
+  const double turn_error = face_ratio_error * static_cast<double>(word.crossed.size() + 3);
   return {strip.arrival_reference(), angle_from_reference(strip.arrival()), strip.relative_error() + turn_error};
 }
 

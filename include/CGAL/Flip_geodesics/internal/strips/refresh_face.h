@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_REFRESH_FACE_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/strips/Precise_wedge.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
@@ -61,7 +62,7 @@ std::optional<typename Traits::Face_geometry> laid_out_face(const Traits& traits
   const std::complex<double> vp = is_needle ? -third.value : -third.value * direction(face.at_tail.rotation);
   const double error =
       (std::max)({first.error, second.error + face.at_head.angle.error, third.error + face.at_tail.angle.error}) +
-      8 * std::numeric_limits<double>::epsilon();
+      product_sum_error;
   return traits.construct_face_2_object()({{{first.value, 0}, {vn.real(), vn.imag()}, {vp.real(), vp.imag()}}}, error);
 }
 

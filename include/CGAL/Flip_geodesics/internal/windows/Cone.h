@@ -3,6 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_CONE_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,7 +77,7 @@ public:
   double sigma(double place, double value) const
   {
     const double t = place / m_length, sag = (1 - t) * m_start + t * m_end - value;
-    if(!(sag > 1e-12 * m_length))
+    if(!(sag > cone_sag_rounding * m_length))
       return -std::numeric_limits<double>::infinity();
     // Stewart's theorem for the distances from the point to the three places. Squares of differences do not cancel.
     const double a = m_start - value, b = m_end - value;

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/Written_records.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_wave.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 #include <CGAL/Flip_geodesics/internal/windows/Goal_bound.h>
@@ -97,7 +98,7 @@ public:
   void run_from(const Vertices& sources, double bound, Interruption* interruption = nullptr)
   {
     m_bound = bound;
-    m_error = 0x1p-46 * bound;
+    m_error = cone_error * bound;
     m_total_error = 2 * static_cast<double>(m_triangulation.number_of_halfedges()) * m_error;
     for(const Vertex_index v : sources)
       reach(v, 0, 0);
@@ -110,7 +111,7 @@ public:
   }
 
   /* Is not all of what was found lost to errors that had to be allowed, for it to come to an end? */
-  bool is_useful() const { return m_total_error <= largest_error * m_bound; }
+  bool is_useful() const { return m_total_error <= largest_cone_error * m_bound; }
 
   Vertex_index source() const { return m_source; }
   double bound() const { return m_bound; }
@@ -156,7 +157,6 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double largest_error = 1e-2; // of the bound, above which other bounds are better
 
   // By which paths come to a side of a face: over the side before it, over the side after it, or by way of the apex.
   enum class Entrance : char { BEFORE, AFTER, APEX };

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_EDGE_CONES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_EDGE_CONES_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone.h>
 
 #include <algorithm>
@@ -166,7 +167,7 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
   }
   sigma = (std::max)(sigma, least);
   // Where it touches a part in the middle, it may be a little too high beside that place: a little more, then.
-  for(double more = 3e-3; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
+  for(double more = least_cone_lift; more < 1 && sigma < cones.largest_sigma(); more *= 4) {
     const Cone cone = cones(sigma);
     const double lower = sigma_below(cone, cones, parts, error);
     if(!(lower > sigma))
@@ -179,7 +180,6 @@ inline Cone fitted_cone(const Place_and_value& start, const Place_and_value& end
 /* One cone, if it is not much below the parts where what lights the two ends meets; otherwise two that meet there. */
 inline Edge_cones fitted_cones(const Lit_parts& parts, double length, double error)
 {
-  constexpr double least_sag = 3e-2; // of the edge's length; below it a second cone costs more than it saves
   Edge_cones result;
   result.first = parts.part[0].cone;
   if(parts.size == 1)
@@ -195,7 +195,7 @@ inline Edge_cones fitted_cones(const Lit_parts& parts, double length, double err
   const double there = second(place) - first(place);
   place = there > 0 ? place + (length - place) * there / (there + after) : place * before / (before - there);
   const Place_and_value middle = {place, parts.least_at(place).value};
-  if(!(middle.value - result.first(place) > least_sag * length))
+  if(!(middle.value - result.first(place) > least_cone_sag * length))
     return result;
   return {fitted_cone(start, middle, parts, error), fitted_cone(middle, end, parts, error), place};
 }

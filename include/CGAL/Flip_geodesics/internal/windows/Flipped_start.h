@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>
@@ -65,7 +66,6 @@ inline void count_before(Shortening_report& shortening, const Shortening_report&
 template <class Triangulation>
 bool has_flat_face(const Triangulation& triangulation)
 {
-  constexpr double error = 1e-12; // relative
   const auto& input = triangulation.input();
   const auto length = [&](Input_halfedge_index h) { return triangulation.metric().weight(input, h); };
   const auto all = descriptors<Input_halfedge_index>(input.number_of_halfedges());
@@ -73,7 +73,7 @@ bool has_flat_face(const Triangulation& triangulation)
     if(input.is_border(h))
       return false;
     const Input_halfedge_index hn = input.next(h);
-    return length(h) >= (length(hn) + length(input.next(hn))) * (1 - error);
+    return length(h) >= (length(hn) + length(input.next(hn))) * (1 - length_sum_rounding);
   });
 }
 

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LANDMARK_CHOICE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 
@@ -51,7 +52,7 @@ public:
   const std::vector<Vertex_index>& order() const { return m_order; }
 
   /* No two vertices of a component are farther apart along edges. */
-  double largest_distance() const { return 2 * m_radius * (1 + 0x1p-20); }
+  double largest_distance() const { return 2 * m_radius * (1 + landmark_radius_rounding); }
 
   /* So many sets, or less if no component has as many vertices: each vertex is the farthest from those before. */
   template <class Search>

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LIGHT_THROUGH_SIDE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LIGHT_THROUGH_SIDE_H
 
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ public:
       const bool is_alone = is_first && seen(m_cones.second).y < -m_error && cone.y >= -m_error;
       const double lit = lit_length(cone, is_first ? m_cones.split : m_side_length, length);
       const double to = is_alone ? length : lit;
-      const double from = i == 0 ? 0 : (std::min)(lit_length(cone, m_cones.split, length) - 1e-5 * length, end);
+      const double from = i == 0 ? 0 : (std::min)(lit_length(cone, m_cones.split, length) - cone_overlap * length, end);
       cone.y = std::abs(cone.y); // what lies below the edge sends nothing up, up to rounding
       const Cone turned = is_mirrored ? Cone{length - cone.x, cone.y, cone.sigma} : cone;
       if(is_mirrored)
@@ -75,7 +76,7 @@ private:
     if(!(fall > 8 * m_error))
       return length;
     const double end = past.real() + (past.real() - cone.x) * (past.imag() / fall);
-    const double enlargement = 1e-6 + 8 * m_error / fall; // of the edge
+    const double enlargement = cone_enlargement + 8 * m_error / fall; // of the edge
     return (std::min)((std::max)(end, 0.0) + enlargement * length, length);
   }
 
