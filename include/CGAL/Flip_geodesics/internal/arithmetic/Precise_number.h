@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_PRECISE_NUMBER_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <cmath>
 
@@ -108,7 +109,7 @@ struct Number_rounding;
 template <>
 struct Number_rounding<double>
 {
-  static constexpr double unit = 0x1p-53; // bounds the relative error of a rounding
+  static constexpr double unit = unit_roundoff;
   static double nearest(double number) { return number; }
   static double below(double number) { return number; }
 };
@@ -117,7 +118,7 @@ template <>
 struct Number_rounding<Precise_number>
 {
   // Bounds the relative errors of sides of faces (`Precise_face_traits`), and 32 operations as well.
-  static constexpr double unit = 0x1p-97;
+  static constexpr double unit = precise_direction_error;
   static double nearest(const Precise_number& number) { return number.nearest(); }
 
   /* A double that is not larger. */
