@@ -14,10 +14,7 @@ import sys
 from pathlib import Path
 
 TOLERANCES = 'internal/base/tolerances.h'
-EXEMPT = ('internal/field/Edge_windows.h', 'internal/field/Field_query.h', 'internal/field/Window.h',
-          'internal/windows/Ray_window.h', 'internal/windows/Shortest_tree_repair.h',
-          'internal/windows/Unfolded_faces.h', 'internal/windows/Window_search.h', 'Geodesic_distance_field.h',
-          'shortest_path.h')
+EXEMPT = ()
 
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
 LITERAL = re.compile(r'(?<![\w.])(?:0[xX][\da-fA-F.]+[pP][-+]?\d+|(?:\d+\.?\d*|\.\d+)[eE][-+]?\d+|0?\.00\d*[1-9]\d*)|'

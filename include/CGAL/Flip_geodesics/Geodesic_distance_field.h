@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
@@ -410,10 +411,9 @@ private:
       throw Invalid_coordinate_error("the offset of a source is " + number.str() + ", not a number of at least 0");
     if(offset == 0 || h == null_index)
       return;
-    constexpr double most_sides = 1e10;
     const bool is_border = m_triangulation.input().is_border(h);
     const internal::Face_side side = m_propagation.sides().copy(is_border ? internal::twin_index(h) : h);
-    if(offset > most_sides * (side.length + std::abs(side.x) + side.y))
+    if(offset > internal::greatest_offset * (side.length + std::abs(side.x) + side.y))
       throw Invalid_coordinate_error("the offset of a source is " + number.str() +
                                      ", so much longer than the sides of its face that roundings hide them");
   }

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>
@@ -50,7 +51,7 @@ public:
   std::size_t operator()(std::size_t number_of_vertices) const
   {
     const double n = static_cast<double>(number_of_vertices);
-    return m_windows.value_or(static_cast<std::size_t>(1e6 + 500 * n + 2 * n * std::sqrt(n)));
+    return m_windows.value_or(static_cast<std::size_t>(1000000 + 500 * n + 2 * n * std::sqrt(n)));
   }
 
 private:
@@ -202,8 +203,9 @@ template <class Triangulation>
 double lower_bound_in_space(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
 {
   const auto& metric = triangulation.metric();
-  return (1 - 0x1p-48) * metric.distance_lower_bound(metric.place(triangulation.input(), source),
-                                                     metric.place(triangulation.input(), target));
+  return (1 - internal::space_bound_rounding) *
+         metric.distance_lower_bound(metric.place(triangulation.input(), source),
+                                     metric.place(triangulation.input(), target));
 }
 
 inline bool is_stopped_by_visitor(const Shortest_path_report& report)

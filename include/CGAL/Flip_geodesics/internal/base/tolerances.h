@@ -319,6 +319,50 @@ inline constexpr double beyond_all_angles = 1e100;
  * than by rounding errors of the line's direction: 9 u. */
 inline constexpr double perpendicular = 1e-15;
 
+/* The offset of a source, relative to the sides of its face, above which rounding errors of distances exceed 10^-6 of
+ * a side and hide the place of the source in its face. A larger offset is refused with an exception. */
+inline constexpr double greatest_offset = 1e10;
+
+/* Rays of two windows over the same part of an edge are the same if their cosines with the edge differ by less: 10^5
+ * u. Cosines of rays that graze the edge differ by the square of the angle between them only, so that such rays are
+ * mistaken for the same up to some 10^-6 radians; one window is dropped then, and distances behind it are too long by
+ * up to the square of that angle, as a part of the path. */
+inline constexpr double parallel_rays = 1e-11;
+
+/* The error of positions on an edge, relative to the size of the frame of a window: eight operations per face, through
+ * sixteen faces. In a longer strip of such faces the path is longer as well. */
+inline constexpr double window_place_error = rounding_errors(8 * 16);
+
+/* A point of a face so close to the edge through which its path comes, relative to the edge, that the direction of the
+ * path is that of the ray and not that of the difference of two places, which has fewer than ten digits there. */
+inline constexpr double near_edge_of_face = 1e-6;
+
+/* The lengths of a path by a window and of one by way of a vertex, as a query computes them, count as equal if they
+ * differ by less: 900 u, as the second is a sum of lengths. */
+inline constexpr double equal_query_paths = 1e-13;
+
+/* Radians between the ends of two paths of one length that may be one path, found twice. Affects what is reported of
+ * ties only. */
+inline constexpr double same_path_angle = 1e-6;
+
+/* The difference of the lengths of two paths, relative to them, within which they tie: 2^11 u, for paths of some
+ * hundred steps. Affects what is reported of ties only. */
+inline constexpr double path_tie = rounding_errors(1 << 11);
+
+/* The sine of an angle around a vertex that counts as 2 pi, so that paths may pass the vertex: more windows, never
+ * fewer. */
+inline constexpr double full_turn_tolerance = 1e-9;
+
+/* Radians, and parts of the length of a line, by which the line may pass a vertex and still be taken to go through it,
+ * while it is traced in a triangulation whose lengths have drifted. A line that gets lost is left to another method. */
+inline constexpr double straight_leg = 1e-9;
+
+/* Radians by which directions in such a triangulation may be off before the direction is measured from the input. */
+inline constexpr double spoke_drift = 1e-6;
+
+/* A lower bound of a distance on the surface by one in space between points of a metric: fewer than 32 roundings. */
+inline constexpr double space_bound_rounding = rounding_errors(32);
+
 /* The error of the lower bound that a cone gives, per face that a path crosses, relative to the longest path of
  * interest: 2^7 u, for about as many operations. It is taken off every bound that is returned. */
 inline constexpr double cone_error = rounding_errors(1 << 7);

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_EDGE_WINDOWS_H
 
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Window.h>
 
 #include <CGAL/Iterator_range.h>
@@ -120,11 +121,6 @@ public:
   }
 
 private:
-  // Ways that differ by less count as equal, as a part of their length.
-  static constexpr double tie = 2e-14;
-  // Rays whose cosines with the edge differ by less count as the same.
-  static constexpr double parallel = 1e-11;
-
   struct Interval
   {
     double from, to;
@@ -134,7 +130,7 @@ private:
   void compete(const Window& old, const Window& w)
   {
     const double l = (std::max)(w.from, old.from), r = (std::min)(w.to, old.to);
-    const double at_l = w.distance(l), at_r = w.distance(r), equal = tie * (std::max)(at_l, at_r);
+    const double at_l = w.distance(l), at_r = w.distance(r), equal = equal_paths * (std::max)(at_l, at_r);
     const double dl = at_l - old.distance(l), dr = at_r - old.distance(r);
     m_old_lost.clear();
     // The difference is monotone but where a ray of both crosses the edge.
@@ -155,7 +151,7 @@ private:
   void settle(const Window& old, const Window& w, const Interval& at, double dl, double dr, double equal)
   {
     if((std::max)(dl, dr) <= equal && (std::min)(dl, dr) >= -equal) {
-      if(std::abs(w.slope(at.from) - old.slope(at.from)) + std::abs(w.slope(at.to) - old.slope(at.to)) < parallel)
+      if(std::abs(w.slope(at.from) - old.slope(at.from)) + std::abs(w.slope(at.to) - old.slope(at.to)) < parallel_rays)
         (w.to - w.from > old.to - old.from ? m_old_lost : m_lost).push_back(at);
       return;
     }

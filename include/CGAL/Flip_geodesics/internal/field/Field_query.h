@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 
 #include <algorithm>
@@ -131,8 +132,8 @@ public:
   {
     const Face_side f = m_propagation.sides().copy(h);
     const Vector line = position(f, weights) - position(f, from(a, h, weights));
-    if(a.through == null_index || std::abs(line) > near_edge * f.length)
-      return std::abs(line) > rounding * (f.length + std::abs(f.x) + f.y) ? line / std::abs(line) : Vector(0);
+    if(a.through == null_index || std::abs(line) > near_edge_of_face * f.length)
+      return std::abs(line) > zero_weight * (f.length + std::abs(f.x) + f.y) ? line / std::abs(line) : Vector(0);
     // On the edge through which the path comes: the direction of the ray, turned into the frame of h.
     const Window& w = a.window;
     const Vector ray = w.is_far ? Vector(-w.x, w.y) : Vector(a.crossing - w.x, w.y);
@@ -193,11 +194,6 @@ public:
   }
 
 private:
-  static constexpr double near_edge = 1e-6;    // points as close to the edge are told from by the ray
-  static constexpr double rounding = 1e-15;    // of places, as a part of the face
-  static constexpr double tie = 1e-13;         // ways that differ by less count as equal, as a part of their length
-  static constexpr double same_length = 1e-12; // ways whose sources may be confused by rounding
-
   /*
    * Does a path come nearer to its source? Between two distances that differ visibly it passes what is closer together
    * than roundings: that is each edge, from both sides, and each vertex once at most. In a circle no distance becomes
@@ -286,7 +282,7 @@ private:
   Surface_point surface_point_in_face(Input_halfedge_index h, Face_weights weights) const
   {
     for(double& weight : weights)
-      weight = weight < 1e-15 ? 0 : weight;
+      weight = weight < zero_weight ? 0 : weight;
     return surface_point(m_triangulation, Surface_location{h, weights});
   }
 
@@ -297,7 +293,7 @@ private:
     if(result.root == null_index || source(result) == wanted)
       return result;
     const Arrival other = arrival(h, weights, true, [&](Index root) { return m_propagation.source(root) == wanted; });
-    return other.distance <= result.distance * (1 + same_length) ? other : result;
+    return other.distance <= result.distance * (1 + length_sum_rounding) ? other : result;
   }
 
   // How the shortest path arrives at a point, of those from roots that are wanted. One on side h may come from beyond; else,
@@ -315,7 +311,7 @@ private:
       h = f.next;
       weights = rotated(weights);
     }
-    return corner.distance <= best.distance * (is_from_behind ? 1 + tie : 1) ? corner : best;
+    return corner.distance <= best.distance * (is_from_behind ? 1 + equal_query_paths : 1) ? corner : best;
   }
 
   // How the shortest path arrives at a vertex; `through` is null if along an edge.

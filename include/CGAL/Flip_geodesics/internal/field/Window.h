@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ struct Window
 
   /* Bounds the rounding errors of positions on an edge relative to the size of the frame: eight operations per face
    * that round to 2^-53, through sixteen faces. In a longer strip of such faces the path is longer as well. */
-  static constexpr double place_error = 0x1p-46;
+  static constexpr double place_error = window_place_error;
 
   /* The bound in the frame of an edge of a given length. */
   double error(double length) const { return place_error * (length + weight() * (std::abs(x) + y)); }
@@ -85,8 +86,7 @@ struct Window
   /* Takes off the part that is nearer to the start of the edge, along the edge, if that is so far itself. */
   void trim(double to_start)
   {
-    constexpr double tie = 2e-14; // towards more windows
-    const double more = to_start * (1 + tie) - sigma;
+    const double more = to_start * (1 + equal_paths) - sigma; // towards more windows
     if(!(distance(from) - sigma > from + more))
       return;
     if(distance(to) - sigma > to + more) {

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
@@ -203,21 +204,20 @@ private:
    */
   std::vector<Halfedge_index> traced(Vertex_index v, const Last_leg& leg)
   {
-    constexpr double straight = 1e-9; // in radians
     const Vertex_directions<Triangulation> directions = directions_of(leg, v);
     const double direction = directions.of_input(leg.halfedge) + leg.angle, length = leg.length;
     double offset = 0;
     const Halfedge_index spoke = last_spoke_before(directions, leg, direction, offset);
     if(spoke == null_index)
       return {};
-    if(offset <= straight)
+    if(offset <= straight_leg)
       return {spoke};
     if(m_triangulation.is_border(spoke))
       return {};
     // In the frame of the line.
     std::array<Vector, 3> face = face_along(spoke, std::polar(m_triangulation.length(spoke), -offset));
     Vector right = face[0], left = -face[2], gate = -face[1];
-    if(std::abs(std::arg(left)) <= straight)
+    if(std::abs(std::arg(left)) <= straight_leg)
       return {Triangulation::twin(m_triangulation.previous(spoke))};
     std::vector<Halfedge_index> crossed = {m_triangulation.next(spoke)};
     while(!is_in_tree(crossed.back()) && crossed.size() < most_crossings) {
@@ -227,7 +227,7 @@ private:
       face = face_along(entered, gate);
       const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
       const Vertex_index w = m_triangulation.tail(m_triangulation.previous(entered));
-      const bool is_end = w == leg.from && std::abs(apex - length) <= straight * length;
+      const bool is_end = w == leg.from && std::abs(apex - length) <= straight_leg * length;
       if(is_end || is_passed(apex, length))
         return left_side_of_strip(m_triangulation, crossed);
       const bool is_leaving_right = apex.imag() > 0;
@@ -253,9 +253,8 @@ private:
   // Does a line along the x-axis from 0 to `length` pass this point, up to angles that count as none?
   static bool is_passed(const Vector& p, double length)
   {
-    constexpr double straight = 1e-9;
     const double x = p.real(), beyond = length - x;
-    return x > 0 && beyond > 0 && std::abs(p.imag()) <= straight * (std::min)(x, beyond);
+    return x > 0 && beyond > 0 && std::abs(p.imag()) <= straight_leg * (std::min)(x, beyond);
   }
 
   bool is_in_tree(Halfedge_index h) const
@@ -271,20 +270,19 @@ private:
   Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, const Last_leg& leg,
                                    double direction, double& offset) const
   {
-    constexpr double rounding = 1e-9, drift = 1e-6;
     const std::vector<Halfedge_index> around = spokes_beside(m_triangulation, leg.halfedge);
     const std::vector<double> angles = estimated_directions(around, directions);
     std::size_t best = around.size();
     for(std::size_t i = 0; i < around.size(); ++i) {
-      const double angle = behind(angles[i], direction, directions, drift);
+      const double angle = behind(angles[i], direction, directions, spoke_drift);
       if(best == around.size() || angle < offset) {
         best = i;
         offset = angle;
       }
     }
     for(int tries = 0; best < around.size() && tries < 2; ++tries) {
-      offset = behind(directions(around[best]), direction, directions, drift);
-      if(offset >= -rounding)
+      offset = behind(directions(around[best]), direction, directions, spoke_drift);
+      if(offset >= -straight_leg)
         return offset < infinity ? around[best] : null_index;
       best = best + 1 == around.size() && !directions.has_border() ? 0 : best + 1; // clockwise
     }

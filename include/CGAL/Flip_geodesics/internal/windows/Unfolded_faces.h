@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
 #include <algorithm>
@@ -154,7 +155,7 @@ private:
     const Vector a(vectors[0].x, vectors[0].y), b(vectors[1].x, vectors[1].y), c(vectors[2].x, vectors[2].y);
     const double la = a.real(), lb = std::sqrt(std::norm(b)), lc = std::sqrt(std::norm(c));
     // Of a face without area, too, each angle is turned by, and light passes it.
-    const double height = (std::max)(b.imag(), 0x1p-60 * la);
+    const double height = (std::max)(b.imag(), least_face_height * la);
     add({la, -c.real() / lc, height / lc, h, input.tail(h)});
     add({lb, -b.real() / lb, height / lb, hn, input.tail(hn)});
     // The sine of a small angle would not survive a product of the vectors.
@@ -175,7 +176,6 @@ private:
   // Turns by the angles, and counts the half turns.
   Shape compute_shape(Vertex_index v)
   {
-    constexpr double tolerance = 1e-9; // of an angle that counts as 2 pi
     const auto& input = m_triangulation.input();
     const Input_halfedge_index first = input.outgoing(v);
     Vector direction(1, 0);
@@ -190,7 +190,7 @@ private:
       half_turns += was_left == (direction.imag() >= 0) ? 0 : 1;
       h = twin_index((*this)[previous(s)].halfedge);
     } while(h != first);
-    if(direction.real() > 0 && std::abs(direction.imag()) < tolerance && (half_turns == 1 || half_turns == 2))
+    if(direction.real() > 0 && std::abs(direction.imag()) < full_turn_tolerance && (half_turns == 1 || half_turns == 2))
       return FLAT;
     return half_turns < 2 ? CONVEX : OTHER;
   }

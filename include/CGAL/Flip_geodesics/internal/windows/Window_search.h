@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/Written_records.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/windows/Ray_window.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
@@ -177,9 +178,9 @@ private:
   static constexpr bool is_in_double = std::is_same<Number, double>::value;
   static constexpr double step_error = 16 * Rounding::unit; // of a step to a face, in parts of the lengths in it
   static constexpr double evaluation_error = Window::evaluation_error;
-  static constexpr double row_allowance = 32;      // of errors, at vertices that can be in a row
-  static constexpr double same_way = 1e-6;         // angle between the ends of paths that are one
-  static constexpr double tie_tolerance = 0x1p-42; // of the length of a path, within which another one ties
+  static constexpr double row_allowance = 32;         // of errors, at vertices that can be in a row
+  static constexpr double same_way = same_path_angle; // angle between the ends of paths that are one
+  static constexpr double tie_tolerance = path_tie;   // of the length of a path, within which another one ties
 
   // The window that has the shortest way to the apex, of those that enter a face through one edge [CH90].
   struct Split
