@@ -9,20 +9,25 @@
  * before.
  *
  * `flip_to_delaunay()`, `refine()` and `Geodesic_tree::grow()` take a visitor as well, and call the first two members;
- * `refine()` takes a `RefinementVisitor`.
+ * `refine()` takes a `RefinementVisitor`. `Geodesic_distance_field::compute()`, `Geodesic_logarithm`,
+ * `make_shortest()` and `shortest_paths_by_class()` call only the first one. `geodesic_distances()` and
+ * `polar_coordinates()` do so too, unless they grow a tree. Each of these functions has a status for a computation that
+ * is stopped; nothing is confirmed then, no output is written, and objects remain usable.
  *
  * \cgalHasModelsBegin
  * \cgalHasModels{CGAL::Flip_geodesics::Default_shortening_visitor}
  * \cgalHasModelsEnd
  *
  * \sa `CGAL::Flip_geodesics::shorten()`
+ * \sa `CGAL::Flip_geodesics::shortest_paths_by_class()`
+ * \sa `CGAL::Flip_geodesics::Geodesic_distance_field`
  */
 class FlipOutVisitor
 {
 public:
   /// Called before each step. If it returns `false`, then the shortening ends, and the curves that could still be
   /// shortened have the status `Shortening_status::STOPPED_BY_VISITOR`. `geodesic_paths()` calls it before each pair of
-  /// vertices as well, and the search of `shortest_path()` at regular intervals.
+  /// vertices as well, and searches and distance fields at regular intervals.
   bool go_further();
 
   /// Called after the edge of halfedge `h` was flipped, before the step moves its curve. There is no call for flips

@@ -4,11 +4,13 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_DISTANCE_FIELD_H
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/field/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
@@ -46,11 +48,30 @@ enum class Distance_field_extent {
 /// \ingroup PkgFlipGeodesicsDistances
 /// Why the computation of a distance field ended.
 enum class Distance_field_status {
-  COMPLETE,            ///< all distances are known
-  RADIUS_REACHED,      ///< those up to the radius
-  TARGETS_REACHED,     ///< those of the targets
-  WINDOW_LIMIT_REACHED ///< those up to `Geodesic_distance_field::reach()`; also if faces without area lead rays round
+  COMPLETE,             ///< all distances are known
+  RADIUS_REACHED,       ///< those up to the radius
+  TARGETS_REACHED,      ///< those of the targets
+  WINDOW_LIMIT_REACHED, ///< those up to `Geodesic_distance_field::reach()`; also if faces without area lead rays round
+  STOPPED_BY_VISITOR ///< those up to `Geodesic_distance_field::reach()`; the visitor's `go_further()` returned `false`
 };
+
+/// The name of a status, as the enumerator is spelled.
+inline const char* to_string(Distance_field_status status)
+{
+  switch(status) {
+  case Distance_field_status::COMPLETE:
+    return "COMPLETE";
+  case Distance_field_status::RADIUS_REACHED:
+    return "RADIUS_REACHED";
+  case Distance_field_status::TARGETS_REACHED:
+    return "TARGETS_REACHED";
+  case Distance_field_status::WINDOW_LIMIT_REACHED:
+    return "WINDOW_LIMIT_REACHED";
+  case Distance_field_status::STOPPED_BY_VISITOR:
+    return "STOPPED_BY_VISITOR";
+  }
+  return "";
+}
 
 /// \ingroup PkgFlipGeodesicsDistances
 /// How far a distance field is to be computed.
@@ -216,9 +237,13 @@ public:
 
   /*!
    * Computes the field as far as the limits ask for. It can be called again, with other limits, to go on; after it has
-   * thrown, too: what was known still is.
+   * thrown or was stopped, too: what was known still is.
    *
    * \tparam ConcurrencyTag `CGAL::Sequential_tag`, or `CGAL::Parallel_tag` where TBB is linked; the results are the same
+   *
+   * \param limits how far the field is computed
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from the
+   *        calling thread. If it returns `false`, then the status is `Distance_field_status::STOPPED_BY_VISITOR`
    *
    * Complexity: linear in the windows, and in the edges of the front a round. On \f$n\f$ faces of smooth meshes there are
    * 10 to 25 windows a face up to some ten thousand faces, growing like \f$\sqrt{n}\f$; \f$O(n^2)\f$ in all at worst.
@@ -228,8 +253,9 @@ public:
    * \throws Invalid_parameter_error if the radius is negative or not a number
    * \pre `EVERYWHERE` if there are targets inside faces or on edges
    */
-  template <class ConcurrencyTag = Sequential_tag>
-  Distance_field_report compute(const Distance_field_limits& limits = Distance_field_limits())
+  template <class ConcurrencyTag = Sequential_tag, class Visitor = Default_shortening_visitor>
+  Distance_field_report compute(const Distance_field_limits& limits = Distance_field_limits(),
+                                Visitor&& visitor = Visitor())
   {
     if(!(limits.radius >= 0)) {
       std::ostringstream number;
@@ -242,15 +268,17 @@ public:
     const std::size_t between_looks = 200 * limits.targets.size();
     m_parts_by_face = internal::parts_by_face(m_triangulation.input(), m_propagation.parts());
     const std::size_t most = limits.windows(static_cast<std::size_t>(m_triangulation.input().number_of_vertices()));
+    internal::Interruption interruption(visitor);
     Distance_field_report report;
     for(;;) {
       const double wanted = (std::min)(limits.radius, farthest(limits.targets));
       const double bound = wanted < infinity ? std::nextafter(wanted, infinity) : infinity;
       const std::size_t next_look = m_propagation.number_of_windows() + between_looks;
-      m_propagation.template run<ConcurrencyTag>(bound, limits.targets.empty() ? most : (std::min)(most, next_look));
+      m_propagation.template run<ConcurrencyTag>(bound, limits.targets.empty() ? most : (std::min)(most, next_look),
+                                                 &interruption);
       m_reach = m_propagation.reach();
-      if(m_reach == infinity || m_reach >= bound || m_propagation.is_given_up(most)) {
-        report.status = status_at(limits, bound);
+      if(m_reach == infinity || m_reach >= bound || m_propagation.is_given_up(most) || interruption.has_occurred()) {
+        report.status = status_at(limits, bound, interruption);
         break;
       }
     }
@@ -464,12 +492,14 @@ private:
     return result;
   }
 
-  Distance_field_status status_at(const Distance_field_limits& limits, double bound) const
+  Distance_field_status status_at(const Distance_field_limits& limits, double bound,
+                                  const internal::Interruption& interruption) const
   {
     if(m_reach == std::numeric_limits<double>::infinity())
       return Distance_field_status::COMPLETE;
     if(m_reach < bound)
-      return Distance_field_status::WINDOW_LIMIT_REACHED;
+      return interruption.has_occurred() ? Distance_field_status::STOPPED_BY_VISITOR
+                                         : Distance_field_status::WINDOW_LIMIT_REACHED;
     return bound > limits.radius ? Distance_field_status::RADIUS_REACHED : Distance_field_status::TARGETS_REACHED;
   }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
@@ -62,14 +63,17 @@ public:
    * \param mesh the mesh
    * \param source any location
    * \param limits how far the map is wanted
+   * \param visitor as for `Geodesic_distance_field::compute()`, which it can stop; then `report()` has the status
+   *        `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known as far as `distance_field().reach()`
    *
    * Complexity: that of `Geodesic_distance_field::compute()`.
    *
    * \throws Invalid_location_error for a source that is none
    * \throws what `Geodesic_distance_field::compute()` throws
    */
+  template <class Visitor = Default_shortening_visitor>
   Geodesic_logarithm(const Triangulation& triangulation, const Triangle_mesh& mesh, const Surface_location& source,
-                     const Distance_field_limits& limits = Distance_field_limits())
+                     const Distance_field_limits& limits = Distance_field_limits(), Visitor&& visitor = Visitor())
     : m_triangulation(triangulation)
     , m_place(internal::canonical_location(triangulation.input(), source))
     , m_frame(triangulation, m_place)
@@ -77,7 +81,7 @@ public:
     , m_field(triangulation, mesh)
   {
     m_field.add_source(source);
-    m_report = m_field.compute(limits);
+    m_report = m_field.compute(limits, visitor);
   }
 
   /// The halfedge from which angles are told: that of the source's location, or its twin if that is on the border.

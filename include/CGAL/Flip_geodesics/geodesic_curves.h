@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
@@ -127,8 +128,7 @@ Shortening_report shorten_from_start(Network& network, const std::vector<Halfedg
                                      const StopPredicate& stop, Visitor& visitor)
 {
   std::size_t flips = 0;
-  if constexpr(std::is_same<Visitor, Default_shortening_visitor>::value &&
-               std::is_same<StopPredicate, Never_stop_predicate>::value)
+  if constexpr(!observes_steps<Visitor> && std::is_same<StopPredicate, Never_stop_predicate>::value)
     flips = add_straightened_path(network, path);
   else
     network.add_curve(path, false);

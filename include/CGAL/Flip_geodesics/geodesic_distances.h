@@ -120,12 +120,19 @@ namespace internal {
 template <class Value>
 using Computed_values = Computed_output<Value, Shortest_tree_report>;
 
-/* Writes values that are final into a property map of the mesh. */
+inline bool is_stopped_by_visitor(const Shortest_tree_report& report)
+{
+  return report.status == Shortening_status::STOPPED_BY_VISITOR;
+}
+
+/* Writes values into a property map of the mesh, unless the visitor has stopped the computation of them. */
 template <class TriangleMesh, class Value, class VertexMap>
-void write_values(const TriangleMesh& mesh, const std::vector<Value>& values, VertexMap map)
+void write_values(const TriangleMesh& mesh, const Computed_values<Value>& computed, VertexMap map)
 {
   static_assert(is_property_map<VertexMap>());
-  auto value = values.begin();
+  if(is_stopped_by_visitor(computed.report))
+    return;
+  auto value = computed.values.begin();
   for(const auto v : vertices(mesh))
     put(map, v, *value++);
 }
@@ -145,13 +152,17 @@ struct Value_collector
 };
 
 /* Grows the tree of shortest paths from a vertex, and writes what `write(tree, map)` takes from it. */
-template <class Value, class Triangulation, class Write>
+template <class Value, class Triangulation, class Visitor, class Write>
 Computed_values<Value> make_shortest_tree(Triangulation& triangulation, Vertex_index source, const Window_limit& limit,
-                                          const Write& write)
+                                          Visitor& visitor, const Write& write)
 {
   Geodesic_tree<Triangulation> tree(triangulation);
-  tree.grow(source);
-  Computed_values<Value> result = {{}, make_shortest(tree, limit)};
+  Computed_values<Value> result;
+  result.report.status = tree.grow(source, std::numeric_limits<double>::infinity(), visitor).status;
+  if(!is_stopped_by_visitor(result.report))
+    result.report = make_shortest(tree, limit, visitor);
+  if(is_stopped_by_visitor(result.report))
+    return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
     throw Degenerate_face_error("paths lead through vertices that faces without area fold onto one place", {});
   write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});
@@ -178,17 +189,19 @@ std::vector<Vertex_index> source_indices(const Triangulation& triangulation, con
 }
 
 /* Computes a field from vertices, and returns what is known of the distances. */
-template <class Triangulation>
+template <class Triangulation, class Visitor>
 Shortest_tree_report compute_from_vertices(Geodesic_distance_field<Triangulation>& field,
                                            const Triangulation& triangulation, const std::vector<Vertex_index>& sources,
-                                           const Window_limit& limit)
+                                           const Window_limit& limit, Visitor& visitor)
 {
   for(Vertex_index source : sources)
     field.add_source(source);
   Distance_field_limits limits;
   limits.windows = limit;
-  const Distance_field_report computed = field.compute(limits);
+  const Distance_field_report computed = field.compute(limits, visitor);
   Shortest_tree_report report;
+  if(computed.status == Distance_field_status::STOPPED_BY_VISITOR)
+    report.status = Shortening_status::STOPPED_BY_VISITOR;
   report.windows = computed.windows;
   report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face;
   for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) { // but sources
@@ -199,14 +212,15 @@ Shortest_tree_report compute_from_vertices(Geodesic_distance_field<Triangulation
 }
 
 /* Computes the distances of a field from vertices. */
-template <class Triangulation>
+template <class Triangulation, class Visitor>
 Computed_values<double> field_distances(const Triangulation& triangulation,
                                         const typename Triangulation::Triangle_mesh& mesh,
-                                        const std::vector<Vertex_index>& sources, const Window_limit& limit)
+                                        const std::vector<Vertex_index>& sources, const Window_limit& limit,
+                                        Visitor& visitor)
 {
   Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
   Computed_values<double> result;
-  result.report = compute_from_vertices(field, triangulation, sources, limit);
+  result.report = compute_from_vertices(field, triangulation, sources, limit, visitor);
   write_distances(field, triangulation, mesh,
                   Value_collector<typename Triangulation::Mesh_vertex, double>{&result.values});
   return result;
@@ -239,14 +253,14 @@ std::optional<Logarithmic_map> logarithmic_map_of_field(const Geodesic_distance_
 }
 
 /* Computes the polar coordinates of vertices by a field; no values unless all are confirmed. */
-template <class Triangulation>
+template <class Triangulation, class Visitor>
 Computed_values<Polar_coordinates> field_coordinates(const Triangulation& triangulation,
                                                      const typename Triangulation::Triangle_mesh& mesh,
-                                                     Vertex_index source, const Window_limit& limit)
+                                                     Vertex_index source, const Window_limit& limit, Visitor& visitor)
 {
   Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
   Computed_values<Polar_coordinates> result;
-  result.report = compute_from_vertices(field, triangulation, {source}, limit);
+  result.report = compute_from_vertices(field, triangulation, {source}, limit, visitor);
   if(!result.report.is_confirmed)
     return result;
   const std::optional<Logarithmic_map> map = logarithmic_map_of_field(field, triangulation, source);
@@ -274,7 +288,10 @@ Computed_values<Polar_coordinates> field_coordinates(const Triangulation& triang
  *        to one, if edges of length zero had to be contracted; these are not confirmed. If the search is given up, the distances from one source
  *        are those of the geodesics of the tree; from several, they are infinite where they are not known
  * \param limit a `Window_limit`, beyond which the search is given up
- * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, as for `geodesic_path()`
+ * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, `visitor`, as for `geodesic_path()`. The
+ *        visitor's `go_further()` is called at regular intervals, and its `on_flip()` if a tree is grown. If the former
+ *        returns `false`, then nothing is written into `distances`, and the report has the status
+ *        `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed
  * \return how many distances of vertices that are no sources are those of shortest paths, and whether it is sure that
  *         all are
  * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
@@ -288,19 +305,20 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
 {
   static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  auto visitor = internal::make_visitor(np);
   const auto computed = internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
     const std::vector<Vertex_index> indices = internal::source_indices(triangulation, sources);
-    auto result = internal::field_distances(triangulation, mesh, indices, limit);
+    auto result = internal::field_distances(triangulation, mesh, indices, limit, visitor.get());
     if constexpr(internal::is_mesh_vertex<TriangleMesh, Sources>)
-      if(!result.report.is_confirmed)
+      if(!result.report.is_confirmed && !internal::is_stopped_by_visitor(result.report))
         result = internal::make_shortest_tree<double>(
-            triangulation, indices.front(), limit,
+            triangulation, indices.front(), limit, visitor.get(),
             [&](const auto& tree, const auto& map) { write_distances(tree, mesh, map); });
     result.report.is_confirmed = result.report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
                                  !internal::is_input_rounded(triangulation);
     return result;
   });
-  internal::write_values(mesh, computed.values, distances);
+  internal::write_values(mesh, computed, distances);
   return computed.report;
 }
 
@@ -341,19 +359,20 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& s
                 "no vertex of the mesh where it belongs; the order is mesh, source, property map");
   static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  auto visitor = internal::make_visitor(np);
   const auto computed = internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
     const Mesh_vertex<TriangleMesh> from = source;
     const Vertex_index s = triangulation.index(from);
-    auto result = internal::field_coordinates(triangulation, mesh, s, limit);
-    if(!result.report.is_confirmed)
+    auto result = internal::field_coordinates(triangulation, mesh, s, limit, visitor.get());
+    if(!result.report.is_confirmed && !internal::is_stopped_by_visitor(result.report))
       result = internal::make_shortest_tree<Polar_coordinates>(
-          triangulation, s, limit,
+          triangulation, s, limit, visitor.get(),
           [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
     result.report.is_confirmed = result.report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
                                  !internal::is_input_rounded(triangulation);
     return result;
   });
-  internal::write_values(mesh, computed.values, coordinates);
+  internal::write_values(mesh, computed, coordinates);
   return computed.report;
 }
 

@@ -4,8 +4,10 @@
 #define CGAL_FLIP_GEODESICS_MAKE_SHORTEST_H
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -34,10 +36,11 @@ struct Shortest_tree_report
   double largest_excess = 0;        ///< the same now
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
-  /// Was the search not given up, were there no degenerate faces, and was no path of the tree shorter than the one that
-  /// was found? Then the figures are exact up to rounding. Never if coordinates or lengths of the mesh are not doubles.
+  /// Was the search neither given up nor stopped, were there no degenerate faces, and was no path of the tree shorter than
+  /// the one that was found? Then the figures are exact up to rounding. Never if coordinates or lengths of the mesh are not doubles.
   bool is_confirmed = false;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
+  /// `STOPPED_BY_VISITOR` if a visitor's `go_further()` returned `false`.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
 };
 
@@ -94,13 +97,17 @@ double longest_wanted(const Tree& tree)
  *
  * \param tree a tree that has been grown to its end
  * \param limit beyond it the search is given up, and the tree stays as it is
+ * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it returns
+ *        `false`, then the report has the status `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. The tree
+ *        remains valid: it stays as it is if the search is stopped; afterwards, some paths may have been replaced
  * \throws Invalid_coordinate_error
  * \throws Occupied_triangulation_error if a network in the triangulation has curves
  * \throws Vertex_out_of_range_error if the source was inserted. Other inserted vertices have geodesics, which nothing
  * is said about.
  */
-template <class Triangulation>
-Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_limit& limit = Window_limit())
+template <class Triangulation, class Visitor = Default_shortening_visitor>
+Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_limit& limit = Window_limit(),
+                                   Visitor&& visitor = Visitor())
 {
   using Tree = Geodesic_tree<Triangulation>;
   constexpr double tolerance = Shortest_path_report::tolerance();
@@ -117,7 +124,8 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
   using Search = internal::Window_propagation<Triangulation>;
   Search search(tree.triangulation(), false);
   search.add_vertex(tree.source(), 0, 0);
-  const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows);
+  internal::Interruption interruption(visitor);
+  const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows, &interruption);
   report.windows = search.number_of_windows();
   report.is_confirmed = is_sound && !search.has_flat_face() && report.windows <= most_windows &&
                         !internal::is_input_rounded(tree.triangulation());
@@ -129,14 +137,18 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
   report.is_confirmed = report.is_confirmed && is_consistent;
   report.longer = report.longer_before;
   report.largest_excess = report.largest_excess_before;
-  if(report.windows > most_windows)
-    return report;
-  internal::Shortest_tree_repair<Tree, Search> repair(tree, search, tolerance);
-  const std::vector<Vertex_index> longer = repair.longer();
-  if(!longer.empty())
-    report.status = repair.run(longer);
-  report.flips = repair.flips();
-  internal::count_longer(tree, search, tolerance, report.longer, report.largest_excess);
+  if(report.windows <= most_windows && !interruption.has_occurred()) {
+    internal::Shortest_tree_repair<Tree, Search> repair(tree, search, tolerance, &interruption);
+    const std::vector<Vertex_index> longer = repair.longer();
+    if(!longer.empty())
+      report.status = repair.run(longer);
+    report.flips = repair.flips();
+    internal::count_longer(tree, search, tolerance, report.longer, report.largest_excess);
+  }
+  if(interruption.has_occurred()) {
+    report.status = Shortening_status::STOPPED_BY_VISITOR;
+    report.is_confirmed = false;
+  }
   return report;
 }
 

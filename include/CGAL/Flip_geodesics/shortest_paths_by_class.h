@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/classes/Class_paths.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -30,9 +31,10 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsFunctions
 /// How a search for paths of different classes ended.
 enum class Class_search_status {
-  FOUND,           ///< there is a path for each class that was asked for
-  NO_MORE_CLASSES, ///< there are fewer classes, and each has its path
-  COVERING_LIMIT   ///< the `Covering_limit` did not suffice; there may be fewer paths, or others
+  FOUND,             ///< there is a path for each class that was asked for
+  NO_MORE_CLASSES,   ///< there are fewer classes, and each has its path
+  COVERING_LIMIT,    ///< the `Covering_limit` did not suffice; there may be fewer paths, or others
+  STOPPED_BY_VISITOR ///< the visitor's `go_further()` returned `false`; there are no paths
 };
 
 /// The name of a status, as the enumerator is spelled.
@@ -45,6 +47,8 @@ inline const char* to_string(Class_search_status status)
     return "NO_MORE_CLASSES";
   case Class_search_status::COVERING_LIMIT:
     return "COVERING_LIMIT";
+  case Class_search_status::STOPPED_BY_VISITOR:
+    return "STOPPED_BY_VISITOR";
   }
   return "";
 }
@@ -227,7 +231,9 @@ Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation
   report.lower_bound = paths.frontier_bound();
   report.visited = paths.search().number_of_lifts();
   const double longest = report.paths.empty() ? 0 : report.paths.back().length;
-  if(paths.search().is_exhausted())
+  if(paths.is_interrupted())
+    report.status = Class_search_status::STOPPED_BY_VISITOR;
+  else if(paths.search().is_exhausted())
     report.status = report.paths.size() < number ? Class_search_status::NO_MORE_CLASSES : Class_search_status::FOUND;
   else if(report.paths.size() < number || report.lower_bound < longest)
     report.status = Class_search_status::COVERING_LIMIT;
@@ -269,7 +275,9 @@ auto with_covering_limit(const Options& options, const Function& function)
  * \param number of classes
  * \param out receives one `std::vector` per path, by length, of what `geodesic_path()` writes
  * \param limit a `Covering_limit`; beyond it the search is given up, and the report tells what is known
- * \param np the named parameters of `geodesic_path()` without `visitor`
+ * \param np the named parameters of `geodesic_path()`. Of a `visitor`, only `go_further()` is called, at regular intervals,
+ *        since the paths are computed in a covering of the mesh. If it returns `false`, then no path is written, the
+ *        report has the status `Class_search_status::STOPPED_BY_VISITOR`, and it is not confirmed
  * \return the end of the output, and the report
  * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface
  * \pre `number > 0`
@@ -284,16 +292,16 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
     const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source, Mesh_vertex<TriangleMesh> target, std::size_t number,
     OutputIterator out, const Covering_limit& limit, const NamedParameters& np)
 {
-  static_assert(!internal::is_given<NamedParameters, internal_np::visitor_t>,
-                "shortest_paths_by_class() takes no visitor: its paths are computed in a covering of the mesh");
   CGAL_precondition_msg(number > 0, "no class is asked for");
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
   using Report = Paths_by_class_report<TriangleMesh>;
+  auto visitor = internal::make_visitor(np);
+  internal::Interruption interruption(visitor.get());
   const auto compute = [&](Triangulation& triangulation) {
     internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
-                                               triangulation.index(target));
+                                               triangulation.index(target), interruption);
     paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
     const internal::Covering_form_converter<Form, Triangulation, TriangleMesh> convert(triangulation, mesh, paths);
     internal::Computed_output<std::vector<Form>, Report> result;

@@ -24,10 +24,13 @@ public:
   bool has_occurred() const { return m_has_occurred; }
 
   /* Counts a step that is about to be taken; returns whether it is not to be. */
-  bool count_step()
+  bool count_step() { return ++m_steps % interval == 0 ? begin_part() : m_has_occurred; }
+
+  /* Calls the visitor before a part of a computation that takes far longer than a step; returns whether the part is not
+   * to be computed. */
+  bool begin_part()
   {
-    if(++m_steps % interval == 0 && !m_has_occurred)
-      m_has_occurred = !m_go_further();
+    m_has_occurred = m_has_occurred || !m_go_further();
     return m_has_occurred;
   }
 
@@ -42,6 +45,18 @@ private:
 
 /* Counts a step of a search which may be one that cannot be interrupted. */
 inline bool is_interrupted(Interruption* interruption) { return interruption != nullptr && interruption->count_step(); }
+
+/* Begins a part of a computation which may be one that cannot be interrupted. */
+inline bool is_interrupted_before_part(Interruption* interruption)
+{
+  return interruption != nullptr && interruption->begin_part();
+}
+
+/* Has a computation been interrupted, if it can be? */
+inline bool has_been_interrupted(const Interruption* interruption)
+{
+  return interruption != nullptr && interruption->has_occurred();
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

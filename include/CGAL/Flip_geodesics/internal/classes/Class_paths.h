@@ -7,11 +7,13 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_metric.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_search.h>
 #include <CGAL/Flip_geodesics/internal/classes/Covering_surface.h>
 #include <CGAL/Flip_geodesics/internal/classes/Distance_bounds.h>
+#include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
@@ -64,26 +66,30 @@ public:
   };
 
   /* \throws as `Covering_search` */
-  Class_paths(const Triangulation& triangulation, const Triangle_mesh& mesh, Vertex_index source, Vertex_index target)
+  Class_paths(const Triangulation& triangulation, const Triangle_mesh& mesh, Vertex_index source, Vertex_index target,
+              Interruption& interruption)
     : m_triangulation(triangulation)
     , m_mesh(mesh)
     , m_source(source)
     , m_target(target)
-    , m_search(triangulation, source, target)
+    , m_interruption(interruption)
+    , m_search(triangulation, source, target, interruption)
   {
   }
 
   /* Finds the paths of `number` classes, if the covering's part needs no more lifts than `most_lifts`, and the searches
-   * in its parts no more windows than in proportion. */
+   * in its parts no more windows than in proportion. If it is interrupted, there are no paths, and the bound is 0. */
   void run(std::size_t number, std::size_t most_lifts)
   {
-    m_windows_left = (std::min)(most_lifts, most_windows / windows_per_lift) * windows_per_lift + least_windows;
-    m_search.run_to_targets(number, most_lifts);
-    if(m_search.targets().empty())
+    find_all(number, most_lifts);
+    if(!is_interrupted())
       return;
-    while(!try_part(number, most_lifts)) {
-    }
+    m_paths.clear();
+    m_left_out.clear();
+    m_frontier_bound = 0;
   }
+
+  bool is_interrupted() const { return m_interruption.has_occurred(); }
 
   const Covering_search<Triangulation>& search() const { return m_search; }
   /* By length. */
@@ -110,9 +116,22 @@ private:
     std::size_t part = 0, part_of_shortest = 0; // in which it was found, from 1 on
   };
 
-  // Lays out what has been searched, and finds the paths if that is enough; goes on with the search otherwise.
+  void find_all(std::size_t number, std::size_t most_lifts)
+  {
+    m_windows_left = (std::min)(most_lifts, most_windows / windows_per_lift) * windows_per_lift + least_windows;
+    m_search.run_to_targets(number, most_lifts);
+    if(m_search.targets().empty() || is_interrupted())
+      return;
+    while(!try_part(number, most_lifts)) {
+    }
+  }
+
+  // Lays out what has been searched, and finds the paths if that is enough; goes on with the search otherwise. Returns
+  // whether that was the last part, also if it is interrupted.
   bool try_part(std::size_t number, std::size_t most_lifts)
   {
+    if(m_interruption.begin_part())
+      return true;
     ++m_part;
     m_surface = std::make_unique<Surface>(m_mesh, m_triangulation.input(), m_search);
     Covering covering(*m_surface, typename Covering::Metric(m_triangulation.metric()), m_triangulation.traits());
@@ -120,6 +139,8 @@ private:
     Shortest_edge_path<Covering> edge_paths(covering);
     for(std::size_t i = 0; i < (std::min)(number, m_search.targets().size()); ++i)
       find_geodesic(covering, edge_paths, m_search.targets()[i]);
+    if(is_interrupted())
+      return true;
     const double bound = length_of_class(number) * (1 + class_search_margin);
     Distance_bounds<Covering> bounds(covering, m_surface->vertex(0), m_surface->vertex(m_search.targets().front()),
                                      bound);
@@ -134,7 +155,11 @@ private:
       find_bounds(bounds);
       find_bounds(*m_to_target);
     }
+    if(is_interrupted())
+      return true;
     const std::vector<Open_lift> open = find_frontier(bounds, bound, longest);
+    if(is_interrupted())
+      return true;
     if(!open.empty() && m_search.number_of_lifts() <= most_lifts && m_windows_left > 0) {
       m_search.run_from(
           open, [&](Vertex_index v) { return m_to_target->at_vertex(v); }, longest, most_lifts);
@@ -149,10 +174,10 @@ private:
   template <class Bounds>
   void find_bounds(Bounds& bounds)
   {
-    if(!m_do_sweeps_fail && bounds.sweep())
+    if(is_interrupted() || (!m_do_sweeps_fail && bounds.sweep(m_interruption)))
       return;
     m_do_sweeps_fail = true;
-    bounds.propagate_windows(m_windows_left);
+    bounds.propagate_windows(m_windows_left, m_interruption);
     count_windows(bounds.number_of_windows());
   }
 
@@ -186,6 +211,8 @@ private:
       if(!(bound < longest))
         return;
       find_geodesic(covering, edge_paths, lift);
+      if(is_interrupted())
+        return;
       if(bound < (1 - class_large_gap) * m_geodesics[lift].length && m_windows_left > 0)
         find_shortest(covering, edge_paths, lift, longest);
     }
@@ -204,11 +231,13 @@ private:
       geodesic = {0, false, true, m_part, m_part};
       return;
     }
+    if(m_interruption.begin_part())
+      return;
     {
       Network network(covering);
       const std::vector<Vertex_index> ends = {m_surface->vertex(0), m_surface->vertex(lift)};
       network.add_curve(shortest_halfedges_through(edge_paths, ends), false);
-      shorten(network);
+      shorten(network, Never_stop_predicate(), Interrupting_visitor(m_interruption));
       note_geodesic(geodesic, network);
     }
     covering.rollback();
@@ -223,9 +252,9 @@ private:
       return;
     {
       Network network(covering);
-      Default_shortening_visitor visitor;
       count_windows(internal::add_shortest_path(network, edge_paths, nullptr, m_surface->vertex(0),
-                                                m_surface->vertex(lift), window_limit(covering), visitor, longest)
+                                                m_surface->vertex(lift), window_limit(covering),
+                                                Interrupting_visitor(m_interruption), longest)
                         .windows);
       note_geodesic(geodesic, network);
       geodesic.is_shortest = true;
@@ -260,6 +289,8 @@ private:
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(m_surface->number_of_halfedges())) {
       if(!m_surface->is_frontier(h))
         continue;
+      if(m_interruption.count_step())
+        break;
       const double least = (std::max)(bounds.beyond(*m_surface, h, *m_to_target) * (1 - class_bound_rounding), 0.0);
       m_frontier_bound = (std::min)(m_frontier_bound, least);
       if(least < longest)
@@ -273,6 +304,8 @@ private:
   {
     Shortest_edge_path<Covering> edge_paths(covering);
     for(Index lift : m_search.targets()) {
+      if(m_interruption.begin_part())
+        return;
       const double bound = bounds.at_vertex(m_surface->vertex(lift));
       if(m_paths.size() == number && !(bound < m_paths.back().report.length))
         m_left_out.push_back({lift, infinity, (std::min)(bound, m_frontier_bound)});
@@ -300,10 +333,10 @@ private:
       return keep(point_path(covering, *m_surface, lift), number);
     {
       Network network(covering);
-      Path path = {
-          lift,
-          add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift), window_limit(covering)),
-          {}};
+      Path path = {lift,
+                   add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift),
+                                     window_limit(covering), Interrupting_visitor(m_interruption)),
+                   {}};
       count_windows(path.report.windows);
       path.report.lower_bound = (std::min)(path.report.lower_bound, m_frontier_bound);
       if(path.report.is_confirmed())
@@ -343,6 +376,7 @@ private:
   const Triangulation& m_triangulation;
   const Triangle_mesh& m_mesh;
   Vertex_index m_source, m_target;
+  Interruption& m_interruption;
   Covering_search<Triangulation> m_search;
   std::size_t m_windows_left = 0;
   bool m_do_sweeps_fail = false;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
 #include <CGAL/Flip_geodesics/internal/classes/Path_words.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
@@ -51,8 +52,10 @@ class Covering_search
 public:
   /* \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_mesh_error,
    * Invalid_coordinate_error. And `run_to_targets()` Degenerate_face_error, where it meets an edge of length zero. */
-  Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target)
+  Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target,
+                  Interruption& interruption)
     : m_triangulation(triangulation)
+    , m_interruption(interruption)
     , m_target(target)
     , m_forest(checked_input(triangulation, source, target), std::vector<Vertex_index>(1, target), weight())
     , m_words(words(m_forest.component(target)))
@@ -63,10 +66,12 @@ public:
     m_queue.push(m_forest.distance(source), Vertex_index(0));
   }
 
-  /* Goes on until so many lifts of the target are settled, or there are more than `most_lifts` of all. */
+  /* Goes on until so many lifts of the target are settled, or there are more than `most_lifts` of all, or it is
+   * interrupted. */
   void run_to_targets(std::size_t number, std::size_t most_lifts)
   {
-    while(m_targets.size() < number && !m_queue.empty() && number_of_lifts() <= most_lifts)
+    while(m_targets.size() < number && !m_queue.empty() && number_of_lifts() <= most_lifts &&
+          !m_interruption.count_step())
       settle_next();
   }
 
@@ -96,7 +101,7 @@ public:
     const auto is_to_go_on = [&] {
       return queue.priority() <= bound ? m_number_of_settled < most : m_number_of_settled < enough;
     };
-    while(!queue.empty() && is_to_go_on() && number_of_lifts() <= most_lifts) {
+    while(!queue.empty() && is_to_go_on() && number_of_lifts() <= most_lifts && !m_interruption.count_step()) {
       const Index l = queue.pop().idx();
       if(is_settled(l))
         continue;
@@ -279,6 +284,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Interruption& m_interruption;
   Vertex_index m_target;
   Edge_forest m_forest; // from the target
   Path_words m_words;

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_CLASSES_DISTANCE_BOUNDS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
 #include <CGAL/Flip_geodesics/internal/windows/Ray_window.h>
@@ -88,15 +89,15 @@ public:
   {
   }
 
-  /* Computes the bounds; returns whether they hold. */
-  bool sweep()
+  /* Computes the bounds; returns whether they hold, unless it is interrupted. */
+  bool sweep(Interruption& interruption)
   {
-    m_sweep.run(m_bound);
+    m_sweep.run(m_bound, &interruption);
     return m_sweep.is_useful();
   }
 
   /* Computes them by so many windows at most, or as many as the limit of a search for one path; not a second time. */
-  void propagate_windows(std::size_t most_windows)
+  void propagate_windows(std::size_t most_windows, Interruption& interruption)
   {
     if(are_by_windows())
       return;
@@ -104,7 +105,7 @@ public:
     m_windows = std::make_unique<Window_search<Triangulation>>(m_triangulation, m_faces, m_source);
     m_windows->keep_border_windows();
     const auto n = static_cast<std::size_t>(m_triangulation.number_of_vertices());
-    if(!run_to_the_end(*m_windows, m_bound, (std::min)(most_windows, usual(n))))
+    if(!run_to_the_end(*m_windows, m_bound, (std::min)(most_windows, usual(n)), &interruption))
       return;
     m_unknown_from = m_windows->lower_bound();
     m_windows_on_border = Windows_by_halfedge(m_windows->border_windows());

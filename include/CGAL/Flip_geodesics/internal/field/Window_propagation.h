@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_PROPAGATION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_WINDOW_PROPAGATION_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/Team.h>
 #include <CGAL/Flip_geodesics/internal/field/Edge_windows.h>
 #include <CGAL/Flip_geodesics/internal/field/Face_sides.h>
@@ -89,17 +90,17 @@ public:
     }
   }
 
-  /* Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`. If it throws, what was
-   * known still is, and it can be called again. */
+  /* Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`, or it is interrupted
+   * before a round, from the calling thread. If it throws, what was known still is, and it can be called again. */
   template <class ConcurrencyTag = Sequential_tag>
-  void run(double bound, std::size_t most_windows)
+  void run(double bound, std::size_t most_windows, Interruption* interruption = nullptr)
   {
     Team<Sequential_tag> alone;
     Team<ConcurrencyTag> team;
     make_workers(team.most_members());
     if(m_workers.size() > 1)
       m_state->sides.share();
-    while(!is_given_up(most_windows) && reach() < bound) {
+    while(!is_given_up(most_windows) && reach() < bound && !is_interrupted_before_part(interruption)) {
       if(m_is_populated)
         take_round(team, bound);
       else

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
@@ -47,11 +48,13 @@ class Shortest_tree_repair
   using Vector = std::complex<double>;
 
 public:
-  Shortest_tree_repair(Tree& tree, const Search& search, double tolerance)
+  /* \param interruption if it occurs, the paths that have not been inserted by then are grown as before */
+  Shortest_tree_repair(Tree& tree, const Search& search, double tolerance, Interruption* interruption = nullptr)
     : m_tree(tree)
     , m_triangulation(tree.triangulation())
     , m_search(search)
     , m_tolerance(tolerance)
+    , m_interruption(interruption)
   {
   }
 
@@ -90,7 +93,8 @@ private:
     for(Vertex_index v : inserted_behind_taken_off())
       take_off(grafts, v);
     const std::vector<Vertex_index> failed = insert_last_legs(grafts);
-    if(!failed.empty()) { // a leg that crosses one face several times; faces are compact now
+    if(!failed.empty() && !has_been_interrupted(m_interruption))
+    { // a leg that crosses one face several times; faces are compact now
       flip_to_delaunay_beside_tree();
       for(Vertex_index v : failed)
         m_pending.insert({m_search.distance(v), v});
@@ -149,7 +153,7 @@ private:
   std::vector<Vertex_index> insert_last_legs(Grafts& grafts)
   {
     std::vector<Vertex_index> failed;
-    while(!m_pending.empty()) {
+    while(!m_pending.empty() && !is_interrupted_before_part(m_interruption)) {
       const Vertex_index v = m_pending.begin()->second;
       m_pending.erase(m_pending.begin());
       m_in_the_way = null_index;
@@ -337,6 +341,7 @@ private:
   Triangulation& m_triangulation;
   const Search& m_search;
   double m_tolerance;
+  Interruption* m_interruption; // null if it cannot be interrupted
   std::size_t m_flips = 0;
   Indexed_by<Vertex_index, std::vector<char>> m_is_taken_off;
   std::set<std::pair<double, Vertex_index>> m_pending; // vertices without a path, by their distance from the source
