@@ -175,6 +175,19 @@ BOOST_AUTO_TEST_CASE(components_without_a_curve_and_bad_vertices_are_refused)
   BOOST_CHECK_THROW(field.compute(), FG::Singular_problem_error);
 }
 
+// Two squares that share one corner: the halfedges of one of them have no angles at it.
+BOOST_AUTO_TEST_CASE(non_manifold_vertices_have_no_tangent_space)
+{
+  const Mesh_soup two_squares = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+                                 {{0, 1, 2}, {0, 2, 3}, {2, 4, 5}, {2, 5, 6}}};
+  const Mesh mesh = to_mesh<Mesh>(two_squares);
+  const Triangulation triangulation(mesh);
+  const auto names_corner = [](const FG::Invalid_mesh_error& error) {
+    return error.elements() == std::vector<std::size_t>{2};
+  };
+  BOOST_CHECK_EXCEPTION(Field{triangulation}, FG::Invalid_mesh_error, names_corner);
+}
+
 #else
 
 BOOST_AUTO_TEST_CASE(direction_fields_need_eigen)

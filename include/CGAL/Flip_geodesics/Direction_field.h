@@ -57,7 +57,7 @@ public:
    * Prepares the computation.
    *
    * \param symmetry the number of directions at a point, at least 1
-   * \throws what `Operators` throws
+   * \throws as `Operators` and `Tangent_spaces`
    */
   explicit Direction_field(const Triangulation& triangulation, int symmetry = 4)
     : m_triangulation(triangulation)

@@ -3,12 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_TANGENT_SPACES_H
 #define CGAL_FLIP_GEODESICS_TANGENT_SPACES_H
 
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -30,6 +32,7 @@ class Tangent_spaces
 public:
   /// Lays out the tangent plane of each vertex.
   /// \param faces all faces, from `intrinsic_faces()`
+  /// \throws Invalid_mesh_error for a non-manifold vertex, at which several umbrellas meet
   Tangent_spaces(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces)
     : m_angles(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)
     , m_corners(m_angles.size(), 0)
@@ -40,8 +43,10 @@ public:
       for(int i = 0; i < 3; ++i)
         m_corners[face.halfedges[i]] = triangle.angle(i);
     }
+    Marks is_laid_out(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0);
     for(Vertex_index v : internal::descriptors<Vertex_index>(triangulation.number_of_vertices()))
-      lay_out(triangulation, v);
+      lay_out(triangulation, v, is_laid_out);
+    check_umbrellas(triangulation, is_laid_out);
   }
 
   /// The halfedge in the reference direction of vertex `v`, `null_index` if it is isolated.
@@ -60,7 +65,9 @@ public:
   }
 
 private:
-  void lay_out(const Triangulation& triangulation, Vertex_index v)
+  using Marks = internal::Indexed_by<Halfedge_index, std::vector<char>>;
+
+  void lay_out(const Triangulation& triangulation, Vertex_index v, Marks& is_laid_out)
   {
     const Halfedge_index some = triangulation.outgoing(v);
     if(some == null_index)
@@ -82,6 +89,7 @@ private:
     Halfedge_index h = first;
     do {
       m_angles[h] = sum;
+      is_laid_out[h] = 1;
       sum += triangulation.is_border(h) ? 0 : m_corners[h];
       h = triangulation.counterclockwise(h);
     } while(h != first && h != null_index);
@@ -93,6 +101,18 @@ private:
       m_corners[h] *= scale;
       h = triangulation.counterclockwise(h);
     } while(h != first);
+  }
+
+  // A vertex is laid out by the umbrella of one of its halfedges.
+  static void check_umbrellas(const Triangulation& triangulation, const Marks& is_laid_out)
+  {
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
+      if(is_laid_out[h] == 0) {
+        const Vertex_index v = triangulation.tail(h);
+        throw Invalid_mesh_error("several umbrellas of faces meet at vertex " + std::to_string(v.idx()) +
+                                     ", which has no tangent space; duplicate it for each of them",
+                                 {static_cast<std::size_t>(v.idx())});
+      }
   }
 
   internal::Indexed_by<Halfedge_index, std::vector<double>> m_angles, m_corners;
