@@ -213,6 +213,30 @@ BOOST_AUTO_TEST_CASE(bounds_on_cylinders_are_not_above_the_distance)
   });
 }
 
+// Whether a path ties with another one does not depend on its direction, also where rows of vertices are pushed together
+// to one line: rounded rays that turn back in faces without area arrive from the wrong side.
+BOOST_AUTO_TEST_CASE(ties_are_the_same_in_both_directions)
+{
+  const auto pushed_together = [](double shift, Diagonal_rule rule) {
+    return mapped(flat_grid(4, 3, rule), [shift](const Coordinates& p) {
+      return p[1] < 1 ? p : Coordinates{p[1] == 1 ? p[0] + shift : p[0], p[1] - 1, 0};
+    });
+  };
+  const auto is_in_sponge = [](int x, int y, int z) { return x % 2 + y % 2 + z % 2 < 2; };
+  std::vector<Mesh_soup> soups = {cube(2), octahedron(3), cylinder(8, 4, 1, 2, true), torus(8, 6, 3, 1),
+                                  voxel_surface(3, 3, 3, is_in_sponge)};
+  for(double shift : {0.25, 0.5, 1.25, 1.5})
+    for(Diagonal_rule rule : {Diagonal_rule::RISING, Diagonal_rule::ALTERNATING, Diagonal_rule::RANDOM})
+      soups.push_back(pushed_together(shift, rule));
+  for(const Mesh_soup& soup : soups) {
+    Setting setting(soup);
+    for_pairs(soup, 1, [&](int s, int t) {
+      if(s < t)
+        BOOST_TEST(shortest(setting, s, t).has_tie == shortest(setting, t, s).has_tie, s << " and " << t);
+    });
+  }
+}
+
 // Faces without area, whose corners lie in a line, can be passed again and again at one place.
 BOOST_AUTO_TEST_CASE(faces_without_area)
 {

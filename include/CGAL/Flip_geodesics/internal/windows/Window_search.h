@@ -14,6 +14,8 @@
 #include <CGAL/Flip_geodesics/internal/windows/Ray_window.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -272,7 +274,28 @@ private:
     const Vector apex = m_faces.apex(side);
     const std::complex<double> to_apex(Rounding::nearest(apex.real()), Rounding::nearest(apex.imag()));
     const std::complex<double> from(Rounding::nearest(w.x), -Rounding::nearest(w.y));
-    return {m_faces[Faces::previous(side)].halfedge, std::arg((from - to_apex) / -to_apex)};
+    const double angle = std::arg((from - to_apex) / -to_apex);
+    const bool is_straight_angle = 2 * angle < -boost::math::constants::pi<double>(); // rounded to the other side
+    const double turn = is_straight_angle ? boost::math::constants::two_pi<double>() : 0;
+    return {m_faces[Faces::previous(side)].halfedge, angle + turn};
+  }
+
+  /*
+   * Does a path arrive within the face that it comes through, up to the error of its direction? Rounded rays in faces
+   * without area can turn back there, and seem to arrive from outside.
+   */
+  bool is_within_face(const Arrival& arrival)
+  {
+    if(arrival.window == null_index)
+      return true;
+    const Window& w = m_windows[arrival.window];
+    const Index side = m_faces.number(w.halfedge);
+    const auto corner = m_faces[Faces::previous(side)];
+    const double angle = direction(arrival).angle;
+    const double most = std::atan2(Rounding::nearest(corner.sine), Rounding::nearest(corner.cosine));
+    const Number error = w.radius + step_error * (norm(w.x, w.y) + m_faces[side].length + corner.length);
+    const double allowed = same_way + Rounding::nearest(error) / arrival.leg;
+    return angle >= -allowed && angle <= most + allowed;
   }
 
   /*
@@ -281,6 +304,8 @@ private:
    */
   bool are_apart(const Arrival& a, const Arrival& b, double length)
   {
+    if(!is_within_face(a) || !is_within_face(b))
+      return false;
     const double angle = m_faces.angle_between(direction(a), direction(b), same_way);
     const Arrival& shorter = a.leg < b.leg ? a : b;
     const bool is_beside = shorter.leg * angle <= same_way * length && m_faces.is_flat(start(shorter));
