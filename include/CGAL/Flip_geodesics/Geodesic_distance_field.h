@@ -9,8 +9,8 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
