@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(splines_in_exact_decisions)
     Certified t(mesh);
     FG::Edge_path_network<Certified> network(t);
     std::vector<FG::Surface_location> points;
-    for(FG::Vertex_index v : {0_v, 15_v, 40_v, 65_v})
+    for(FG::Vertex_index v : {0_v, 15_v, 41_v, 65_v})
       points.push_back(t.location(v));
     const FG::Curve_index curve = FG::add_curve_through(network, points);
     FG::order_overlapping_curves(network);

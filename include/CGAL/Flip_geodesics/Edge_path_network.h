@@ -87,6 +87,14 @@ public:
   {
   }
 
+  /// The same beside another one whose labels are zero meanwhile. For the library's own use.
+  Edge_path_network(Triangulation& triangulation, internal::Beside_lifted_network place)
+    : m_claim(triangulation.network_place(), place)
+    , m_triangulation(&triangulation)
+    , m_segments(triangulation)
+  {
+  }
+
   Edge_path_network(const Edge_path_network&) = delete;
   Edge_path_network& operator=(const Edge_path_network&) = delete;
   ~Edge_path_network()

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Leg_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
@@ -29,18 +30,49 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+namespace internal {
+
+/* Adds a curve along the paths from each way point to the next, or along the geodesics that they are pulled tight to if
+ * there are others to pass. */
+template <class Network, class Search>
+Curve_index add_legs(Network& network, const Search& search, const std::vector<Vertex_index>& way_points,
+                     bool is_closed)
+{
+  if(way_points.size() < 3)
+    return network.add_curve(shortest_halfedges_through(search, way_points, is_closed), is_closed);
+  std::vector<std::vector<Halfedge_index>> paths;
+  double length = 0;
+  for(std::size_t i = 0; i + (is_closed ? 0 : 1) < way_points.size(); ++i) {
+    paths.push_back(search(way_points[i], way_points[(i + 1) % way_points.size()]));
+    for(Halfedge_index h : paths.back())
+      length += network.triangulation().length(h);
+  }
+  const Curve_index curve = network.add_curve(Leg_drawer<Network>(network)(paths), is_closed);
+  network.set_initial_length(curve, length);
+  return curve;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve through points of the surface: makes them vertices, joins each two in a row by a shortest path along
- * edges, and fixes the curve's nodes there.
+ * Adds a curve through points of the surface: makes them vertices, joins each two in a row, and fixes the curve's nodes
+ * there.
+ *
+ * With two points the curve is a shortest path along edges. With more, each leg is the geodesic to which such a path is
+ * pulled tight by itself, so that it passes the other points on the sides on which the geodesic does; the edges that the
+ * legs cross are flipped. A leg that crosses a curve of the network remains a path of edges, and
+ * `order_overlapping_curves()` detects whether the curves cross. The initial length is that of the paths of edges.
  *
  * \param locations a range of `Surface_location`s, at least two; those in the place of the one before count once. A
  *        closed curve need not repeat the first
  * \return the curve's index
  * \throws Invalid_curve_error for fewer than two points, or if all are in one place
+ * \throws Crossing_curves_error if legs cross each other between vertices; `elements()` are the ends of the edge that is
+ *         crossed. No curve is added then, but points may have become vertices, and edges may have been flipped
  * \throws Disconnected_endpoints_error
- * \throws as `Edge_path_network::insert()`
+ * \throws as `Edge_path_network::insert()`, `shorten()`
  */
 template <class Network, class LocationRange>
 Curve_index add_curve_through(Network& network, const LocationRange& locations, bool is_closed = false)
@@ -56,7 +88,7 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
   if(are_several && way_points.size() == 1)
     throw Invalid_curve_error("all points of a curve are in one place; the curve is a point, and has no edges");
   const auto search = [&](Vertex_index v, Vertex_index w) { return shortest_intrinsic_edge_path(triangulation, v, w); };
-  const Curve_index curve = network.add_curve(shortest_halfedges_through(search, way_points, is_closed), is_closed);
+  const Curve_index curve = internal::add_legs(network, search, way_points, is_closed);
   std::size_t next = 1;
   Segment_index s = network.first_segment(curve);
   for(std::size_t legs = way_points.size() - (is_closed ? 0 : 1); next <= legs; s = network.next(s))

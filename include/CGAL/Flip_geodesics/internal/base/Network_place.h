@@ -50,6 +50,11 @@ struct Beside_empty_network
 {
 };
 
+/* For a network that comes and goes while the labels of one with curves are lifted from the edges. */
+struct Beside_lifted_network
+{
+};
+
 /* A network's claim to the place; it lapses if the triangulation goes first. */
 class Network_claim
 {
@@ -67,6 +72,13 @@ public:
   {
     if(place.has_curves())
       place.check_vacant("given another one");
+    place.m_claim = this;
+  }
+
+  Network_claim(Network_place& place, Beside_lifted_network)
+    : m_place(&place)
+    , m_waiting(place.m_claim)
+  {
     place.m_claim = this;
   }
 

@@ -58,10 +58,11 @@ bool is_bent_clockwise(const Triangulation& triangulation, Halfedge_index a, Hal
  * Flips edges on the right of a chain until all angles there are at least pi. If the chain is the left side of a strip
  * of different faces that holds the straight segment between its ends, then only edges inside the strip are flipped,
  * and one halfedge, the segment, is left: the polygon between the two has its inner angles at the ends, and the others
- * are at least pi. Returns the number of flips.
+ * are at least pi. `flip(h)` is to flip the edge of h. Returns the number of flips.
  */
-template <class Triangulation>
-std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Halfedge_index>& chain)
+template <class Triangulation, class Flip>
+std::size_t straighten_on_the_right(const Triangulation& triangulation, std::vector<Halfedge_index>& chain,
+                                    const Flip& flip)
 {
   std::size_t flips = 0;
   std::vector<Halfedge_index> arc;
@@ -72,7 +73,7 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Ha
       continue;
     }
     flip_out_wedge(triangulation, on, back, arc, [&](Halfedge_index h) {
-      triangulation.flip(h);
+      flip(h);
       ++flips;
     });
     // The arc leads back, from the head of `on` to the tail of chain[i].
@@ -85,6 +86,12 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Ha
     i = i == 0 ? 0 : i - 1;
   }
   return flips;
+}
+
+template <class Triangulation>
+std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Halfedge_index>& chain)
+{
+  return straighten_on_the_right(triangulation, chain, [&](Halfedge_index h) { triangulation.flip(h); });
 }
 
 /* Are all three edges of the face on the left of a halfedge the input's? */
