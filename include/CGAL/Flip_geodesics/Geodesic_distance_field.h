@@ -91,6 +91,9 @@ struct Distance_field_report
   /// Was there a face whose height is at most 1e-10 of its base? Then rays can have been lost in it, and distances may
   /// be too long.
   bool has_flat_face = false;
+  /// Can rounding errors have changed the distance of a vertex by more than 1e-10 of it? They grow with the edges that are
+  /// long compared with the distance, and the faces that paths cross. The bound is cautious: most errors are far smaller.
+  bool has_inaccurate_distance = false;
 };
 
 /*!
@@ -284,6 +287,7 @@ public:
     }
     report.windows = m_propagation.number_of_windows();
     report.has_flat_face = m_propagation.has_flat_face();
+    report.has_inaccurate_distance = m_propagation.has_inaccurate_distance();
     return report;
   }
 

@@ -203,7 +203,8 @@ Shortest_tree_report compute_from_vertices(Geodesic_distance_field<Triangulation
   if(computed.status == Distance_field_status::STOPPED_BY_VISITOR)
     report.status = Shortening_status::STOPPED_BY_VISITOR;
   report.windows = computed.windows;
-  report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face;
+  report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face &&
+                        !computed.has_inaccurate_distance;
   for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) { // but sources
     const double distance = field.distance(v);
     report.vertices += distance > 0 && distance < std::numeric_limits<double>::infinity() ? 1 : 0;

@@ -9,7 +9,10 @@
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
+#include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/assertions.h>
@@ -82,6 +85,90 @@ double longest_wanted(const Tree& tree)
   return longest;
 }
 
+/* Compares the paths of a tree with those that a search has found. False if the search has missed shorter ones. */
+template <class Tree, class Search>
+bool compare(const Tree& tree, const Search& search, Shortest_tree_report& report)
+{
+  report.vertices = 0;
+  for(Vertex_index v : descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices()))
+    report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
+  const bool is_consistent =
+      count_longer(tree, search, Shortest_path_report::tolerance(), report.longer_before, report.largest_excess_before);
+  report.longer = report.longer_before;
+  report.largest_excess = report.largest_excess_before;
+  return is_consistent;
+}
+
+/* Replaces the paths of a tree that are longer than those that a search has found. */
+template <class Tree, class Search>
+void replace_longer(Tree& tree, const Search& search, Interruption& interruption, Shortest_tree_report& report)
+{
+  constexpr double tolerance = Shortest_path_report::tolerance();
+  Shortest_tree_repair<Tree, Search> repair(tree, search, tolerance, &interruption);
+  const std::vector<Vertex_index> longer = repair.longer();
+  if(!longer.empty())
+    report.status = repair.run(longer);
+  report.flips = repair.flips();
+  count_longer(tree, search, tolerance, report.longer, report.largest_excess);
+}
+
+/* The paths that a search has found that is rounded outward, with lengths that they do not exceed. */
+template <class Triangulation>
+class Paths_of_search
+{
+public:
+  Paths_of_search(const Triangulation& triangulation, const Window_search<Triangulation>& search)
+    : m_triangulation(triangulation)
+    , m_search(search)
+  {
+  }
+
+  bool is_reached(Vertex_index v) const { return m_search.is_reached(v); }
+  double distance(Vertex_index v) const { return m_search.greatest_distance(v); }
+  Last_leg last_leg(Vertex_index v) const { return internal::last_leg(m_triangulation, m_search, v); }
+
+private:
+  const Triangulation& m_triangulation;
+  const Window_search<Triangulation>& m_search;
+};
+
+/* Are the lengths of all paths of a tree, and of shortest ones, between the bounds of a search, which are as close as the
+ * tolerance? Lengths in the tree can be wrong where edges are much longer than paths. */
+template <class Tree, class Search>
+bool are_bounds_close(const Tree& tree, const Search& search)
+{
+  constexpr double tolerance = Shortest_path_report::tolerance();
+  for(Vertex_index v : descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices())) {
+    const double least = search.least_distance(v), longest = least * (1 + tolerance);
+    if(!search.is_reached(v) || v == tree.source() || least > tree.max_distance())
+      continue;
+    if(!(search.greatest_distance(v) <= longest && tree.distance(v) <= longest &&
+         tree.distance(v) >= least * (1 - tolerance)))
+      return false;
+  }
+  return true;
+}
+
+/* Replaces the paths of a tree that are not shortest by a search that is rounded outward, where the distances of a field
+ * are not accurate. */
+template <class Tree>
+void prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interruption& interruption,
+                    Shortest_tree_report& report)
+{
+  using Triangulation = typename Tree::Triangulation;
+  Unfolded_faces<Triangulation> faces(tree.triangulation());
+  Window_search<Triangulation> search(tree.triangulation(), faces, tree.source());
+  const bool is_sound =
+      run_to_the_end(search, longest * (1 + Shortest_path_report::tolerance()), most_windows, &interruption);
+  report.windows += search.number_of_windows();
+  const Paths_of_search<Triangulation> paths(tree.triangulation(), search);
+  compare(tree, paths, report);
+  if(!is_sound || search.lower_bound() < longest)
+    return;
+  replace_longer(tree, paths, interruption, report);
+  report.is_confirmed = !is_input_rounded(tree.triangulation()) && are_bounds_close(tree, search);
+}
+
 } // namespace internal
 
 /*!
@@ -109,8 +196,6 @@ template <class Triangulation, class Visitor = Default_shortening_visitor>
 Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_limit& limit = Window_limit(),
                                    Visitor&& visitor = Visitor())
 {
-  using Tree = Geodesic_tree<Triangulation>;
-  constexpr double tolerance = Shortest_path_report::tolerance();
   CGAL_precondition(tree.source() != null_index);
   if(tree.triangulation().is_inserted(tree.source()))
     throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
@@ -118,32 +203,23 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
                                     {static_cast<std::size_t>(tree.source().idx())});
   if(tree.triangulation().network_place().has_curves())
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
+  const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
+  const double longest = internal::longest_wanted(tree);
   Shortest_tree_report report;
   report.status = tree.report().status;
-  const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
-  using Search = internal::Window_propagation<Triangulation>;
-  Search search(tree.triangulation(), false);
-  search.add_vertex(tree.source(), 0, 0);
   internal::Interruption interruption(visitor);
-  const bool is_sound = internal::run_to_the_end(search, internal::longest_wanted(tree), most_windows, &interruption);
-  report.windows = search.number_of_windows();
-  report.is_confirmed = is_sound && !search.has_flat_face() && report.windows <= most_windows &&
-                        !internal::is_input_rounded(tree.triangulation());
-  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices()))
-    report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
-
-  const bool is_consistent =
-      internal::count_longer(tree, search, tolerance, report.longer_before, report.largest_excess_before);
-  report.is_confirmed = report.is_confirmed && is_consistent;
-  report.longer = report.longer_before;
-  report.largest_excess = report.largest_excess_before;
-  if(report.windows <= most_windows && !interruption.has_occurred()) {
-    internal::Shortest_tree_repair<Tree, Search> repair(tree, search, tolerance, &interruption);
-    const std::vector<Vertex_index> longer = repair.longer();
-    if(!longer.empty())
-      report.status = repair.run(longer);
-    report.flips = repair.flips();
-    internal::count_longer(tree, search, tolerance, report.longer, report.largest_excess);
+  internal::Window_propagation<Triangulation> field(tree.triangulation(), false);
+  field.add_vertex(tree.source(), 0, 0);
+  const bool is_sound = internal::run_to_the_end(field, longest, most_windows, &interruption);
+  report.windows = field.number_of_windows();
+  if(is_sound && report.windows <= most_windows && !field.has_flat_face() && field.has_inaccurate_distance()) {
+    internal::prove_shortest(tree, longest, most_windows, interruption, report);
+  } else {
+    report.is_confirmed = is_sound && !field.is_given_up(most_windows) && !field.has_flat_face() &&
+                          !internal::is_input_rounded(tree.triangulation());
+    report.is_confirmed = internal::compare(tree, field, report) && report.is_confirmed;
+    if(report.windows <= most_windows && !interruption.has_occurred())
+      internal::replace_longer(tree, field, interruption, report);
   }
   if(interruption.has_occurred()) {
     report.status = Shortening_status::STOPPED_BY_VISITOR;

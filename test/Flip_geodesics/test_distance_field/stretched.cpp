@@ -116,3 +116,25 @@ BOOST_AUTO_TEST_CASE(paths_that_pass_a_vertex_within_rounding_are_not_lost)
   BOOST_TEST(path.report.is_confirmed());
   BOOST_TEST(std::abs(field.distance(8_v) - path.length()) <= 1e-12 * path.length());
 }
+
+BOOST_AUTO_TEST_CASE(distances_that_long_edges_make_inaccurate_are_reported)
+{
+  for(const double ratio : {1.0, 1e9}) {
+    const Asked_surface s(stretched_terrain(ratio));
+    Field field(s.triangulation, s.mesh);
+    field.add_source(0_v);
+    BOOST_TEST(field.compute().has_inaccurate_distance == (ratio > 1));
+  }
+}
+
+// Of a short side and a long one: differences of coordinates along the long one would hide the angle.
+BOOST_AUTO_TEST_CASE(angles_between_a_short_side_and_a_long_one_are_accurate)
+{
+  for(const double length : {1e3, 1e6, 1e9}) {
+    const Asked_surface s(Mesh_soup{{{0, 0, 0}, {length, 0, 0}, {0.6, 0.8, 0}}, {{0, 1, 2}}});
+    FG::internal::Face_sides<Triangulation> sides(s.triangulation);
+    for(auto h : descriptors<FG::Input_halfedge_index>(6))
+      if(!s.triangulation.input().is_border(h) && s.triangulation.input().tail(h) == 0_v)
+        BOOST_TEST(std::abs(sides(h).cosine - 0.6) < 1e-15);
+  }
+}

@@ -112,6 +112,7 @@ struct Number_rounding<double>
   static constexpr double unit = unit_roundoff;
   static double nearest(double number) { return number; }
   static double below(double number) { return number; }
+  static double above(double number) { return number; }
 };
 
 template <>
@@ -126,6 +127,9 @@ struct Number_rounding<Precise_number>
   {
     return number.nearest() - 2 * Number_rounding<double>::unit * std::abs(number.nearest());
   }
+
+  /* A double that is not smaller. */
+  static double above(const Precise_number& number) { return -below(-number); }
 };
 
 } // namespace internal

@@ -329,9 +329,17 @@ inline constexpr double greatest_offset = 1e10;
  * up to the square of that angle, as a part of the path. */
 inline constexpr double parallel_rays = 1e-11;
 
-/* The error of positions on an edge, relative to the size of the frame of a window: eight operations per face, through
- * sixteen faces. In a longer strip of such faces the path is longer as well. */
-inline constexpr double window_place_error = rounding_errors(8 * 16);
+/* By how much the source of a window moves, relative to the size of its frame, when the window is carried over a face:
+ * five changes of direction, the rotation, and the errors of the face itself are at most 32 roundings. */
+inline constexpr double window_step_error = rounding_errors(32);
+
+/* The error of positions on an edge, relative to the size of the frame of a window: that of four faces. In a longer strip
+ * of faces of that size the path is longer as well. */
+inline constexpr double window_place_error = 4 * window_step_error;
+
+/* A distance of a field is accurate if the bound of its rounding errors is at most this part of it. The bound exceeds the
+ * errors by several orders of magnitude on most meshes. */
+inline constexpr double accurate_distance = 1e-10;
 
 /* A point of a face so close to the edge through which its path comes, relative to the edge, that the direction of the
  * path is that of the ray and not that of the difference of two places, which has fewer than ten digits there. */

@@ -88,6 +88,8 @@ public:
   std::size_t spare() const { return m_spare; }
   /* How many windows an edge has had at most. */
   std::size_t most_on_an_edge() const { return m_most_on_an_edge; }
+  /* How many windows have been on edges, in all, when others were to be put there: a measure of the work. */
+  std::size_t number_passed() const { return m_passed; }
 
   /* Takes the windows of an edge away. */
   void clear(Edge_windows& windows, Index edge)
@@ -106,6 +108,7 @@ public:
       ++first;
     while(last != first && last[-1].from >= w.to)
       --last;
+    m_passed += static_cast<std::size_t>(old.size());
     m_result.clear();
     m_lost.clear();
     for(const Window* v = first; v != last; ++v)
@@ -307,7 +310,7 @@ private:
   Window* m_next = nullptr;                      // unused in the last chunk
   std::size_t m_left = 0;                        // how many windows there are behind it
   std::array<std::vector<Window*>, 32> m_unused; // blocks, by the logarithm of their room
-  std::size_t m_made = 0, m_capacity = 0, m_spare = 0, m_most_on_an_edge = 0;
+  std::size_t m_made = 0, m_capacity = 0, m_spare = 0, m_most_on_an_edge = 0, m_passed = 0;
   // Of the insertion that is going on:
   std::vector<Window> m_result;
   std::vector<Interval> m_lost, m_old_lost; // parts of the new window, and of an old one

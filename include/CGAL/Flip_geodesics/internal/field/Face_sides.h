@@ -138,12 +138,17 @@ private:
     const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
     const double length = v[0].x, next = std::hypot(v[1].x, v[1].y), previous = std::hypot(v[2].x, v[2].y);
     // Light passes a face without area, too: from a vertex on its longest side into the face beyond.
-    const double height = (std::max)(v[1].y, least_face_height * length), x = length + v[1].x, area = length * height;
+    const double height = (std::max)(v[1].y, least_face_height * length), area = length * height;
+    // The sum cancels if the side at the tail is short, and the angle there would be wrong.
+    const double x = previous < short_side * length ? -v[2].x : length + v[1].x;
     const double xn = -length * v[1].x / next, xp = -(v[1].x * v[2].x + v[1].y * v[2].y) / previous;
     return {{{length, x, height, x / previous, height / previous, hn, input.tail(h)},
              {next, xn, area / next, xn / length, area / (next * length), hp, input.tail(hn)},
              {previous, xp, area / previous, xp / next, area / (previous * next), h, input.tail(hp)}}};
   }
+
+  // Up to this ratio a difference of lengths has errors in the angle of at most eight roundings.
+  static constexpr double short_side = 0.125;
 
   const Triangulation& m_triangulation;
   Indexed_by<Input_halfedge_index, Lazy_array<Face_side>> m_sides;

@@ -76,8 +76,10 @@ struct Window
   /* Where the ray to a point above the edge crosses the edge. */
   double crossing(double b, double height) const { return (x * height + b * y) / (y + weight() * height); }
 
-  /* Bounds the rounding errors of positions on an edge relative to the size of the frame: eight operations per face
-   * that round to 2^-53, through sixteen faces. In a longer strip of such faces the path is longer as well. */
+  /* Bounds by how much the source moves, relative to the size of the frame, when a window is carried over a face. */
+  static constexpr double step_error = window_step_error;
+
+  /* The same through several faces. */
   static constexpr double place_error = window_place_error;
 
   /* The bound in the frame of an edge of a given length. */

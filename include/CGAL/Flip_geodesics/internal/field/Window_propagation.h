@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/Team.h>
+#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Edge_windows.h>
 #include <CGAL/Flip_geodesics/internal/field/Face_sides.h>
 #include <CGAL/Flip_geodesics/internal/field/Field_state.h>
@@ -147,12 +148,17 @@ public:
     return std::any_of(m_workers.begin(), m_workers.end(), [](const auto& w) { return w->has_flat_face(); });
   }
 
+  /* Can rounding errors have changed the distance of a vertex that is known by more than 1e-10 of it? */
+  bool has_inaccurate_distance() const { return m_has_inaccurate_distance; }
+
   /* Are there too many windows? Or so many on one edge that rays go round and round vertices that faces without area put
-   * into one place? They would for as long as roundings let them. */
+   * into one place? They would for as long as roundings let them. Other edges may have as many, but not on the average
+   * over all windows. */
   bool is_given_up(std::size_t most_windows) const
   {
     const auto is_crowded = [](const auto& w) { return w->inserter().most_on_an_edge() > most_on_an_edge; };
-    return number_of_windows() > most_windows ||
+    const std::size_t made = number_of_windows();
+    return made > most_windows || sum(&Window_inserter::number_passed) / most_on_an_edge > made ||
            (has_flat_face() && std::any_of(m_workers.begin(), m_workers.end(), is_crowded));
   }
 
@@ -199,6 +205,7 @@ private:
     try {
       team.for_each(m_items->numbers(), [this](std::size_t k, std::size_t i) { m_workers[k]->leave(m_round, i); });
       make_room();
+      note_accuracy();
       accept_vertices();
       team.for_each(m_items->numbers(), [this](std::size_t k, std::size_t i) { m_workers[k]->enter(m_round, i); });
     } catch(...) {
@@ -231,6 +238,26 @@ private:
     m_vertex_queue.reserve(most);
     m_edge_queue.reserve(most);
     m_passing.reserve(most);
+  }
+
+  /*
+   * Notes whether distances that are final now are accurate. Windows have crossed at most one face a round. Their source
+   * lies in the frame of an edge no farther than the path is long, and the edge; each face moves it by the part
+   * `Window::step_error` of that and of the edge. A window that is lost to these errors passes a vertex within them, and
+   * paths by way of the vertex are hardly longer. So the sum bounds the error of all distances up to the longest of the
+   * round.
+   */
+  void note_accuracy()
+  {
+    double shortest = infinity;
+    for(const std::size_t i : m_items->places())
+      if(const Round_item& item = (*m_items)[i]; !item.is_vertex)
+        m_longest_edge = (std::max)(m_longest_edge, item.leaving->length);
+      else if(item.due.key > 0)
+        shortest = (std::min)(shortest, item.due.key);
+    const double part = Window::step_error * static_cast<double>(m_round);
+    if(shortest < infinity && part * (shortest + 2 * m_longest_edge) > accurate_distance * shortest)
+      m_has_inaccurate_distance = true;
   }
 
   // Puts the lengths of paths on the vertices where they end.
@@ -345,6 +372,8 @@ private:
   std::vector<std::unique_ptr<Worker>> m_workers;
   std::size_t m_number_reached = 0; // vertices
   bool m_is_populated = false;      // has memory been asked for for all the mesh?
+  double m_longest_edge = 0;        // of those that windows have crossed
+  bool m_has_inaccurate_distance = false;
   // Of the round:
   double m_step = 0; // how much later than the first what is due is taken, too
   std::uint32_t m_round = 0;

@@ -129,6 +129,12 @@ public:
     return is_reached(v) ? Rounding::below(m_vertices[v].length.least) : infinity;
   }
 
+  /* The length of a path to a vertex that exists, rounded up; infinite if there is none yet. */
+  double greatest_distance(Vertex_index v) const
+  {
+    return is_reached(v) ? Rounding::above(m_vertices[v].length.most) : infinity;
+  }
+
   bool is_reached(Vertex_index v) const { return m_vertices[v].is_reached; }
 
   /* Are there several shortest paths to a vertex, as far as one can tell? \pre it has been reached */
