@@ -61,7 +61,8 @@ public:
     for(const std::string& argument : m_app.remaining())
       if(is_like_an_option(argument)) {
         const std::string unknown = argument.substr(0, argument.find('='));
-        const std::string meant = nearest_option(unknown[1] == '-' ? unknown : '-' + unknown);
+        const std::string name = unknown[1] == '-' ? unknown : '-' + unknown;
+        const std::string meant = unknown.size() > 2 ? nearest_option(name) : ""; // one letter is near many
         return unknown + " is not known; " + (meant.empty() ? "see --help" : "did you mean " + meant + "?");
       }
     if(!m_app.remaining().empty())
