@@ -148,10 +148,11 @@ def summary_without_times(output):
 
 def case_page(folder):
     """A page shows a run and does not change its numbers, and it has the steps that lead to the curves."""
-    (folder.path / 'points.txt').write_text('0 150\n0,1,0.25 13,14,26,0.3,0.3 100\n')
+    (folder.path / 'points.txt').write_text('0 150\n0,1,0.25 100\n')
+    (folder.path / 'corner.txt').write_text('0,1,0.25 13,14,26,0.3,0.3 100\n')
     (folder.path / 'bezier.txt').write_text('0,12,13,0.3,0.3 15 40,41,0.5 65\n')
     for curves, has_steps in ((['--random', '8'], True), (['--random', '8', '--shortest'], True), (['--points', 'points.txt'], True),
-                              (['--bezier', 'bezier.txt'], False)):
+                              (['--points', 'corner.txt'], False), (['--bezier', 'bezier.txt'], False)):
         alone, _ = folder.run(0, 'torus.off', *curves, '--stats', 'alone.csv', '--polylines', 'alone.txt')
         shown, _ = folder.run(0, 'torus.off', *curves, '--stats', 'shown.csv', '--polylines', 'shown.txt', '--page',
                               'page.html')

@@ -311,7 +311,7 @@ BOOST_AUTO_TEST_CASE(classes_of_curves_through_inserted_points)
           const double start = is_right ? 0.25 : 0.75;
           if(!input.is_border(g)) {
             polyline.push_back({g, {{start, 1 - start, 0}}});
-            polyline.push_back({g, {{0.25, 0.25, 0.5}}});
+            polyline.push_back({g, {{0.4, 0.4, 0.2}}});
           }
           polyline.push_back({g, is_right ? std::array<double, 3>{{1, 0, 0}} : std::array<double, 3>{{0, 1, 0}}});
         }

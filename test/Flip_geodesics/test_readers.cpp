@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(digits_beyond_a_float)
   check_has(rounded.remarks.front(), "one of 2 such coordinates; declare the type double");
   // As programs write floats, with all digits or fewer, or with fixed decimals.
   for(const char* written :
-      {"0.1 0.123456791 -1.5", "1234.567871 0.000001 1e-30", "+1.17549435e-38 0.333333 8388608.5"})
+      {"0.1 0.123456791 -1.5", "1234.567871 0.000001 1e-30", "+1.17549435e-38 0.333333 8388607.5"})
     BOOST_CHECK_MESSAGE(soup("float", written).remarks.empty(), written);
   BOOST_CHECK(soup("double", "0.123456789012 1e-3 16777217").remarks.empty());
   BOOST_CHECK_EQUAL(half_unit_of_last_digit("-1.25"), 0.005);

@@ -246,8 +246,8 @@ private:
     return static_cast<T>(value);
   }
 
-  // Returns whether a float differs from a number by more than half a unit of the number's last digit. Then the number was
-  // not written from that float. A float keeps all numbers of `digits10` characters apart.
+  // Returns whether a float differs from a number by more than half a unit of the number's last digit. Then the number
+  // was not written from that float. A float keeps all numbers of `digits10` characters apart.
   static bool loses_digits(std::string_view word, double value)
   {
     double number = 0;

@@ -182,7 +182,18 @@ private:
     FG::add_straightened_path(network, search(Vertex(0), m_last));
   }
 
-  void through_points(Network& network) { FG::add_curve_through(network, points(network.triangulation())); }
+  void through_points(Network& network) { add_legs(network); }
+
+  // Adds a curve through points, whose geodesics cross on some of the meshes; returns whether they do not.
+  bool add_legs(Network& network)
+  {
+    try {
+      FG::add_curve_through(network, points(network.triangulation()));
+    } catch(const FG::Crossing_curves_error&) {
+      return false;
+    }
+    return true;
+  }
 
   void drawn(Network& network)
   {
@@ -191,10 +202,9 @@ private:
 
   void spline(Network& network)
   {
-    const FG::Curve_index curve = FG::add_curve_through(network, points(network.triangulation()));
-    if(!is_ordered(network))
+    if(!add_legs(network) || !is_ordered(network))
       return;
-    FG::Geodesic_spline<Network> spline(network, curve);
+    FG::Geodesic_spline<Network> spline(network, FG::Curve_index(0));
     spline.refine();
     m_record.report(spline.finish());
   }
