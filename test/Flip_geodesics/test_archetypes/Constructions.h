@@ -184,20 +184,28 @@ private:
 
   void through_points(Network& network) { add_legs(network); }
 
-  // Adds a curve through points, whose geodesics cross on some of the meshes; returns whether they do not.
+  void drawn(Network& network)
+  {
+    add_unless_crossing([&] {
+      FG::draw_polyline(network, FG::complete_polyline(network.triangulation(), points(network.triangulation())));
+    });
+  }
+
   bool add_legs(Network& network)
   {
+    return add_unless_crossing([&] { FG::add_curve_through(network, points(network.triangulation())); });
+  }
+
+  // Adds a curve through points, which crosses itself on some of the meshes; returns whether it does not.
+  template <class Add>
+  bool add_unless_crossing(const Add& add)
+  {
     try {
-      FG::add_curve_through(network, points(network.triangulation()));
+      add();
     } catch(const FG::Crossing_curves_error&) {
       return false;
     }
     return true;
-  }
-
-  void drawn(Network& network)
-  {
-    FG::draw_polyline(network, FG::complete_polyline(network.triangulation(), points(network.triangulation())));
   }
 
   void spline(Network& network)
