@@ -18,7 +18,7 @@ def main():
         'vcpkg': json.loads((recipes / 'vcpkg/vcpkg.json').read_text())['version'],
         'conan': re.search(r'^    version = "(.*)"', (recipes / 'conan/conanfile.py').read_text(), re.M)[1],
         'CITATION.cff': re.search(r'^version: (\S+)', (root / 'CITATION.cff').read_text(), re.M)[1],
-        'CHANGELOG.md': re.search(r'^## (\S+)', (root / 'CHANGELOG.md').read_text(), re.M)[1],
+        'CHANGELOG.md': re.search(r'^## (\d\S*)', (root / 'CHANGELOG.md').read_text(), re.M)[1],
     }
     problems = [] if len(set(found.values())) == 1 else [f'versions differ: {found}']
     compile((recipes / 'conan/conanfile.py').read_text(), 'conanfile.py', 'exec')
