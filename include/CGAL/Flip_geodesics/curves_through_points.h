@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Leg_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -260,7 +262,31 @@ std::vector<Form> polyline_forms(const Triangulation& triangulation, const Trian
   return points;
 }
 
-/* A geodesic through the points that `locate(triangulation)` gives. */
+/* What gives locations on the surface of a triangulation. */
+template <class TriangleMesh, class NamedParameters>
+using Locate_points = std::function<std::vector<Surface_location>(
+    const typename Curve_types<TriangleMesh, NamedParameters>::Triangulation&)>;
+
+/* The computation of a geodesic through the points that `locate(triangulation)` gives; like `compute_path()` not
+ * inline. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<Form> compute_path_through(const TriangleMesh& mesh,
+                                           const Locate_points<TriangleMesh, NamedParameters>& locate,
+                                           const StopPredicate& stop, const NamedParameters& np)
+{
+  static_assert(is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  std::vector<Surface_location> given;
+  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
+    auto visitor = make_visitor(np);
+    Free_legs path = geodesics_through(triangulation, points, stop, visitor.get());
+    note_contraction(triangulation, path.report);
+    return Computed_output<Form>{polyline_forms<Form>(triangulation, mesh, path.legs), std::move(path.report)};
+  });
+}
+
 template <class TriangleMesh, class Locate, class OutputIterator, class StopPredicate, class NamedParameters>
 Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mesh, const Locate& locate,
                                                          OutputIterator out, const StopPredicate& stop,
@@ -268,17 +294,8 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   using Form = Curve_form<Triangulation, OutputIterator>;
-  static_assert(is_stop_predicate<StopPredicate>,
-                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
-  std::vector<Surface_location> given;
-  const auto compute = [&](Triangulation& triangulation) {
-    const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
-    auto visitor = make_visitor(np);
-    Free_legs path = geodesics_through(triangulation, points, stop, visitor.get());
-    note_contraction(triangulation, path.report);
-    return Computed_output<Form>{polyline_forms<Form>(triangulation, mesh, path.legs), std::move(path.report)};
-  };
-  return write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
+  return write_computed<Geodesic_result<OutputIterator>>(
+      compute_path_through<Form, TriangleMesh, StopPredicate, NamedParameters>(mesh, locate, stop, np), out);
 }
 
 } // namespace internal
@@ -402,8 +419,22 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
     internal::note_contraction(triangulation, result.report);
     return result;
   };
-  return internal::write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
+  return internal::write_computed<Geodesic_result<OutputIterator>>(internal::compute_on_surface(mesh, np, compute),
+                                                                   out);
 }
+
+#ifdef CGAL_FLIP_GEODESICS_COMPILED
+namespace internal {
+
+#define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
+  CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE Computed_output<Form> compute_path_through(                       \
+      const Mesh&, const Locate_points<Mesh, parameters::Default_named_parameters>&, const Never_stop_predicate&,      \
+      const parameters::Default_named_parameters&);
+CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
+#undef CGAL_FLIP_GEODESICS_INSTANCES
+
+} // namespace internal
+#endif
 
 } // namespace Flip_geodesics
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
 #include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
@@ -101,13 +102,11 @@ struct Computed_output
   Report report;
 };
 
-/* Computes a `Computed_output` as `compute_on_surface()`, and writes it once it is final: an attempt that is repeated
- * on the contracted surface leaves nothing in the output. Returns a `Result`, the end of the output and the report. */
-template <class Result, class TriangleMesh, class NamedParameters, class OutputIterator, class Compute>
-Result write_computed_on_surface(const TriangleMesh& mesh, const NamedParameters& np, OutputIterator out,
-                                 const Compute& compute)
+/* Writes what was computed, which is final: an attempt that was repeated on the contracted surface leaves nothing in the
+ * output. Returns a `Result`, the end of the output and the report. */
+template <class Result, class Computed, class OutputIterator>
+Result write_computed(Computed&& computed, OutputIterator out)
 {
-  auto computed = compute_on_surface(mesh, np, compute);
   return Result{std::move(computed.values.begin(), computed.values.end(), out), std::move(computed.report)};
 }
 
@@ -203,14 +202,26 @@ Computed_output<Form> geodesic_between(Network& network, Search& search, const T
   return {curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
 }
 
-/* The indices of vertices of the mesh, before edges are contracted. */
-template <class Triangulation, class VertexRange>
-std::vector<Vertex_index> mesh_indices(const Triangulation& triangulation, const VertexRange& vertices)
+/* A copy of a range of vertices of the mesh. */
+template <class TriangleMesh>
+using Vertices_of = std::vector<Mesh_vertex<TriangleMesh>>;
+
+template <class TriangleMesh, class VertexRange>
+Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRange& vertices)
 {
-  static_assert(is_range_of<VertexRange, typename Triangulation::Mesh_vertex>,
-                "the curve is no range of vertices of the mesh");
-  std::vector<Vertex_index> result;
+  static_assert(is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>, "the curve is no range of vertices of the mesh");
+  Vertices_of<TriangleMesh> result;
   for(const auto& v : vertices)
+    result.push_back(v);
+  return result;
+}
+
+/* The indices of vertices of the mesh, before edges are contracted. */
+template <class Triangulation, class Vertex>
+std::vector<Vertex_index> mesh_indices(const Triangulation& triangulation, const std::vector<Vertex>& vertices)
+{
+  std::vector<Vertex_index> result;
+  for(const Vertex& v : vertices)
     result.push_back(triangulation.input().uncontracted().index(v));
   return result;
 }
@@ -227,14 +238,11 @@ bool add_vertex_curve(Network& network, const std::vector<Vertex_index>& vertice
 }
 
 /* The same for many curves, of which those whose last vertex is their first are closed. */
-template <class Network, class CurveRange>
-std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
+template <class Network, class Vertex>
+std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vector<Vertex>>& curves)
 {
-  static_assert(
-      is_range_of_ranges<CurveRange>,
-      "several curves are a range of ranges of vertices; geodesic_loop() or geodesic_path_through() takes one");
   std::vector<bool> result;
-  for(const auto& curve : curves) {
+  for(const std::vector<Vertex>& curve : curves) {
     std::vector<Vertex_index> vertices = mesh_indices(network.triangulation(), curve);
     const bool is_closed = vertices.size() > 2 && vertices.front() == vertices.back();
     if(is_closed)
@@ -242,6 +250,75 @@ std::vector<bool> add_vertex_curves(Network& network, const CurveRange& curves)
     result.push_back(add_vertex_curve(network, vertices, is_closed));
   }
   return result;
+}
+
+/*
+ * What the functions below do but for writing the output. These are no inline functions and depend on the form of the
+ * output alone, so that the compiled library can have instances of them; see `internal/one_call/compiled.h`.
+ */
+
+/* Of `geodesic_path()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<Form> compute_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                   Mesh_vertex<TriangleMesh> target, const StopPredicate& stop,
+                                   const NamedParameters& np)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
+    typename Types::Network network(triangulation);
+    return geodesic_between<Form>(network, search, mesh, source, target, np, stop);
+  });
+}
+
+/* Of `geodesic_loop()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
+                                   const StopPredicate& stop, const NamedParameters& np)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    typename Types::Network network(triangulation);
+    std::vector<Vertex_index> loop = mesh_indices(triangulation, vertices);
+    if(loop.size() > 1 && loop.front() == loop.back())
+      loop.pop_back();
+    Computed_output<Form> result;
+    if(add_vertex_curve(network, loop, true)) {
+      order_overlapping_curves(network);
+      result.report = shorten_with_visitor(network, np, stop);
+      result.values = curve_forms<Form>(network, mesh, Curve_index(0));
+    } else {
+      result.report.curves.push_back(report_of_point(triangulation));
+    }
+    note_contraction(triangulation, result.report);
+    return result;
+  });
+}
+
+/* Of `straighten()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
+                                                   const std::vector<Vertices_of<TriangleMesh>>& curves,
+                                                   const StopPredicate& stop, const NamedParameters& np)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    typename Types::Network network(triangulation);
+    const std::vector<bool> has_length = add_vertex_curves(network, curves);
+    order_overlapping_curves(network);
+    Computed_output<std::vector<Form>> result;
+    result.report = shorten_with_visitor(network, np, stop);
+    auto& reports = result.report.curves;
+    for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
+      result.values.emplace_back();
+      if(has_length[i])
+        result.values.back() = curve_forms<Form>(network, mesh, Curve_index(static_cast<Index>(c++)));
+      else
+        reports.insert(reports.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
+    }
+    note_contraction(triangulation, result.report);
+    return result;
+  });
 }
 
 } // namespace internal
@@ -291,12 +368,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
-  const auto compute = [&](typename Types::Triangulation& triangulation) {
-    Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
-    typename Types::Network network(triangulation);
-    return internal::geodesic_between<Form>(network, search, mesh, source, target, np, stop);
-  };
-  return internal::write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
+  return internal::write_computed<Geodesic_result<OutputIterator>>(
+      internal::compute_path<Form>(mesh, source, target, stop, np), out);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -334,23 +407,8 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
-  const auto compute = [&](typename Types::Triangulation& triangulation) {
-    typename Types::Network network(triangulation);
-    std::vector<Vertex_index> loop = internal::mesh_indices(triangulation, vertices);
-    if(loop.size() > 1 && loop.front() == loop.back())
-      loop.pop_back();
-    internal::Computed_output<Form> result;
-    if(internal::add_vertex_curve(network, loop, true)) {
-      order_overlapping_curves(network);
-      result.report = internal::shorten_with_visitor(network, np, stop);
-      result.values = internal::curve_forms<Form>(network, mesh, Curve_index(0));
-    } else {
-      result.report.curves.push_back(report_of_point(triangulation));
-    }
-    internal::note_contraction(triangulation, result.report);
-    return result;
-  };
-  return internal::write_computed_on_surface<Geodesic_result<OutputIterator>>(mesh, np, out, compute);
+  return internal::write_computed<Geodesic_result<OutputIterator>>(
+      internal::compute_loop<Form>(mesh, internal::vertices_of_mesh(mesh, vertices), stop, np), out);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -386,24 +444,14 @@ Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curv
 {
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator, internal::Vector_of>;
-  const auto compute = [&](typename Types::Triangulation& triangulation) {
-    typename Types::Network network(triangulation);
-    const std::vector<bool> has_length = internal::add_vertex_curves(network, curves);
-    order_overlapping_curves(network);
-    internal::Computed_output<std::vector<Form>> result;
-    result.report = internal::shorten_with_visitor(network, np, stop);
-    auto& reports = result.report.curves;
-    for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
-      result.values.emplace_back();
-      if(has_length[i])
-        result.values.back() = internal::curve_forms<Form>(network, mesh, Curve_index(static_cast<Index>(c++)));
-      else
-        reports.insert(reports.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
-    }
-    internal::note_contraction(triangulation, result.report);
-    return result;
-  };
-  return internal::write_computed_on_surface<Geodesics_result<OutputIterator>>(mesh, np, out, compute);
+  static_assert(
+      internal::is_range_of_ranges<CurveRange>,
+      "several curves are a range of ranges of vertices; geodesic_loop() or geodesic_path_through() takes one");
+  std::vector<internal::Vertices_of<TriangleMesh>> copies;
+  for(const auto& curve : curves)
+    copies.push_back(internal::vertices_of_mesh(mesh, curve));
+  return internal::write_computed<Geodesics_result<OutputIterator>>(
+      internal::compute_network<Form>(mesh, copies, stop, np), out);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -417,6 +465,25 @@ Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curv
     return Flip_geodesics::straighten(mesh, curves, out, stop, np);
   });
 }
+
+#ifdef CGAL_FLIP_GEODESICS_COMPILED
+namespace internal {
+
+#define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
+  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_path(                                              \
+      const Mesh&, Mesh_vertex<Mesh>, Mesh_vertex<Mesh>, const Never_stop_predicate&,                                  \
+      const parameters::Default_named_parameters&);                                                                    \
+  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_loop(const Mesh&, const Vertices_of<Mesh>&,        \
+                                                                         const Never_stop_predicate&,                  \
+                                                                         const parameters::Default_named_parameters&); \
+  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<std::vector<Form>> compute_network(                              \
+      const Mesh&, const std::vector<Vertices_of<Mesh>>&, const Never_stop_predicate&,                                 \
+      const parameters::Default_named_parameters&);
+CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
+#undef CGAL_FLIP_GEODESICS_INSTANCES
+
+} // namespace internal
+#endif
 
 } // namespace Flip_geodesics
 } // namespace CGAL

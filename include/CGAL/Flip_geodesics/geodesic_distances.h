@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/field/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
@@ -169,25 +170,6 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation, Vertex_i
   return result;
 }
 
-/* The indices of what distances are measured from: a vertex of the mesh, or several. */
-template <class Triangulation, class Sources>
-std::vector<Vertex_index> source_indices(const Triangulation& triangulation, const Sources& sources)
-{
-  using Vertex = typename Triangulation::Mesh_vertex;
-  constexpr bool is_one = std::is_convertible<Sources, Vertex>::value;
-  static_assert(is_one || is_range_of<Sources, Vertex>,
-                "no vertex of the mesh where it belongs, nor a range of such; the order is mesh, source, property map");
-  std::vector<Vertex_index> result;
-  if constexpr(is_one) {
-    const Vertex v = sources;
-    result.push_back(triangulation.index(v));
-  } else {
-    for(const Vertex v : sources)
-      result.push_back(triangulation.index(v));
-  }
-  return result;
-}
-
 /* Computes a field from vertices, and returns what is known of the distances. */
 template <class Triangulation, class Visitor>
 Shortest_tree_report compute_from_vertices(Geodesic_distance_field<Triangulation>& field,
@@ -272,6 +254,71 @@ Computed_values<Polar_coordinates> field_coordinates(const Triangulation& triang
   return result;
 }
 
+/* Is it one vertex of the mesh, or several? */
+template <class TriangleMesh, class Sources>
+std::vector<Mesh_vertex<TriangleMesh>> source_vertices(const TriangleMesh&, const Sources& sources)
+{
+  using Vertex = Mesh_vertex<TriangleMesh>;
+  constexpr bool is_one = std::is_convertible<Sources, Vertex>::value;
+  static_assert(is_one || is_range_of<Sources, Vertex>,
+                "no vertex of the mesh where it belongs, nor a range of such; the order is mesh, source, property map");
+  if constexpr(is_one) {
+    return {Vertex(sources)};
+  } else {
+    std::vector<Vertex> result;
+    for(const Vertex v : sources)
+      result.push_back(v);
+    return result;
+  }
+}
+
+/* What is computed on a surface is confirmed of the mesh if nothing was lost when it was contracted or rounded. */
+template <class Triangulation, class Value>
+Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Computed_values<Value>&& result)
+{
+  result.report.is_confirmed =
+      result.report.is_confirmed && !has_lost_edges(triangulation.input()) && !is_input_rounded(triangulation);
+  return std::move(result);
+}
+
+/* The computations of `geodesic_distances()`, in which a single source has a tree to fall back on, and of
+ * `polar_coordinates()`; like `compute_path()` not inline. */
+template <class TriangleMesh, class NamedParameters>
+Computed_values<double> compute_distances(const TriangleMesh& mesh,
+                                          const std::vector<Mesh_vertex<TriangleMesh>>& sources, bool is_single,
+                                          const Window_limit& limit, const NamedParameters& np)
+{
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  auto visitor = make_visitor(np);
+  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    std::vector<Vertex_index> indices;
+    for(const auto& v : sources)
+      indices.push_back(triangulation.index(v));
+    auto result = field_distances(triangulation, mesh, indices, limit, visitor.get());
+    if(is_single && !result.report.is_confirmed && !is_stopped_by_visitor(result.report))
+      result = make_shortest_tree<double>(triangulation, indices.front(), limit, visitor.get(),
+                                          [&](const auto& tree, const auto& map) { write_distances(tree, mesh, map); });
+    return confirmed_of_mesh(triangulation, std::move(result));
+  });
+}
+
+template <class TriangleMesh, class NamedParameters>
+Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
+                                                             const Window_limit& limit, const NamedParameters& np)
+{
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  auto visitor = make_visitor(np);
+  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+    const Vertex_index s = triangulation.index(source);
+    auto result = field_coordinates(triangulation, mesh, s, limit, visitor.get());
+    if(!result.report.is_confirmed && !is_stopped_by_visitor(result.report))
+      result = make_shortest_tree<Polar_coordinates>(
+          triangulation, s, limit, visitor.get(),
+          [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
+    return confirmed_of_mesh(triangulation, std::move(result));
+  });
+}
+
 } // namespace internal
 
 /*!
@@ -305,20 +352,8 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
                                         const Limit& limit, const NamedParameters& np)
 {
   static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  auto visitor = internal::make_visitor(np);
-  const auto computed = internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    const std::vector<Vertex_index> indices = internal::source_indices(triangulation, sources);
-    auto result = internal::field_distances(triangulation, mesh, indices, limit, visitor.get());
-    if constexpr(internal::is_mesh_vertex<TriangleMesh, Sources>)
-      if(!result.report.is_confirmed && !internal::is_stopped_by_visitor(result.report))
-        result = internal::make_shortest_tree<double>(
-            triangulation, indices.front(), limit, visitor.get(),
-            [&](const auto& tree, const auto& map) { write_distances(tree, mesh, map); });
-    result.report.is_confirmed = result.report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
-                                 !internal::is_input_rounded(triangulation);
-    return result;
-  });
+  const auto computed = internal::compute_distances(mesh, internal::source_vertices(mesh, sources),
+                                                    internal::is_mesh_vertex<TriangleMesh, Sources>, limit, np);
   internal::write_values(mesh, computed, distances);
   return computed.report;
 }
@@ -359,20 +394,7 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& s
   static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
                 "no vertex of the mesh where it belongs; the order is mesh, source, property map");
   static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  auto visitor = internal::make_visitor(np);
-  const auto computed = internal::compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
-    const Mesh_vertex<TriangleMesh> from = source;
-    const Vertex_index s = triangulation.index(from);
-    auto result = internal::field_coordinates(triangulation, mesh, s, limit, visitor.get());
-    if(!result.report.is_confirmed && !internal::is_stopped_by_visitor(result.report))
-      result = internal::make_shortest_tree<Polar_coordinates>(
-          triangulation, s, limit, visitor.get(),
-          [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
-    result.report.is_confirmed = result.report.is_confirmed && !internal::has_lost_edges(triangulation.input()) &&
-                                 !internal::is_input_rounded(triangulation);
-    return result;
-  });
+  const auto computed = internal::compute_polar_coordinates(mesh, Mesh_vertex<TriangleMesh>(source), limit, np);
   internal::write_values(mesh, computed, coordinates);
   return computed.report;
 }
@@ -387,6 +409,21 @@ Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& s
     return Flip_geodesics::polar_coordinates(mesh, source, coordinates, limit, np);
   });
 }
+
+#ifdef CGAL_FLIP_GEODESICS_COMPILED
+namespace internal {
+
+#define CGAL_FLIP_GEODESICS_INSTANCES(Mesh)                                                                            \
+  CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<double> compute_distances(                                    \
+      const Mesh&, const std::vector<Mesh_vertex<Mesh>>&, bool, const Window_limit&,                                   \
+      const parameters::Default_named_parameters&);                                                                    \
+  CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<Polar_coordinates> compute_polar_coordinates(                 \
+      const Mesh&, Mesh_vertex<Mesh>, const Window_limit&, const parameters::Default_named_parameters&);
+CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(CGAL_FLIP_GEODESICS_INSTANCES)
+#undef CGAL_FLIP_GEODESICS_INSTANCES
+
+} // namespace internal
+#endif
 
 } // namespace Flip_geodesics
 } // namespace CGAL

@@ -62,7 +62,8 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
     internal::note_contraction(triangulation, result.report);
     return result;
   };
-  return internal::write_computed_on_surface<Geodesics_result<OutputIterator>>(mesh, np, out, compute);
+  return internal::write_computed<Geodesics_result<OutputIterator>>(internal::compute_on_surface(mesh, np, compute),
+                                                                    out);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>
@@ -388,20 +389,18 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 
 namespace internal {
 
-template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks* landmarks,
-                                                   const Source& source, const Target& target, OutputIterator out,
-                                                   const Limit& limit, const NamedParameters& np)
+/* The computation of `shortest_path()` over a mesh; like `compute_path()` not inline. */
+template <class Form, class TriangleMesh, class NamedParameters>
+Computed_output<Form, Shortest_path_report> compute_shortest_path(const TriangleMesh& mesh,
+                                                                  const Geodesic_landmarks* landmarks,
+                                                                  Mesh_vertex<TriangleMesh> source,
+                                                                  Mesh_vertex<TriangleMesh> target,
+                                                                  const Window_limit& limit, const NamedParameters& np)
 {
-  static_assert(is_mesh_vertex<TriangleMesh, Source> && is_mesh_vertex<TriangleMesh, Target>,
-                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
-  static_assert(is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
   using Types = Curve_types<TriangleMesh, NamedParameters>;
-  using Form = Curve_form<typename Types::Triangulation, OutputIterator>;
   using Computed = Computed_output<Form, Shortest_path_report>;
-  const auto compute = [&](typename Types::Triangulation& triangulation) {
-    const Mesh_vertex<TriangleMesh> from = source, to = target;
-    const Vertex_index s = triangulation.index(from), t = triangulation.index(to);
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    const Vertex_index s = triangulation.index(source), t = triangulation.index(target);
     if(s == t) {
       auto point = path_in_one_place<Form>(triangulation, mesh, s);
       return Computed{std::move(point.values), report_of_no_length(point.report)};
@@ -414,8 +413,22 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
       throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
     note_contraction(triangulation, report.shortening);
     return Computed{curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
-  };
-  return write_computed_on_surface<Shortest_path_result<OutputIterator>>(mesh, np, out, compute);
+  });
+}
+
+template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
+Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks* landmarks,
+                                                   const Source& source, const Target& target, OutputIterator out,
+                                                   const Limit& limit, const NamedParameters& np)
+{
+  static_assert(is_mesh_vertex<TriangleMesh, Source> && is_mesh_vertex<TriangleMesh, Target>,
+                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
+  static_assert(is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
+  using Form = Curve_form<typename Curve_types<TriangleMesh, NamedParameters>::Triangulation, OutputIterator>;
+  return write_computed<Shortest_path_result<OutputIterator>>(
+      compute_shortest_path<Form>(mesh, landmarks, Mesh_vertex<TriangleMesh>(source), Mesh_vertex<TriangleMesh>(target),
+                                  limit, np),
+      out);
 }
 
 } // namespace internal
@@ -536,6 +549,19 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRang
     indices.push_back(triangulation.index(v));
   return Geodesic_landmarks(triangulation, indices, ConcurrencyTag());
 }
+
+#ifdef CGAL_FLIP_GEODESICS_COMPILED
+namespace internal {
+
+#define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
+  CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE Computed_output<Form, Shortest_path_report> compute_shortest_path(        \
+      const Mesh&, const Geodesic_landmarks*, Mesh_vertex<Mesh>, Mesh_vertex<Mesh>, const Window_limit&,               \
+      const parameters::Default_named_parameters&);
+CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
+#undef CGAL_FLIP_GEODESICS_INSTANCES
+
+} // namespace internal
+#endif
 
 } // namespace Flip_geodesics
 } // namespace CGAL

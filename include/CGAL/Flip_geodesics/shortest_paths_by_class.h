@@ -313,8 +313,8 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
     result.report = internal::report_of<TriangleMesh>(triangulation, paths, number);
     return result;
   };
-  return internal::write_computed_on_surface<Paths_by_class_result<TriangleMesh, OutputIterator>>(mesh, np, out,
-                                                                                                  compute);
+  return internal::write_computed<Paths_by_class_result<TriangleMesh, OutputIterator>>(
+      internal::compute_on_surface(mesh, np, compute), out);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
 # Installs the package into an empty prefix, then configures, builds and runs the project of this folder against it.
-# Arguments: build_dir and source_dir of the package, its version, and the generator, make_program, compiler, launcher,
-# flags and cgal_dir that it was configured with.
+# Arguments: build_dir and source_dir of the package, its version, whether it has_compiled the library, the
+# object_extension, and the generator, make_program, compiler, launcher, flags and cgal_dir that it was configured with.
 
 cmake_minimum_required(VERSION 3.16)
 
@@ -27,6 +27,7 @@ endfunction()
 run("install" "${CMAKE_COMMAND}" --install "${build_dir}" --prefix "${prefix}")
 
 file(GLOB_RECURSE installed "${prefix}/*")
+list(FILTER installed EXCLUDE REGEX "\\.(a|lib)$") # with assertions, which name their source
 foreach(file IN LISTS installed)
   file(READ "${file}" text)
   string(FIND "${text}" "${source_dir}" position)
@@ -52,6 +53,28 @@ endif()
 run("build" "${CMAKE_COMMAND}" --build "${work_dir}/build")
 run("run" "${work_dir}/build/consumer")
 message(STATUS "version ${version}: ${output}")
+
+# Linked to the compiled library, the program has the same results, and no instance of its own of what the library has.
+if(has_compiled)
+  set(printed "${output}")
+  run("run with the compiled library" "${work_dir}/build/compiled_consumer")
+  if(NOT output STREQUAL printed)
+    message(FATAL_ERROR "with the compiled library: ${output}")
+  endif()
+  file(SIZE "${work_dir}/build/CMakeFiles/consumer.dir/main.cpp${object_extension}" size)
+  file(SIZE "${work_dir}/build/CMakeFiles/compiled_consumer.dir/main.cpp${object_extension}" compiled_size)
+  math(EXPR half "${size} / 2")
+  if(NOT compiled_size LESS half)
+    message(FATAL_ERROR "an object of ${compiled_size} bytes for the compiled library, of ${size} bytes without it")
+  endif()
+endif()
+
+# As a part of the project, without an install.
+set(options ${options} -D "PACKAGE_SOURCE=${source_dir}" -D FLIP_GEODESICS_BUILD_TESTS=OFF
+            -D FLIP_GEODESICS_BUILD_EXAMPLES=OFF)
+run("configure as a part" "${CMAKE_COMMAND}" -S "${work_dir}/source" -B "${work_dir}/part" ${options})
+run("build as a part" "${CMAKE_COMMAND}" --build "${work_dir}/part")
+run("run as a part" "${work_dir}/part/consumer")
 
 find_program(pkg_config pkg-config)
 if(pkg_config)
