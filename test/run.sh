@@ -3,10 +3,10 @@
 #
 # Builds and runs the tests, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
-#   bash test/run.sh           every test with g++; headers, smoke tests and most examples with clang++; smoke tests
-#                              under sanitizers
-#   bash test/run.sh --full    every test and every example with g++, with clang++, and under sanitizers with checked
-#                              iterators; OpenMesh and MPI installed as well
+#   bash test/run.sh           every test, every header alone and every example with clang++, in which tests share
+#                              instances of templates; smoke tests and two examples with g++; smoke tests under sanitizers
+#   bash test/run.sh --full    in addition every test and every example with g++, optimized with clang++, and under
+#                              sanitizers with checked iterators; OpenMesh and MPI installed as well
 #   bash test/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
 # A run that was interrupted continues where it stopped. Environment: BUILD_DIR (default: build/run-tests in the
@@ -14,12 +14,12 @@
 
 set -euo pipefail
 
-# Run with clang++ and under sanitizers each time, so that each public function is. Few, since each costs half a minute to
-# compile twice more.
-smoke_tests=(test_checker test_edge_path_graph test_entry_points)
+# Run with g++ and under sanitizers each time; the last calls each public function. Few, since each takes half a minute
+# to compile.
+smoke_tests=(test_checker test_entry_points)
 
-# Examples that g++ compiles, and the program. The others are compiled by clang++, in two thirds of the time.
-examples_with_gcc=(flip_geodesics geodesic_path_example own_mesh_and_kernel_example readme_example)
+# The first programs of a user, with g++.
+examples_with_gcc=(geodesic_path_example readme_example)
 
 # libclang-rt-dev has the sanitizers of clang++.
 packages=(g++ clang libclang-rt-dev cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev
@@ -107,21 +107,12 @@ fi
 # Everything is said each time, since a build folder remembers what the last run asked for.
 list() { local IFS=';'; echo "$*"; }
 sources=("$root"/test/Flip_geodesics/test_*.cpp)
-examples_with_clang=()
-for source in "$root"/examples/Flip_geodesics/*.cpp; do
-  name=$(basename "$source" .cpp)
-  case " ${examples_with_gcc[*]} " in
-    *" $name "*) ;;
-    *) examples_with_clang+=("$name") ;;
-  esac
-done
 number_of_tests=$((${#sources[@]} + 3)) # on top of the sources: headers, consumer, complete
 tests=(-D FLIP_GEODESICS_TESTS=all)
 number_of_smoke_tests=$((${#smoke_tests[@]} + 1)) # on top of them: complete
 smoke=(-D "FLIP_GEODESICS_TESTS=$(list "${smoke_tests[@]}")")
 all_examples=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D FLIP_GEODESICS_EXAMPLES=all)
 with_gcc=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D "FLIP_GEODESICS_EXAMPLES=$(list "${examples_with_gcc[@]}")")
-with_clang=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D "FLIP_GEODESICS_EXAMPLES=$(list "${examples_with_clang[@]}")")
 # What compiles is known when sanitizers run: the headers need none.
 no_examples=(-D FLIP_GEODESICS_BUILD_EXAMPLES=OFF -D FLIP_GEODESICS_TEST_HEADERS=OFF)
 
@@ -132,15 +123,15 @@ if ! clang++ -fsanitize=address,undefined -x c++ -o "$build_dir/sanitized" - <<<
   sanitizers+=(-D CMAKE_CXX_COMPILER=g++ -D FLIP_GEODESICS_WARNINGS_AS_ERRORS=OFF)
 fi
 
+run_stage test "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
 if [ $full -eq 1 ]; then
-  run_stage test "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
+  run_stage gcc "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
   run_stage clang "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
   run_stage asan-ubsan "${sanitizers[@]}"
   run_stage checked $((number_of_tests - 1)) "${tests[@]}" "${all_examples[@]}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
 else
-  run_stage test $((number_of_tests + ${#examples_with_gcc[@]})) "${tests[@]}" "${with_gcc[@]}"
-  # With the test `headers`, and without distributed_paths_example where there is no MPI.
-  run_stage clang $((number_of_smoke_tests + ${#examples_with_clang[@]})) "${smoke[@]}" "${with_clang[@]}"
+  run_stage gcc $((number_of_smoke_tests + ${#examples_with_gcc[@]})) "${smoke[@]}" "${with_gcc[@]}" \
+    -D FLIP_GEODESICS_TEST_HEADERS=OFF
   run_stage asan-ubsan "${sanitizers[@]}"
 fi
 

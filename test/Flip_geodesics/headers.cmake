@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
 # The test `headers`: each header compiles alone, and twice in a row; all of them linked into one program show a function
-# that lacks `inline` as a duplicate symbol. Where g++ does that, clang++ looks at our code, all of it in one source.
+# that lacks `inline` as a duplicate symbol.
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include"
      "${PROJECT_SOURCE_DIR}/include/CGAL/*.h")
@@ -55,7 +55,6 @@ function(flip_geodesics_add_headers name)
 endfunction()
 
 set(header_folder "${CMAKE_CURRENT_BINARY_DIR}/headers")
-set(everything "")
 set(number_of_headers 0)
 foreach(group nothing ${precompiled_headers})
   set("sources_with_${group}" "")
@@ -64,7 +63,6 @@ endforeach()
 macro(flip_geodesics_add_header_source name group lines)
   file(CONFIGURE OUTPUT "${header_folder}/${name}.cpp" CONTENT "${lines}")
   list(APPEND "sources_with_${group}" "${header_folder}/${name}.cpp")
-  string(APPEND everything "${lines}")
   math(EXPR number_of_headers "${number_of_headers} + 1")
 endmacro()
 
@@ -95,10 +93,7 @@ int main()
 ]] @ONLY)
 add_executable(headers_together "${header_folder}/main.cpp")
 target_link_libraries(headers_together PRIVATE CGAL::Flip_geodesics)
-if(FLIP_GEODESICS_PRECOMPILE_HEADERS AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-  file(CONFIGURE OUTPUT "${header_folder}/everything.cpp" CONTENT "${everything}")
-  flip_geodesics_add_headers(all_headers "${header_folder}/everything.cpp")
-elseif(FLIP_GEODESICS_PRECOMPILE_HEADERS)
+if(FLIP_GEODESICS_PRECOMPILE_HEADERS)
   foreach(group nothing ${precompiled_headers})
     get_filename_component(name "${group}" NAME_WE)
     flip_geodesics_add_headers(headers_with_${name} ${sources_with_${group}})

@@ -35,7 +35,7 @@ int flip_to_delaunay(Triangulation& triangulation, int limit)
 }
 
 template <class Triangulation>
-bool is_delaunay(const Triangulation& triangulation)
+bool are_all_edges_delaunay(const Triangulation& triangulation)
 {
   namespace FG = CGAL::Flip_geodesics;
   for(FG::Halfedge_index h : FG::internal::descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges()))

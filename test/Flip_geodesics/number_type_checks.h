@@ -335,7 +335,7 @@ void check_delaunay(const Mesh_soup& soup, const Traits& traits, int attempts)
   const int flips = flip_to_delaunay(reference, 100000);
   BOOST_TEST(flips > 0);
   BOOST_TEST(flip_to_delaunay(triangulation, 100000) == flips);
-  BOOST_TEST(is_delaunay(triangulation));
+  BOOST_TEST(are_all_edges_delaunay(triangulation));
 }
 
 // ---------------------------------------------------------------- lengths instead of points

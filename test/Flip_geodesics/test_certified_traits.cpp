@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_referee_agrees_on_what_is_delaunay)
       BOOST_TEST_CONTEXT(named.name)
       {
         BOOST_TEST(flip_to_delaunay(t, 100000) >= 0);
-        BOOST_TEST(is_delaunay(t));
+        BOOST_TEST(are_all_edges_delaunay(t));
       }
     }
   std::cout << decisions << " edges, " << ties << " with cocircular points\n";
