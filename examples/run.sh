@@ -35,14 +35,18 @@ jobs=${JOBS:-$(nproc 2>/dev/null || echo 2)}
 
 fail() { echo "examples/run.sh: $*" >&2; exit 1; }
 
+# build(targets...)
 build() {
-  echo "== building (log in $work/build.log)"
+  echo "== building $* (log in $work/build.log)"
+  cmake --build "$work" -j "$jobs" --target "$@" >> "$work/build.log" 2>&1 ||
+    { tail -n 40 "$work/build.log" >&2; fail "building failed, see $work/build.log"; }
+}
+
+configure() {
   mkdir -p "$work"
-  {
-    cmake -S "$root" -B "$work" -D CMAKE_BUILD_TYPE=Release -D FLIP_GEODESICS_BUILD_EXAMPLES=ON \
-      -D FLIP_GEODESICS_BUILD_TESTS=OFF -D FLIP_GEODESICS_BUILD_BENCHMARKS=OFF &&
-      cmake --build "$work" -j "$jobs" --target flip_geodesics generate_torus check_polylines
-  } > "$work/build.log" 2>&1 || { tail -n 40 "$work/build.log" >&2; fail "building failed, see $work/build.log"; }
+  cmake -S "$root" -B "$work" -D CMAKE_BUILD_TYPE=Release -D FLIP_GEODESICS_BUILD_EXAMPLES=ON \
+    -D FLIP_GEODESICS_BUILD_TESTS=OFF -D FLIP_GEODESICS_BUILD_BENCHMARKS=OFF > "$work/build.log" 2>&1 ||
+    { tail -n 40 "$work/build.log" >&2; fail "configuring failed, see $work/build.log"; }
 }
 
 # CGAL's data set is an archive among the documentation of libcgal-demo. Systems that are installed without
@@ -111,12 +115,16 @@ run() { # title, file name of the results, format of the viewable file, mesh, op
 }
 
 install_packages ${install_options[@]+"${install_options[@]}"} "${packages[@]}"
-build
 unpack_data
+configure
+scan=$(find_mesh bunny00.off refined_elephant.off armadillo.off)
+build readme_example
+echo "== the program of README.md: one geodesic on $(basename "$scan")"
+"$work/examples/Flip_geodesics/readme_example" "$scan"
+build flip_geodesics generate_torus check_polylines
 rm -rf "$results"
 mkdir -p "$results"
 
-scan=$(find_mesh bunny00.off refined_elephant.off armadillo.off)
 part=$(find_mesh fandisk.off anchor_dense.off anchor.off)
 torus=$results/torus.off
 around=400 along=200
