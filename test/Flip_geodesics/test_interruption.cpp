@@ -8,6 +8,7 @@
 #include "Curve_setting.h"
 #include "descriptors.h"
 #include "generated_meshes.h"
+#include "test_interruption/stopping.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
@@ -25,7 +26,6 @@
 #include <iterator>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace {
@@ -43,37 +43,6 @@ using Field = FG::Geodesic_distance_field<Triangulation>;
 using Tree = FG::Geodesic_tree<Triangulation>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Stopping_visitor : FG::Default_shortening_visitor
-{
-  std::size_t calls = 0, most = std::numeric_limits<std::size_t>::max();
-  bool is_called_from_elsewhere = false;
-  std::thread::id thread = std::this_thread::get_id();
-
-  bool go_further()
-  {
-    is_called_from_elsewhere = is_called_from_elsewhere || std::this_thread::get_id() != thread;
-    return ++calls <= most;
-  }
-};
-
-// Calls `compute(visitor, is_stopped)` with a visitor that never stops, and with one for each of its calls that stops
-// there: once it has, it is not called again. Returns how many calls there are.
-template <class Compute>
-std::size_t stop_at_each_call(const Compute& compute)
-{
-  Stopping_visitor patient;
-  compute(patient, false);
-  BOOST_TEST(!patient.is_called_from_elsewhere);
-  for(std::size_t most = 0; most < patient.calls; ++most) {
-    Stopping_visitor visitor;
-    visitor.most = most;
-    compute(visitor, true);
-    BOOST_TEST(visitor.calls == most + 1);
-    BOOST_TEST(!visitor.is_called_from_elsewhere);
-  }
-  return patient.calls;
-}
 
 // A property map that counts what is written.
 template <class Value>

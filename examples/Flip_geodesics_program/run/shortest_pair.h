@@ -25,10 +25,11 @@ public:
   {
   }
 
-  auto operator()(Vertex_index source, Vertex_index target)
+  template <class... Visitor>
+  auto operator()(Vertex_index source, Vertex_index target, Visitor&&... visitor)
   {
     const Stopwatch stopwatch;
-    const auto path = m_search(source, target);
+    const auto path = m_search(source, target, visitor...);
     m_seconds += stopwatch.seconds();
     m_segments = path.size();
     return path;

@@ -4,7 +4,9 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_LANDMARKS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
@@ -58,15 +60,19 @@ public:
    * \param triangulation a triangulation of the mesh; flips do not matter. It is not kept
    * \param number of landmarks in each component; one with fewer vertices has no more landmarks than those
    * \param tag says by its type whether there are threads
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals and from
+   *        the calling thread. If it returns `false`, then `is_complete()` returns `false`, there are no landmarks, and
+   *        all bounds are zero
    * \throws Degenerate_face_error for an edge of length zero, wherever it is
    * \throws Invalid_coordinate_error, Invalid_mesh_error for any face, as `Intrinsic_triangulation` does where it is
    *         asked
    */
-  template <class Triangulation, class ConcurrencyTag = Sequential_tag>
+  template <class Triangulation, class ConcurrencyTag = Sequential_tag, class Visitor = Default_shortening_visitor>
   explicit Geodesic_landmarks(const Triangulation& triangulation, std::size_t number = default_number,
-                              ConcurrencyTag tag = ConcurrencyTag())
+                              ConcurrencyTag tag = ConcurrencyTag(), Visitor&& visitor = Visitor())
   {
-    make(triangulation, tag, [&](const Choice& choice, auto& search) { return choice.far_vertices(search, number); });
+    make(triangulation, tag, visitor,
+         [&](const Choice& choice, auto& search) { return choice.far_vertices(search, number); });
   }
 
   /*!
@@ -80,20 +86,25 @@ public:
    * \param landmarks a range of `Vertex_index`es in any order, each of which counts once. Components without any have no
    *        bounds
    * \param tag says by its type whether there are threads
+   * \param visitor a model of `FlipOutVisitor`, which can stop the construction as above
    * \throws Vertex_out_of_range_error
    * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error as above
    */
   template <class Triangulation, class VertexRange = std::vector<Vertex_index>, class ConcurrencyTag = Sequential_tag,
+            class Visitor = Default_shortening_visitor,
             std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
   Geodesic_landmarks(const Triangulation& triangulation, const VertexRange& landmarks,
-                     ConcurrencyTag tag = ConcurrencyTag())
+                     ConcurrencyTag tag = ConcurrencyTag(), Visitor&& visitor = Visitor())
   {
     static_assert(internal::is_range_of<VertexRange, Vertex_index>,
                   "no number of landmarks where it belongs, nor a range of vertices; the order is triangulation, "
                   "landmarks, concurrency tag");
     const std::vector<Vertex_index> given(std::begin(landmarks), std::end(landmarks));
-    make(triangulation, tag, [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
+    make(triangulation, tag, visitor, [&](const Choice& choice, const auto&) { return choice.given_vertices(given); });
   }
+
+  /// Returns whether the bounds are known; they are not if a visitor stopped the construction.
+  bool is_complete() const { return m_is_complete; }
 
   /// The number of landmarks of the component that has the most.
   std::size_t number_of_landmarks() const { return m_rows.number_of_functions(); }
@@ -143,36 +154,55 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // `choose(choice, search)` returns sets of landmarks.
-  template <class Triangulation, class ConcurrencyTag, class Choose>
-  void make(const Triangulation& triangulation, ConcurrencyTag, const Choose& choose)
+  template <class Triangulation, class ConcurrencyTag, class Visitor, class Choose>
+  void make(const Triangulation& triangulation, ConcurrencyTag, Visitor& visitor, const Choose& choose)
+  {
+    internal::Interruption interruption(visitor);
+    try {
+      make<ConcurrencyTag>(triangulation, choose, interruption);
+    } catch(const internal::Interrupted&) {
+      m_rows = internal::Landmark_rows();
+      m_edges.clear();
+      m_is_complete = false;
+    }
+  }
+
+  template <class ConcurrencyTag, class Triangulation, class Choose>
+  void make(const Triangulation& triangulation, const Choose& choose, internal::Interruption& interruption)
   {
     m_number_of_vertices = triangulation.input().number_of_vertices();
     m_number_of_halfedges = triangulation.input().number_of_halfedges();
     m_number_of_faces = triangulation.input().number_of_faces();
     note_borders(triangulation);
     Shortest_edge_path<Triangulation> search(triangulation, Search_method::DIJKSTRA);
-    const Choice choice(search);
+    const Choice choice(search, &interruption);
     const std::vector<Choice::Set> sets = choose(choice, search);
     for(std::size_t i = 0; i < sets.size(); ++i)
       note_edge(triangulation, sets[i][i % sets[i].size()]);
-    sweep<ConcurrencyTag>(triangulation, choice, sets);
+    sweep<ConcurrencyTag>(triangulation, choice, sets, interruption);
   }
 
   // From each set by itself. As all faces are laid out before, sweeps only read them, and their order does not matter.
   template <class ConcurrencyTag, class Triangulation>
-  void sweep(const Triangulation& triangulation, const Choice& choice, const std::vector<Choice::Set>& sets)
+  void sweep(const Triangulation& triangulation, const Choice& choice, const std::vector<Choice::Set>& sets,
+             internal::Interruption& interruption)
   {
+    internal::throw_if_interrupted_before_part(&interruption);
     const double largest = choice.largest_distance();
     m_rows = internal::Landmark_rows(static_cast<std::size_t>(m_number_of_vertices), sets.size(), largest);
     internal::Unfolded_faces<Triangulation> faces(triangulation);
     lay_out(triangulation, choice.order(), faces);
+    internal::Shared_interruption shared(interruption);
     internal::for_each_index<ConcurrencyTag>(sets.size(), [&](std::size_t i) {
       internal::Cone_sweep<Triangulation> sweep(triangulation, faces, null_index,
                                                 internal::Goal_bound<Triangulation>(triangulation), free_updates);
-      sweep.run_from(sets[i], largest);
+      internal::Interruption own(shared);
+      sweep.run_from(sets[i], largest, &own);
       if(sweep.is_useful())
         keep(i, sweep);
     });
+    if(interruption.has_occurred())
+      throw internal::Interrupted();
   }
 
   // Those about each vertex in turn, for what is near on the mesh to be near in memory; then any that this has missed.
@@ -242,6 +272,7 @@ private:
   Index m_number_of_vertices = 0, m_number_of_halfedges = 0, m_number_of_faces = 0;
   std::vector<Edge> m_edges;
   internal::Landmark_rows m_rows;
+  bool m_is_complete = true;
 };
 
 } // namespace Flip_geodesics

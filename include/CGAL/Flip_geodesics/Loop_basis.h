@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/loops/Cotree.h>
 #include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
@@ -78,14 +79,32 @@ public:
   template <class VertexRange>
   Loop_basis(const Triangulation& triangulation, const VertexRange& base_points)
     : m_triangulation(&triangulation)
-    , m_forest(checked_input(triangulation), base_points, weight(triangulation))
-    , m_cotree(triangulation.input(), m_forest, internal::Borders::CLOSED_BY_ONE_FACE, weight(triangulation))
-    , m_words(triangulation.input(), m_forest, m_cotree)
   {
-    static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                  "the base points are no range of vertices of the triangulation, Vertex_index");
-    describe_components();
+    make(base_points, nullptr);
   }
+
+  /*!
+   * Makes a basis, and lets a visitor stop that.
+   * \param triangulation, base_points as above
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
+   *        returns `false`, then `is_complete()` returns `false`, and there are neither loops nor components
+   * \throws as above
+   */
+  template <class VertexRange, class Visitor>
+  Loop_basis(const Triangulation& triangulation, const VertexRange& base_points, Visitor&& visitor)
+    : m_triangulation(&triangulation)
+  {
+    internal::Interruption interruption(visitor);
+    try {
+      make(base_points, &interruption);
+    } catch(const internal::Interrupted&) {
+      forget_all();
+    }
+  }
+
+  /// Returns whether this is a basis; it is not if a visitor stopped the construction. Then only the numbers of loops
+  /// and components, zero, can be asked for.
+  bool is_complete() const { return m_is_complete; }
 
   /// \name Loops
   /// @{
@@ -200,6 +219,27 @@ private:
     return [&triangulation](Input_halfedge_index h) { return triangulation.metric().weight(triangulation.input(), h); };
   }
 
+  template <class VertexRange>
+  void make(const VertexRange& base_points, internal::Interruption* interruption)
+  {
+    static_assert(internal::is_range_of<VertexRange, Vertex_index>,
+                  "the base points are no range of vertices of the triangulation, Vertex_index");
+    const auto& input = checked_input(*m_triangulation);
+    const auto length = weight(*m_triangulation);
+    m_forest = internal::Edge_forest(input, base_points, length, interruption);
+    m_cotree = internal::Cotree(input, m_forest, internal::Borders::CLOSED_BY_ONE_FACE, length, interruption);
+    m_words = internal::Generator_words(input, m_forest, m_cotree, interruption);
+    describe_components();
+  }
+
+  void forget_all()
+  {
+    m_forest = internal::Edge_forest();
+    m_cotree = internal::Cotree();
+    m_words = internal::Generator_words();
+    m_is_complete = false;
+  }
+
   void describe_components()
   {
     const auto& input = m_triangulation->input();
@@ -272,6 +312,7 @@ private:
   internal::Generator_words m_words;
   std::vector<Component> m_components;
   std::vector<internal::Surface_group> m_groups; // by component
+  bool m_is_complete = true;
 };
 
 /*!

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_CUT_GRAPH_H
 #define CGAL_FLIP_GEODESICS_CUT_GRAPH_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/loops/Cut_edges.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
@@ -11,6 +12,23 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+namespace internal {
+
+/* \throws Interrupted, and leaves the network as it is then */
+template <class Network, class VertexRange>
+Index add_cut_graph(Network& network, const VertexRange& base_points, Interruption* interruption)
+{
+  static_assert(is_range_of<VertexRange, Vertex_index>,
+                "the base points are no range of vertices of the triangulation, Vertex_index");
+  const auto& triangulation = network.triangulation();
+  const Cut_edges<typename Network::Triangulation> cut(triangulation, base_points, interruption);
+  const auto degree = degrees(triangulation, cut.marks());
+  // A curve that touches a border is cut there: pulled off it, it would leave what is cut in one piece with a hole.
+  return add_chains(network, cut.marks(), [&](Vertex_index v) { return degree[v] != 2 || cut.is_on_border(v); });
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsLoops
@@ -36,14 +54,30 @@ namespace Flip_geodesics {
 template <class Network, class VertexRange>
 Index add_cut_graph(Network& network, const VertexRange& base_points)
 {
-  static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                "the base points are no range of vertices of the triangulation, Vertex_index");
-  const auto& triangulation = network.triangulation();
-  const internal::Cut_edges<typename Network::Triangulation> cut(triangulation, base_points);
-  const auto degree = internal::degrees(triangulation, cut.marks());
-  // A curve that touches a border is cut there: pulled off it, it would leave what is cut in one piece with a hole.
-  return internal::add_chains(network, cut.marks(),
-                              [&](Vertex_index v) { return degree[v] != 2 || cut.is_on_border(v); });
+  return internal::add_cut_graph(network, base_points, nullptr);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsLoops
+ *
+ * Does the same, and lets a visitor stop the search for the cut graph.
+ *
+ * \param network, base_points as above
+ * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
+ *        returns `false`, then no curve is added
+ * \return the number of curves added
+ * \throws as above
+ * \pre the triangulation's edges are still the input's
+ */
+template <class Network, class VertexRange, class Visitor>
+Index add_cut_graph(Network& network, const VertexRange& base_points, Visitor&& visitor)
+{
+  internal::Interruption interruption(visitor);
+  try {
+    return internal::add_cut_graph(network, base_points, &interruption);
+  } catch(const internal::Interrupted&) {
+    return 0;
+  }
 }
 
 /// \ingroup PkgFlipGeodesicsLoops

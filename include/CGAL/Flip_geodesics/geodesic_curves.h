@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
 #include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
+#include <CGAL/Flip_geodesics/internal/shortening/make_visitor.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
@@ -137,16 +138,22 @@ Shortening_report shorten_from_start(Network& network, const std::vector<Halfedg
   return report;
 }
 
-/* The same with the visitor of the named parameters, if there is one. */
-template <class Network, class NamedParameters, class StopPredicate>
-Shortening_report shorten_between_ends(Network& network, const std::vector<Halfedge_index>& path,
-                                       const NamedParameters& np, const StopPredicate& stop)
+/* Searches the edge path from which a geodesic is to start; there is none if the visitor stops the search. */
+template <class Search, class Visitor>
+std::vector<Halfedge_index> edge_path_between(Search& search, const std::vector<Vertex_index>& ends, Visitor& visitor)
 {
-  static_assert(is_stop_predicate<StopPredicate>,
-                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
-  auto visitor = make_visitor(np);
-  Shortening_report report = shorten_from_start(network, path, stop, visitor.get());
-  note_contraction(network.triangulation(), report);
+  if constexpr(std::is_same<Visitor, Default_shortening_visitor>::value)
+    return shortest_halfedges_through(search, ends);
+  else
+    return shortest_halfedges_through(search, ends, false, visitor);
+}
+
+/* The report of a path that a visitor stopped before there was one. */
+inline Shortening_report report_of_stopped_search()
+{
+  Shortening_report report;
+  report.curves.emplace_back();
+  report.curves.back().status = Shortening_status::STOPPED_BY_VISITOR;
   return report;
 }
 
@@ -194,11 +201,18 @@ template <class Form, class Network, class Search, class TriangleMesh, class Ver
 Computed_output<Form> geodesic_between(Network& network, Search& search, const TriangleMesh& mesh, Vertex source,
                                        Vertex target, const NamedParameters& np, const StopPredicate& stop)
 {
+  static_assert(is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
   const auto& triangulation = network.triangulation();
   const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
   if(ends[0] == ends[1])
     return path_in_one_place<Form>(triangulation, mesh, ends[0]);
-  Shortening_report report = shorten_between_ends(network, shortest_halfedges_through(search, ends), np, stop);
+  auto visitor = make_visitor(np);
+  const std::vector<Halfedge_index> path = edge_path_between(search, ends, visitor.get());
+  if(path.empty())
+    return {{}, report_of_stopped_search()};
+  Shortening_report report = shorten_from_start(network, path, stop, visitor.get());
+  note_contraction(triangulation, report);
   return {curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
 }
 
@@ -353,7 +367,9 @@ Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
  *        by default that of the points; `geom_traits`, a model of `IntrinsicTriangulationTraits`, by default
  *        `Certified_intrinsic_triangulation_traits` of the metric's kernel, whatever kernel that is, or, for a metric of
  *        one's own without `exact_face()`, `Intrinsic_triangulation_traits`; `visitor`, a model of `FlipOutVisitor`,
- *        which is copied unless it is given by `std::ref()`, by default none
+ *        which is copied unless it is given by `std::ref()`, by default none. The search for the edge path calls
+ *        `go_further()` as well, once for about a thousand vertices. If it returns `false` there, then nothing is
+ *        written, and the report has the status `Shortening_status::STOPPED_BY_VISITOR`
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Degenerate_face_error, Invalid_coordinate_error,
  *         Invalid_mesh_error

@@ -5,10 +5,13 @@
 
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
+#include <CGAL/Flip_geodesics/internal/shortening/make_visitor.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,7 +38,9 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  *
  * \param mesh a triangle mesh
  * \param out receives one `std::vector` per loop, in the order of the basis, of what `geodesic_path()` writes
- * \param stop, np as for `geodesic_path()`; the predicate is asked about each loop by itself
+ * \param stop, np as for `geodesic_path()`; the predicate is asked about each loop by itself. If a visitor's
+ *        `go_further()` returns `false`, then the remaining loops are not shortened. If that happens before the basis
+ *        is known, then nothing is written, and the report has one entry with `Shortening_status::STOPPED_BY_VISITOR`
  * \return the end of the output, and the report, with one entry per loop
  * \throws Invalid_mesh_error, Degenerate_face_error, Invalid_coordinate_error
  *
@@ -45,16 +50,22 @@ template <class TriangleMesh, class OutputIterator, class StopPredicate, class N
 Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, OutputIterator out,
                                                      const StopPredicate& stop, const NamedParameters& np)
 {
+  static_assert(internal::is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator, internal::Vector_of>;
   const auto compute = [&](typename Types::Triangulation& triangulation) {
-    const Loop_basis<typename Types::Triangulation> basis(triangulation);
+    auto visitor = internal::make_visitor(np);
+    internal::Stop_remembering_visitor<std::remove_reference_t<decltype(visitor.get())>> remembering(visitor.get());
+    const Loop_basis<typename Types::Triangulation> basis(triangulation, std::vector<Vertex_index>(), remembering);
     internal::Computed_output<std::vector<Form>> result;
+    if(!basis.is_complete())
+      result.report = internal::report_of_stopped_search();
     for(Index i = 0; i < basis.number_of_loops(); ++i) {
       {
         typename Types::Network network(triangulation);
         const Curve_index curve = network.add_curve(basis.cycle(i), true);
-        internal::append_report(internal::shorten_with_visitor(network, np, stop), result.report);
+        internal::append_report(shorten(network, stop, remembering), result.report);
         result.values.push_back(internal::curve_forms<Form>(network, mesh, curve));
       }
       triangulation.rollback();

@@ -214,8 +214,8 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
  * A pair for which something is thrown, such as `Disconnected_endpoints_error`, has that as its result; the others are
  * computed all the same.
  *
- * A visitor's `go_further()` is called before each pair, too. If it returns `false`, then no path is searched, and the
- * pair has the status `Shortening_status::STOPPED_BY_VISITOR`.
+ * A visitor's `go_further()` is called before each pair and in the search for its edge path, too. If it returns `false`
+ * there, then the pair has no path and the status `Shortening_status::STOPPED_BY_VISITOR`.
  *
  * \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; the program must be linked to
  *         TBB for the second

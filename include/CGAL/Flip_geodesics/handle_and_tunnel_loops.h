@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_HANDLE_AND_TUNNEL_LOOPS_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Solid_loops.h>
 
 #include <iterator>
@@ -20,6 +21,19 @@ struct Handle_and_tunnel_loops
   std::vector<std::vector<Halfedge_index>> handles; ///< loops that bound a surface inside of the solid
   std::vector<std::vector<Halfedge_index>> tunnels; ///< loops that bound a surface outside of it
 };
+
+namespace internal {
+
+template <class Triangulation>
+Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, Interruption* interruption)
+{
+  static_assert(Has_points<typename Triangulation::Metric>::value,
+                "handles and tunnels are those of a surface in space: the metric has no points");
+  const Solid_loops<Triangulation> loops(triangulation, interruption);
+  return {loops.inside(), loops.outside()};
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsLoops
@@ -50,10 +64,28 @@ struct Handle_and_tunnel_loops
 template <class Triangulation>
 Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation)
 {
-  static_assert(internal::Has_points<typename Triangulation::Metric>::value,
-                "handles and tunnels are those of a surface in space: the metric has no points");
-  const internal::Solid_loops<Triangulation> loops(triangulation);
-  return {loops.inside(), loops.outside()};
+  return internal::handle_and_tunnel_loops(triangulation, nullptr);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsLoops
+ *
+ * Computes the same, and lets a visitor stop that.
+ *
+ * \param triangulation as above
+ * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
+ *        returns `false`, then the result has no loops
+ * \throws as above
+ */
+template <class Triangulation, class Visitor>
+Handle_and_tunnel_loops handle_and_tunnel_loops(const Triangulation& triangulation, Visitor&& visitor)
+{
+  internal::Interruption interruption(visitor);
+  try {
+    return internal::handle_and_tunnel_loops(triangulation, &interruption);
+  } catch(const internal::Interrupted&) {
+    return {};
+  }
 }
 
 } // namespace Flip_geodesics

@@ -81,7 +81,9 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  *        order of the levels
  * \param tolerance a distance on the surface, a number
  * \param np named parameters: `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
- *        points as values; by default the mesh's own points, `get(CGAL::vertex_point, mesh)`
+ *        points as values; by default the mesh's own points, `get(CGAL::vertex_point, mesh)`; and `visitor`, a model of
+ *        `FlipOutVisitor`, of which only `go_further()` is called, before each level and once for about a thousand
+ *        values of the field. If it returns `false`, then the computation ends, and nothing is written
  * \return the end of the output
  * \throws Invalid_parameter_error if a level is not finite, the tolerance is not a positive number or less than 1e-14 of
  *         a side of a face, or the field is not a number somewhere
@@ -104,18 +106,20 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
   internal::check_tolerance(tolerance);
   if(wanted.empty())
     return out;
-  auto surface = internal::make_refined_surface(mesh, field, np, tolerance);
-  internal::Isoline_tracer<decltype(surface)> tracer(surface, sorted, tolerance);
-  std::vector<Isoline<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>> result;
-  for(double level : wanted) {
-    const auto at = std::lower_bound(sorted.begin(), sorted.end(), level) - sorted.begin();
-    tracer.trace(static_cast<std::size_t>(at), [&](const internal::Followed_curve& curve) {
-      result.emplace_back();
-      result.back().level = level;
-      internal::write_samples(surface, curve, result.back());
-    });
-  }
-  return std::move(result.begin(), result.end(), out);
+  using Curve = Isoline<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>;
+  return internal::write_curves<Curve>(np, out, [&](std::vector<Curve>& result, internal::Interruption& interruption) {
+    auto surface = internal::make_refined_surface(mesh, field, np, tolerance, interruption);
+    internal::Isoline_tracer<decltype(surface)> tracer(surface, sorted, tolerance);
+    for(double level : wanted) {
+      internal::throw_if_interrupted_before_part(&interruption);
+      const auto at = std::lower_bound(sorted.begin(), sorted.end(), level) - sorted.begin();
+      tracer.trace(static_cast<std::size_t>(at), [&](const internal::Followed_curve& curve) {
+        result.emplace_back();
+        result.back().level = level;
+        internal::write_samples(surface, curve, result.back());
+      });
+    }
+  });
 }
 
 } // namespace Flip_geodesics

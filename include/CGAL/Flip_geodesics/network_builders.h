@@ -150,12 +150,15 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
  * \param search a `Shortest_edge_path` over the network's triangulation, whose edges are still the input's
  * \param way_points vertex indices, at least two; those that repeat the one before count once. A closed curve need not
  *        repeat the first
+ * \param is_closed says whether the chain leads back to the first way point
+ * \param visitor nothing, or a model of `FlipOutVisitor`, of which only `go_further()` is called, by the searches. If
+ *        it returns `false`, then no halfedges are returned
  * \throws Invalid_curve_error for fewer than two way points, or if all are one vertex
  * \throws Vertex_out_of_range_error, Disconnected_endpoints_error as `Shortest_edge_path`
  */
-template <class Search, class VertexRange>
+template <class Search, class VertexRange, class... Visitor>
 std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const VertexRange& way_points,
-                                                       bool is_closed = false)
+                                                       bool is_closed = false, Visitor&&... visitor)
 {
   std::vector<Vertex_index> v(std::begin(way_points), std::end(way_points));
   if(v.size() < 2)
@@ -164,7 +167,9 @@ std::vector<Halfedge_index> shortest_halfedges_through(Search& search, const Ver
     v.push_back(v.front());
   std::vector<Halfedge_index> result;
   for(std::size_t i = 0; i + 1 < v.size(); ++i) {
-    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1]); // also refuses what is no vertex
+    const std::vector<Halfedge_index> leg = search(v[i], v[i + 1], visitor...); // also refuses what is no vertex
+    if(leg.empty() && v[i] != v[i + 1])                                         // stopped by the visitor
+      return {};
     result.insert(result.end(), leg.begin(), leg.end());
   }
   if(result.empty())

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
@@ -88,20 +89,20 @@ public:
    * \throws Invalid_coordinate_error for an edge that the search meets and whose length is negative or no number; edges
    *         of length zero are passed here, and refused where the curve is straightened over them
    */
-  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target)
+  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target) { return path(source, target); }
+
+  /*!
+   * Searches the same path, and lets a visitor stop the search.
+   * \param source, target as above
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, once for about a thousand
+   *        vertices. If it returns `false`, then the search ends there and returns no halfedges
+   * \throws as above
+   */
+  template <class Visitor>
+  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target, Visitor&& visitor)
   {
-    internal::check_vertex(source, m_triangulation->input().number_of_vertices());
-    internal::check_vertex(target, m_triangulation->input().number_of_vertices());
-    start(source);
-    direct(source, target);
-    for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
-      if(v == target)
-        return path_to(target);
-      relax_neighbors(v);
-    }
-    throw Disconnected_endpoints_error(
-        "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
-        {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
+    internal::Interruption interruption(visitor);
+    return path(source, target, &interruption);
   }
 
   /*!
@@ -112,13 +113,60 @@ public:
   template <class Visit>
   void visit_all(Vertex_index source, const Visit& visit)
   {
+    visit_vertices(source, visit);
+  }
+
+  /*!
+   * Does the same, and lets a visitor stop the search.
+   * \param source, visit as above
+   * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, once for about a thousand
+   *        vertices. If it returns `false`, then the remaining vertices are not visited
+   * \return whether all vertices have been visited
+   * \throws as above
+   */
+  template <class Visit, class Visitor>
+  bool visit_all(Vertex_index source, const Visit& visit, Visitor&& visitor)
+  {
+    internal::Interruption interruption(visitor);
+    return visit_vertices(source, visit, &interruption);
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // For searches that are parts of a computation, with its `internal::Interruption*`, which may be null, or without.
+
+  template <class... Interruptions>
+  std::vector<Halfedge_index> path(Vertex_index source, Vertex_index target, Interruptions*... interruption)
+  {
+    internal::check_vertex(source, m_triangulation->input().number_of_vertices());
+    internal::check_vertex(target, m_triangulation->input().number_of_vertices());
+    start(source);
+    direct(source, target);
+    for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
+      if(v == target)
+        return path_to(target);
+      if(internal::is_interrupted(interruption...))
+        return {};
+      relax_neighbors(v);
+    }
+    throw Disconnected_endpoints_error(
+        "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
+        {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
+  }
+
+  template <class Visit, class... Interruptions>
+  bool visit_vertices(Vertex_index source, const Visit& visit, Interruptions*... interruption)
+  {
     internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     start(source);
     for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
       visit(v, m_labels[v].distance);
+      if(internal::is_interrupted(interruption...))
+        return false;
       relax_neighbors(v);
     }
+    return true;
   }
+#endif // DOXYGEN_RUNNING
 
   /// The triangulation whose input is searched.
   const Triangulation& triangulation() const { return *m_triangulation; }

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_SHORTEST_LOOP_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Cut_edges.h>
 #include <CGAL/Flip_geodesics/internal/loops/Generator_words.h>
 #include <CGAL/Flip_geodesics/internal/loops/Shortest_loop_search.h>
@@ -24,21 +25,23 @@ enum class Loop_kind {
 
 namespace internal {
 
-/* Searches among the loops through given vertices. */
+/* Searches among the loops through given vertices. \throws Interrupted */
 template <class Triangulation>
 std::vector<Halfedge_index> shortest_loop_through(const Triangulation& triangulation,
-                                                  const std::vector<Vertex_index>& vertices, Loop_kind kind)
+                                                  const std::vector<Vertex_index>& vertices, Loop_kind kind,
+                                                  Interruption* interruption)
 {
   const auto& input = triangulation.input();
   const auto weight = [&](Input_halfedge_index h) { return triangulation.metric().weight(input, h); };
   check_surface(input);
-  const Edge_forest forest(input, std::vector<Vertex_index>(), weight);
-  const Generator_words words(input, forest, Cotree(input, forest, Borders::CLOSED_BY_ONE_FACE, weight));
+  const Edge_forest forest(input, std::vector<Vertex_index>(), weight, interruption);
+  const Generator_words words(input, forest, Cotree(input, forest, Borders::CLOSED_BY_ONE_FACE, weight, interruption),
+                              interruption);
   std::vector<Surface_group> groups;
   for(std::size_t c = 0; c < forest.roots().size(); ++c)
     groups.emplace_back(words.relation(static_cast<Index>(c)));
 
-  Shortest_loop_search<Triangulation> search(triangulation, words);
+  Shortest_loop_search<Triangulation> search(triangulation, words, interruption);
   for(Vertex_index v : vertices) {
     if(forest.component(v) < 0)
       continue;
@@ -54,6 +57,36 @@ std::vector<Halfedge_index> shortest_loop_through(const Triangulation& triangula
     });
   }
   return search.loop();
+}
+
+/* Searches among the loops through vertices of a cut graph. \throws Interrupted */
+template <class Triangulation>
+std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Loop_kind kind,
+                                          Interruption* interruption)
+{
+  const auto& input = triangulation.input();
+  const Cut_edges<Triangulation> cut(triangulation, std::vector<Vertex_index>(), interruption);
+  Indexed_by<Vertex_index, std::vector<char>> is_on_cut(static_cast<std::size_t>(input.number_of_vertices()), 0);
+  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges()))
+    if(cut.marks()[edge_of(as_intrinsic(h))] != 0)
+      is_on_cut[input.tail(h)] = 1;
+  std::vector<Vertex_index> vertices;
+  for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
+    if(is_on_cut[v] != 0)
+      vertices.push_back(v);
+  return shortest_loop_through(triangulation, vertices, kind, interruption);
+}
+
+/* Calls `search(interruption)`; there is no loop if the visitor stops it. */
+template <class Visitor, class Search>
+std::vector<Halfedge_index> loop_unless_stopped(Visitor& visitor, const Search& search)
+{
+  Interruption interruption(visitor);
+  try {
+    return search(&interruption);
+  } catch(const Interrupted&) {
+    return {};
+  }
 }
 
 } // namespace internal
@@ -75,7 +108,27 @@ std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Ve
                                           Loop_kind kind = Loop_kind::NOT_CONTRACTIBLE)
 {
   internal::check_vertex(v, triangulation.input().number_of_vertices());
-  return internal::shortest_loop_through(triangulation, {v}, kind);
+  return internal::shortest_loop_through(triangulation, {v}, kind, nullptr);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsLoops
+ *
+ * Computes the same, and lets a visitor stop that.
+ *
+ * \param triangulation, v, kind as above
+ * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
+ *        returns `false`, then the result is empty
+ * \throws as above
+ */
+template <class Triangulation, class Visitor>
+std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Vertex_index v, Loop_kind kind,
+                                          Visitor&& visitor)
+{
+  internal::check_vertex(v, triangulation.input().number_of_vertices());
+  return internal::loop_unless_stopped(visitor, [&](internal::Interruption* interruption) {
+    return internal::shortest_loop_through(triangulation, {v}, kind, interruption);
+  });
 }
 
 /*!
@@ -94,18 +147,25 @@ template <class Triangulation>
 std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation,
                                           Loop_kind kind = Loop_kind::NOT_CONTRACTIBLE)
 {
-  const auto& input = triangulation.input();
-  const internal::Cut_edges<Triangulation> cut(triangulation, std::vector<Vertex_index>());
-  internal::Indexed_by<Vertex_index, std::vector<char>> is_on_cut(static_cast<std::size_t>(input.number_of_vertices()),
-                                                                  0);
-  for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(input.number_of_halfedges()))
-    if(cut.marks()[internal::edge_of(internal::as_intrinsic(h))] != 0)
-      is_on_cut[input.tail(h)] = 1;
-  std::vector<Vertex_index> vertices;
-  for(Vertex_index v : internal::descriptors<Vertex_index>(input.number_of_vertices()))
-    if(is_on_cut[v] != 0)
-      vertices.push_back(v);
-  return internal::shortest_loop_through(triangulation, vertices, kind);
+  return internal::shortest_loop(triangulation, kind, nullptr);
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsLoops
+ *
+ * Computes the same, and lets a visitor stop that.
+ *
+ * \param triangulation, kind as above
+ * \param visitor a model of `FlipOutVisitor`, of which only `go_further()` is called, at regular intervals. If it
+ *        returns `false`, then the result is empty
+ * \throws as above
+ */
+template <class Triangulation, class Visitor>
+std::vector<Halfedge_index> shortest_loop(const Triangulation& triangulation, Loop_kind kind, Visitor&& visitor)
+{
+  return internal::loop_unless_stopped(visitor, [&](internal::Interruption* interruption) {
+    return internal::shortest_loop(triangulation, kind, interruption);
+  });
 }
 
 } // namespace Flip_geodesics

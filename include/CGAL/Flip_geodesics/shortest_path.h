@@ -257,8 +257,12 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
   Taken_back_on_failure<Network> guard(network);
   const std::vector<Vertex_index> ends = {source, target};
-  const std::vector<Halfedge_index> edge_path = shortest_halfedges_through(search, ends);
+  const std::vector<Halfedge_index> edge_path = edge_path_between(search, ends, visitor);
   Shortest_path_report report;
+  if(edge_path.empty()) {
+    report.shortening = report_of_stopped_search();
+    return report;
+  }
   report.shortening = shorten_from_start(network, edge_path, Never_stop_predicate(), visitor);
   report.length = report.first_length = network.length(Curve_index(0));
   report.lower_bound = lower_bound_in_space(triangulation, source, target);
@@ -354,9 +358,10 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \param search an edge path search over that triangulation
  * \param source, target different vertices of one component
  * \param limit beyond it the rest of the gap is reported
- * \param visitor a model of `FlipOutVisitor`. The search calls `go_further()` as well, at regular intervals. If it
- *        returns `false`, then the path has the status `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed
- * \return what is known; the path is the network's only curve
+ * \param visitor a model of `FlipOutVisitor`. The searches call `go_further()` as well, at regular intervals. If it
+ *        returns `false`, then the path has the status `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed. If
+ *        that happens before there is an edge path, then the network remains empty, and the length is zero
+ * \return what is known; the path is the network's only curve, if there is one
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`; the network is empty then, and
  *         nothing is flipped, also if the visitor throws
  */
@@ -409,9 +414,11 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
     typename Types::Network network(triangulation);
     auto visitor = make_visitor(np);
     Shortest_path_report report = add_shortest_path(network, search, landmarks, s, t, limit, visitor.get());
-    if(!report.is_confirmed() && is_contraction_of_use(triangulation))
+    if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(triangulation))
       throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
     note_contraction(triangulation, report.shortening);
+    if(network.number_of_curves() == 0) // stopped by the visitor
+      return Computed{{}, std::move(report)};
     return Computed{curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
   });
 }
@@ -511,7 +518,8 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  *
  * \param mesh a triangle mesh
  * \param number of landmarks in each component
- * \param np the named parameters of `geodesic_path()` that say what lengths are
+ * \param np the named parameters of `geodesic_path()` that say what lengths are, and `visitor`. If its `go_further()`
+ *        returns `false`, then the result is not complete, see `Geodesic_landmarks::is_complete()`
  * \throws as `Geodesic_landmarks`
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
@@ -519,8 +527,9 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t number = Geodesic_landmarks::default_number,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return Geodesic_landmarks(internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE), number,
-                            ConcurrencyTag());
+  auto visitor = internal::make_visitor(np);
+  return Geodesic_landmarks(internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE), number, ConcurrencyTag(),
+                            visitor.get());
 }
 
 /*!
@@ -547,7 +556,8 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRang
   std::vector<Vertex_index> indices;
   for(const Mesh_vertex<TriangleMesh> v : landmarks)
     indices.push_back(triangulation.index(v));
-  return Geodesic_landmarks(triangulation, indices, ConcurrencyTag());
+  auto visitor = internal::make_visitor(np);
+  return Geodesic_landmarks(triangulation, indices, ConcurrencyTag(), visitor.get());
 }
 
 #ifdef CGAL_FLIP_GEODESICS_COMPILED

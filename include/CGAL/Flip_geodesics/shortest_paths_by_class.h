@@ -296,15 +296,15 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
   using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
-  using Report = Paths_by_class_report<TriangleMesh>;
+  using Computed = internal::Computed_output<std::vector<Form>, Paths_by_class_report<TriangleMesh>>;
   auto visitor = internal::make_visitor(np);
   internal::Interruption interruption(visitor.get());
-  const auto compute = [&](Triangulation& triangulation) {
+  const auto compute_paths = [&](Triangulation& triangulation) {
     internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
                                                triangulation.index(target), interruption);
     paths.run(number, limit(static_cast<std::size_t>(triangulation.number_of_vertices())));
     const internal::Covering_form_converter<Form, Triangulation, TriangleMesh> convert(triangulation, mesh, paths);
-    internal::Computed_output<std::vector<Form>, Report> result;
+    Computed result;
     for(const auto& path : paths.paths()) {
       result.values.emplace_back();
       for(const auto& place : path.places)
@@ -312,6 +312,15 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
     }
     result.report = internal::report_of<TriangleMesh>(triangulation, paths, number);
     return result;
+  };
+  const auto compute = [&](Triangulation& triangulation) {
+    try {
+      return compute_paths(triangulation);
+    } catch(const internal::Interrupted&) {
+      Computed result;
+      result.report.status = Class_search_status::STOPPED_BY_VISITOR;
+      return result;
+    }
   };
   return internal::write_computed<Paths_by_class_result<TriangleMesh, OutputIterator>>(
       internal::compute_on_surface(mesh, np, compute), out);

@@ -63,7 +63,7 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * \param field a model of `GeodesicDistanceField`
  * \param out receives a `Voronoi_boundary<TriangleMesh, Point>` for each, `Point` being the points' type
  * \param tolerance a distance on the surface, a number
- * \param np named parameters: `vertex_point_map`, as for `isolines()`
+ * \param np named parameters: `vertex_point_map` and `visitor`, as for `isolines()`
  * \return the end of the output
  * \throws Invalid_parameter_error if the tolerance is not a positive number or less than 1e-14 of a side of a face, or
  *         the field is not a number somewhere
@@ -80,17 +80,19 @@ OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, 
 {
   static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
   internal::check_tolerance(tolerance);
-  auto surface = internal::make_refined_surface(mesh, field, np, tolerance);
-  internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);
-  std::vector<Voronoi_boundary<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>> result;
-  tracer.trace([&](const internal::Followed_curve& curve, const std::array<std::size_t, 2>& sources,
-                   const std::array<std::size_t, 2>& junctions) {
-    result.emplace_back();
-    result.back().sources = sources;
-    result.back().junctions = junctions;
-    internal::write_samples(surface, curve, result.back());
+  using Curve = Voronoi_boundary<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>;
+  return internal::write_curves<Curve>(np, out, [&](std::vector<Curve>& result, internal::Interruption& interruption) {
+    auto surface = internal::make_refined_surface(mesh, field, np, tolerance, interruption);
+    internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);
+    internal::throw_if_interrupted_before_part(&interruption);
+    tracer.trace([&](const internal::Followed_curve& curve, const std::array<std::size_t, 2>& sources,
+                     const std::array<std::size_t, 2>& junctions) {
+      result.emplace_back();
+      result.back().sources = sources;
+      result.back().junctions = junctions;
+      internal::write_samples(surface, curve, result.back());
+    });
   });
-  return std::move(result.begin(), result.end(), out);
 }
 
 } // namespace Flip_geodesics

@@ -233,10 +233,14 @@ private:
     }
     if(m_interruption.begin_part())
       return;
+    const std::vector<Halfedge_index> edge_path =
+        shortest_halfedges_through(edge_paths, std::vector<Vertex_index>{m_surface->vertex(0), m_surface->vertex(lift)},
+                                   false, Interrupting_visitor(m_interruption));
+    if(edge_path.empty())
+      return;
     {
       Network network(covering);
-      const std::vector<Vertex_index> ends = {m_surface->vertex(0), m_surface->vertex(lift)};
-      network.add_curve(shortest_halfedges_through(edge_paths, ends), false);
+      network.add_curve(edge_path, false);
       shorten(network, Never_stop_predicate(), Interrupting_visitor(m_interruption));
       note_geodesic(geodesic, network);
     }
@@ -256,6 +260,8 @@ private:
                                                 m_surface->vertex(lift), window_limit(covering),
                                                 Interrupting_visitor(m_interruption), longest)
                         .windows);
+      if(is_interrupted())
+        return;
       note_geodesic(geodesic, network);
       geodesic.is_shortest = true;
       geodesic.part_of_shortest = m_part;
@@ -337,6 +343,8 @@ private:
                    add_shortest_path(network, edge_paths, m_surface->vertex(0), m_surface->vertex(lift),
                                      window_limit(covering), Interrupting_visitor(m_interruption)),
                    {}};
+      if(is_interrupted())
+        return;
       count_windows(path.report.windows);
       path.report.lower_bound = (std::min)(path.report.lower_bound, m_frontier_bound);
       if(path.report.is_confirmed())

@@ -51,13 +51,15 @@ class Covering_search
 {
 public:
   /* \throws Vertex_out_of_range_error, Disconnected_endpoints_error, Invalid_mesh_error,
-   * Invalid_coordinate_error. And `run_to_targets()` Degenerate_face_error, where it meets an edge of length zero. */
+   * Invalid_coordinate_error, Interrupted. And `run_to_targets()` Degenerate_face_error, where it meets an edge of
+   * length zero. */
   Covering_search(const Triangulation& triangulation, Vertex_index source, Vertex_index target,
                   Interruption& interruption)
     : m_triangulation(triangulation)
     , m_interruption(interruption)
     , m_target(target)
-    , m_forest(checked_input(triangulation, source, target), std::vector<Vertex_index>(1, target), weight())
+    , m_forest(checked_input(triangulation, source, target), std::vector<Vertex_index>(1, target), weight(),
+               &interruption)
     , m_words(words(m_forest.component(target)))
   {
     if(m_forest.component(source) != m_forest.component(target))
@@ -234,8 +236,8 @@ private:
 
   Path_words words(Index component) const
   {
-    const Cotree cotree(input(), m_forest, Borders::CLOSED_BY_ONE_FACE, weight());
-    Generator_words words(input(), m_forest, cotree);
+    const Cotree cotree(input(), m_forest, Borders::CLOSED_BY_ONE_FACE, weight(), &m_interruption);
+    Generator_words words(input(), m_forest, cotree, &m_interruption);
     const std::vector<Letter> relation = words.relation(component);
     return {std::move(words), relation};
   }

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 
@@ -92,8 +93,11 @@ public:
     Index piece = null_index, side = 0;
   };
 
-  Refined_surface(const TriangleMesh& mesh, const VertexPointMap& points, const Field& field)
+  /* The interruption has to outlive it. Where the field is evaluated, all functions may throw Interrupted. */
+  Refined_surface(const TriangleMesh& mesh, const VertexPointMap& points, const Field& field,
+                  Interruption& interruption)
     : m_field(field)
+    , m_interruption(interruption)
   {
     const Numbered_mesh<TriangleMesh> numbered(mesh);
     m_samples.resize(static_cast<std::size_t>(numbered.number_of_vertices()), Sample{null_index, {}, 0, no_source});
@@ -168,6 +172,7 @@ public:
   /* Is one source known to be the nearest in all of a face? */
   bool has_one_source(Index face) const
   {
+    throw_if_interrupted(&m_interruption);
     if constexpr(finds_single_sources<Field, Face>)
       return m_field.has_one_source(m_faces[face].descriptor);
     else
@@ -257,6 +262,7 @@ private:
 
   void ask_field(Sample& sample) const
   {
+    throw_if_interrupted(&m_interruption);
     const auto answer = m_field(m_faces[sample.face].descriptor, sample.weights);
     sample.distance = answer.distance;
     if(std::isnan(sample.distance))
@@ -355,6 +361,7 @@ private:
   }
 
   const Field& m_field;
+  Interruption& m_interruption;
   std::vector<Corners> m_faces;
   std::vector<Sample> m_samples;
   std::vector<Piece> m_pieces;

@@ -4,9 +4,11 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_ISOLINES_FOLLOW_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/isolines/Refined_surface.h>
+#include <CGAL/Flip_geodesics/internal/shortening/make_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -79,10 +81,11 @@ using Point_of = typename boost::property_traits<Point_map<TriangleMesh, NamedPa
 
 /* Throws Invalid_parameter_error where a tolerance is lost in the roundings of weights. */
 template <class TriangleMesh, class NamedParameters, class Field>
-auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const NamedParameters& np, double tolerance)
+auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const NamedParameters& np, double tolerance,
+                          Interruption& interruption)
 {
   using Surface = Refined_surface<TriangleMesh, Point_map<TriangleMesh, NamedParameters>, Field>;
-  Surface surface(mesh, point_map(mesh, np), field);
+  Surface surface(mesh, point_map(mesh, np), field, interruption);
   if(tolerance < least_curve_tolerance * surface.longest_side()) {
     std::ostringstream message;
     message << "the tolerance is " << tolerance << ", too small for a mesh with a side of length "
@@ -90,6 +93,22 @@ auto make_refined_surface(const TriangleMesh& mesh, const Field& field, const Na
     throw Invalid_parameter_error(message.str());
   }
   return surface;
+}
+
+/* Writes the curves that `trace(curves, interruption)` appends, unless the visitor of the named parameters stops it. */
+template <class Curve, class NamedParameters, class OutputIterator, class Trace>
+OutputIterator write_curves(const NamedParameters& np, OutputIterator out, const Trace& trace)
+{
+  auto visitor = make_visitor(np);
+  Interruption interruption(visitor.get());
+  std::vector<Curve> result;
+  try {
+    throw_if_interrupted_before_part(&interruption);
+    trace(result, interruption);
+  } catch(const Interrupted&) {
+    return out;
+  }
+  return std::move(result.begin(), result.end(), out);
 }
 
 /* Bounds of the field over all of a piece, by its values at the corners. They hold for all corners as well, also where

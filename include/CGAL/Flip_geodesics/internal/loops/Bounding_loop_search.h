@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_BOUNDING_LOOP_SEARCH_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_BOUNDING_LOOP_SEARCH_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
 
@@ -48,16 +49,17 @@ public:
   using Sums = Indexed_by<Edge_index, std::vector<Class_sums>>;
   using Loop = std::vector<Halfedge_index>;
 
-  /* `sums` are those of the first sides of edges. */
-  Bounding_loop_search(const Triangulation& triangulation, const Sums& sums)
-    : m_triangulation(triangulation)
+  /* `sums` are those of the first sides of edges; searches can be stopped. */
+  Bounding_loop_search(const Triangulation& triangulation, const Sums& sums, Interruption* interruption)
+    : m_interruption(interruption)
+    , m_triangulation(triangulation)
     , m_sums(sums)
     , m_labels(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
   }
 
   /* The loops of which `is_wanted(side, sums)` holds, empty where none was found among `most` vertices; without a way
-   * that is passed out and back. */
+   * that is passed out and back. \throws Interrupted */
   template <class IsWanted>
   std::array<Loop, 2> operator()(Vertex_index root, std::size_t most, const IsWanted& is_wanted)
   {
@@ -68,6 +70,7 @@ public:
       const Vertex_index u = m_queue.pop();
       if(m_labels[u].is_settled)
         continue;
+      throw_if_interrupted(m_interruption);
       m_labels[u].is_settled = true;
       const Input_halfedge_index first = input().outgoing(u);
       Input_halfedge_index h = first;
@@ -143,6 +146,7 @@ private:
     return result;
   }
 
+  Interruption* m_interruption; // null if it cannot be interrupted
   const Triangulation& m_triangulation;
   const Sums& m_sums;
   Indexed_by<Vertex_index, std::vector<Label>> m_labels;

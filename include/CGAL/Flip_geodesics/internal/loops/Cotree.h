@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_COTREE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_COTREE_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
 
 #include <algorithm>
@@ -70,20 +71,28 @@ enum class Borders {
 class Cotree
 {
 public:
+  /* None. */
+  Cotree() = default;
+
+  /* \throws Interrupted */
   template <class Input_mesh, class Weight>
-  Cotree(const Input_mesh& input, const Edge_forest& forest, Borders borders, const Weight& weight)
+  Cotree(const Input_mesh& input, const Edge_forest& forest, Borders borders, const Weight& weight,
+         Interruption* interruption = nullptr)
     : m_is_crossed(static_cast<std::size_t>(input.number_of_halfedges() / 2), 0)
     , m_face(static_cast<std::size_t>(input.number_of_halfedges()), -1)
   {
+    throw_if_interrupted_before_part(interruption);
     number_faces(input, forest);
     std::vector<Loop> loops;
     for(Index e = 0; e < input.number_of_halfedges() / 2; ++e) {
+      throw_if_interrupted(interruption);
       const Input_halfedge_index h(2 * e), t = twin_index(h);
       const Vertex_index v = input.tail(h), w = input.tail(t);
       if(!forest.contains(input, h))
         loops.push_back({forest.component(v), forest.distance(v) + forest.distance(w) + weight(h), h});
     }
-    span(input, borders, std::move(loops));
+    throw_if_interrupted_before_part(interruption);
+    span(input, borders, std::move(loops), interruption);
   }
 
   /* An edge whose loop belongs to the basis. */
@@ -119,11 +128,12 @@ private:
 
   // The longest loops first: their edges are crossed wherever they can be.
   template <class Input_mesh>
-  void span(const Input_mesh& input, Borders borders, std::vector<Loop> loops)
+  void span(const Input_mesh& input, Borders borders, std::vector<Loop> loops, Interruption* interruption)
   {
     std::sort(loops.begin(), loops.end());
     Disjoint_sets sets(m_number_of_faces);
     for(std::size_t i = loops.size(); i-- > 0;) {
+      throw_if_interrupted(interruption);
       const Input_halfedge_index h = loops[i].halfedge, t = twin_index(h);
       const bool is_closed = borders == Borders::LEFT_OPEN && (input.is_border(h) || input.is_border(t));
       if(!is_closed && sets.unite(m_face[h], m_face[t]))

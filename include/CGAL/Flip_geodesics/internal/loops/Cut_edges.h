@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_CUT_EDGES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_CUT_EDGES_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Cotree.h>
 #include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
@@ -23,8 +24,9 @@ template <class Triangulation>
 class Cut_edges
 {
 public:
+  /* \throws Interrupted */
   template <class VertexRange>
-  Cut_edges(const Triangulation& triangulation, const VertexRange& base_points)
+  Cut_edges(const Triangulation& triangulation, const VertexRange& base_points, Interruption* interruption = nullptr)
     : m_triangulation(triangulation)
     , m_is_on_border(static_cast<std::size_t>(triangulation.input().number_of_vertices()), 0)
     , m_marks(static_cast<std::size_t>(triangulation.input().number_of_halfedges() / 2), 0)
@@ -35,9 +37,10 @@ public:
         m_is_on_border[input().tail(h)] = 1;
     const auto weight = [this](Input_halfedge_index h) { return m_triangulation.metric().weight(input(), h); };
     const auto is_joined = [this](Input_halfedge_index h) { return is_border_edge(h); };
-    const Edge_forest components(input(), base_points, weight, is_joined);
-    const Edge_forest forest(input(), with_roots_on_borders(components, base_points), weight, is_joined);
-    const Cotree cotree(input(), forest, Borders::LEFT_OPEN, weight);
+    const Edge_forest components(input(), base_points, weight, is_joined, interruption);
+    const Edge_forest forest(input(), with_roots_on_borders(components, base_points), weight, is_joined, interruption);
+    const Cotree cotree(input(), forest, Borders::LEFT_OPEN, weight, interruption);
+    throw_if_interrupted_before_part(interruption);
     mark_trees(forest, cotree);
     prune();
     slit_spheres(forest, cotree);

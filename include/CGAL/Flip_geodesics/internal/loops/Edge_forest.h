@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_EDGE_FOREST_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
@@ -91,26 +92,33 @@ inline std::vector<Halfedge_index> closed_chain(const std::vector<Halfedge_index
 class Edge_forest
 {
 public:
-  /* Grows a tree from each base point, and from the first vertex of each component that has none. */
+  /* None. */
+  Edge_forest() = default;
+
+  /* Grows a tree from each base point, and from the first vertex of each other component. \throws Interrupted */
   template <class Input_mesh, class VertexRange, class Weight, class IsJoined>
-  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight, const IsJoined& is_joined)
+  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight, const IsJoined& is_joined,
+              Interruption* interruption = nullptr)
     : m_incoming(static_cast<std::size_t>(input.number_of_vertices()), null_index)
     , m_distance(static_cast<std::size_t>(input.number_of_vertices()), std::numeric_limits<double>::infinity())
     , m_component(static_cast<std::size_t>(input.number_of_vertices()), -1)
   {
+    throw_if_interrupted_before_part(interruption);
     for(Vertex_index v : base_points)
-      grow_from_given(input, v, weight, is_joined);
+      grow_from_given(input, v, weight, is_joined, interruption);
     for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
       if(m_component[v] < 0 && input.outgoing(v) != null_index)
-        grow(input, v, weight, is_joined);
+        grow(input, v, weight, is_joined, interruption);
     if(m_spokes != static_cast<std::size_t>(input.number_of_halfedges()))
       throw Invalid_mesh_error("sheets of the surface meet in a vertex only");
   }
 
   /* The same with no edges joined. */
   template <class Input_mesh, class VertexRange, class Weight>
-  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight)
-    : Edge_forest(input, base_points, weight, [](Input_halfedge_index) { return false; })
+  Edge_forest(const Input_mesh& input, const VertexRange& base_points, const Weight& weight,
+              Interruption* interruption = nullptr)
+    : Edge_forest(
+          input, base_points, weight, [](Input_halfedge_index) { return false; }, interruption)
   {
   }
 
@@ -170,7 +178,8 @@ private:
   }
 
   template <class Input_mesh, class Weight, class IsJoined>
-  void grow_from_given(const Input_mesh& input, Vertex_index v, const Weight& weight, const IsJoined& is_joined)
+  void grow_from_given(const Input_mesh& input, Vertex_index v, const Weight& weight, const IsJoined& is_joined,
+                       Interruption* interruption)
   {
     check_vertex(v, input.number_of_vertices());
     const std::string name = "vertex " + std::to_string(v.idx());
@@ -179,11 +188,12 @@ private:
     if(m_component[v] >= 0)
       throw Invalid_parameter_error(name + " is in a component that has a base point already",
                                     {static_cast<std::size_t>(v.idx())});
-    grow(input, v, weight, is_joined);
+    grow(input, v, weight, is_joined, interruption);
   }
 
   template <class Input_mesh, class Weight, class IsJoined>
-  void grow(const Input_mesh& input, Vertex_index root, const Weight& weight, const IsJoined& is_joined)
+  void grow(const Input_mesh& input, Vertex_index root, const Weight& weight, const IsJoined& is_joined,
+            Interruption* interruption)
   {
     const Index component = static_cast<Index>(m_roots.size());
     m_roots.push_back(root);
@@ -196,6 +206,7 @@ private:
         place.pop_back();
         if(m_component[v] >= 0)
           continue; // has been reached on a shorter way since
+        throw_if_interrupted(interruption);
         m_component[v] = component;
         const Input_halfedge_index first = input.outgoing(v);
         Input_halfedge_index h = first;

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_GENERATOR_WORDS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_GENERATOR_WORDS_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Cotree.h>
 
 #include <cstddef>
@@ -32,11 +33,17 @@ inline Letter inverse_letter(Letter letter) { return letter ^ 1; }
 class Generator_words
 {
 public:
+  /* None. */
+  Generator_words() = default;
+
+  /* \throws Interrupted */
   template <class Input_mesh>
-  Generator_words(const Input_mesh& input, const Edge_forest& forest, const Cotree& cotree)
+  Generator_words(const Input_mesh& input, const Edge_forest& forest, const Cotree& cotree,
+                  Interruption* interruption = nullptr)
     : m_parts(static_cast<std::size_t>(input.number_of_halfedges() / 2))
     , m_relations(forest.roots().size())
   {
+    throw_if_interrupted_before_part(interruption);
     Indexed_by<Edge_index, std::vector<Index>> generator(m_parts.size(), -1);
     for(std::size_t i = 0; i < cotree.generators().size(); ++i)
       generator[edge_of(as_intrinsic(cotree.generators()[i].halfedge))] = static_cast<Index>(i);
@@ -46,7 +53,7 @@ public:
         continue;
       is_walked[static_cast<std::size_t>(forest.component(input.tail(h)))] = 1;
       if(cotree.is_crossed(h))
-        walk(input, cotree, generator, {twin_index(h), input.next(twin_index(h)), 2, 0});
+        walk(input, cotree, generator, {twin_index(h), input.next(twin_index(h)), 2, 0}, interruption);
     }
     for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
       const std::size_t component = static_cast<std::size_t>(forest.component(input.tail(h)));
@@ -54,7 +61,7 @@ public:
         continue;
       is_walked[component] = 1;
       const Index begin = static_cast<Index>(m_letters.size());
-      walk(input, cotree, generator, {null_index, h, 3, 0});
+      walk(input, cotree, generator, {null_index, h, 3, 0}, interruption);
       m_relations[component] = {begin, static_cast<Index>(m_letters.size()), true};
     }
   }
@@ -98,11 +105,12 @@ private:
 
   template <class Input_mesh>
   void walk(const Input_mesh& input, const Cotree& cotree, const Indexed_by<Edge_index, std::vector<Index>>& generator,
-            Visit first)
+            Visit first, Interruption* interruption)
   {
     first.begin = static_cast<Index>(m_letters.size());
     std::vector<Visit> visits(1, first);
     while(!visits.empty()) {
+      throw_if_interrupted(interruption);
       Visit& visit = visits.back();
       if(visit.sides_left == 0) {
         leave(visit);

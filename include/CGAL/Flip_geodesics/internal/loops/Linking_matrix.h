@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_LINKING_MATRIX_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Cotree.h>
 #include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/loops/Places_in_space.h>
@@ -119,10 +120,12 @@ public:
   using Row = std::vector<std::int64_t>;
   using Rooted = Rooted_cotree<std::decay_t<decltype(std::declval<const Triangulation&>().input())>>;
 
-  /* For the loops `first` to `last` of generators, which are those of one component. */
+  /* For the loops `first` to `last` of generators, which are those of one component. \throws Interrupted */
   Linking_matrix(const Triangulation& triangulation, const Edge_forest& forest, const Cotree& cotree,
-                 const Rooted& rooted, const Places_in_space& places, std::size_t first, std::size_t last)
+                 const Rooted& rooted, const Places_in_space& places, std::size_t first, std::size_t last,
+                 Interruption* interruption)
     : m_triangulation(triangulation)
+    , m_interruption(interruption)
     , m_places(places)
     , m_cotree(cotree)
     , m_rooted(rooted)
@@ -294,6 +297,7 @@ private:
       return std::make_pair(a.low[0], a.edge) < std::make_pair(b.low[0], b.edge);
     });
     for(Piece& edge : m_edges) {
+      throw_if_interrupted(m_interruption);
       cover(edge, direction);
       auto piece = std::lower_bound(m_pieces.begin(), m_pieces.end(), edge.low[0] - widest,
                                     [](const Piece& p, double x) { return p.low[0] < x; });
@@ -350,6 +354,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Interruption* m_interruption; // null if it cannot be interrupted
   const Places_in_space& m_places;
   const Cotree& m_cotree;
   const Rooted& m_rooted;

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_SHORTEST_LOOP_SEARCH_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_SHORTEST_LOOP_SEARCH_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/loops/Reduced_words.h>
 #include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -28,14 +29,16 @@ template <class Triangulation>
 class Shortest_loop_search
 {
 public:
-  Shortest_loop_search(const Triangulation& triangulation, const Generator_words& words)
-    : m_triangulation(triangulation)
+  Shortest_loop_search(const Triangulation& triangulation, const Generator_words& words, Interruption* interruption)
+    : m_interruption(interruption)
+    , m_triangulation(triangulation)
     , m_words(words)
     , m_labels(static_cast<std::size_t>(input().number_of_vertices()))
   {
   }
 
-  /* Looks for a shorter loop through v, and through no vertex asked about before, whose word has a property. */
+  /* Looks for a shorter loop through v, and through no vertex asked about before, whose word has a property.
+   * \throws Interrupted */
   template <class IsWanted>
   void search(Vertex_index v, const IsWanted& is_wanted)
   {
@@ -46,6 +49,7 @@ public:
       const Vertex_index u = m_queue.pop();
       if(m_labels[u].is_settled)
         continue;
+      throw_if_interrupted(m_interruption);
       m_labels[u].is_settled = true;
       const Input_halfedge_index first = input().outgoing(u);
       Input_halfedge_index h = first;
@@ -133,6 +137,7 @@ private:
     m_reached.clear();
   }
 
+  Interruption* m_interruption; // null if it cannot be interrupted
   const Triangulation& m_triangulation;
   const Generator_words& m_words;
   Indexed_by<Vertex_index, std::vector<Label>> m_labels;

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_SOLID_LOOPS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LOOPS_SOLID_LOOPS_H
 
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/loops/Bounding_loop_search.h>
 #include <CGAL/Flip_geodesics/internal/loops/Generator_words.h>
@@ -41,16 +42,18 @@ class Solid_loops
   using Loop = std::vector<Halfedge_index>;
 
 public:
-  explicit Solid_loops(const Triangulation& triangulation)
+  /* \throws Interrupted */
+  explicit Solid_loops(const Triangulation& triangulation, Interruption* interruption = nullptr)
     : m_triangulation(triangulation)
-    , m_forest(checked_input(), std::vector<Vertex_index>(), weight())
-    , m_cotree(input(), m_forest, Borders::CLOSED_BY_ONE_FACE, weight())
-    , m_words(input(), m_forest, m_cotree)
+    , m_interruption(interruption)
+    , m_forest(checked_input(), std::vector<Vertex_index>(), weight(), interruption)
+    , m_cotree(input(), m_forest, Borders::CLOSED_BY_ONE_FACE, weight(), interruption)
+    , m_words(input(), m_forest, m_cotree, interruption)
     , m_rooted(input(), m_cotree)
     , m_places(input().number_of_vertices(), [this](Vertex_index v) { return place(v); })
   {
     list_edges();
-    Bounding_loop_search<Triangulation> search(triangulation, m_sums);
+    Bounding_loop_search<Triangulation> search(triangulation, m_sums, interruption);
     for(std::size_t first = 0, last = 0; first < number_of_generators(); first = last) {
       while(last < number_of_generators() && component(last) == component(first))
         ++last;
@@ -138,14 +141,17 @@ private:
   // In one component, with the generators `first` to `last`.
   void find(std::size_t first, std::size_t last, Bounding_loop_search<Triangulation>& search)
   {
+    throw_if_interrupted_before_part(m_interruption);
     m_first = first;
     m_size = last - first;
-    const Linking_matrix<Triangulation> matrix(m_triangulation, m_forest, m_cotree, m_rooted, m_places, first, last);
+    const Linking_matrix<Triangulation> matrix(m_triangulation, m_forest, m_cotree, m_rooted, m_places, first, last,
+                                               m_interruption);
     // rows that generate the classes that bound behind the surface, against its normals, and in front of it
     std::array<std::vector<Row>, 2> rows = {matrix.rows(), matrix.rows()};
     for(std::size_t i = 0; i < m_size; ++i)
       for(std::size_t j = 0; j < m_size; ++j)
         rows[0][i][j] = (i == j ? 1 : 0) - rows[0][i][j];
+    throw_if_interrupted_before_part(m_interruption);
     set_sums(rows);
     std::array<Candidates, 2> candidates = loops_of_edges();
     std::array<Basis, 2> bases = {Basis{Primitive_rows(m_size), {}, {}}, Basis{Primitive_rows(m_size), {}, {}}};
@@ -180,10 +186,12 @@ private:
   std::array<Candidates, 2> loops_of_edges() const
   {
     std::array<Candidates, 2> result;
-    for(Input_halfedge_index h : m_edges[component(m_first)])
+    for(Input_halfedge_index h : m_edges[component(m_first)]) {
+      throw_if_interrupted(m_interruption);
       for(std::size_t side : {0, 1})
         if(const Class_sums& sums = m_sums[edge_of(as_intrinsic(h))]; sums.bounds(side))
           keep({length_of(m_forest.cycle(input(), h)), h, {}}, sums, result[side]);
+    }
     return result;
   }
 
@@ -195,6 +203,7 @@ private:
   {
     const std::size_t most = 1000 + 4 * m_edges[component(m_first)].size() / m_size;
     for(std::size_t i = 0; i < m_size; ++i) {
+      throw_if_interrupted_before_part(m_interruption);
       const Input_halfedge_index h = m_cotree.generators()[m_first + i].halfedge;
       const Loop cycle = m_forest.cycle(input(), h);
       const Vertex_index root = round == 0 ? input().tail(h) : input().tail(as_input(cycle[7 * round % cycle.size()]));
@@ -260,6 +269,7 @@ private:
     for(const Candidate* candidate : sorted) {
       if(2 * result.taken.size() == m_size)
         break;
+      throw_if_interrupted(m_interruption);
       const Loop loop = candidate->loop.empty() ? m_forest.cycle(input(), candidate->halfedge) : candidate->loop;
       const Row row = class_of(loop);
       if(!is_zero(row, others) || !result.taken.add(row))
@@ -372,6 +382,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Interruption* m_interruption; // null if it cannot be interrupted
   Edge_forest m_forest;
   Cotree m_cotree;
   Generator_words m_words;

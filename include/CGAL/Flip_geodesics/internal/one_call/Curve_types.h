@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/metric/Default_traits.h>
+#include <CGAL/Flip_geodesics/internal/shortening/make_visitor.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/with_metric.h>
@@ -20,7 +20,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <type_traits>
 
@@ -115,33 +114,6 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
   const auto traits =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
   return typename Types::Triangulation(mesh, make_metric(mesh, np), traits, zero_length_edges);
-}
-
-template <class T>
-struct Visitor_holder
-{
-  T visitor;
-  T& get() { return visitor; }
-};
-
-template <class T>
-struct Visitor_holder<std::reference_wrapper<T>>
-{
-  static_assert(!std::is_const<T>::value, "a visitor that cannot be copied is given as std::ref(visitor)");
-  std::reference_wrapper<T> visitor;
-  T& get() { return visitor.get(); }
-};
-
-/* The visitor of the named parameters: a copy, the caller's own by `std::ref()`, or one that does nothing. */
-template <class NamedParameters>
-auto make_visitor(const NamedParameters& np)
-{
-  if constexpr(is_given<NamedParameters, internal_np::visitor_t>) {
-    using Visitor = std::decay_t<decltype(parameters::get_parameter(np, internal_np::visitor))>;
-    return Visitor_holder<Visitor>{parameters::get_parameter(np, internal_np::visitor)};
-  } else {
-    return Visitor_holder<Default_shortening_visitor>{};
-  }
 }
 
 /* Calls `function(stop, np)` with what a caller has given last: named parameters, or a stop predicate alone. */

@@ -25,6 +25,38 @@ struct Interrupting_visitor : Default_shortening_visitor
   Interruption& interruption;
 };
 
+/* Passes all on to a visitor, in a computation that consists of several shortenings: none of them takes a step once the
+ * visitor has stopped one, and it is not asked again. */
+template <class Visitor>
+class Stop_remembering_visitor
+{
+public:
+  explicit Stop_remembering_visitor(Visitor& visitor)
+    : m_visitor(visitor)
+    , m_interruption(visitor)
+  {
+  }
+
+  template <class Triangulation>
+  void on_flip(const Triangulation& triangulation, Halfedge_index h)
+  {
+    m_visitor.on_flip(triangulation, h);
+  }
+
+  template <class Network>
+  void after_flip_out(const Network& network, Curve_index curve)
+  {
+    m_visitor.after_flip_out(network, curve);
+  }
+
+  bool go_further() { return !m_interruption.begin_part(); }
+  bool has_stopped() const { return m_interruption.has_occurred(); }
+
+private:
+  Visitor& m_visitor;
+  Interruption m_interruption;
+};
+
 /* Is a visitor to see the steps of a shortening, so that it starts from the path that is given? */
 template <class Visitor>
 constexpr bool observes_steps =

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LANDMARK_CHOICE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
@@ -29,17 +30,19 @@ class Landmark_choice
 public:
   using Set = std::vector<Vertex_index>;
 
-  /* Finds the components. \param search by `Search_method::DIJKSTRA`, over the whole mesh */
+  /* Finds the components. \param search by `Search_method::DIJKSTRA`, over the whole mesh \throws Interrupted, as all
+   * functions that search */
   template <class Search>
-  explicit Landmark_choice(Search& search)
-    : m_component(static_cast<std::size_t>(search.triangulation().input().number_of_vertices()), none)
+  explicit Landmark_choice(Search& search, Interruption* interruption = nullptr)
+    : m_interruption(interruption)
+    , m_component(static_cast<std::size_t>(search.triangulation().input().number_of_vertices()), none)
   {
     m_order.reserve(m_component.size());
     for(Vertex_index v : descriptors<Vertex_index>(number_of_vertices())) {
       if(m_component[v] != none)
         continue;
       const Index component = static_cast<Index>(m_last.size());
-      search.visit_all(v, [&](Vertex_index w, double distance) {
+      visit_all(search, v, [&](Vertex_index w, double distance) {
         m_component[w] = component;
         m_order.push_back(w);
         m_radius = (std::max)(m_radius, distance);
@@ -94,12 +97,20 @@ private:
 
   Index number_of_vertices() const { return static_cast<Index>(m_component.size()); }
 
+  template <class Search, class Visit>
+  void visit_all(Search& search, Vertex_index source, const Visit& visit) const
+  {
+    throw_if_interrupted_before_part(m_interruption);
+    if(!search.visit_vertices(source, visit, m_interruption))
+      throw Interrupted();
+  }
+
   // In each component that has a vertex that is no landmark yet. \param nearest how far landmarks are, but for the last
   template <class Search>
   Set farthest(Search& search, const Set& last, Distances& nearest) const
   {
     for(Vertex_index v : last)
-      search.visit_all(v, [&](Vertex_index w, double distance) { nearest[w] = (std::min)(nearest[w], distance); });
+      visit_all(search, v, [&](Vertex_index w, double distance) { nearest[w] = (std::min)(nearest[w], distance); });
     std::vector<double> most(m_last.size(), 0);
     Set best(m_last.size(), null_index);
     for(Vertex_index v : descriptors<Vertex_index>(number_of_vertices())) {
@@ -113,6 +124,7 @@ private:
     return best;
   }
 
+  Interruption* m_interruption; // null if it cannot be interrupted
   Indexed_by<Vertex_index, std::vector<Index>> m_component;
   std::vector<Vertex_index> m_order;
   Set m_last; // of the order, in each component
