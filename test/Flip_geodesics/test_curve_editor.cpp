@@ -636,3 +636,20 @@ BOOST_AUTO_TEST_CASE(a_spline_of_dragged_legs_is_that_of_the_plane)
   BOOST_CHECK_THROW(FG::Free_geodesic_spline<Triangulation>(t, short_leg, FG::Spline_kind::BEZIER),
                     FG::Invalid_curve_error);
 }
+
+// Bends that are none are dropped one after the other; each time only the line near the bend is looked at.
+BOOST_AUTO_TEST_CASE(vertices_in_line_take_linear_time)
+{
+  const auto number_of_decisions = [](int n) {
+    const Surface mesh = to_mesh<Surface>(flat_grid(n, n, Diagonal_rule::RISING));
+    Triangulation t(mesh);
+    const Editor editor(t, {t.location(0_v), t.location(FG::Vertex_index(grid_vertex(n, n, n)))});
+    BOOST_TEST(is_geodesic(editor.verdict(0)));
+    BOOST_TEST(std::abs(editor.length() - std::sqrt(2.0) * n) < 1e-12 * n);
+    const FG::Decision_statistics& statistics = editor.statistics();
+    return static_cast<double>(statistics.by_plane + statistics.by_precision + statistics.by_roots);
+  };
+  const double of_short_row = number_of_decisions(40);
+  BOOST_TEST(of_short_row > 40);
+  BOOST_TEST(number_of_decisions(80) < 2.5 * of_short_row);
+}

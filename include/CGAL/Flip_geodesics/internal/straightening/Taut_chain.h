@@ -131,6 +131,10 @@ private:
   // There are about as many rounds as rows of vertices between the path and the geodesic.
   static constexpr int most_rounds = 1000;
 
+  // Of the vertices that a straight line passes, so many next to either end are kept: the nearest one and a bend can be
+  // the two ends of an edge.
+  static constexpr std::size_t most_passed = 2;
+
   // ---- angles
 
   // How the angle on a side of the joint between two pieces compares with pi; LARGER at the border. Exact if both
@@ -327,34 +331,153 @@ private:
     const double base = (std::min)(magnitude(bend.position - from), magnitude(to - bend.position));
     if(!(std::abs(cross(along, bend.position - from)) <= unfunneled_angle * base * magnitude(along)))
       return;
-    while(bend.first > 0 && m_gates[bend.first].side != bend.side)
-      --bend.first;
-    while(bend.last + 1 < m_gates.size() && m_gates[bend.last + 1].side != bend.side)
-      ++bend.last;
+    bend = with_all_gates(bend);
     if((m_bends.empty() || bend.last > m_bends.back().last) && bend.last < limit)
       m_bends.push_back(bend);
   }
 
-  // Where the string bends by so little that this can be rounding, and the line that leaves the bend out is straight.
-  void drop_false_bends(const Crossing_word& word)
+  // The same vertex with all gates of which it is an end.
+  Taut_string::Bend with_all_gates(Taut_string::Bend bend) const
   {
-    for(std::size_t i = 0; i < m_bends.size();) {
-      const bool is_first = i == 0, is_last = i + 1 == m_bends.size();
-      const Plane_vector at = m_bends[i].position, from = is_first ? m_source : m_bends[i - 1].position,
-                         to = is_last ? m_target : m_bends[i + 1].position;
-      if(std::abs(cross(at - from, to - at)) > unfunneled_angle * magnitude(at - from) * magnitude(to - at) ||
-         !is_straight_across(part(word, is_first ? nullptr : &m_bends[i - 1], is_last ? nullptr : &m_bends[i + 1])))
-        ++i;
-      else
-        i = drop_bend(i);
-    }
+    while(bend.first > 0 && m_gates[bend.first].side != bend.side)
+      --bend.first;
+    while(bend.last + 1 < m_gates.size() && m_gates[bend.last + 1].side != bend.side)
+      ++bend.last;
+    return bend;
   }
 
-  // Returns the bend to look at next: the one before has another neighbor now.
-  std::size_t drop_bend(std::size_t i)
+  // What is known of the part of the string between two bends that follow on one another.
+  struct Gap
   {
-    m_bends.erase(m_bends.begin() + static_cast<std::ptrdiff_t>(i));
-    return i == 0 ? 0 : i - 1;
+    bool is_known = false, is_straight = false; // has its word been asked, exactly, and is it?
+    bool is_clear = false;                      // is no crossed edge on the line?
+    std::vector<Taut_string::Bend> passed;      // the first vertices on the line and the last ones, `most_passed` each
+  };
+
+  // A bend that stays for now, and the part of the string before it.
+  struct Kept_bend
+  {
+    Taut_string::Bend bend;
+    Gap before;
+  };
+
+  /*
+   * Where the string bends by so little that this can be rounding, and the line that leaves the bend out is straight.
+   * When a bend is dropped, the one before has another neighbor, and is looked at again.
+   *
+   * To follow the line across all of what has been dropped, for each bend, would take quadratic time along a row of
+   * vertices in line. But two straight parts make one if the line near the bend passes it exactly.
+   */
+  void drop_false_bends(const Crossing_word& word)
+  {
+    m_kept.clear();
+    Gap after;
+    for(std::size_t i = 0; i < m_bends.size(); ++i) {
+      const Taut_string::Bend* const next = i + 1 < m_bends.size() ? &m_bends[i + 1] : nullptr;
+      m_kept.push_back({m_bends[i], std::exchange(after, Gap())});
+      while(!m_kept.empty() && is_last_false(word, next, after))
+        m_kept.pop_back();
+    }
+    m_bends.clear();
+    for(const Kept_bend& kept : m_kept)
+      m_bends.push_back(kept.bend);
+  }
+
+  // Is the last kept bend false? Then the part between its neighbors takes the place of the one after it.
+  bool is_last_false(const Crossing_word& word, const Taut_string::Bend* next, Gap& after)
+  {
+    Kept_bend& kept = m_kept.back();
+    const Taut_string::Bend* const previous = m_kept.size() > 1 ? &m_kept[m_kept.size() - 2].bend : nullptr;
+    const Plane_vector at = kept.bend.position, from = previous == nullptr ? m_source : previous->position,
+                       to = next == nullptr ? m_target : next->position;
+    if(std::abs(cross(at - from, to - at)) > unfunneled_angle * magnitude(at - from) * magnitude(to - at))
+      return false;
+    examine(word, previous, &kept.bend, kept.before);
+    examine(word, &kept.bend, next, after);
+    Gap joined;
+    if(!are_in_line(word, previous, kept, next, after, joined)) {
+      if(part(word, previous, next).crossed.empty())
+        return false;
+      examine(word, previous, next, joined);
+      if(!joined.is_straight)
+        return false;
+    }
+    after = std::move(joined);
+    return true;
+  }
+
+  // Asks the part between two bends whether it is straight, unless it has been asked.
+  void examine(const Crossing_word& word, const Taut_string::Bend* from, const Taut_string::Bend* to, Gap& gap) const
+  {
+    if(gap.is_known)
+      return;
+    const Crossing_word line = part(word, from, to);
+    Line_contacts contacts;
+    gap.is_known = true;
+    gap.is_straight = line.crossed.empty() ? line.tail != line.head : is_straight(line, contacts);
+    gap.is_clear = !contacts.have_edge;
+    const std::size_t first = from == nullptr ? 0 : from->last + 1;
+    for(const Line_contacts::Edge_end& end : contacts.ends)
+      append_passed(passed_vertex(first + end.gate, end.is_left ? LEFT_END : RIGHT_END), gap.passed);
+  }
+
+  Taut_string::Bend passed_vertex(std::size_t gate, Gate_side side) const
+  {
+    return with_all_gates({gate, gate, side, Taut_string::end(m_gates, gate, side)});
+  }
+
+  // Only the vertices next to either end matter.
+  static void append_passed(const Taut_string::Bend& vertex, std::vector<Taut_string::Bend>& passed)
+  {
+    if(!passed.empty() && passed.back().first == vertex.first && passed.back().side == vertex.side)
+      return;
+    if(passed.size() == 2 * most_passed)
+      passed.erase(passed.begin() + static_cast<std::ptrdiff_t>(most_passed));
+    passed.push_back(vertex);
+  }
+
+  /*
+   * Do the straight parts before and after a bend lie in one line, which passes it? From the last vertex on the line
+   * before the bend to the first one behind it, the faces prove it. They do not where these vertices can be in the
+   * place of the bend, nor where the line runs along edges.
+   */
+  bool are_in_line(const Crossing_word& word, const Taut_string::Bend* previous, const Kept_bend& kept,
+                   const Taut_string::Bend* next, const Gap& after, Gap& joined) const
+  {
+    const Gap& before = kept.before;
+    if(!before.is_straight || !after.is_straight || !before.is_clear || !after.is_clear)
+      return false;
+    const auto last = std::find_if(before.passed.rbegin(), before.passed.rend(),
+                                   [&](const auto& vertex) { return vertex.last < kept.bend.first; });
+    const auto first = std::find_if(after.passed.begin(), after.passed.end(),
+                                    [&](const auto& vertex) { return vertex.first > kept.bend.last; });
+    const Taut_string::Bend* const from = last == before.passed.rend() ? previous : &*last;
+    const Taut_string::Bend* const to = first == after.passed.end() ? next : &*first;
+    if(!is_passed_between(word, from, kept.bend, to))
+      return false;
+    joined = before;
+    append_passed(kept.bend, joined.passed);
+    for(const Taut_string::Bend& vertex : after.passed)
+      append_passed(vertex, joined.passed);
+    return true;
+  }
+
+  bool is_passed_between(const Crossing_word& word, const Taut_string::Bend* from, const Taut_string::Bend& bend,
+                         const Taut_string::Bend* to) const
+  {
+    const Plane_vector in = bend.position - (from == nullptr ? m_source : from->position),
+                       out = (to == nullptr ? m_target : to->position) - bend.position;
+    const double least = unfunneled_angle * magnitude(m_target - m_source);
+    const Crossing_word line = part(word, from, to);
+    Line_contacts contacts;
+    if(!(magnitude(in) > least && magnitude(out) > least) || line.crossed.empty() || !is_straight(line, contacts) ||
+       contacts.have_edge)
+      return false;
+    const std::size_t first = from == nullptr ? 0 : from->last + 1;
+    return std::any_of(contacts.ends.begin(), contacts.ends.end(), [&](const Line_contacts::Edge_end& end) {
+      const std::size_t gate = first + end.gate;
+      return gate >= bend.first && gate <= bend.last && end.is_left == (bend.side == LEFT_END);
+    });
   }
 
   // From one bend to another, or the ends.
@@ -371,10 +494,13 @@ private:
     return result;
   }
 
-  bool is_straight_across(const Crossing_word& word) const { return !word.crossed.empty() && is_straight(word); }
   bool is_straight(const Crossing_word& word) const
   {
     return Straight_strip<Triangulation>(m_triangulation, m_statistics)(word);
+  }
+  bool is_straight(const Crossing_word& word, Line_contacts& contacts) const
+  {
+    return Straight_strip<Triangulation>(m_triangulation, m_statistics)(word, contacts);
   }
 
   Vertex_index vertex(const std::vector<Input_halfedge_index>& crossed, const Taut_string::Bend& bend) const
@@ -454,6 +580,7 @@ private:
   Plane_vector m_source, m_target;
   Taut_string m_string;
   std::vector<Taut_string::Bend> m_bends;
+  std::vector<Kept_bend> m_kept;
 };
 
 } // namespace internal

@@ -25,6 +25,18 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* Ends of the edges that a word crosses, on its line. */
+struct Line_contacts
+{
+  struct Edge_end
+  {
+    std::size_t gate;
+    bool is_left;
+  };
+  std::vector<Edge_end> ends; // a vertex once for each of its edges
+  bool have_edge = false;     // are both ends of an edge on it?
+};
+
 /*
  * Is the straight line from the tail to the head of a word a path through its strip that is locally shortest, exactly?
  * It must pass between the ends of each crossed edge. Where faces without area lie along it, it may touch vertices with
@@ -72,15 +84,23 @@ public:
     return is_inside_face(word) || is_straight(word, Strip_in_double(m_triangulation, word), obstacle);
   }
 
+  /* The same, and which ends of crossed edges lie on the line. Only of a word that crosses edges. */
+  bool operator()(const Crossing_word& word, Line_contacts& contacts) const
+  {
+    Strip_obstacle obstacle;
+    return is_strip(word) && is_straight(word, Strip_in_double(m_triangulation, word), obstacle, &contacts);
+  }
+
 private:
   static bool is_inside_face(const Crossing_word& word) { return word.along == null_index && word.crossed.empty(); }
 
-  bool is_straight(const Crossing_word& word, const Strip_in_double& strip, Strip_obstacle& obstacle) const
+  bool is_straight(const Crossing_word& word, const Strip_in_double& strip, Strip_obstacle& obstacle,
+                   Line_contacts* contacts = nullptr) const
   {
     Touched touched(m_triangulation, word.tail, word.head, strip.length(), m_statistics);
     if(word.along != null_index)
       add_edge_along(word, touched);
-    else if(!is_inside(word, strip, touched, obstacle))
+    else if(!is_inside(word, strip, touched, obstacle, contacts))
       return false;
     return touched.are_passed_straight(obstacle);
   }
@@ -122,8 +142,8 @@ private:
     touched.add_edge(word.along, from, from + length);
   }
 
-  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched,
-                 Strip_obstacle& obstacle) const
+  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched, Strip_obstacle& obstacle,
+                 Line_contacts* contacts) const
   {
     double passed = 0; // the part of the line that has been followed
     Gate_sides_beyond_doubles precise(*this, word, strip);
@@ -145,6 +165,8 @@ private:
         obstacle.gate = i;
         return false;
       }
+      if(contacts != nullptr)
+        note_contacts(i, sides, *contacts);
       if(is_along) {
         touched.add_edge(gate.crossed, along(strip, gate.right), along(strip, gate.left));
       } else if(sides.left == ZERO || sides.right == ZERO) {
@@ -153,6 +175,15 @@ private:
     }
     m_statistics.by_strip += precise.is_exact_needed() ? 0 : 1;
     return true;
+  }
+
+  static void note_contacts(std::size_t gate, const Gate_sides& sides, Line_contacts& contacts)
+  {
+    if(sides.left == ZERO)
+      contacts.ends.push_back({gate, true});
+    if(sides.right == ZERO)
+      contacts.ends.push_back({gate, false});
+    contacts.have_edge = contacts.have_edge || (sides.left == ZERO && sides.right == ZERO);
   }
 
   // Do two gates in a row start at one vertex, or else end at one?
