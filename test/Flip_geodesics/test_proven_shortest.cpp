@@ -237,6 +237,23 @@ BOOST_AUTO_TEST_CASE(ties_are_the_same_in_both_directions)
   }
 }
 
+// Two paths around the top of a pyramid, one as the other in a mirror, that lie next to each other all the way from a
+// vertex beside the top: the angle between them is less than can be told at their far end, and large at the near one.
+BOOST_AUTO_TEST_CASE(ties_around_a_top_that_is_close_to_an_end)
+{
+  for(double offset : {1e-2, 1e-5, 1e-7, 1e-9}) {
+    const Coordinates near_top = {offset, 0, 1 - offset};
+    const Mesh_soup pyramid = {{{0, 0, 1}, near_top, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+                               {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 5, 2}}};
+    Setting setting(pyramid);
+    for(const bool is_forward : {true, false}) {
+      const auto report = is_forward ? shortest(setting, 1, 4) : shortest(setting, 4, 1);
+      BOOST_TEST(report.is_confirmed(), offset);
+      BOOST_TEST(report.has_tie, offset << (is_forward ? ", towards the far end" : ", from the far end"));
+    }
+  }
+}
+
 // Faces without area, whose corners lie in a line, can be passed again and again at one place.
 BOOST_AUTO_TEST_CASE(faces_without_area)
 {

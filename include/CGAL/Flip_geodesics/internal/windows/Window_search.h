@@ -286,18 +286,43 @@ private:
     return {m_faces[Faces::previous(side)].halfedge, angle + turn};
   }
 
+  /* Where a path sets out from its start. */
+  typename Faces::Direction departure(const Arrival& arrival)
+  {
+    if(arrival.window == null_index)
+      return {arrival.along, 0};
+    const Window* w = &m_windows[arrival.window];
+    const Vector apex = m_faces.apex(m_faces.number(w->halfedge));
+    Vector ray(apex.real() - w->x, apex.imag() + w->y);
+    for(; w->parent != null_index; w = &m_windows[w->parent])
+      ray = ray * axis_of(*w);
+    const Input_halfedge_index crossed = twin_index(w->halfedge);
+    const Index side = m_faces.number(crossed), spoke = Faces::previous(side);
+    const Vector to_head(m_faces[side].length - w->x, w->y);
+    const Vector turn = ray * conj(to_head);
+    return {m_faces[spoke].halfedge, std::atan2(Rounding::nearest(turn.imag()), Rounding::nearest(turn.real()))};
+  }
+
+  // The direction of a window's edge in the frame of the window that it follows from.
+  Vector axis_of(const Window& w)
+  {
+    const Index side = m_faces.number(m_windows[w.parent].halfedge);
+    const auto base = m_faces[side], next = m_faces[Faces::next(side)];
+    return twin_index(w.halfedge) == next.halfedge ? Vector(next.cosine, -next.sine) : Vector(base.cosine, base.sine);
+  }
+
   /*
-   * Does a path arrive within the face that it comes through, up to the error of its direction? Rounded rays in faces
-   * without area can turn back there, and seem to arrive from outside.
+   * Does the direction of a path at one of its ends lie within the face there, up to its error? Rounded rays in faces
+   * without area can turn back there, and seem to come from outside.
    */
-  bool is_within_face(const Arrival& arrival)
+  bool is_within_face(const Arrival& arrival, const typename Faces::Direction& direction)
   {
     if(arrival.window == null_index)
       return true;
     const Window& w = m_windows[arrival.window];
     const Index side = m_faces.number(w.halfedge);
-    const auto corner = m_faces[Faces::previous(side)];
-    const double angle = direction(arrival).angle;
+    const auto corner = m_faces[m_faces.number(direction.halfedge)];
+    const double angle = direction.angle;
     const double most = std::atan2(Rounding::nearest(corner.sine), Rounding::nearest(corner.cosine));
     const Number error = w.radius + step_error * (norm(w.x, w.y) + m_faces[side].length + corner.length);
     const double allowed = same_way + Rounding::nearest(error) / arrival.leg;
@@ -307,15 +332,32 @@ private:
   /*
    * Are two arrivals at a vertex, by paths of some length, of different shortest paths? A path that bends a little at a flat
    * vertex beside a shortest one is hardly longer, and none.
+   *
+   * The angle between two paths can be less than can be told at one end only: around a convex vertex that is close to
+   * the other end, they are close to each other all the way from there. So it is measured at both ends if legs start at
+   * the same vertex, and the decision is the same from the target to the source. If they start at different vertices,
+   * and no angle can be told where they arrive, then the longer one passes the start of the shorter one, and whether
+   * paths tie is decided where they arrive there.
    */
   bool are_apart(const Arrival& a, const Arrival& b, double length)
   {
-    if(!is_within_face(a) || !is_within_face(b))
+    const auto of_a = direction(a), of_b = direction(b);
+    if(!is_within_face(a, of_a) || !is_within_face(b, of_b))
       return false;
-    const double angle = m_faces.angle_between(direction(a), direction(b), same_way);
+    double angle = m_faces.angle_between(of_a, of_b, same_way);
+    if(angle == 0 && start(a) == start(b))
+      angle = angle_at_start(a, b);
     const Arrival& shorter = a.leg < b.leg ? a : b;
     const bool is_beside = shorter.leg * angle <= same_way * length && m_faces.is_flat(start(shorter));
     return angle > 0 && !is_beside;
+  }
+
+  // The angle between two paths at their common start, zero if it is less than can be told.
+  double angle_at_start(const Arrival& a, const Arrival& b)
+  {
+    const auto of_a = departure(a), of_b = departure(b);
+    const bool are_known = is_within_face(a, of_a) && is_within_face(b, of_b);
+    return are_known ? m_faces.angle_between(of_a, of_b, same_way) : 0;
   }
 
   // No path to v that is known is shorter than this.
