@@ -47,7 +47,8 @@ struct Shortest_path_report
       0; ///< no path is shorter: a bound for the mesh with its coordinates as doubles, rounding included
   std::size_t windows = 0;                                            ///< what the search cost
   Shortest_path_verdict verdict = Shortest_path_verdict::UNCONFIRMED; ///< is the path globally shortest?
-  /// Are there other paths as short, up to `proof_tolerance()`? Those that a confirmed one ties with are all found.
+  /// Are there other paths as short, up to 2^-42 of the length, which is about 2e-13? Those that a confirmed one ties with
+  /// are all found.
   bool has_tie = false;
 
   /// Is the path globally shortest? If not, it may still be.
