@@ -19,6 +19,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <limits>
@@ -152,22 +153,43 @@ struct Value_collector
   friend void put(const Value_collector& map, const Key&, const Value& value) { map.values->push_back(value); }
 };
 
-/* Grows the tree of shortest paths from a vertex, and writes what `write(tree, map)` takes from it. */
+/* How many windows a search or a field over a triangulation may make. */
+template <class Triangulation>
+std::size_t most_windows(const Triangulation& triangulation, const Window_limit& limit)
+{
+  return limit(static_cast<std::size_t>(triangulation.input().number_of_vertices()));
+}
+
+/* Grows the tree of shortest paths from the source of a field, and writes what `write(tree, map)` takes from it. */
 template <class Value, class Triangulation, class Visitor, class Write>
-Computed_values<Value> make_shortest_tree(Triangulation& triangulation, Vertex_index source, const Window_limit& limit,
-                                          Visitor& visitor, const Write& write)
+Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
+                                          const Geodesic_distance_field<Triangulation>& field, Vertex_index source,
+                                          std::size_t most_windows, Visitor& visitor, const Write& write)
 {
   Geodesic_tree<Triangulation> tree(triangulation);
   Computed_values<Value> result;
   result.report.status = tree.grow(source, std::numeric_limits<double>::infinity(), visitor).status;
-  if(!is_stopped_by_visitor(result.report))
-    result.report = make_shortest(tree, limit, visitor);
+  if(!is_stopped_by_visitor(result.report)) {
+    Interruption interruption(visitor);
+    result.report = make_shortest(tree, field.query().propagation(), true, most_windows, interruption);
+  }
   if(is_stopped_by_visitor(result.report))
     return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
     throw Degenerate_face_error("paths lead through vertices that faces without area fold onto one place", {});
+  result.report.is_confirmed = result.report.is_confirmed && result.report.longer == 0;
   write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});
   return result;
+}
+
+/* How many vertices other than sources have a distance. */
+template <class Triangulation, class Distances>
+std::size_t number_of_finite(const Triangulation& triangulation, const Distances& distances)
+{
+  const auto all = descriptors<Vertex_index>(triangulation.input().number_of_vertices());
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](Vertex_index v) {
+    return distances.distance(v) > 0 && distances.distance(v) < std::numeric_limits<double>::infinity();
+  }));
 }
 
 /* Computes a field from vertices, and returns what is known of the distances. */
@@ -187,25 +209,58 @@ Shortest_tree_report compute_from_vertices(Geodesic_distance_field<Triangulation
   report.windows = computed.windows;
   report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face &&
                         !computed.has_inaccurate_distance;
-  for(Vertex_index v : descriptors<Vertex_index>(triangulation.input().number_of_vertices())) { // but sources
-    const double distance = field.distance(v);
-    report.vertices += distance > 0 && distance < std::numeric_limits<double>::infinity() ? 1 : 0;
-  }
+  report.vertices = number_of_finite(triangulation, field);
   return report;
 }
 
-/* Computes the distances of a field from vertices. */
+/* Writes the distances that a field or a search has found. */
+template <class Triangulation, class Distances>
+void take_distances(const Distances& distances, const Triangulation& triangulation,
+                    const typename Triangulation::Triangle_mesh& mesh, Computed_values<double>& result)
+{
+  result.values.clear();
+  for(const auto v : vertices(mesh))
+    result.values.push_back(distances.distance(triangulation.input().index(v)));
+  result.report.vertices = number_of_finite(triangulation, distances);
+}
+
+/* Computes distances by a search that is rounded outward, and takes them if it confirms all. */
 template <class Triangulation, class Visitor>
-Computed_values<double> field_distances(const Triangulation& triangulation,
+void search_distances(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                      const std::vector<Vertex_index>& sources, std::size_t most_windows, Visitor& visitor,
+                      Computed_values<double>& result)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Interruption interruption(visitor);
+  confirm_by_search(triangulation, sources, most_windows, [&](auto& search, std::size_t most) {
+    const bool is_sound = run_to_the_end(search, infinity, most, &interruption);
+    result.report.windows += search.number_of_windows();
+    if(!is_sound || search.lower_bound() < infinity)
+      return Search_outcome::INCOMPLETE;
+    if(!are_bounds_close(search, search, triangulation.input().number_of_vertices(), infinity))
+      return Search_outcome::UNCLEAR;
+    result.report.is_confirmed = true;
+    take_distances(search, triangulation, mesh, result);
+    return Search_outcome::CONFIRMED;
+  });
+  if(interruption.has_occurred())
+    result.report.status = Shortening_status::STOPPED_BY_VISITOR;
+}
+
+/* Computes the distances from vertices by a field, and by a search if rounding errors can have changed those. */
+template <class Triangulation, class Visitor>
+Computed_values<double> field_distances(Geodesic_distance_field<Triangulation>& field,
+                                        const Triangulation& triangulation,
                                         const typename Triangulation::Triangle_mesh& mesh,
                                         const std::vector<Vertex_index>& sources, const Window_limit& limit,
                                         Visitor& visitor)
 {
-  Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
   Computed_values<double> result;
   result.report = compute_from_vertices(field, triangulation, sources, limit, visitor);
-  write_distances(field, triangulation, mesh,
-                  Value_collector<typename Triangulation::Mesh_vertex, double>{&result.values});
+  take_distances(field, triangulation, mesh, result);
+  const bool is_complete = field.reach() == std::numeric_limits<double>::infinity();
+  if(is_complete && !result.report.is_confirmed && !is_stopped_by_visitor(result.report))
+    search_distances(triangulation, mesh, sources, most_windows(triangulation, limit), visitor, result);
   return result;
 }
 
@@ -237,11 +292,11 @@ std::optional<Logarithmic_map> logarithmic_map_of_field(const Geodesic_distance_
 
 /* Computes the polar coordinates of vertices by a field; no values unless all are confirmed. */
 template <class Triangulation, class Visitor>
-Computed_values<Polar_coordinates> field_coordinates(const Triangulation& triangulation,
+Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Triangulation>& field,
+                                                     const Triangulation& triangulation,
                                                      const typename Triangulation::Triangle_mesh& mesh,
                                                      Vertex_index source, const Window_limit& limit, Visitor& visitor)
 {
-  Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
   Computed_values<Polar_coordinates> result;
   result.report = compute_from_vertices(field, triangulation, {source}, limit, visitor);
   if(!result.report.is_confirmed)
@@ -294,9 +349,11 @@ Computed_values<double> compute_distances(const TriangleMesh& mesh,
     std::vector<Vertex_index> indices;
     for(const auto& v : sources)
       indices.push_back(triangulation.index(v));
-    auto result = field_distances(triangulation, mesh, indices, limit, visitor.get());
+    Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
+    auto result = field_distances(field, triangulation, mesh, indices, limit, visitor.get());
     if(is_single && !result.report.is_confirmed && !is_stopped_by_visitor(result.report))
-      result = make_shortest_tree<double>(triangulation, indices.front(), limit, visitor.get(),
+      result = make_shortest_tree<double>(triangulation, field, indices.front(), most_windows(triangulation, limit),
+                                          visitor.get(),
                                           [&](const auto& tree, const auto& map) { write_distances(tree, mesh, map); });
     return confirmed_of_mesh(triangulation, std::move(result));
   });
@@ -310,10 +367,11 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
   auto visitor = make_visitor(np);
   return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
     const Vertex_index s = triangulation.index(source);
-    auto result = field_coordinates(triangulation, mesh, s, limit, visitor.get());
+    Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
+    auto result = field_coordinates(field, triangulation, mesh, s, limit, visitor.get());
     if(!result.report.is_confirmed && !is_stopped_by_visitor(result.report))
       result = make_shortest_tree<Polar_coordinates>(
-          triangulation, s, limit, visitor.get(),
+          triangulation, field, s, most_windows(triangulation, limit), visitor.get(),
           [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });
     return confirmed_of_mesh(triangulation, std::move(result));
   });
@@ -325,9 +383,11 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
  * \ingroup PkgFlipGeodesicsDistances
  *
  * Computes the distances on the surface of all vertices from one, or from the nearest of several, by a
- * `Geodesic_distance_field`. That can be given up, or meet a face so flat that it is unsure. For one source, a tree of
- * geodesics is then grown (`Geodesic_tree::grow()`). Those that are not shortest are replaced as far as shorter ones
- * are found (`make_shortest()`).
+ * `Geodesic_distance_field`. If that meets a face so flat that rays can be lost in it, or rounding errors can have changed
+ * a distance by more than 1e-10 of it, the distances are computed by a search with bounds that are rounded outward.
+ * Where its bounds are too far apart as well, and where the field is given up, a tree of geodesics is grown if there is
+ * one source (`Geodesic_tree::grow()`). Those that are not shortest are replaced as far as shorter ones are found
+ * (`make_shortest()`).
  *
  * \param mesh a triangle mesh
  * \param sources a vertex of the mesh, or a range of such; if there are none, all distances are infinite
@@ -344,7 +404,9 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
  *         all are
  * \throws Vertex_out_of_range_error, Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
- * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
+ * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`. The
+ * search takes \f$O(w \log w)\f$ for \f$w\f$ windows, with the same limit as the field, and twice as many in
+ * double-double numbers where errors of doubles are too large.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class Limit, class NamedParameters>

@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
+#include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,8 +41,10 @@ struct Shortest_tree_report
   double largest_excess = 0;        ///< the same now
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
-  /// Was the search neither given up nor stopped, were there no degenerate faces, and was no path of the tree shorter than
-  /// the one that was found? Then the figures are exact up to rounding. Never if coordinates or lengths of the mesh are not doubles.
+  /// Are the figures exact up to rounding, and is no shortest path shorter than the one found by more than 1e-10 of it?
+  /// Not if the search was given up or stopped, or met an edge of length zero, or if coordinates or lengths of the mesh
+  /// are not doubles. Beside faces whose height is at most 1e-10 of their base, and where rounding errors can be as
+  /// large, only if a search with bounds that are rounded outward confirms it.
   bool is_confirmed = false;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
   /// `STOPPED_BY_VISITOR` if a visitor's `go_further()` returned `false`.
@@ -113,11 +117,11 @@ void replace_longer(Tree& tree, const Search& search, Interruption& interruption
 }
 
 /* The paths that a search has found that is rounded outward, with lengths that they do not exceed. */
-template <class Triangulation>
+template <class Triangulation, class Search>
 class Paths_of_search
 {
 public:
-  Paths_of_search(const Triangulation& triangulation, const Window_search<Triangulation>& search)
+  Paths_of_search(const Triangulation& triangulation, const Search& search)
     : m_triangulation(triangulation)
     , m_search(search)
   {
@@ -129,44 +133,115 @@ public:
 
 private:
   const Triangulation& m_triangulation;
-  const Window_search<Triangulation>& m_search;
+  const Search& m_search;
 };
 
-/* Are the lengths of all paths of a tree, and of shortest ones, between the bounds of a search, which are as close as the
- * tolerance? Lengths in the tree can be wrong where edges are much longer than paths. */
-template <class Tree, class Search>
-bool are_bounds_close(const Tree& tree, const Search& search)
+/* Are the distances of a tree or of the search itself, and those of shortest paths, between the bounds of a search that
+ * is rounded outward, and these as close as the tolerance? Up to a greatest distance. Lengths in a tree can be wrong
+ * where edges are much longer than paths. */
+template <class Distances, class Search>
+bool are_bounds_close(const Distances& distances, const Search& search, Index number_of_vertices, double greatest)
 {
   constexpr double tolerance = Shortest_path_report::tolerance();
-  for(Vertex_index v : descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices())) {
+  for(Vertex_index v : descriptors<Vertex_index>(number_of_vertices)) {
     const double least = search.least_distance(v), longest = least * (1 + tolerance);
-    if(!search.is_reached(v) || v == tree.source() || least > tree.max_distance())
+    if(!search.is_reached(v) || search.is_source(v) || least > greatest)
       continue;
-    if(!(search.greatest_distance(v) <= longest && tree.distance(v) <= longest &&
-         tree.distance(v) >= least * (1 - tolerance)))
+    if(!(search.greatest_distance(v) <= longest && distances.distance(v) <= longest &&
+         distances.distance(v) >= least * (1 - tolerance)))
       return false;
   }
   return true;
 }
 
-/* Replaces the paths of a tree that are not shortest by a search that is rounded outward, where the distances of a field
- * are not accurate. */
-template <class Tree>
-void prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interruption& interruption,
-                    Shortest_tree_report& report)
+/* Was a search that is rounded outward not brought to its end, or are its bounds too far apart, or do they confirm what
+ * was to be confirmed? */
+enum class Search_outcome { INCOMPLETE, UNCLEAR, CONFIRMED };
+
+/*
+ * Calls `confirm(search, most_windows)` with a search that is rounded outward, in doubles. If its bounds are too far
+ * apart, as among needles, it is called with another one in double-double numbers, whose errors are negligible; that
+ * needs hardly more windows, and is given up beyond twice as many. Returns the last outcome.
+ */
+template <class Triangulation, class Confirm>
+Search_outcome confirm_by_search(const Triangulation& triangulation, const std::vector<Vertex_index>& sources,
+                                 std::size_t most_windows, const Confirm& confirm)
 {
-  using Triangulation = typename Tree::Triangulation;
-  Unfolded_faces<Triangulation> faces(tree.triangulation());
-  Window_search<Triangulation> search(tree.triangulation(), faces, tree.source());
+  using Precise_faces = Precise_unfolded_faces<Triangulation>;
+  const auto confirm_from_sources = [&](auto search, std::size_t most) {
+    for(Vertex_index v : sources)
+      search.add_source(v);
+    const Search_outcome outcome = confirm(search, most);
+    return std::make_pair(outcome, search.effort());
+  };
+  Unfolded_faces<Triangulation> faces(triangulation);
+  const auto [outcome, effort] =
+      confirm_from_sources(Window_search<Triangulation>(triangulation, faces, sources.front()), most_windows);
+  if(outcome != Search_outcome::UNCLEAR)
+    return outcome;
+  Precise_faces precise_faces(triangulation, faces);
+  using Precise_search = Window_search<Triangulation, Precise_faces>;
+  return confirm_from_sources(Precise_search(triangulation, precise_faces, sources.front()), 2 * effort).first;
+}
+
+/* Replaces the paths of a tree that are longer than those of a search, if the search confirms its own. */
+template <class Tree, class Search>
+Search_outcome replace_by_search(Tree& tree, Search& search, double longest, std::size_t most_windows,
+                                 Interruption& interruption, Shortest_tree_report& report)
+{
+  const Index n = tree.triangulation().input().number_of_vertices();
   const bool is_sound =
       run_to_the_end(search, longest * (1 + Shortest_path_report::tolerance()), most_windows, &interruption);
   report.windows += search.number_of_windows();
-  const Paths_of_search<Triangulation> paths(tree.triangulation(), search);
-  compare(tree, paths, report);
   if(!is_sound || search.lower_bound() < longest)
-    return;
+    return Search_outcome::INCOMPLETE;
+  if(!are_bounds_close(search, search, n, tree.max_distance()))
+    return Search_outcome::UNCLEAR;
+  const Paths_of_search<typename Tree::Triangulation, Search> paths(tree.triangulation(), search);
+  compare(tree, paths, report);
   replace_longer(tree, paths, interruption, report);
-  report.is_confirmed = !is_input_rounded(tree.triangulation()) && are_bounds_close(tree, search);
+  return are_bounds_close(tree, search, n, tree.max_distance()) ? Search_outcome::CONFIRMED : Search_outcome::UNCLEAR;
+}
+
+/* Replaces the paths of a tree that are not shortest by a search that is rounded outward, where the distances of a field
+ * are not accurate. Are they confirmed to be shortest then? */
+template <class Tree>
+bool prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interruption& interruption,
+                    Shortest_tree_report& report)
+{
+  const auto replace = [&](auto& search, std::size_t most) {
+    return replace_by_search(tree, search, longest, most, interruption, report);
+  };
+  return confirm_by_search(tree.triangulation(), {tree.source()}, most_windows, replace) == Search_outcome::CONFIRMED;
+}
+
+/*
+ * Replaces the paths of a tree that are not shortest, where a field from its source is known, which has been computed as
+ * far as its longest path unless it was given up, or met an edge of length zero.
+ */
+template <class Triangulation>
+Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_propagation<Triangulation>& field,
+                                   bool is_sound, std::size_t most_windows, Interruption& interruption)
+{
+  Shortest_tree_report report;
+  report.status = tree.report().status;
+  report.windows = field.number_of_windows();
+  const double longest = longest_wanted(tree);
+  const bool is_complete = is_sound && field.reach() >= longest;
+  const bool is_accurate = !field.has_flat_face() && !field.has_inaccurate_distance();
+  if(is_complete && !is_accurate && prove_shortest(tree, longest, most_windows, interruption, report)) {
+    report.is_confirmed = true;
+  } else {
+    report.is_confirmed = compare(tree, field, report) && is_complete && is_accurate;
+    if((is_complete || field.number_of_windows() <= most_windows) && !interruption.has_occurred())
+      replace_longer(tree, field, interruption, report);
+  }
+  report.is_confirmed = report.is_confirmed && !is_input_rounded(tree.triangulation());
+  if(interruption.has_occurred()) {
+    report.status = Shortening_status::STOPPED_BY_VISITOR;
+    report.is_confirmed = false;
+  }
+  return report;
 }
 
 } // namespace internal
@@ -175,7 +250,8 @@ void prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interr
  * \ingroup PkgFlipGeodesicsTree
  *
  * Finds the paths of a tree that are not globally shortest, and replaces them. The distances on the input are computed
- * as by `Geodesic_distance_field`, exact up to rounding. Then the longer paths are taken out of the tree, and shortest
+ * as by `Geodesic_distance_field`, exact up to rounding; where that cannot be sure of its distances, by a search with
+ * bounds that are rounded outward. Then the longer paths are taken out of the tree, and shortest
  * ones inserted by flips, the nearest first. They do not cross what is there, since shortest paths from one vertex
  * never cross. Vertices within the tree's limit that it did not find are added.
  *
@@ -204,28 +280,11 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
   if(tree.triangulation().network_place().has_curves())
     throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
   const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
-  const double longest = internal::longest_wanted(tree);
-  Shortest_tree_report report;
-  report.status = tree.report().status;
   internal::Interruption interruption(visitor);
   internal::Window_propagation<Triangulation> field(tree.triangulation(), false);
   field.add_vertex(tree.source(), 0, 0);
-  const bool is_sound = internal::run_to_the_end(field, longest, most_windows, &interruption);
-  report.windows = field.number_of_windows();
-  if(is_sound && report.windows <= most_windows && !field.has_flat_face() && field.has_inaccurate_distance()) {
-    internal::prove_shortest(tree, longest, most_windows, interruption, report);
-  } else {
-    report.is_confirmed = is_sound && !field.is_given_up(most_windows) && !field.has_flat_face() &&
-                          !internal::is_input_rounded(tree.triangulation());
-    report.is_confirmed = internal::compare(tree, field, report) && report.is_confirmed;
-    if(report.windows <= most_windows && !interruption.has_occurred())
-      internal::replace_longer(tree, field, interruption, report);
-  }
-  if(interruption.has_occurred()) {
-    report.status = Shortening_status::STOPPED_BY_VISITOR;
-    report.is_confirmed = false;
-  }
-  return report;
+  const bool is_sound = internal::run_to_the_end(field, internal::longest_wanted(tree), most_windows, &interruption);
+  return internal::make_shortest(tree, field, is_sound, most_windows, interruption);
 }
 
 } // namespace Flip_geodesics

@@ -27,8 +27,8 @@ Last_leg last_leg(const Triangulation&, const Search& search, Vertex_index v)
   return search.last_leg(v);
 }
 
-template <class Triangulation>
-Last_leg last_leg(const Triangulation& triangulation, const Window_search<Triangulation>& search, Vertex_index v)
+template <class Triangulation, class Faces>
+Last_leg last_leg(const Triangulation& triangulation, const Window_search<Triangulation, Faces>& search, Vertex_index v)
 {
   const auto leg = search.leg(v);
   const Strip<Triangulation> strip(triangulation, leg.word.reversed());

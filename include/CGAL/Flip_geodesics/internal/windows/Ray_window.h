@@ -65,7 +65,7 @@ struct Reached_vertex
   Path_arrival arrival;
   Number promised; // from which length the rays have to start at most that start here, for what they replace
   Number started;  // from which they have started
-  bool is_reached = false, has_started = false, has_tie = false;
+  bool is_source = false, is_reached = false, has_started = false, has_tie = false;
 };
 
 /* A window whose rays are to go on, or a vertex from which rays are to start. */

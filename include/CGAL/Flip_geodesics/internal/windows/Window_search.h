@@ -30,7 +30,7 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Shortest paths on the input mesh from one vertex: windows of straight rays are carried from face to face [MMP87], in
+ * Shortest paths on the input mesh from one vertex, or the nearest of several: windows of straight rays are carried from face to face [MMP87], in
  * the order of a lower bound, and dropped where a shorter way is known [CH90, XW09].
  *
  * A window is a part of an edge together with the place, unfolded into the plane of the edge, of the vertex that the
@@ -91,6 +91,15 @@ public:
   {
   }
 
+  /* Makes a vertex a source besides the first one. \pre nothing has been searched */
+  void add_source(Vertex_index v)
+  {
+    m_vertices.write(v).is_source = true;
+    offer(v, {0, 0, 0, 0}, {});
+  }
+
+  bool is_source(Vertex_index v) const { return m_vertices[v].is_source; }
+
   /*
    * Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`, or rays have started
    * along more edges than that. With a sweep, only paths count that can lead to its source.
@@ -99,7 +108,7 @@ public:
            Interruption* interruption = nullptr)
   {
     if(!is_reached(m_source))
-      offer(m_source, {0, 0, 0, 0}, {});
+      add_source(m_source);
     while(!m_heap.empty() && effort() <= most_windows) {
       const Entry entry = m_heap.top();
       if(entry.priority >= (m_sweep == nullptr ? bound : (std::min)(bound, longest_tie(m_sweep->source()))))
@@ -140,9 +149,9 @@ public:
   /* Are there several shortest paths to a vertex, as far as one can tell? \pre it has been reached */
   bool has_tie(Vertex_index v) const
   {
-    while(v != m_source && !m_vertices[v].has_tie)
+    while(!is_source(v) && !m_vertices[v].has_tie)
       v = start(m_vertices[v].arrival);
-    return v != m_source;
+    return !is_source(v);
   }
 
   /* No rays start from a vertex, or run along it, with less than this; infinite if there are none. */
@@ -224,7 +233,7 @@ private:
     if(!record.is_reached) {
       record.length = {infinity, infinity, infinity, 0};
       record.promised = infinity;
-    } else if(v == m_source)
+    } else if(record.is_source)
       return;
     record.is_reached = true;
     record.length.most = (std::min)(record.length.most, length.most);
@@ -240,19 +249,19 @@ private:
       record.has_tie = record.has_tie && ties;
     }
     record.length.computed = (std::min)(record.length.computed, length.computed);
-    m_may_come_round = m_may_come_round || (v != m_source && !is_after(v, start(record.arrival)));
+    m_may_come_round = m_may_come_round || (!is_source(v) && !is_after(v, start(record.arrival)));
     lower(v, length.least, length.error);
   }
 
   // Does the way that arrives at v come from v? Vertices closer than ties can be each on the other's way, as it seems.
   bool comes_round(Vertex_index v, const Arrival& arrival) const
   {
-    if(v == m_source)
+    if(is_source(v))
       return false;
     Vertex_index u = start(arrival);
     if(!m_may_come_round && is_after(v, u))
       return false;
-    while(u != m_source && u != v)
+    while(!is_source(u) && u != v)
       u = start(m_vertices[u].arrival);
     return u == v;
   }
@@ -368,7 +377,7 @@ private:
       return;
     record.length.least = least;
     record.length.error = error;
-    if((v == m_source || m_faces.is_passable(v)) && !(record.has_started && record.started <= least))
+    if((record.is_source || m_faces.is_passable(v)) && !(record.has_started && record.started <= least))
       push_vertex(v, (std::min)(least, record.promised));
   }
 
@@ -393,15 +402,15 @@ private:
   void start_from(Vertex_index v)
   {
     const auto& input = m_triangulation.input();
+    const Input_halfedge_index first = input.outgoing(v);
+    if(first == null_index)
+      return;
     const Length before = m_vertices[v].length;
     const Number allowance = m_faces.is_flat(v) ? row_allowance * before.error : Number(0);
     const Number sigma = (std::min)(before.least - allowance, m_vertices[v].promised);
     Vertex_record& record = m_vertices.write(v);
     record.started = sigma;
     record.has_started = true;
-    const Input_halfedge_index first = input.outgoing(v);
-    if(first == null_index)
-      return;
     Input_halfedge_index h = first;
     do {
       ++m_number_of_starts;
