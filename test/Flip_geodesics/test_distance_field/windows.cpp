@@ -164,6 +164,29 @@ BOOST_AUTO_TEST_CASE(rays_that_go_round_faces_without_area_are_given_up)
   }
 }
 
+// A computation whose edges get more and more windows ends long before the limit of all windows: where faces without area
+// put vertices into one place, and where rays run round and round a tip that is so sharp that lengths hardly differ.
+// Without either, an edge may have as many windows.
+BOOST_AUTO_TEST_CASE(crowded_edges_end_a_field)
+{
+  const Mesh_soup line = {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  for(const auto& [soup, is_given_up] :
+      {std::pair{line, true}, {cone(3, 1, 1, 1e5), true}, {cone(3, 1, 1, 1e4), false}}) {
+    const Asked_surface s(soup);
+    FG::internal::Window_propagation<Triangulation> propagation(s.triangulation, true);
+    propagation.add_vertex(1_v, 0, 0);
+    propagation.run(infinity, 200000);
+    std::size_t most = 0;
+    for(FG::Index e = 0; e < s.triangulation.number_of_edges(); ++e)
+      most = (std::max)(most, static_cast<std::size_t>(propagation.windows().on_edge(e).size()));
+    BOOST_TEST(propagation.is_given_up(std::numeric_limits<std::size_t>::max()) == is_given_up);
+    BOOST_TEST((propagation.reach() < infinity) == is_given_up);
+    BOOST_TEST(propagation.number_of_windows() < 100000u);
+    BOOST_TEST(most > 2000u);
+    BOOST_TEST(most < 20000u);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_default_limit_grows_like_the_windows)
 {
   double windows = 0;
