@@ -134,6 +134,14 @@ bool has_lost_edges(const Input_mesh& contracted)
                      [&](Input_halfedge_index h) { return contracted.contracted_halfedge(h) == Contraction::is_hair; });
 }
 
+/* Can a shortest path on a mesh be none on the contracted surface: one along edges of which nothing is left, or through a
+ * point in which sheets met that have vertices of their own there now? Linear in the mesh if it is contracted. */
+template <class Input_mesh>
+bool has_lost_paths(const Input_mesh& contracted)
+{
+  return contracted.has_split_point() || has_lost_edges(contracted);
+}
+
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsBuilders

@@ -332,7 +332,7 @@ template <class Triangulation, class Value>
 Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Computed_values<Value>&& result)
 {
   result.report.is_confirmed =
-      result.report.is_confirmed && !has_lost_edges(triangulation.input()) && !is_input_rounded(triangulation);
+      result.report.is_confirmed && !has_lost_paths(triangulation.input()) && !is_input_rounded(triangulation);
   return std::move(result);
 }
 

@@ -103,3 +103,18 @@ BOOST_AUTO_TEST_CASE(distances_from_an_isolated_source_are_confirmed)
       BOOST_TEST(std::abs(distances[v] - expected) <= 1e-14 * expected, v);
     }
 }
+
+// Vertices in one place: once the edges between them are contracted, sheets that met in a point have vertices of their own
+// there, so that paths through the point are missing.
+BOOST_AUTO_TEST_CASE(distances_are_not_confirmed_where_contracted_sheets_met_in_a_point)
+{
+  const std::vector<Coordinates> points = {{0, 0, 0}, {1, 0, 1}, {2, 1, 0}, {3, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                           {2, 1, 0}, {3, 1, 0}, {0, 2, 0}, {1, 2, 1}, {2, 2, 1}, {3, 2, 0},
+                                           {0, 3, 1}, {1, 2, 1}, {2, 3, 1}, {3, 3, 0}};
+  const std::vector<Corners> triangles = {{0, 1, 4},   {1, 5, 4},   {1, 2, 6},    {1, 6, 5},   {2, 3, 7},   {2, 7, 6},
+                                          {4, 5, 9},   {4, 9, 8},   {5, 10, 9},   {6, 7, 10},  {7, 11, 10}, {8, 9, 12},
+                                          {9, 13, 12}, {9, 10, 14}, {10, 11, 15}, {10, 15, 14}};
+  const Mesh mesh = to_mesh<Mesh>({points, triangles});
+  std::vector<double> distances;
+  BOOST_TEST(!compute_distances(mesh, Vertex(11), distances).is_confirmed);
+}
