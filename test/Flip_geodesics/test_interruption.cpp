@@ -30,14 +30,6 @@
 
 namespace {
 
-namespace FG = CGAL::Flip_geodesics;
-using namespace Flip_geodesics_test;
-using FG::Vertex_index;
-using FG::internal::descriptors;
-
-using Setting = Curve_setting;
-using Triangulation = Setting::Triangulation;
-using Mesh = Triangulation::Triangle_mesh;
 using Mesh_vertex = FG::Mesh_vertex<Mesh>;
 using Field = FG::Geodesic_distance_field<Triangulation>;
 using Tree = FG::Geodesic_tree<Triangulation>;

@@ -267,8 +267,8 @@ std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vec
 }
 
 /*
- * What the functions below do but for writing the output. These are no inline functions and depend on the form of the
- * output alone, so that the compiled library can have instances of them; see `internal/one_call/compiled.h`.
+ * The computations of the functions below, which then write the output. They are not inline, and depend on the form of
+ * the output alone, so that the compiled library can have instances of them; see `internal/one_call/compiled.h`.
  */
 
 /* Of `geodesic_path()`. */

@@ -23,14 +23,6 @@
 
 namespace {
 
-namespace FG = CGAL::Flip_geodesics;
-using namespace Flip_geodesics_test;
-using FG::Vertex_index;
-using FG::internal::descriptors;
-
-using Setting = Curve_setting;
-using Triangulation = Setting::Triangulation;
-using Mesh = Triangulation::Triangle_mesh;
 using Chain = std::vector<FG::Halfedge_index>;
 
 const std::vector<Vertex_index> no_base_points;

@@ -24,14 +24,6 @@
 
 namespace {
 
-namespace FG = CGAL::Flip_geodesics;
-using namespace Flip_geodesics_test;
-using FG::Vertex_index;
-using FG::internal::descriptors;
-
-using Setting = Curve_setting;
-using Triangulation = Setting::Triangulation;
-using Mesh = Triangulation::Triangle_mesh;
 using Search = Setting::Search;
 using Points = std::vector<Mesh::Point>;
 

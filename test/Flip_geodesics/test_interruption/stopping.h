@@ -3,6 +3,9 @@
 #ifndef FLIP_GEODESICS_TEST_INTERRUPTION_STOPPING_H
 #define FLIP_GEODESICS_TEST_INTERRUPTION_STOPPING_H
 
+#include "Curve_setting.h"
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 
 #include <boost/test/unit_test.hpp>
@@ -12,6 +15,15 @@
 #include <thread>
 
 namespace {
+
+namespace FG = CGAL::Flip_geodesics;
+using namespace Flip_geodesics_test;
+using FG::Vertex_index;
+using FG::internal::descriptors;
+
+using Setting = Curve_setting;
+using Triangulation = Setting::Triangulation;
+using Mesh = Triangulation::Triangle_mesh;
 
 // A search takes so many steps at most from one call of a visitor to the next.
 constexpr std::size_t most_between_calls = 1024;

@@ -350,7 +350,7 @@ private:
   struct Gap
   {
     bool is_known = false, is_straight = false; // has its word been asked, exactly, and is it?
-    bool is_clear = false;                      // is no crossed edge on the line?
+    bool is_clear = false;                      // are all crossed edges off the line?
     std::vector<Taut_string::Bend> passed;      // the first vertices on the line and the last ones, `most_passed` each
   };
 

@@ -321,8 +321,8 @@ private:
   }
 
   /*
-   * Does the direction of a path at one of its ends lie within the face there, up to its error? Rounded rays in faces
-   * without area can turn back there, and seem to come from outside.
+   * Does the direction of a path at one of its ends lie within the face there, up to its error? In a face without
+   * area, the rounded direction can point out of the face.
    */
   bool is_within_face(const Arrival& arrival, const typename Faces::Direction& direction)
   {
@@ -342,10 +342,10 @@ private:
    * Are two arrivals at a vertex, by paths of some length, of different shortest paths? A path that bends a little at a flat
    * vertex beside a shortest one is hardly longer, and none.
    *
-   * The angle between two paths can be less than can be told at one end only: around a convex vertex that is close to
-   * the other end, they are close to each other all the way from there. So it is measured at both ends if legs start at
+   * At one end the angle between two paths can be too small to measure, while it is large at the other: for
+   * example, if they pass a convex vertex close to the other end. So it is measured at both ends if legs start at
    * the same vertex, and the decision is the same from the target to the source. If they start at different vertices,
-   * and no angle can be told where they arrive, then the longer one passes the start of the shorter one, and whether
+   * and the angle where they arrive is too small to measure, then the longer one passes the start of the shorter one, and whether
    * paths tie is decided where they arrive there.
    */
   bool are_apart(const Arrival& a, const Arrival& b, double length)
@@ -361,7 +361,7 @@ private:
     return angle > 0 && !is_beside;
   }
 
-  // The angle between two paths at their common start, zero if it is less than can be told.
+  // The angle between two paths at their common start, zero if it is too small to measure.
   double angle_at_start(const Arrival& a, const Arrival& b)
   {
     const auto of_a = departure(a), of_b = departure(b);
