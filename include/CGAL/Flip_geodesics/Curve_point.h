@@ -9,6 +9,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -18,6 +19,9 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+template <class TriangleMesh, class VertexPointMap>
+class Embedded_metric;
 
 /// \ingroup PkgFlipGeodesicsExtraction
 /// Where a point of a curve is on the mesh, in the mesh's own descriptors.
@@ -89,33 +93,44 @@ template <class Output, class T>
 constexpr bool takes<Output, T, std::void_t<decltype(*std::declval<Output&>())>> =
     std::is_assignable<decltype(*std::declval<Output&>()), T>::value;
 
-/* What the points of a curve are given as: points in space, locations in faces, or everything that is known. */
-template <class Triangulation>
-struct Curve_forms
+template <class Metric, bool HAS_POINTS>
+struct Points_if
 {
-  using Mesh = typename Triangulation::Triangle_mesh;
-  using Metric = typename Triangulation::Metric;
-  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
-  using Number = typename Metric::Kernel::FT;
-
-  template <class M, bool HAS_POINTS = Has_points<M>::value>
-  struct Of_metric
-  {
-    using Point = void;
-    using All = Curve_place<Mesh>;
-  };
-  template <class M>
-  struct Of_metric<M, true>
-  {
-    using Point = typename M::Point_3;
-    using All = Curve_point<Mesh, Point>;
-  };
-
-  using Point = typename Of_metric<Metric>::Point;
-  using Location = std::pair<Face, std::array<double, 3>>;
-  using Exact_location = std::pair<Face, std::array<Number, 3>>;
-  using All = typename Of_metric<Metric>::All;
+  using Point = void;
 };
+template <class Metric>
+struct Points_if<Metric, true>
+{
+  using Point = typename Metric::Point_3;
+};
+
+/* The points and numbers of a metric. */
+template <class Metric>
+struct Points_of_metric : Points_if<Metric, Has_points<Metric>::value>
+{
+  using Number = typename Metric::Kernel::FT;
+};
+/* This metric need not be complete. */
+template <class Mesh, class VertexPointMap>
+struct Points_of_metric<Embedded_metric<Mesh, VertexPointMap>>
+{
+  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Number = typename Kernel_traits<Point>::Kernel::FT;
+};
+
+/* What the points of a curve are given as: points in space, locations in faces, or everything that is known. */
+template <class Mesh, class Metric>
+struct Curve_forms_of
+{
+  using Face = typename boost::graph_traits<Mesh>::face_descriptor;
+  using Point = typename Points_of_metric<Metric>::Point;
+  using Location = std::pair<Face, std::array<double, 3>>;
+  using Exact_location = std::pair<Face, std::array<typename Points_of_metric<Metric>::Number, 3>>;
+  using All = std::conditional_t<std::is_void<Point>::value, Curve_place<Mesh>, Curve_point<Mesh, Point>>;
+};
+
+template <class Triangulation>
+using Curve_forms = Curve_forms_of<typename Triangulation::Triangle_mesh, typename Triangulation::Metric>;
 
 template <class T>
 using Itself = T;
@@ -141,20 +156,20 @@ struct First_form<Output, Container, Form, Forms...>
       std::conditional_t<takes<Output, Container<Form>>, Form, typename First_form<Output, Container, Forms...>::type>;
 };
 
-template <class Triangulation, class Output, template <class> class Container>
+template <class Forms, class Output, template <class> class Container>
 struct Curve_form_of
 {
-  using Forms = Curve_forms<Triangulation>;
   using type = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
                                    typename Forms::Exact_location, typename Forms::All>::type;
-  static_assert(is_iterator<Output>,
-                "no output iterator where it belongs; the order is mesh, ends or curves, output, policy, named parameters");
+  static_assert(
+      is_iterator<Output>,
+      "no output iterator where it belongs; the order is mesh, ends or curves, output, policy, named parameters");
   static_assert(!is_iterator<Output> || !std::is_void<type>::value,
                 "the output takes neither the metric's points (lengths have none) nor Face_locations nor Curve_points");
 };
 
 template <class Triangulation, class Output, template <class> class Container = Itself>
-using Curve_form = typename Curve_form_of<Triangulation, Output, Container>::type;
+using Curve_form = typename Curve_form_of<Curve_forms<Triangulation>, Output, Container>::type;
 
 /* Gives a point the direction of a vector; what has no direction stays. */
 template <class Mesh, class Point>

@@ -8,7 +8,8 @@
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
+#include <CGAL/Flip_geodesics/internal/one_call/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Leg_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>

@@ -10,7 +10,8 @@
 #include <CGAL/Flip_geodesics/internal/base/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/field/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
+#include <CGAL/Flip_geodesics/internal/one_call/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
 #include <CGAL/Flip_geodesics/internal/shortening/make_visitor.h>
 

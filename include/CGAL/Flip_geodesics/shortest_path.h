@@ -10,7 +10,8 @@
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
+#include <CGAL/Flip_geodesics/internal/one_call/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
 #include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>

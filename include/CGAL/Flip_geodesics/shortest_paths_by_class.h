@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/classes/Class_paths.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -38,10 +38,11 @@ endforeach()
 
 # Copied, so that no relative path leads back to the package's sources.
 file(COPY "${CMAKE_CURRENT_LIST_DIR}/CMakeLists.txt" "${CMAKE_CURRENT_LIST_DIR}/main.cpp"
+     "${CMAKE_CURRENT_LIST_DIR}/one_topic.cpp"
      DESTINATION "${work_dir}/source")
 set(options -G "${generator}" -D "CMAKE_MAKE_PROGRAM=${make_program}" -D "CMAKE_CXX_COMPILER=${compiler}"
             -D "CMAKE_CXX_COMPILER_LAUNCHER=${launcher}" -D "CMAKE_CXX_FLAGS=${flags}" -D CMAKE_BUILD_TYPE=Release
-            -D "CGAL_DIR=${cgal_dir}" -D "CMAKE_PREFIX_PATH=${prefix}")
+            -D CMAKE_CXX_FLAGS_RELEASE=-O0 -D "CGAL_DIR=${cgal_dir}" -D "CMAKE_PREFIX_PATH=${prefix}")
 run("configure" "${CMAKE_COMMAND}" -S "${work_dir}/source" -B "${work_dir}/build" ${options})
 
 load_cache("${work_dir}/build" READ_WITH_PREFIX consumer_ Flip_geodesics_DIR)
@@ -51,30 +52,32 @@ if(NOT position EQUAL 0)
 endif()
 
 run("build" "${CMAKE_COMMAND}" --build "${work_dir}/build")
-run("run" "${work_dir}/build/consumer")
-message(STATUS "version ${version}: ${output}")
-
-# Linked to the compiled library, the program has the same results, and no instance of its own of what the library has.
-if(has_compiled)
-  set(printed "${output}")
-  run("run with the compiled library" "${work_dir}/build/compiled_consumer")
-  if(NOT output STREQUAL printed)
-    message(FATAL_ERROR "with the compiled library: ${output}")
+# Linked to the compiled library, a program has the same results, and no instance of its own of what the library has.
+foreach(program main one_topic)
+  run("run ${program}" "${work_dir}/build/${program}")
+  message(STATUS "version ${version}: ${output}")
+  if(has_compiled)
+    set(printed "${output}")
+    run("run ${program} with the compiled library" "${work_dir}/build/compiled_${program}")
+    if(NOT output STREQUAL printed)
+      message(FATAL_ERROR "${program} with the compiled library: ${output}")
+    endif()
+    set(objects "${work_dir}/build/CMakeFiles")
+    file(SIZE "${objects}/${program}.dir/${program}.cpp${object_extension}" size)
+    file(SIZE "${objects}/compiled_${program}.dir/${program}.cpp${object_extension}" compiled_size)
+    math(EXPR half "${size} / 2")
+    if(NOT compiled_size LESS half)
+      message(FATAL_ERROR "${program}: ${compiled_size} bytes for the compiled library, ${size} bytes without it")
+    endif()
   endif()
-  file(SIZE "${work_dir}/build/CMakeFiles/consumer.dir/main.cpp${object_extension}" size)
-  file(SIZE "${work_dir}/build/CMakeFiles/compiled_consumer.dir/main.cpp${object_extension}" compiled_size)
-  math(EXPR half "${size} / 2")
-  if(NOT compiled_size LESS half)
-    message(FATAL_ERROR "an object of ${compiled_size} bytes for the compiled library, of ${size} bytes without it")
-  endif()
-endif()
+endforeach()
 
 # As a part of the project, without an install.
 set(options ${options} -D "PACKAGE_SOURCE=${source_dir}" -D FLIP_GEODESICS_BUILD_TESTS=OFF
             -D FLIP_GEODESICS_BUILD_EXAMPLES=OFF)
 run("configure as a part" "${CMAKE_COMMAND}" -S "${work_dir}/source" -B "${work_dir}/part" ${options})
-run("build as a part" "${CMAKE_COMMAND}" --build "${work_dir}/part")
-run("run as a part" "${work_dir}/part/consumer")
+run("build as a part" "${CMAKE_COMMAND}" --build "${work_dir}/part" --target main)
+run("run as a part" "${work_dir}/part/main")
 
 find_program(pkg_config pkg-config)
 if(pkg_config)

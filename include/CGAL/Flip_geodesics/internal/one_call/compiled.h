@@ -4,81 +4,61 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_ONE_CALL_COMPILED_H
 
 /*
- * Which instances the compiled library has: of the functions that do the work of one call, over the meshes that users
- * have most, with default options. A header of such functions declares them if CGAL_FLIP_GEODESICS_COMPILED is defined,
- * as by linking to CGAL::Flip_geodesics_compiled. All other instances are made where they are used, as without it.
+ * CGAL_FLIP_GEODESICS_COMPILED is defined by linking to CGAL::Flip_geodesics_compiled. Then headers of one-call functions
+ * declare what these call and do not define it, which costs a third of the time of a compiler. The library has the
+ * instances that most programs need. For others a source defines CGAL_FLIP_GEODESICS_HEADER_ONLY, and makes them itself.
  */
+#if defined(CGAL_FLIP_GEODESICS_COMPILED) && !defined(CGAL_FLIP_GEODESICS_HEADER_ONLY)
+#define CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY
+#endif
 
-#ifdef CGAL_FLIP_GEODESICS_COMPILED
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
-#include <CGAL/Flip_geodesics/Curve_point.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
-#include <boost/graph/graph_traits.hpp>
-
-#include <array>
-#include <utility>
+#include <type_traits>
 
 namespace CGAL {
+
+class Epick;
+
 namespace Flip_geodesics {
 namespace internal {
 namespace compiled {
 
-using Cartesian_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
-using Filtered_mesh = Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3>;
+template <class TriangleMesh>
+constexpr bool is_known_mesh = false;
+template <class K>
+constexpr bool is_known_mesh<Surface_mesh<Point_3<K>>> =
+    std::is_same<K, Simple_cartesian<double>>::value || std::is_same<K, Epick>::value;
 
-/* What an output can take. */
-template <class Mesh>
-using Point = typename Mesh::Point;
-template <class Mesh>
-using Location = std::pair<typename boost::graph_traits<Mesh>::face_descriptor, std::array<double, 3>>;
-template <class Mesh>
-using All = Curve_point<Mesh, typename Mesh::Point>;
+/* Complete where definitions are included, by whatever header. */
+template <class TriangleMesh>
+struct Definitions;
+
+template <class TriangleMesh, class = void>
+constexpr bool are_defined = false;
+template <class TriangleMesh>
+constexpr bool are_defined<TriangleMesh, std::void_t<decltype(sizeof(Definitions<TriangleMesh>))>> = true;
+
+/* Ends the compilation, and not the linking, if there is neither a definition nor an instance. */
+template <class TriangleMesh, class StopPredicate, class NamedParameters>
+constexpr void check_instance()
+{
+  constexpr bool is_in_library = is_known_mesh<TriangleMesh> &&
+                                 std::is_same<StopPredicate, Never_stop_predicate>::value &&
+                                 std::is_same<NamedParameters, parameters::Default_named_parameters>::value;
+  static_assert(is_in_library || are_defined<TriangleMesh>,
+                "the compiled library has no instance for this mesh, or none with options: define "
+                "CGAL_FLIP_GEODESICS_HEADER_ONLY before the first header of the package is included");
+}
 
 } // namespace compiled
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
-
-/* Calls `INSTANCES(mesh)` for each mesh. */
-#define CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(INSTANCES)                                                             \
-  INSTANCES(compiled::Cartesian_mesh)                                                                                  \
-  INSTANCES(compiled::Filtered_mesh)
-
-/* Calls `INSTANCES(mesh, form)` for each mesh and what an output over it can take. */
-#define CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(INSTANCES)                                                              \
-  INSTANCES(compiled::Cartesian_mesh, compiled::Point<compiled::Cartesian_mesh>)                                       \
-  INSTANCES(compiled::Cartesian_mesh, compiled::Location<compiled::Cartesian_mesh>)                                    \
-  INSTANCES(compiled::Cartesian_mesh, compiled::All<compiled::Cartesian_mesh>)                                         \
-  INSTANCES(compiled::Filtered_mesh, compiled::Point<compiled::Filtered_mesh>)                                         \
-  INSTANCES(compiled::Filtered_mesh, compiled::Location<compiled::Filtered_mesh>)                                      \
-  INSTANCES(compiled::Filtered_mesh, compiled::All<compiled::Filtered_mesh>)
-
-/* A source of the library defines the instances of one header; all others are declared. */
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_CURVES
-#define CGAL_FLIP_GEODESICS_CURVES_INSTANCE template
-#else
-#define CGAL_FLIP_GEODESICS_CURVES_INSTANCE extern template
-#endif
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_CURVES_THROUGH_POINTS
-#define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE template
-#else
-#define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE extern template
-#endif
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_SHORTEST_PATH
-#define CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE template
-#else
-#define CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE extern template
-#endif
-#ifdef CGAL_FLIP_GEODESICS_DEFINE_DISTANCES
-#define CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE template
-#else
-#define CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE extern template
-#endif
-
-#endif // CGAL_FLIP_GEODESICS_COMPILED
 
 #endif // CGAL_FLIP_GEODESICS_INTERNAL_ONE_CALL_COMPILED_H
