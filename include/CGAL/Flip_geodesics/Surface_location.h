@@ -60,6 +60,13 @@ struct Known_piece
 
 namespace internal {
 
+/* Is halfedge `h` a side of the face on the left of `f`? */
+template <class Input>
+bool is_side_of(const Input& input, Input_halfedge_index h, Input_halfedge_index f)
+{
+  return f == h || input.next(f) == h || input.next(input.next(f)) == h;
+}
+
 /* Are two weights a point strictly between the ends? Then the sums and products of weights are normal numbers. */
 inline bool is_usable_weight(double weight)
 {

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 
 #include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
@@ -203,13 +204,6 @@ std::vector<Surface_location> located(const Triangulation& triangulation, const 
   for(const auto& place : places)
     result.push_back(located_place(triangulation, mesh, place));
   return result;
-}
-
-/* Is `h` a side of the face of `f`? */
-template <class Input_mesh>
-bool is_side_of(const Input_mesh& input, Input_halfedge_index h, Input_halfedge_index f)
-{
-  return f == h || input.next(f) == h || input.next(input.next(f)) == h;
 }
 
 /* Gives the points of a polyline their tangents, and their halfedges as sides of the face that is left. */

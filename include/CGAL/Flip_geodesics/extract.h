@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 
 #include <CGAL/number_utils.h>
@@ -169,11 +170,6 @@ private:
       points.reserve((std::max)(size, 2 * points.capacity()));
   }
 
-  static double cross(const std::complex<double>& u, const std::complex<double>& v)
-  {
-    return u.real() * v.imag() - u.imag() * v.real();
-  }
-
   Direction in_space(Vertex_index v) const
   {
     const auto point = m_triangulation.metric().point(m_triangulation.input(), v);
@@ -189,7 +185,8 @@ private:
         is_last ? internal::twin_index(strip.gates()[i - 1].crossed) : strip.gates()[i].crossed;
     const auto corners = strip.face(i);
     const auto u = corners[1].position - corners[0].position, v = corners[2].position - corners[0].position;
-    const double area = cross(u, v), to_u = cross(strip.end(), v) / area, to_v = cross(u, strip.end()) / area;
+    const double area = internal::cross(u, v), to_u = internal::cross(strip.end(), v) / area,
+                 to_v = internal::cross(u, strip.end()) / area;
     const Direction a = in_space(input.uncontracted_tail(h)), b = in_space(input.uncontracted_tail(input.next(h))),
                     c = in_space(input.uncontracted_tail(input.next(input.next(h))));
     Direction result;

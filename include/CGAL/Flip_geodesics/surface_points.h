@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
@@ -149,8 +150,6 @@ public:
   std::size_t gap() const { return m_gap; }
 
 private:
-  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
-
   void note(Input_halfedge_index face, const std::array<double, 3>& weights, std::size_t gap)
   {
     const double sum = weights[0] + weights[1] + weights[2];

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_ARITHMETIC_TAUT_STRING_H
 
 #include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 
 #include <array>
@@ -16,26 +17,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-using Plane_vector = std::complex<double>;
-
-inline double cross(const Plane_vector& u, const Plane_vector& v)
-{
-  return unfused(u.real() * v.imag()) - unfused(u.imag() * v.real());
-}
-
-/* Without the care for infinite numbers that the operator takes. */
-inline Plane_vector product(const Plane_vector& u, const Plane_vector& v)
-{
-  return {unfused(u.real() * v.real()) - unfused(u.imag() * v.imag()),
-          unfused(u.real() * v.imag()) + unfused(u.imag() * v.real())};
-}
-
-inline double magnitude(const Plane_vector& v)
-{
-  return std::sqrt(unfused(v.real() * v.real()) + unfused(v.imag() * v.imag()));
-}
-
-/* The same by 106 bits, since std::abs() has other last bits in each library, and so has what is just as long. */
+/* The length by 106 bits, since std::abs() has other last bits in each library, and so has what is just as long. */
 inline double well_rounded_length(const Plane_vector& v)
 {
   return sqrt(exact_product(v.real(), v.real()) + exact_product(v.imag(), v.imag())).high;

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DELAUNAY_DELAUNAY_REFINER_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_chart.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_shape.h>
@@ -336,7 +337,6 @@ private:
             apex_of(tail, head, m_triangulation.length(hn), m_triangulation.length(m_triangulation.next(hn)))};
   }
 
-  static double cross(const Complex& u, const Complex& v) { return std::imag(std::conj(u) * v); }
   static bool is_left(const Complex& p, const Complex& q, const Complex& z) { return cross(q - p, z - p) >= 0; }
   static bool is_between(const Complex& from, const Complex& to, const Complex& p, const Complex& q)
   {

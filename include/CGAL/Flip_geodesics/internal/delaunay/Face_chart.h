@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
@@ -132,8 +133,6 @@ private:
       return tail;
     return k > m_sides[i].along.size() ? head : tail + m_sides[i].along[k - 1] * (head - tail);
   }
-
-  static double cross(const Complex& u, const Complex& v) { return u.real() * v.imag() - u.imag() * v.real(); }
 
   Part part_of(const Complex& z) const
   {

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FIELD_SOURCE_DIRECTIONS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 
@@ -96,12 +97,6 @@ private:
     Vector source;
     First_face face;
   };
-
-  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
-  static Vector product(const Vector& u, const Vector& v)
-  {
-    return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
-  }
 
   Face_side side(Input_halfedge_index h) const { return m_propagation.sides().copy(h); }
 

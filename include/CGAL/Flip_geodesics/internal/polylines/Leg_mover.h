@@ -189,19 +189,13 @@ private:
   void enter(Word_path<Triangulation>& path, const Way_step& step, Input_halfedge_index& face) const
   {
     const auto& input = m_triangulation.input();
-    if(!is_side_of_face(face, step.face)) {
+    if(!is_side_of(input, face, step.face)) {
       if(kind(step.from) == Location_kind::EDGE)
         path.cross(location_anchor(input, step.from, face));
       else
         turn_about(path, input.tail(step.from.halfedge), face, step.face);
     }
     face = step.face;
-  }
-
-  bool is_side_of_face(Input_halfedge_index h, Input_halfedge_index face) const
-  {
-    const auto& input = m_triangulation.input();
-    return h == face || h == input.next(face) || input.next(h) == face;
   }
 
   struct Letters

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_RAYS_DIRECTION_FINDER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_RAYS_DIRECTION_FINDER_H
 
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
@@ -165,7 +166,7 @@ private:
 
   bool is_side_of(Input_halfedge_index h, Input_halfedge_index face) const
   {
-    return !input().is_border(face) && (h == face || h == input().next(face) || h == input().next(input().next(face)));
+    return !input().is_border(face) && internal::is_side_of(input(), h, face);
   }
 
   // From the tail of h: its head, on the real axis, and the third corner of its face.

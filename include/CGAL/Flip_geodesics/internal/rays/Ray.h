@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
@@ -189,13 +190,6 @@ private:
     Vector position;
     double error;
   };
-
-  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
-  static double magnitude(const Vector& v) { return std::sqrt(std::norm(v)); }
-  static Vector product(const Vector& u, const Vector& v)
-  {
-    return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
-  }
 
   Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
 

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_STRIPS_STRIP_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
@@ -162,23 +163,6 @@ public:
 
 private:
   using Face_vectors = std::array<Vector, 3>;
-
-  static double cross(const Vector& u, const Vector& v)
-  {
-    return unfused(u.real() * v.imag()) - unfused(u.imag() * v.real());
-  }
-
-  static double magnitude(const Vector& v)
-  {
-    return std::sqrt(unfused(v.real() * v.real()) + unfused(v.imag() * v.imag()));
-  }
-
-  // Without the care for infinite numbers that the operator takes.
-  static Vector product(const Vector& u, const Vector& v)
-  {
-    return {unfused(u.real() * v.real()) - unfused(u.imag() * v.imag()),
-            unfused(u.real() * v.imag()) + unfused(u.imag() * v.real())};
-  }
 
   double wrong_side_angle(const Vector& p, bool is_mirrored = false) const
   {

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_UNFOLDED_LEG_H
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 
@@ -104,12 +105,6 @@ private:
     Vector right, left;
     Input_halfedge_index crossed;
   };
-
-  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
-  static Vector product(const Vector& u, const Vector& v)
-  {
-    return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
-  }
 
   Vertex_index tail(Input_halfedge_index h) const { return m_triangulation.input().tail(h); }
   Vertex_index head(Input_halfedge_index h) const { return tail(twin_index(h)); }

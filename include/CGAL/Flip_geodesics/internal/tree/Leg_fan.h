@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TREE_LEG_FAN_H
 
+#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
@@ -77,7 +78,7 @@ public:
       Gate here = m_gates.back();
       m_gates.pop_back();
       while(is_crossed(here) && !m_triangulation.input().is_border(twin_index(here.crossed)))
-        cross(here);
+        cross_gate(here);
     }
   }
 
@@ -91,13 +92,6 @@ private:
     std::size_t first, last;    // the legs
     Index crossings;            // so many, with this one
   };
-
-  static double cross(const Vector& u, const Vector& v) { return u.real() * v.imag() - u.imag() * v.real(); }
-
-  static Vector product(const Vector& u, const Vector& v)
-  {
-    return {u.real() * v.real() - u.imag() * v.imag(), u.real() * v.imag() + u.imag() * v.real()};
-  }
 
   // The face on the left of h, in its frame. Legs of many vertices cross it.
   const Face& known_face(Input_halfedge_index h)
@@ -121,7 +115,7 @@ private:
   }
 
   // To the next gate; where legs part, to the left one, and the right one is left for later.
-  void cross(Gate& here)
+  void cross_gate(Gate& here)
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index entered = twin_index(here.crossed), to_apex = input.next(entered);
