@@ -10,8 +10,8 @@ namespace Flip_geodesics {
 /// What a certificate says of a curve.
 enum class Certificate_verdict {
   PROVEN,       ///< the curve is locally shortest, exactly
-  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ with a probability of error below
-                ///< \f$2^{-100}\f$ each, see `Decision_statistics::unproven_zeros`
+  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ by a residue modulo a large prime,
+                ///< without a proof, see `Decision_statistics::unproven_zeros`
   BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces, or its word is no such strip; or
                 ///< it touches a vertex, as happens along faces without area, whose angles sum up to less than
                 ///< \f$2\pi\f$

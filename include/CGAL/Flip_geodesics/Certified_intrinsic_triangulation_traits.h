@@ -31,7 +31,7 @@ namespace Flip_geodesics {
  * at last exact arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
  *
  * Among more than 12 independent roots a zero can be left without a proof. It is then taken for one by its residue
- * modulo a random prime, and counted in `Decision_statistics::unproven_zeros`. `certify()` says `PROBABLE`.
+ * modulo a prime that does not depend on the input, and counted in `Decision_statistics::unproven_zeros`. `certify()` says `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double
  *

@@ -19,8 +19,9 @@ struct Decision_statistics
   std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the faces' areas
   std::size_t zeros_by_plane = 0; ///< of `by_plane`: exactly straight
   std::size_t zeros_by_roots = 0; ///< of `by_roots`: exactly straight
-  /// Taken for exactly straight, since a residue modulo a random prime is zero: more than 12 independent roots, and
-  /// no proof found. The probability that it is not, over the choice of the prime, is below \f$2^{-100}\f$ for each.
+  /// Taken for exactly straight, since a residue modulo a large prime is zero: more than 12 independent roots, and
+  /// no proof found. Of all primes of that size less than one in \f$2^{100}\f$ would mislead. The prime is the same in
+  /// each run, so that this is no probability for an input that was made to mislead it.
   std::size_t unproven_zeros = 0;
   std::size_t most_roots = 0; ///< the largest number of independent roots that took part
 };

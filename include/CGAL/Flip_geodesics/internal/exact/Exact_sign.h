@@ -137,7 +137,7 @@ private:
     }
     const unsigned size = security + static_cast<unsigned>(base.generators().size()) + number_of_bits(Integer(bits));
     using Ring = Complex_pairs<Residue_ring>;
-    const Ring ring(base, random_prime(size));
+    const Ring ring(base, fixed_prime(size));
     return ring.is_zero(Chain_arithmetic<Ring>(ring).sine(chains));
   }
 

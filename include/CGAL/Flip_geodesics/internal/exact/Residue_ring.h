@@ -122,8 +122,9 @@ inline bool is_prime(const Integer& n, std::mt19937& random)
   return true;
 }
 
-/* A prime p = 3 mod 4 of the given number of bits, more than six, from a generator with a fixed seed. */
-inline Integer random_prime(unsigned bits)
+/* The prime p = 3 mod 4 that is used for a number of bits, more than six: that which a generator with this seed finds
+ * first. So results are the same each time. Whoever chose an input for this prime could make a residue zero. */
+inline Integer fixed_prime(unsigned bits)
 {
   std::mt19937 random(bits);
   for(;;) {
