@@ -53,6 +53,7 @@
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
 #include <CGAL/Flip_geodesics/Weighted_metric.h>
+#include <CGAL/Flip_geodesics/Window_limit.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/certify_curve.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
@@ -70,6 +71,7 @@
 #include <CGAL/Flip_geodesics/graph_traits.h>
 #include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>

@@ -3,11 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_CONFORMAL_FLATTENING_H
 #define CGAL_FLIP_GEODESICS_CONFORMAL_FLATTENING_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/linear_algebra/Cut_surface.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/linear_algebra/Constrained_system.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/assertions.h>
 

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/Window_limit.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
@@ -14,8 +15,7 @@
 #include <CGAL/Flip_geodesics/internal/field/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
-#include <CGAL/Flip_geodesics/shortest_path.h>
+#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

@@ -8,9 +8,9 @@
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 

@@ -3,11 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_OPERATORS_H
 #define CGAL_FLIP_GEODESICS_OPERATORS_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
 #include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
 #include <CGAL/Flip_geodesics/internal/linear_algebra/Matrix_pattern.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/tags.h>
 

@@ -4,9 +4,9 @@
 #define CGAL_FLIP_GEODESICS_PARALLEL_TRANSPORT_H
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
 
 #include <cmath>

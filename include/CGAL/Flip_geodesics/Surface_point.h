@@ -92,6 +92,16 @@ Surface_point surface_point_at_vertex(const Triangulation& triangulation, Vertex
   return result;
 }
 
+/* Where a curve crosses an input edge, or the place of a vertex. */
+template <class Triangulation>
+Surface_location surface_location(const Triangulation& triangulation, const Surface_point& p)
+{
+  if(p.vertex != null_index)
+    return triangulation.location(p.vertex);
+  const bool is_forward = triangulation.input().uncontracted_tail(p.halfedge) == p.a;
+  return {p.halfedge, {{is_forward ? 1 - p.t : p.t, is_forward ? p.t : 1 - p.t, 0}}};
+}
+
 /* The point where a curve crosses an input edge, `from_right` of the edge's length away from its right end. That it is
  * crossed is exact, where is not: an end by rounding, 0, -0 or 1, stands for a point next to it. */
 template <class Triangulation>

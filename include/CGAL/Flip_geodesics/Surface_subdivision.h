@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H
 #define CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H
 
-#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/overlay/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/overlay/Overlay_layout.h>

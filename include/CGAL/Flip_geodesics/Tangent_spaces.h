@@ -3,9 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_TANGENT_SPACES_H
 #define CGAL_FLIP_GEODESICS_TANGENT_SPACES_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <boost/math/constants/constants.hpp>
 

@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/polylines/Leg_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/located_place.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/nearest_location.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
@@ -177,33 +178,6 @@ std::vector<Surface_location> points_on_surface(const Triangulation& triangulati
   if(!triangulation.input().is_contracted())
     given = locate(triangulation);
   return Flip_geodesics::points_on_surface(triangulation, given);
-}
-
-template <class Triangulation, class TriangleMesh, class Place, class = void>
-constexpr bool is_place = false;
-template <class Triangulation, class TriangleMesh, class Place>
-constexpr bool is_place<
-    Triangulation, TriangleMesh, Place,
-    std::void_t<decltype(surface_location(std::declval<const Triangulation&>(), std::declval<const TriangleMesh&>(),
-                                          std::declval<const Place&>()))>> = true;
-
-/* A place on the mesh, of whichever kind, as a location. */
-template <class Triangulation, class TriangleMesh, class Place>
-Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
-{
-  static_assert(is_place<Triangulation, TriangleMesh, Place>,
-                "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
-  return surface_location(triangulation, mesh, place);
-}
-
-template <class Triangulation, class TriangleMesh, class PlaceRange>
-std::vector<Surface_location> located(const Triangulation& triangulation, const TriangleMesh& mesh,
-                                      const PlaceRange& places)
-{
-  std::vector<Surface_location> result;
-  for(const auto& place : places)
-    result.push_back(located_place(triangulation, mesh, place));
-  return result;
 }
 
 /* Gives the points of a polyline their tangents, and their halfedges as sides of the face that is left. */

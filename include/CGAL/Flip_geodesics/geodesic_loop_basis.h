@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_GEODESIC_LOOP_BASIS_H
 #define CGAL_FLIP_GEODESICS_GEODESIC_LOOP_BASIS_H
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>

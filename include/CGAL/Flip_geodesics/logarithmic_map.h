@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 
 #include <CGAL/assertions.h>
 

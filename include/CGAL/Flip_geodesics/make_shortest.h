@@ -9,11 +9,11 @@
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
-#include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/windows/last_leg_of_search.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/assertions.h>

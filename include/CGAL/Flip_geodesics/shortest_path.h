@@ -3,9 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATH_H
 
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Shortest_path_report.h>
+#include <CGAL/Flip_geodesics/Window_limit.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/base/Interruption.h>
@@ -33,47 +35,7 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsFunctions
-/// How many windows a search for shortest paths may make, of some 60 bytes each, and along how many edges rays may start
-/// from vertices; beyond either the search is given up.
-class Window_limit
-{
-public:
-  /// For \f$n\f$ vertices \f$10^6 + 500 n + 2 n^{3/2}\f$: several times what meshes need that are no needles. On smooth
-  /// ones all distances from a vertex take up to about \f$0.7 n^{3/2}\f$.
-  Window_limit() = default;
-
-  /// At most about so many.
-  explicit Window_limit(std::size_t windows)
-    : m_windows(windows)
-  {
-  }
-
-  /// The limit for a mesh with a number of vertices.
-  std::size_t operator()(std::size_t number_of_vertices) const
-  {
-    const double n = static_cast<double>(number_of_vertices);
-    return m_windows.value_or(static_cast<std::size_t>(1000000 + 500 * n + 2 * n * std::sqrt(n)));
-  }
-
-private:
-  std::optional<std::size_t> m_windows;
-};
-
 namespace internal {
-
-template <class T>
-constexpr bool is_limit = std::is_same<T, Window_limit>::value;
-
-/* Calls `function(limit, np)` with what a caller has given last: named parameters, or a limit alone. */
-template <class Options, class Function>
-auto with_limit(const Options& options, const Function& function)
-{
-  if constexpr(is_limit<Options>)
-    return function(options, parameters::default_values());
-  else
-    return function(Window_limit(), options);
-}
 
 /* Searches; false if there may be shorter paths than it found, on account of edges of length zero. */
 template <class Search, class... Interruptions>

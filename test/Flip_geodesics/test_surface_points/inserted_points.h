@@ -18,7 +18,7 @@
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/delaunay/Face_chart.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/field/Round_worker.h>
 #include <CGAL/Flip_geodesics/internal/field/Source_part.h>
 #include <CGAL/Flip_geodesics/internal/field/Vertex_fan.h>
-#include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
+#include <CGAL/Flip_geodesics/internal/search/Last_leg.h>
 
 #include <CGAL/tags.h>
 

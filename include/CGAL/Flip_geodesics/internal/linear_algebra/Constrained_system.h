@@ -3,10 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LINEAR_ALGEBRA_CONSTRAINED_SYSTEM_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LINEAR_ALGEBRA_CONSTRAINED_SYSTEM_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 

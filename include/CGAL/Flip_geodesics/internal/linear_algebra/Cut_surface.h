@@ -3,8 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LINEAR_ALGEBRA_CUT_SURFACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LINEAR_ALGEBRA_CUT_SURFACE_H
 
-#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <cstddef>
 #include <vector>

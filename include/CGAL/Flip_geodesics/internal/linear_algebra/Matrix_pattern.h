@@ -3,8 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_LINEAR_ALGEBRA_MATRIX_PATTERN_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_LINEAR_ALGEBRA_MATRIX_PATTERN_H
 
-#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <boost/container/small_vector.hpp>
 

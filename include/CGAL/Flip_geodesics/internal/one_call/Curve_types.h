@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_ONE_CALL_CURVE_TYPES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_ONE_CALL_CURVE_TYPES_H
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/metric/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/one_call/Curve_options.h>
@@ -18,6 +17,10 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+template <class Triangulation>
+class Edge_path_network;
+
 namespace internal {
 
 /* The types behind the named parameters. */

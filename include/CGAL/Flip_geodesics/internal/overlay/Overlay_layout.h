@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_OVERLAY_LAYOUT_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_OVERLAY_OVERLAY_LAYOUT_H
 
-#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/overlay/Overlay.h>

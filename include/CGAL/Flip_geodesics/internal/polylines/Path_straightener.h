@@ -8,9 +8,10 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Path_in_face.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Polyline_drawer.h>
 #include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>

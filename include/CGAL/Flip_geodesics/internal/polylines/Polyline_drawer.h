@@ -6,7 +6,8 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/polylines/Path_in_face.h>
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
 #include <CGAL/Flip_geodesics/network_builders.h>

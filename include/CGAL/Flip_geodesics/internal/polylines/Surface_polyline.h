@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 
 #include <array>

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/base/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/strand_order/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/strand_order/Parity_elimination.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 
 #include <algorithm>
 #include <array>
@@ -140,7 +140,7 @@ private:
   std::vector<Edge_index> m_edges; // by stack
   std::vector<Index> m_first_pair; // by stack
   Indexed_by<Segment_index, std::vector<Index>> m_stack_of, m_rank;
-  std::vector<Segment_pair> m_pairs;        // by variable
+  std::vector<Segment_pair> m_pairs; // by variable
   Buckets m_stacks;
 };
 
@@ -400,7 +400,7 @@ private:
   Vertex_index m_vertex = null_index;
   bool m_has_border = false;
   Indexed_by<Halfedge_index, Lazy_array<Index>> m_position; // of a spoke, clockwise from the cut
-  std::vector<Index> m_single_ends_before; // by position
+  std::vector<Index> m_single_ends_before;                  // by position
 };
 
 } // namespace internal

@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/polylines/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Unfolded_leg.h>
 

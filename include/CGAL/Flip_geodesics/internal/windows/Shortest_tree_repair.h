@@ -10,8 +10,8 @@
 #include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/tree/Spoke_places.h>
-#include <CGAL/Flip_geodesics/internal/windows/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/windows/last_leg_of_search.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LAST_LEG_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LAST_LEG_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LAST_LEG_OF_SEARCH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LAST_LEG_OF_SEARCH_H
 
+#include <CGAL/Flip_geodesics/internal/search/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/strips/Strip.h>
 #include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
@@ -11,16 +12,7 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* How a shortest path arrives at a vertex: straight from another one, so long, and at an angle counterclockwise of an
- * input halfedge that starts at the vertex. */
-struct Last_leg
-{
-  Vertex_index from;
-  Input_halfedge_index halfedge;
-  double angle, length;
-};
-
-/* That of a path that a search has found. \pre the path has an edge */
+/* How a shortest path arrives that a search has found. \pre the path has an edge */
 template <class Triangulation, class Search>
 Last_leg last_leg(const Triangulation&, const Search& search, Vertex_index v)
 {
@@ -39,4 +31,4 @@ Last_leg last_leg(const Triangulation& triangulation, const Window_search<Triang
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LAST_LEG_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_WINDOWS_LAST_LEG_OF_SEARCH_H
