@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #define CGAL_FLIP_GEODESICS_DEFINE_CURVES
-#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>

@@ -13,7 +13,7 @@ import re
 import sys
 from pathlib import Path
 
-TOLERANCES = 'internal/base/tolerances.h'
+TOLERANCES = 'internal/numbers/tolerances.h'
 EXEMPT = ()
 
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)

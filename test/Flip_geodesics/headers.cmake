@@ -8,8 +8,8 @@ file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/incl
 
 # Compiled once for many headers: the last of these that a header includes anyway, itself or by our others, so that
 # nothing that it lacks is hidden. They are compiled alone as well, as every header is.
-set(precompiled_headers Descriptors.h internal/input/Indexed_mesh.h internal/exact/Integer.h internal/exact/Exact_sign.h
-                        metrics.h internal/insertion/Point_insertion.h internal/soup/Soup_mesh.h)
+set(precompiled_headers Descriptors.h internal/surface/Indexed_mesh.h internal/numbers/Integer.h internal/unfolding/Exact_sign.h
+                        metrics.h internal/triangulation/Point_insertion.h internal/surface/Soup_mesh.h)
 list(TRANSFORM precompiled_headers PREPEND "CGAL/Flip_geodesics/")
 
 # Sets `result` to everything in <> that `header` includes, itself or by our others.

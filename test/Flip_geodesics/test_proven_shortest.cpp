@@ -8,7 +8,7 @@
 #include "generated_meshes.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/windows/Edge_cones.h>
+#include <CGAL/Flip_geodesics/internal/distances/Edge_cones.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <boost/test/unit_test.hpp>

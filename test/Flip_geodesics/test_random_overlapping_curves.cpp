@@ -7,8 +7,8 @@
 
 #include "overlapping_world.h"
 
-#include <CGAL/Flip_geodesics/internal/strand_order/Parity_elimination.h>
-#include <CGAL/Flip_geodesics/internal/strand_order/Stack_order.h>
+#include <CGAL/Flip_geodesics/internal/network/Parity_elimination.h>
+#include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 

@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_CERTIFIED_INTRINSIC_TRIANGULATION_TRAITS_H
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

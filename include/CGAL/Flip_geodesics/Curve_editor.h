@@ -7,9 +7,9 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/polylines/Leg_mover.h>
-#include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Leg_mover.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/assertions.h>

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_DESCRIPTORS_H
 #define CGAL_FLIP_GEODESICS_DESCRIPTORS_H
 
-#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 
 #include <CGAL/Iterator_range.h>
 

@@ -6,9 +6,9 @@
 #include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/Tangent_spaces.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/linear_algebra/Constrained_system.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/operators/Constrained_system.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
 #include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/assertions.h>

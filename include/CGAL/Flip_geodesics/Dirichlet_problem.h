@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/linear_algebra/Constrained_system.h>
+#include <CGAL/Flip_geodesics/internal/operators/Constrained_system.h>
 
 #include <CGAL/assertions.h>
 

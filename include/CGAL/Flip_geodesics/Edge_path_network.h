@@ -6,13 +6,13 @@
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/Network_place.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/strands/Joint_replacement.h>
-#include <CGAL/Flip_geodesics/internal/strands/Network_validity.h>
-#include <CGAL/Flip_geodesics/internal/strands/Segment_division.h>
-#include <CGAL/Flip_geodesics/internal/strands/Segment_store.h>
-#include <CGAL/Flip_geodesics/internal/strands/check_chain.h>
+#include <CGAL/Flip_geodesics/internal/network/Joint_replacement.h>
+#include <CGAL/Flip_geodesics/internal/network/Network_validity.h>
+#include <CGAL/Flip_geodesics/internal/network/Segment_division.h>
+#include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
+#include <CGAL/Flip_geodesics/internal/network/check_chain.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Network_place.h>
 
 #include <CGAL/assertions.h>
 

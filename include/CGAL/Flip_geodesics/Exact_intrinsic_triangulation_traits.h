@@ -4,11 +4,11 @@
 #define CGAL_FLIP_GEODESICS_EXACT_INTRINSIC_TRIANGULATION_TRAITS_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/Number_operations.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/metric/Area_unit.h>
-#include <CGAL/Flip_geodesics/internal/metric/Squared_length_geometry.h>
-#include <CGAL/Flip_geodesics/internal/metric/Vector_geometry.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Number_operations.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Area_unit.h>
+#include <CGAL/Flip_geodesics/internal/surface/Squared_length_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/Vector_geometry.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/polylines/Path_straightener.h>
-#include <CGAL/Flip_geodesics/internal/polylines/Surface_polyline.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 
 #include <cmath>
 #include <cstddef>

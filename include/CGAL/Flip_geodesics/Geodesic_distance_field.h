@@ -10,12 +10,12 @@
 #include <CGAL/Flip_geodesics/Window_limit.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/field/Field_query.h>
-#include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
-#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/distances/Field_query.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/surface/locations_in_faces.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

@@ -6,16 +6,16 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
-#include <CGAL/Flip_geodesics/internal/windows/Cone_sweep.h>
-#include <CGAL/Flip_geodesics/internal/windows/Goal_bound.h>
-#include <CGAL/Flip_geodesics/internal/windows/Landmark_choice.h>
-#include <CGAL/Flip_geodesics/internal/windows/Landmark_rows.h>
-#include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
+#include <CGAL/Flip_geodesics/internal/distances/Goal_bound.h>
+#include <CGAL/Flip_geodesics/internal/distances/Landmark_choice.h>
+#include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
+#include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/tags.h>

@@ -7,13 +7,13 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/exact/Exact_face.h>
-#include <CGAL/Flip_geodesics/internal/exact/Exact_input_faces.h>
-#include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
-#include <CGAL/Flip_geodesics/internal/exact/Unfolding_chain.h>
-#include <CGAL/Flip_geodesics/internal/rays/Direction_finder.h>
-#include <CGAL/Flip_geodesics/internal/rays/Ray.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Direction_finder.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Ray.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>

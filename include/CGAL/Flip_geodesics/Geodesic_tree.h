@@ -7,13 +7,13 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/shortening/flip_out_wedge.h>
-#include <CGAL/Flip_geodesics/internal/tree/Hindered_joints.h>
-#include <CGAL/Flip_geodesics/internal/tree/Tree_labels.h>
-#include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Hindered_joints.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Tree_labels.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/assertions.h>

@@ -5,12 +5,12 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Numbered_mesh.h>
-#include <CGAL/Flip_geodesics/internal/base/Network_place.h>
-#include <CGAL/Flip_geodesics/internal/base/is_valid_halfedge.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/store/Halfedge_store.h>
-#include <CGAL/Flip_geodesics/internal/store/Placed_halfedge.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/is_valid_halfedge.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Network_place.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Placed_halfedge.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_TRAITS_H
 #define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_TRAITS_H
 
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_LANDMARK_DISTANCES_H
 #define CGAL_FLIP_GEODESICS_LANDMARK_DISTANCES_H
 
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 
 #include <algorithm>
 #include <array>

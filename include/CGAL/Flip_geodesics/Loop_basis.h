@@ -5,13 +5,13 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/loops/Cotree.h>
-#include <CGAL/Flip_geodesics/internal/loops/Edge_forest.h>
-#include <CGAL/Flip_geodesics/internal/loops/Generator_words.h>
-#include <CGAL/Flip_geodesics/internal/loops/Surface_group.h>
-#include <CGAL/Flip_geodesics/internal/loops/input_edges_along.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/topology/Cotree.h>
+#include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
+#include <CGAL/Flip_geodesics/internal/topology/Surface_group.h>
+#include <CGAL/Flip_geodesics/internal/topology/input_edges_along.h>
 
 #include <CGAL/assertions.h>
 

@@ -4,9 +4,9 @@
 #define CGAL_FLIP_GEODESICS_MOLLIFIED_METRIC_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/input/check_triangle.h>
-#include <CGAL/Flip_geodesics/internal/metric/least_stretch.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/least_stretch.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>

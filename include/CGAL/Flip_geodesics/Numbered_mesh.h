@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_NUMBERED_MESH_H
 #define CGAL_FLIP_GEODESICS_NUMBERED_MESH_H
 
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 namespace CGAL {
 namespace Flip_geodesics {

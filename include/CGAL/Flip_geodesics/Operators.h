@@ -5,9 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
-#include <CGAL/Flip_geodesics/internal/base/for_each_index.h>
-#include <CGAL/Flip_geodesics/internal/linear_algebra/Matrix_pattern.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/operators/Matrix_pattern.h>
+#include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
 #include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <CGAL/tags.h>

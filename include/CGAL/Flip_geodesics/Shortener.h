@@ -8,9 +8,9 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/certify.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/shortening/flip_out.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/flip_out.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/assertions.h>

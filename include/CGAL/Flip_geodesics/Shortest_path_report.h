@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_SHORTEST_PATH_REPORT_H
 
 #include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Joint.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/measuring/Curve_measurement.h>
-#include <CGAL/Flip_geodesics/internal/strips/Wedge_angle.h>
-#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_measurement.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 
 #include <boost/math/constants/constants.hpp>
 

@@ -4,11 +4,11 @@
 #define CGAL_FLIP_GEODESICS_SURFACE_SUBDIVISION_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/overlay/Overlay.h>
-#include <CGAL/Flip_geodesics/internal/overlay/Overlay_layout.h>
-#include <CGAL/Flip_geodesics/internal/overlay/Polygon_triangulator.h>
-#include <CGAL/Flip_geodesics/internal/overlay/overlay_to_mesh.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Overlay_layout.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Polygon_triangulator.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/overlay_to_mesh.h>
 
 #include <CGAL/boost/graph/properties.h>
 

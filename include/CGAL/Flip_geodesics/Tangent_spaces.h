@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
 #include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <boost/math/constants/constants.hpp>

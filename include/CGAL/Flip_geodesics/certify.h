@@ -7,10 +7,10 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/measuring/Curve_measurement.h>
-#include <CGAL/Flip_geodesics/internal/strips/Straight_strip.h>
-#include <CGAL/Flip_geodesics/internal/strips/Wedge_comparison.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_measurement.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_comparison.h>
 
 #include <CGAL/enum.h>
 

@@ -8,17 +8,17 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/measuring/Passed_vertex.h>
-#include <CGAL/Flip_geodesics/internal/measuring/Words_of_places.h>
-#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/strips/Places_on_input.h>
-#include <CGAL/Flip_geodesics/internal/strips/Straight_strip.h>
-#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
-#include <CGAL/Flip_geodesics/internal/strips/largest_turn.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Passed_vertex.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Words_of_places.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/largest_turn.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_CUT_GRAPH_H
 #define CGAL_FLIP_GEODESICS_CUT_GRAPH_H
 
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/loops/Cut_edges.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/topology/Cut_edges.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <vector>

@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_DELAUNAY_H
 
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
-#include <CGAL/Flip_geodesics/internal/delaunay/Lawson_flips.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
 
 #include <algorithm>
 #include <cstddef>

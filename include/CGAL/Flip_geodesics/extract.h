@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
-#include <CGAL/Flip_geodesics/internal/strips/Strip.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <CGAL/number_utils.h>
 

@@ -6,10 +6,10 @@
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/one_call/Curve_options.h>
-#include <CGAL/Flip_geodesics/internal/one_call/compiled.h>
-#include <CGAL/Flip_geodesics/internal/one_call/curve_computations.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_options.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/with_metric.h>
 
@@ -20,7 +20,7 @@
 #include <vector>
 
 #ifndef CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY
-#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #endif
 
 namespace CGAL {

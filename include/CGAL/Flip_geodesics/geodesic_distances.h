@@ -6,13 +6,13 @@
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/field/Source_directions.h>
-#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/one_call/compiled_instances.h>
-#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
-#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 

@@ -6,9 +6,9 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
-#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
-#include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
-#include <CGAL/Flip_geodesics/internal/shortening/make_visitor.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Interrupting_visitor.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/surface/make_visitor.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/graph_parts.h>
-#include <CGAL/Flip_geodesics/internal/words/umbrellas.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Iterator_range.h>

@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_HANDLE_AND_TUNNEL_LOOPS_H
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/loops/Solid_loops.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/topology/Solid_loops.h>
 
 #include <iterator>
 #include <vector>

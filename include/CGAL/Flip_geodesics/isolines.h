@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Located_polyline.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/isolines/Isoline_tracer.h>
+#include <CGAL/Flip_geodesics/internal/distances/Isoline_tracer.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -5,9 +5,9 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/strips/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 
 #include <CGAL/assertions.h>
 

@@ -6,14 +6,14 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
-#include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>
-#include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
-#include <CGAL/Flip_geodesics/internal/windows/Unfolded_faces.h>
-#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
-#include <CGAL/Flip_geodesics/internal/windows/last_leg_of_search.h>
+#include <CGAL/Flip_geodesics/internal/distances/Precise_unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
+#include <CGAL/Flip_geodesics/internal/shortest/last_leg_of_search.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/assertions.h>

@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/strands/Network_state.h>
-#include <CGAL/Flip_geodesics/internal/strips/Point_side.h>
-#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/network/Network_state.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 
 #include <CGAL/assertions.h>
 

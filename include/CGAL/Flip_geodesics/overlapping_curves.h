@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/strand_order/Stack_order.h>
-#include <CGAL/Flip_geodesics/internal/strand_order/Stack_order_search.h>
+#include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
+#include <CGAL/Flip_geodesics/internal/network/Stack_order_search.h>
 
 #include <vector>
 

@@ -13,11 +13,11 @@
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/soup/Near_borders.h>
-#include <CGAL/Flip_geodesics/internal/soup/Near_points.h>
-#include <CGAL/Flip_geodesics/internal/soup/Soup_polygons.h>
-#include <CGAL/Flip_geodesics/internal/soup/Soup_repair.h>
-#include <CGAL/Flip_geodesics/internal/soup/Triangle_soup.h>
+#include <CGAL/Flip_geodesics/internal/surface/Near_borders.h>
+#include <CGAL/Flip_geodesics/internal/surface/Near_points.h>
+#include <CGAL/Flip_geodesics/internal/surface/Soup_polygons.h>
+#include <CGAL/Flip_geodesics/internal/surface/Soup_repair.h>
+#include <CGAL/Flip_geodesics/internal/surface/Triangle_soup.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>

@@ -6,9 +6,9 @@
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/Is_curve_network.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/delaunay/Delaunay_refiner.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Is_curve_network.h>
 
 #include <CGAL/assertions.h>
 

@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_SHORTEN_CUT_GRAPH_H
 
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
-#include <CGAL/Flip_geodesics/internal/loops/Needless_seams.h>
-#include <CGAL/Flip_geodesics/internal/shortening/Interrupting_visitor.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Interrupting_visitor.h>
+#include <CGAL/Flip_geodesics/internal/topology/Needless_seams.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 

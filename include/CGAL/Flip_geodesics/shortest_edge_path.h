@@ -5,12 +5,12 @@
 
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/base/ieee_arithmetic.h>
-#include <CGAL/Flip_geodesics/internal/input/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/input/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/search/Search_labels.h>
-#include <CGAL/Flip_geodesics/internal/search/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Search_labels.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/assertions.h>

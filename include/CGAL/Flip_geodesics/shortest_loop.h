@@ -4,11 +4,11 @@
 #define CGAL_FLIP_GEODESICS_SHORTEST_LOOP_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/loops/Cut_edges.h>
-#include <CGAL/Flip_geodesics/internal/loops/Generator_words.h>
-#include <CGAL/Flip_geodesics/internal/loops/Shortest_loop_search.h>
-#include <CGAL/Flip_geodesics/internal/loops/Surface_group.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/topology/Cut_edges.h>
+#include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
+#include <CGAL/Flip_geodesics/internal/topology/Shortest_loop_search.h>
+#include <CGAL/Flip_geodesics/internal/topology/Surface_group.h>
 
 #include <cstddef>
 #include <vector>

@@ -9,16 +9,16 @@
 #include <CGAL/Flip_geodesics/Shortest_path_report.h>
 #include <CGAL/Flip_geodesics/Window_limit.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/one_call/compiled_instances.h>
-#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
-#include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
-#include <CGAL/Flip_geodesics/internal/windows/Flipped_start.h>
-#include <CGAL/Flip_geodesics/internal/windows/Precise_unfolded_faces.h>
-#include <CGAL/Flip_geodesics/internal/windows/Shortest_tree_repair.h>
-#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/distances/Precise_unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Flipped_start.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>

@@ -7,10 +7,10 @@
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
-#include <CGAL/Flip_geodesics/internal/base/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/classes/Class_paths.h>
-#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/one_call/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/topology/Class_paths.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/Named_function_parameters.h>

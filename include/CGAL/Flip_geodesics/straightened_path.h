@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_STRAIGHTENED_PATH_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/straightening/Segment_insertion.h>
-#include <CGAL/Flip_geodesics/internal/straightening/Strip_straightener.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Strip_straightener.h>
 
 #include <CGAL/assertions.h>
 

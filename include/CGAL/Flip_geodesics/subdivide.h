@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_SUBDIVIDE_H
 
 #include <CGAL/Flip_geodesics/Surface_subdivision.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <cstddef>
 #include <set>

@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
-#include <CGAL/Flip_geodesics/internal/field/Source_directions.h>
-#include <CGAL/Flip_geodesics/internal/one_call/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_VORONOI_BOUNDARIES_H
 
 #include <CGAL/Flip_geodesics/Located_polyline.h>
-#include <CGAL/Flip_geodesics/internal/isolines/Voronoi_tracer.h>
+#include <CGAL/Flip_geodesics/internal/distances/Voronoi_tracer.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_WITH_METRIC_H
 #define CGAL_FLIP_GEODESICS_WITH_METRIC_H
 
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -20,7 +20,7 @@ killed.
 Results are appended to DIR/results.csv; a further run continues where the last one ended. explanations.txt states why
 mutants survive that are equivalent to the original, by function:
 
-  [internal/shortening/flip_out.h]
+  [internal/flip_out/flip_out.h]
   Flip_out::shorten
   - a < b                 the original, with any white space
   + a <= b                the mutant

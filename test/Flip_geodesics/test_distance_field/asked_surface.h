@@ -12,7 +12,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
-#include <CGAL/Flip_geodesics/internal/windows/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

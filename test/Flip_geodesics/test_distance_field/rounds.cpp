@@ -4,8 +4,8 @@
 
 #include "test_distance_field/asked_surface.h"
 
-#include <CGAL/Flip_geodesics/internal/base/Team.h>
-#include <CGAL/Flip_geodesics/internal/field/Round_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Team.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
-#include <CGAL/Flip_geodesics/internal/polylines/Followed_arcs.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Followed_arcs.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -6,7 +6,7 @@
 #include "descriptors.h"
 #include "generated_meshes.h"
 
-#include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 
 #include <boost/test/unit_test.hpp>
 

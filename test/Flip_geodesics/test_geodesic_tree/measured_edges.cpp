@@ -7,7 +7,7 @@
 #include "trees.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/internal/tree/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <boost/test/unit_test.hpp>

@@ -2,9 +2,9 @@
 //
 // Containers of the library against those of the standard one: stacks in blocks, and values with versions.
 
-#include <CGAL/Flip_geodesics/internal/base/Block_array.h>
-#include <CGAL/Flip_geodesics/internal/base/Version_cache.h>
-#include <CGAL/Flip_geodesics/internal/base/checked_index_bound.h>
+#include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Version_cache.h>
 
 #include <boost/test/unit_test.hpp>
 

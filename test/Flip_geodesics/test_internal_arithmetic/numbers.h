@@ -9,12 +9,12 @@
 #include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/Double_double.h>
-#include <CGAL/Flip_geodesics/internal/exact/Exact_sign.h>
-#include <CGAL/Flip_geodesics/internal/exact/Orientation_of_places.h>
-#include <CGAL/Flip_geodesics/internal/strand_order/Parity_classes.h>
-#include <CGAL/Flip_geodesics/internal/strips/Precise_face.h>
-#include <CGAL/Flip_geodesics/internal/strips/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Precise_face.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>

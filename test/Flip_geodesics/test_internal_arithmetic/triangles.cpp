@@ -4,9 +4,9 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
-#include <CGAL/Flip_geodesics/internal/arithmetic/Plane_triangle.h>
-#include <CGAL/Flip_geodesics/internal/base/is_valid_halfedge.h>
-#include <CGAL/Flip_geodesics/internal/delaunay/Face_shape.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/is_valid_halfedge.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Face_shape.h>
 
 using namespace Flip_geodesics_test;
 

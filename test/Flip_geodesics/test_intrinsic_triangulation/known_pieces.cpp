@@ -5,7 +5,7 @@
 #include "test_intrinsic_triangulation/snapshots.h"
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
-#include <CGAL/Flip_geodesics/internal/insertion/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 
 using namespace Flip_geodesics_test;
 

@@ -17,8 +17,8 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/internal/delaunay/Face_chart.h>
-#include <CGAL/Flip_geodesics/internal/input/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/surface/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
 

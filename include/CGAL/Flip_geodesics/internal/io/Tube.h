@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_IO_TUBE_H
 
 #include <CGAL/Flip_geodesics/IO/Tubes.h>
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/io/Figure.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <CGAL/Simple_cartesian.h>
 

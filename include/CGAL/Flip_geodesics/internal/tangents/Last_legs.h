@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LAST_LEGS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LAST_LEGS_H
 
-#include <CGAL/Flip_geodesics/internal/base/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/field/Field_query.h>
-#include <CGAL/Flip_geodesics/internal/field/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/distances/Field_query.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_UNFOLDED_LEG_H
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/internal/arithmetic/plane_vectors.h>
-#include <CGAL/Flip_geodesics/internal/input/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/input/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 
 #include <algorithm>
 #include <array>

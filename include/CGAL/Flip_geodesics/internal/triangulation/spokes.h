@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SPOKES_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/base/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/words/umbrellas.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
 
 #include <algorithm>
 #include <vector>

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_CURVE_THINNER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_CURVE_THINNER_H
+
+#include <CGAL/Flip_geodesics/internal/distances/follow.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Omits vertices of curves whose vertices are on the true curve: the pieces of a refined surface are about as large as
+ * the tolerance, and so many vertices are needed to find the curve but not to draw it. What remains are chords inside
+ * faces of the mesh. The distance of a chord from an arc of length h and radius r is about h^2 / 8r, so that the number
+ * of vertices grows like the inverse square root of the tolerance.
+ *
+ * Every place between a chord and the vertices that it replaces is within the radius of one of these: the chord and a
+ * segment before it are the long sides of a trapezoid, and its places have half the length of the segment along the
+ * chord, and the larger height of its ends across, from the nearer end at most. So a function with slopes of at most
+ * one differs there from its value on the curve by the radius at most, and a piece of the surface that changes sides
+ * is within the radius of the curve.
+ *
+ *            . . v .               v, w  vertices of the curve
+ *         .  |       . w           i, j  ends of the chord
+ *       .    |         |  .
+ *      i ------------------- j
+ *
+ * Two chords that cross have vertices within twice the tolerance of one another. So vertices stay if the curves come as
+ * close to one another there, or the curve comes back or bends sharply, and segments at them stay, too. Hence chords
+ * of the same curves do not cross.
+ */
+template <class Surface>
+class Curve_thinner
+{
+  using Place = typename Surface::Place;
+
+public:
+  /* No place on a segment is farther than the tolerance from the nearer end, and none that a chord replaces farther than
+   * the radius, which is not larger, from a vertex. */
+  Curve_thinner(const Surface& surface, double tolerance, double radius)
+    : m_surface(surface)
+    , m_tolerance(tolerance)
+    , m_radius(radius)
+  {
+  }
+
+  /* The curves are all those that must not cross one another. */
+  void thin(std::vector<Followed_curve>& curves)
+  {
+    if(!(m_radius > 0))
+      return;
+    m_curves.clear();
+    for(const Followed_curve& curve : curves)
+      measure(curve);
+    find_crowds();
+    for(std::size_t c = 0; c < curves.size(); ++c)
+      thin(curves[c], m_curves[c]);
+  }
+
+private:
+  // Some vertices stand for those behind them, which are as far from them along the curve, in tolerances.
+  static constexpr double stride = 0.5;
+  // Such vertices of chords that cross are as close, in tolerances: one on either curve, and a stride.
+  static constexpr double crowd = 2 + 2 * stride;
+  // A curve bends sharply if the path along it is longer than the straight one by this factor: so is a circle over more
+  // than 130 degrees, and two straight lines are with an angle of less than 106 degrees.
+  static constexpr double bend = 1.25;
+  // Closed curves that are shorter, in tolerances, stay. A longer one that is within a tolerance of a line has crowded
+  // markers halfway on both sides, which are at most two tolerances and a stride from one to the next.
+  static constexpr double least_closed = 12;
+
+  struct Measured_curve
+  {
+    std::vector<Place> places;
+    std::vector<double> paths;        // their lengths along the curve to each vertex
+    std::vector<std::size_t> markers; // the vertices that stand for each
+    std::vector<char> is_kept;        // only for those
+    bool is_closed;
+  };
+
+  // A vertex in one of its faces, by coordinates there; rows are as wide as a crowd.
+  struct Marker
+  {
+    Index face;
+    double row, along;
+    std::size_t curve, vertex;
+
+    bool operator<(const Marker& other) const
+    {
+      return std::tie(face, row, along, curve, vertex) <
+             std::tie(other.face, other.row, other.along, other.curve, other.vertex);
+    }
+  };
+
+  void measure(const Followed_curve& curve)
+  {
+    const std::size_t n = curve.samples.size();
+    m_curves.push_back({{}, {}, {}, std::vector<char>(n, 0), curve.is_closed});
+    Measured_curve& m = m_curves.back();
+    for(std::size_t i = 0; i < n && n > 1; ++i) {
+      m.places.push_back(m_surface.place(curve.samples[i]));
+      m.paths.push_back(i == 0 ? 0 : m.paths.back() + distance(m.places[i - 1], m.places[i]));
+      const Index before = curve.faces[i == 0 ? 0 : i - 1], behind = curve.faces[(std::min)(i, n - 2)];
+      const bool is_end = i == 0 || i + 1 == n, does_end = std::isinf(curve.samples[i].distance); // the field does
+      const bool is_marker =
+          is_end || does_end || before != behind || m.paths[i] - m.paths[m.markers.back()] > stride * m_tolerance;
+      m.markers.push_back(is_marker ? i : m.markers.back());
+      m.is_kept[i] = does_end ? 1 : 0;
+      if(is_marker)
+        add_marker(before, i);
+      if(before != behind)
+        add_marker(behind, i);
+    }
+    if(m.is_closed && m.paths.back() <= least_closed * m_tolerance)
+      m.is_kept.assign(n, 1);
+  }
+
+  // In two of the three coordinates, so that no distance becomes larger.
+  void add_marker(Index face, std::size_t vertex)
+  {
+    const std::array<std::size_t, 2> axes = m_surface.widest_axes(face);
+    const Place& p = m_curves.back().places[vertex];
+    m_markers.push_back(
+        {face, std::floor(p[axes[1]] / (crowd * m_tolerance)), p[axes[0]], m_curves.size() - 1, vertex});
+  }
+
+  // Marks vertices that are close to others, in their own rows and the next ones.
+  void find_crowds()
+  {
+    std::sort(m_markers.begin(), m_markers.end());
+    for(auto i = m_markers.begin(); i != m_markers.end(); ++i) {
+      compare(*i, i + 1, i->row);
+      const Marker first = {i->face, i->row + 1, i->along - crowd * m_tolerance, 0, 0};
+      compare(*i, std::lower_bound(i, m_markers.end(), first), first.row);
+    }
+    m_markers.clear();
+  }
+
+  void compare(const Marker& a, typename std::vector<Marker>::const_iterator b, double row)
+  {
+    const double last = a.along + crowd * m_tolerance;
+    for(; b != m_markers.end() && b->face == a.face && b->row == row && b->along <= last; ++b)
+      if(is_crowd(a, *b))
+        m_curves[a.curve].is_kept[a.vertex] = m_curves[b->curve].is_kept[b->vertex] = 1;
+  }
+
+  bool is_crowd(const Marker& a, const Marker& b) const
+  {
+    const Measured_curve &m = m_curves[a.curve], &n = m_curves[b.curve];
+    const double straight = distance(m.places[a.vertex], n.places[b.vertex]);
+    if(!(straight <= crowd * m_tolerance))
+      return false;
+    const double path = std::abs(m.paths[a.vertex] - n.paths[b.vertex]);
+    return a.curve != b.curve || (m.is_closed ? (std::min)(path, m.paths.back() - path) : path) > bend * straight;
+  }
+
+  // ---- chords
+
+  void thin(Followed_curve& curve, const Measured_curve& m) const
+  {
+    const Followed_curve old = std::move(curve);
+    curve = {{old.samples.front()}, {}, old.last_piece, old.is_closed};
+    for(std::size_t i = 0, end = 0; i + 1 < old.samples.size();) {
+      end = i == end ? end_of_run(old, m, i) : end;
+      curve.faces.push_back(old.faces[i]);
+      i = end_of_chord(old, m, i, end);
+      curve.samples.push_back(old.samples[i]);
+    }
+  }
+
+  static bool is_kept(const Measured_curve& m, std::size_t i) { return m.is_kept[m.markers[i]] != 0; }
+
+  // Up to where segments are in one face and have no end that is kept; but for the first one.
+  static std::size_t end_of_run(const Followed_curve& curve, const Measured_curve& m, std::size_t i)
+  {
+    std::size_t end = i + 1;
+    if(!is_kept(m, i) && !is_kept(m, end))
+      while(end < curve.faces.size() && curve.faces[end] == curve.faces[i] && !is_kept(m, end + 1))
+        ++end;
+    return end;
+  }
+
+  // Up to where there is a chord from a vertex: in steps that are doubled as long as there is one, and halved then.
+  std::size_t end_of_chord(const Followed_curve& curve, const Measured_curve& m, std::size_t i, std::size_t end) const
+  {
+    std::size_t result = i + 1;
+    bool is_growing = true;
+    for(std::size_t step = 1; step > 0; step = is_growing ? 2 * step : step / 2)
+      if(step <= end - result && is_chord(curve, m, i, result + step))
+        result += step;
+      else
+        is_growing = false;
+    return result;
+  }
+
+  bool is_chord(const Followed_curve& curve, const Measured_curve& m, std::size_t i, std::size_t j) const
+  {
+    if(is_pressed_on_edge(curve.samples, i, j))
+      return false;
+    const double length = distance(m.places[i], m.places[j]);
+    if(!(length > 0))
+      return false;
+    double along = 0, height = 0;
+    for(std::size_t k = i; k < j; ++k) {
+      const std::array<double, 2> next = coordinates(m.places[k + 1], m.places[i], m.places[j], length);
+      if(!(next[0] >= along && std::hypot((m.paths[k + 1] - m.paths[k]) / 2, (std::max)(height, next[1])) <= m_radius))
+        return false;
+      along = next[0];
+      height = next[1];
+    }
+    return true;
+  }
+
+  // Would a chord run along an edge of the mesh, on which chords from the other side may be, but what it replaces not?
+  // Places on an edge are told in one face.
+  static bool is_pressed_on_edge(const std::vector<Sample>& samples, std::size_t i, std::size_t j)
+  {
+    const auto is_on_edge = [&](std::size_t k, std::size_t l, int corner) {
+      return samples[k].face == samples[l].face && samples[k].weights[corner] == 0 && samples[l].weights[corner] == 0;
+    };
+    for(int corner = 0; corner < 3; ++corner)
+      if(is_on_edge(i, j, corner))
+        for(std::size_t k = i + 1; k < j; ++k)
+          if(!is_on_edge(i, k, corner))
+            return true;
+    return false;
+  }
+
+  // Where a place is along the line from p to q, and how far from it.
+  static std::array<double, 2> coordinates(const Place& place, const Place& p, const Place& q, double length)
+  {
+    double along = 0, square = 0;
+    for(std::size_t d = 0; d < 3; ++d)
+      along += (place[d] - p[d]) * ((q[d] - p[d]) / length);
+    for(std::size_t d = 0; d < 3; ++d) {
+      const double across = place[d] - p[d] - along * ((q[d] - p[d]) / length);
+      square += across * across;
+    }
+    return {{along, std::sqrt(square)}};
+  }
+
+  static double distance(const Place& p, const Place& q) { return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]); }
+
+  const Surface& m_surface;
+  double m_tolerance, m_radius;
+  std::vector<Measured_curve> m_curves;
+  std::vector<Marker> m_markers;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_CURVE_THINNER_H

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_FIELD_QUERY_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_FIELD_QUERY_H
+
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The least halfedge of the face of h. */
+template <class Input>
+Input_halfedge_index least_in_face(const Input& input, Input_halfedge_index h)
+{
+  return (std::min)({h, input.next(h), input.next(input.next(h))});
+}
+
+/* The roots of parts of sources by the least halfedges of their faces, in this order. */
+template <class Input>
+std::vector<std::pair<Input_halfedge_index, Index>> parts_by_face(const Input& input,
+                                                                  const std::vector<Source_part>& parts)
+{
+  std::vector<std::pair<Input_halfedge_index, Index>> result;
+  for(std::size_t i = 0; i < parts.size(); ++i)
+    result.emplace_back(least_in_face(input, parts[i].halfedge), input.number_of_vertices() + static_cast<Index>(i));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/*
+ * What the windows kept by a propagation say of points anywhere: a shortest path to a point of a face comes from a
+ * corner, from a part of a source in the face, or through a window on one of its sides.
+ */
+template <class Triangulation>
+class Field_query
+{
+  using Vector = std::complex<double>;
+  using Propagation = Window_propagation<Triangulation>;
+
+public:
+  /* The end of a shortest path in a face. */
+  struct Arrival
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    Index root = null_index;                   // as in windows
+    Input_halfedge_index through = null_index; // the side by which it enters the face; null if it comes from the root
+    double crossing = 0;                       // where, from the tail of that
+    Window window;                             // in the frame of that
+  };
+
+  /* \param parts_by_face see `parts_by_face()` */
+  Field_query(const Triangulation& triangulation, const Propagation& propagation,
+              const std::vector<std::pair<Input_halfedge_index, Index>>& parts_by_face)
+    : m_triangulation(triangulation)
+    , m_propagation(propagation)
+    , m_parts_by_face(parts_by_face)
+  {
+  }
+
+  const Triangulation& triangulation() const { return m_triangulation; }
+  const Propagation& propagation() const { return m_propagation; }
+
+  /* \pre h is not on the border; the weights sum to one */
+  Arrival operator()(Input_halfedge_index h, const Face_weights& weights) const
+  {
+    return arrival(h, weights, false, [](Index) { return true; });
+  }
+
+  std::size_t source(const Arrival& a) const { return m_propagation.source(a.root); }
+
+  /* Do all paths that can be the shortest to a point of the face of h come from one source? */
+  bool has_one_source(Input_halfedge_index h) const
+  {
+    Index last = null_index; // root
+    std::size_t source = 0;
+    bool result = true;
+    const auto add = [&](Index root) {
+      if(root == last)
+        return;
+      const std::size_t next = m_propagation.source(root);
+      result = result && (last == null_index || next == source);
+      last = root;
+      source = next;
+    };
+    for_each_part(h, add);
+    for(int i = 0; i < 3 && result; ++i, h = m_triangulation.input().next(h)) {
+      const Vertex_index v = m_triangulation.input().tail(h);
+      if(m_propagation.is_reached(v))
+        add(v.idx());
+      for(const Window& w : m_propagation.windows().on_edge(h.idx() / 2))
+        if((w.side == 0) == is_first_side(h))
+          add(w.root);
+    }
+    return result;
+  }
+
+  /* The point of the same face from which the path comes straight: where it enters, or the source; as weights from h. */
+  Face_weights from(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
+  {
+    if(a.through != null_index) {
+      const double t = a.crossing / m_propagation.sides().copy(a.through).length;
+      return turned({{1 - t, t, 0}}, a.through, h);
+    }
+    if(is_part(a.root)) {
+      const Source_part& p = part(a.root);
+      const double t = p.nearest(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
+      return turned(p.at(t), p.halfedge, h);
+    }
+    Face_weights result = {{1, 0, 0}};
+    while(m_triangulation.input().tail(h).idx() != a.root) {
+      h = m_triangulation.input().next(h);
+      result = {{result[2], result[0], result[1]}};
+    }
+    return result;
+  }
+
+  /* The direction away from the source, in the frame of h; zero at the source. */
+  Vector direction(const Arrival& a, Input_halfedge_index h, const Face_weights& weights) const
+  {
+    const Face_side f = m_propagation.sides().copy(h);
+    const Vector line = position(f, weights) - position(f, from(a, h, weights));
+    if(a.through == null_index || std::abs(line) > near_edge_of_face * f.length)
+      return std::abs(line) > zero_weight * (f.length + std::abs(f.x) + f.y) ? line / std::abs(line) : Vector(0);
+    // On the edge through which the path comes: the direction of the ray, turned into the frame of h.
+    const Window& w = a.window;
+    const Vector ray = w.is_far ? Vector(-w.x, w.y) : Vector(a.crossing - w.x, w.y);
+    const Face_weights tail = turned({{1, 0, 0}}, a.through, h), head = turned({{0, 1, 0}}, a.through, h);
+    const Vector axis = position(f, head) - position(f, tail);
+    return ray / std::abs(ray) * (axis / std::abs(axis));
+  }
+
+  /* Writes the points of the path to a vertex that is no source after that vertex, backward up to the source. */
+  template <class OutputIterator>
+  OutputIterator path(Vertex_index v, OutputIterator out) const
+  {
+    const Arrival a = arrival(v);
+    return path(a, last_face(v, a), {{1, 0, 0}}, out);
+  }
+
+  /*
+   * The same for a point of a face. Where the path crosses an edge, it is asked anew how it comes there; so it is not
+   * lost where it passes a vertex within rounding. Where another source is equally near, it goes on to that of the
+   * arrival. The path can cross an edge any number of times, if the edge is not a shortest path; but the distances of its
+   * points decrease.
+   *
+   * \throws Degenerate_face_error if rounding errors lead it in a circle, or to where nothing is known
+   */
+  template <class OutputIterator>
+  OutputIterator path(Arrival a, Input_halfedge_index h, Face_weights weights, OutputIterator out) const
+  {
+    const std::size_t end = a.root == null_index ? 0 : source(a);
+    for(Descent descent(m_triangulation.input()); descent.goes_on(a.distance);) {
+      if(a.through != null_index) {
+        const double t = a.crossing / m_propagation.sides().copy(a.through).length;
+        *out++ = surface_point_on_edge(m_triangulation, a.through, t);
+        h = twin_index(a.through);
+        weights = {{t, 1 - t, 0}};
+        a = arrival_on_edge(h, weights, end);
+      } else if(is_part(a.root)) {
+        *out++ = surface_point_in_face(h, from(a, h, weights));
+        break;
+      } else {
+        const Vertex_index v(a.root);
+        *out++ = surface_point_at_vertex(m_triangulation, v);
+        if(m_propagation.vertex(v).is_source)
+          break;
+        a = arrival(v);
+        h = last_face(v, a);
+        weights = {{1, 0, 0}};
+      }
+    }
+    return out;
+  }
+
+  /* The weights of a point of a face, told from another of its halfedges. */
+  Face_weights turned(Face_weights weights, Input_halfedge_index from, Input_halfedge_index to) const
+  {
+    for(; from != to; from = m_triangulation.input().next(from))
+      weights = rotated(weights);
+    return weights;
+  }
+
+private:
+  /*
+   * Does a path come nearer to its source? Between two distances that differ visibly it passes what is closer together
+   * than roundings: that is each edge, from both sides, and each vertex once at most. In a circle no distance becomes
+   * the least one again.
+   */
+  class Descent
+  {
+  public:
+    template <class Input_mesh>
+    explicit Descent(const Input_mesh& input)
+      : m_most(input.number_of_halfedges() + input.number_of_vertices())
+    {
+    }
+
+    /* True, given the distance of the next point. \throws Degenerate_face_error if not, or if that is infinite */
+    bool goes_on(double distance)
+    {
+      m_since_least = distance < m_least ? 0 : m_since_least + 1;
+      m_least = (std::min)(m_least, distance);
+      if(m_since_least > m_most || !(distance < std::numeric_limits<double>::infinity()))
+        throw Degenerate_face_error(
+            "a shortest path gets lost: there are faces so flat that rounding errors hide where "
+            "it leads");
+      return true;
+    }
+
+  private:
+    Index m_most, m_since_least = 0;
+    double m_least = std::numeric_limits<double>::infinity();
+  };
+
+  bool is_part(Index root) const { return root >= m_triangulation.input().number_of_vertices(); }
+  const Source_part& part(Index root) const
+  {
+    return m_propagation.parts()[static_cast<std::size_t>(root - m_triangulation.input().number_of_vertices())];
+  }
+
+  // Calls `function(root)` for the parts of sources in the face of h.
+  template <class Function>
+  void for_each_part(Input_halfedge_index h, const Function& function) const
+  {
+    const Input_halfedge_index face = least_in_face(m_triangulation.input(), h);
+    const auto before = [](const auto& entry, Input_halfedge_index f) { return entry.first < f; };
+    auto i = std::lower_bound(m_parts_by_face.begin(), m_parts_by_face.end(), face, before);
+    for(; i != m_parts_by_face.end() && i->first == face; ++i)
+      function(i->second);
+  }
+
+  template <class IsWanted>
+  void come_from_parts(Input_halfedge_index h, const Face_weights& weights, const IsWanted& is_wanted,
+                       Arrival& best) const
+  {
+    for_each_part(h, [&](Index root) {
+      const Source_part& p = part(root);
+      const double d = p.distance(m_propagation.sides().copy(p.halfedge), turned(weights, h, p.halfedge));
+      if(d < best.distance && is_wanted(root))
+        best = {d, root, null_index, 0, Window()};
+    });
+  }
+
+  template <class IsWanted>
+  void come_from_corner(const Face_side& f, const Face_weights& weights, const IsWanted& is_wanted, Arrival& best) const
+  {
+    const double d = m_propagation.distance(f.tail) + std::abs(position(f, weights));
+    if(d < best.distance && is_wanted(f.tail.idx()))
+      best = {d, f.tail.idx(), null_index, 0, Window()};
+  }
+
+  template <class IsWanted>
+  void come_through(Input_halfedge_index h, const Face_side& f, const Face_weights& weights, const IsWanted& is_wanted,
+                    Arrival& best) const
+  {
+    const Vector p = position(f, weights);
+    for(Window w : m_propagation.windows().on_edge(h.idx() / 2)) {
+      if((w.side == 0) != is_first_side(h))
+        continue;
+      if(!is_first_side(h))
+        w.mirror(f.length);
+      const double crossing = w.crossing(p.real(), p.imag());
+      const double d = w.bent_distance(p.real(), p.imag(), crossing);
+      if(d < best.distance && is_wanted(w.root))
+        best = {d, w.root, h, (std::min)((std::max)(crossing, w.from), w.to), w};
+    }
+  }
+
+  Surface_point surface_point_in_face(Input_halfedge_index h, Face_weights weights) const
+  {
+    for(double& weight : weights)
+      weight = weight < zero_weight ? 0 : weight;
+    return surface_point(m_triangulation, Surface_location{h, weights});
+  }
+
+  // How the shortest path arrives at a point of an edge from beyond side h: that from a source, if no other is shorter.
+  Arrival arrival_on_edge(Input_halfedge_index h, const Face_weights& weights, std::size_t wanted) const
+  {
+    const Arrival result = arrival(h, weights, true, [](Index) { return true; });
+    if(result.root == null_index || source(result) == wanted)
+      return result;
+    const Arrival other = arrival(h, weights, true, [&](Index root) { return m_propagation.source(root) == wanted; });
+    return other.distance <= result.distance * (1 + length_sum_rounding) ? other : result;
+  }
+
+  // How the shortest path arrives at a point, of those from roots that are wanted. One on side h may come from beyond; else,
+  // and then corners on the way are preferred.
+  template <class IsWanted>
+  Arrival arrival(Input_halfedge_index h, Face_weights weights, bool is_from_behind, const IsWanted& is_wanted) const
+  {
+    Arrival best, corner;
+    come_from_parts(h, weights, is_wanted, best);
+    for(int i = 0; i < 3; ++i) {
+      const Face_side f = m_propagation.sides().copy(h);
+      come_from_corner(f, weights, is_wanted, corner);
+      if(i > 0 || !is_from_behind)
+        come_through(h, f, weights, is_wanted, best);
+      h = f.next;
+      weights = rotated(weights);
+    }
+    return corner.distance <= best.distance * (is_from_behind ? 1 + equal_query_paths : 1) ? corner : best;
+  }
+
+  // How the shortest path arrives at a vertex; `through` is null if along an edge.
+  Arrival arrival(Vertex_index v) const
+  {
+    const auto& record = m_propagation.vertex(v);
+    Arrival result = {record.distance, record.root, record.through, 0, record.window};
+    if(record.through != null_index) {
+      const Face_side f = m_propagation.sides().copy(record.through);
+      result.crossing = (std::min)((std::max)(record.window.crossing(f.x, f.y), 0.0), f.length);
+    }
+    return result;
+  }
+
+  // The halfedge that starts at a vertex in the last face of the path to it, if that crosses no edge; else any.
+  Input_halfedge_index last_face(Vertex_index v, const Arrival& a) const
+  {
+    const auto& input = m_triangulation.input();
+    if(!is_part(a.root) || a.through != null_index)
+      return input.outgoing(v);
+    Input_halfedge_index h = part(a.root).halfedge;
+    while(input.tail(h) != v)
+      h = input.next(h);
+    return h;
+  }
+
+  const Triangulation& m_triangulation;
+  const Propagation& m_propagation;
+  const std::vector<std::pair<Input_halfedge_index, Index>>& m_parts_by_face;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_FIELD_QUERY_H

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_HEAP_OF_FOUR_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_HEAP_OF_FOUR_H
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The bits of a number as an integer: of the same order for numbers that are not negative. */
+inline std::uint64_t ordered_bits(double number)
+{
+  std::uint64_t bits;
+  number += 0.0; // no negative zero
+  std::memcpy(&bits, &number, sizeof bits);
+  return bits;
+}
+
+/*
+ * A priority queue, the smallest entry first: a heap with four children per node, half as deep as a binary one, and
+ * siblings share a cache line or two. The smallest sibling is found without branches, of which half would be foretold
+ * wrongly.
+ *
+ * What is popped leaves a hole at the top, which the next push fills: what was popped leads to entries that are soon
+ * due, and they stay near the top. If there is none, the last entry fills the hole, which goes all the way down first,
+ * since that entry belongs near a leaf.
+ *
+ * \tparam Entry has a static member `is_before(a, b)`, a total order: 1 or 0
+ */
+template <class Entry>
+class Heap_of_four
+{
+  static constexpr std::size_t arity = 4;
+
+public:
+  bool empty() const { return m_entries.size() == (m_has_hole ? 1 : 0); }
+  void clear()
+  {
+    m_entries.clear();
+    m_has_hole = false;
+  }
+
+  /* The smallest entry. \pre not empty */
+  const Entry& top()
+  {
+    fill_hole();
+    return m_entries.front();
+  }
+
+  void push(const Entry& entry)
+  {
+    if(m_has_hole) {
+      m_has_hole = false;
+      sift_down(entry);
+      return;
+    }
+    m_entries.push_back(entry);
+    sift_up(m_entries.size() - 1, entry);
+  }
+
+  /* Removes the smallest entry. \pre not empty */
+  void pop()
+  {
+    fill_hole();
+    m_has_hole = true;
+  }
+
+private:
+  void sift_up(std::size_t hole, const Entry& entry)
+  {
+    Entry* const entries = m_entries.data();
+    while(hole > 0) {
+      const std::size_t parent = (hole - 1) / arity;
+      if(Entry::is_before(entry, entries[parent]) == 0)
+        break;
+      entries[hole] = entries[parent];
+      hole = parent;
+    }
+    entries[hole] = entry;
+  }
+
+  // Puts an entry into the hole at the top, or as far below as smaller ones come.
+  void sift_down(const Entry& entry)
+  {
+    Entry* const entries = m_entries.data();
+    const std::size_t size = m_entries.size();
+    std::size_t hole = 0;
+    for(std::size_t child = 1; child < size; child = arity * hole + 1) {
+      const std::size_t smallest = smallest_sibling(child);
+      if(Entry::is_before(entries[smallest], entry) == 0)
+        break;
+      entries[hole] = entries[smallest];
+      hole = smallest;
+    }
+    entries[hole] = entry;
+  }
+
+  void fill_hole()
+  {
+    if(!m_has_hole)
+      return;
+    m_has_hole = false;
+    const Entry last = m_entries.back();
+    m_entries.pop_back();
+    if(m_entries.empty())
+      return;
+    Entry* const entries = m_entries.data();
+    const std::size_t size = m_entries.size();
+    std::size_t hole = 0;
+    for(std::size_t child = 1; child < size; child = arity * hole + 1) {
+      const std::size_t smallest = smallest_sibling(child);
+      entries[hole] = entries[smallest];
+      hole = smallest;
+    }
+    sift_up(hole, last);
+  }
+
+  // Of the children of a node, the first of which is `child`.
+  std::size_t smallest_sibling(std::size_t child) const
+  {
+    const Entry* const entries = m_entries.data();
+    const std::size_t size = m_entries.size();
+    if(child + arity <= size) {
+      const std::size_t a = child + Entry::is_before(entries[child + 1], entries[child]);
+      const std::size_t b = child + 2 + Entry::is_before(entries[child + 3], entries[child + 2]);
+      return a ^ ((a ^ b) & (0 - Entry::is_before(entries[b], entries[a])));
+    }
+    std::size_t smallest = child;
+    for(std::size_t i = child + 1; i < size; ++i)
+      smallest += (i - smallest) * Entry::is_before(entries[i], entries[smallest]);
+    return smallest;
+  }
+
+  std::vector<Entry> m_entries;
+  bool m_has_hole = false; // at the top
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_HEAP_OF_FOUR_H

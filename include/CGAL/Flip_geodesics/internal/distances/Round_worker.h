@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H
+
+#include <CGAL/Flip_geodesics/internal/distances/Edge_windows.h>
+#include <CGAL/Flip_geodesics/internal/distances/Field_state.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
+#include <CGAL/Flip_geodesics/internal/distances/Scratch.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_fan.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * What a member of a team does in a round, and has for itself. First `leave()` carries what goes on from vertices and
+ * edges over the next faces; when all have been left, and the vertices know what has reached them, `enter()` puts it on
+ * the edges to which it comes. Members do each at the same time, with different items.
+ *
+ * An edge is entered by whoever has the first of the items from which something comes to it; it looks for the others
+ * itself. So each edge is entered once, by one member, from the items in the order of their numbers, and nothing has to be
+ * collected for it.
+ */
+template <class Triangulation>
+class Round_worker
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  Round_worker(Field_state<Triangulation>& state, Round_items& items, bool keeps_windows)
+    : m_state(state)
+    , m_items(items)
+    , m_keeps_windows(keeps_windows)
+    , m_fan(state.triangulation)
+  {
+  }
+
+  Window_inserter& inserter() { return m_inserter; }
+  const Window_inserter& inserter() const { return m_inserter; }
+  /* Was there a face so flat that rays can have been lost in it? */
+  bool has_flat_face() const { return m_has_flat_face; }
+  /* How many entries what it has left in a round can have in a queue at most. */
+  std::size_t most_entries(std::uint32_t round) const { return m_round == round ? m_most_entries : 0; }
+
+  /* \throws as the metric, Invalid_mesh_error. Then the item is as it was. */
+  void leave(std::uint32_t round, std::size_t place)
+  {
+    begin(round);
+    if(m_items[place].is_vertex)
+      leave_vertex(place);
+    else
+      leave_edge(place);
+  }
+
+  /* \pre all items have been left */
+  void enter(std::uint32_t round, std::size_t place)
+  {
+    begin(round);
+    const Round_item& item = m_items[place];
+    if(item.is_vertex)
+      enter(*item.starting, item);
+    else if(item.leaving->length > 0)
+      enter(*item.leaving, item);
+  }
+
+  /* Puts a window on the edge of h, in whose frame it is, which leaves the face on the left of h. Returns when it is due,
+   * infinity if it is of no use. */
+  double put_beyond(Input_halfedge_index h, Window& w)
+  {
+    const auto& input = m_state.triangulation.input();
+    const Input_halfedge_index entered = twin_index(h);
+    if(input.is_border(entered))
+      return infinity;
+    const double length = m_state.sides.known(h).length;
+    w.trim(m_state.distance(input.tail(h)));
+    w.mirror(length);
+    w.trim(m_state.distance(input.tail(entered)));
+    if(!(w.from < w.to))
+      return infinity;
+    if(is_first_side(h)) // windows of an edge are in the frame of its first side
+      w.mirror(length);
+    w.side = is_first_side(entered) ? 0 : 1;
+    w.state = Window_state::WAITING;
+    return m_inserter.insert(m_state.windows, m_state.edge_of(h), w) ? w.least_distance() : infinity;
+  }
+
+private:
+  void begin(std::uint32_t round)
+  {
+    if(m_round == round)
+      return;
+    m_round = round;
+    m_most_entries = 0;
+    m_starting.give_up_all();
+    m_leaving.give_up_all();
+    m_openings.give_up_all();
+    m_paths.give_up_all();
+    m_windows.give_up_all();
+    m_noted.give_up_all();
+  }
+
+  void leave_vertex(std::size_t place)
+  {
+    Round_item& item = m_items[place];
+    const Vertex_index v(item.due.id);
+    Starting& s = *m_starting.take(1);
+    s = Starting();
+    if(m_state.vertices[v].distance == item.due.key && m_state.triangulation.input().outgoing(v) != null_index) {
+      make_faces_known(v);
+      open(s, item);
+      m_state.left[v] = {m_round, static_cast<std::uint32_t>(place)};
+    }
+    item.starting = &s;
+  }
+
+  void open(Starting& s, Round_item& item)
+  {
+    const Vertex_index v(item.due.id);
+    s.is_source = m_state.vertices[v].is_source;
+    const std::vector<Vertex_opening>& openings = m_fan.openings(m_state.sides, v, m_state.vertices[v]);
+    s.openings.first = s.openings.last = m_openings.take(openings.size());
+    s.paths.first = s.paths.last = m_paths.take(openings.size());
+    for(const Vertex_opening& o : openings) {
+      if(o.opposite != null_index)
+        *s.openings.last++ = o;
+      if(m_state.is_shorter(o.head, o.distance)) {
+        *s.paths.last++ = {o.head, o.along, o.distance};
+        item.may_reach = true;
+      }
+    }
+    m_most_entries += openings.size() + 1;
+  }
+
+  void leave_edge(std::size_t place)
+  {
+    Round_item& item = m_items[place];
+    Edge_record& record = m_state.edge(item.due.id);
+    Leaving& l = *m_leaving.take(1);
+    l.length = 0;
+    l.passed = infinity;
+    l.noted = {};
+    l.crossings[0].clear();
+    l.crossings[1].clear();
+    if(record.tag == item.due.tag && record.due == item.due.key && record.is_waiting) {
+      const Input_halfedge_index h(2 * item.due.id);
+      make_known(h);
+      make_known(twin_index(h));
+      cross(l, h);
+      record.is_waiting = false;
+      record.left = {m_round, static_cast<std::uint32_t>(place)};
+      item.may_reach = l.crossings[0].is_shorter || l.crossings[1].is_shorter;
+      m_most_entries += 5;
+    }
+    item.leaving = &l;
+  }
+
+  // Takes the windows that wait on an edge over the faces on both sides.
+  void cross(Leaving& l, Input_halfedge_index h)
+  {
+    const auto windows = m_state.windows.on_edge(m_state.edge_of(h));
+    Crossing_window *const first = m_windows.take(windows.size()), *const last = first + windows.size();
+    Crossing_window *to = first, *from = last;
+    for(Window& w : windows)
+      if(w.state != Window_state::DONE) {
+        if(w.state == Window_state::WAITING)
+          (w.side == 0 ? *to++ : *--from).window = w;
+        w.state = w.state == Window_state::WAITING ? Window_state::CROSSING : Window_state::DONE;
+      }
+    const Input_halfedge_index t = twin_index(h);
+    l.length = m_state.sides.known(m_state.triangulation.input().is_border(h) ? t : h).length;
+    cross(l.crossings[0], h, first, to);
+    cross(l.crossings[1], t, from, last);
+  }
+
+  void cross(Face_crossing& c, Input_halfedge_index h, Crossing_window* first, Crossing_window* last)
+  {
+    if(first == last)
+      return;
+    c.first = first;
+    c.last = last;
+    c.begin(h, m_state.sides);
+    c.is_shorter = c.is_shorter && m_state.is_shorter(c.apex, c.distance);
+  }
+
+  void make_faces_known(Vertex_index v)
+  {
+    const auto& input = m_state.triangulation.input();
+    Input_halfedge_index h = input.outgoing(v);
+    do {
+      make_known(h);
+      h = input.next(twin_index(h));
+    } while(h != input.outgoing(v));
+  }
+
+  void make_known(Input_halfedge_index h)
+  {
+    if(!m_state.triangulation.input().is_border(h) && m_state.sides.make_known(h))
+      m_has_flat_face = true;
+  }
+
+  void enter(Starting& s, const Round_item& item)
+  {
+    s.noted.first = s.noted.last = m_noted.take(static_cast<std::size_t>(s.openings.size()));
+    for(Vertex_opening& o : s.openings)
+      enter(o.opposite, Arrival::from_vertex(item, o), s.noted);
+  }
+
+  void enter(Leaving& l, const Round_item& item)
+  {
+    l.noted.first = l.noted.last = m_noted.take(4);
+    for(const Face_crossing& c : l.crossings)
+      if(c.first != c.last) {
+        enter(c.previous, Arrival::from_side(item, c, true), l.noted);
+        enter(c.next, Arrival::from_side(item, c, false), l.noted);
+      }
+    if(!m_keeps_windows)
+      l.passed = passed(item.due.id, l.length);
+  }
+
+  // When the front is farther than any point of the edge, its windows are not needed any more. Infinite if that has been
+  // noted.
+  double passed(Index edge, double length)
+  {
+    const Input_halfedge_index h(2 * edge), t = twin_index(h);
+    const auto& input = m_state.triangulation.input();
+    const double result = (m_state.distance(input.tail(h)) + m_state.distance(input.tail(t)) + length) / 2;
+    if(m_state.edge(edge).is_noted || result == infinity)
+      return infinity;
+    m_state.edge(edge).is_noted = true;
+    return result;
+  }
+
+  // Puts on the edge of h, which is entered from its face, all that comes to it from both sides, if a given one is the
+  // first.
+  void enter(Input_halfedge_index h, const Arrival& first, Array_part<Noted>& noted)
+  {
+    if(m_state.triangulation.input().is_border(twin_index(h)))
+      return;
+    Arrivals arrivals;
+    add_arrivals(h, arrivals);
+    add_arrivals(twin_index(h), arrivals);
+    if(arrivals.begin()->order != first.order)
+      return;
+    double due = infinity;
+    try {
+      for(const Arrival& a : arrivals)
+        enter(a, due);
+    } catch(...) {
+      m_state.note_waiting(m_state.edge_of(h), due, arrivals, noted);
+      throw;
+    }
+    m_state.note_waiting(m_state.edge_of(h), due, arrivals, noted);
+  }
+
+  // What comes to the edge of h from its face.
+  void add_arrivals(Input_halfedge_index h, Arrivals& arrivals)
+  {
+    const auto& input = m_state.triangulation.input();
+    const Vertex_index apex = input.tail(input.previous(h));
+    if(m_state.left[apex].round == m_round) {
+      const Round_item& item = m_items[m_state.left[apex].place];
+      for(Vertex_opening& o : item.starting->openings)
+        if(o.opposite == h)
+          arrivals.add(Arrival::from_vertex(item, o));
+    }
+    add_crossing(input.next(h), true, arrivals);
+    add_crossing(input.previous(h), false, arrivals);
+  }
+
+  void add_crossing(Input_halfedge_index h, bool is_left, Arrivals& arrivals)
+  {
+    const Round_place& left = m_state.edge(m_state.edge_of(h)).left;
+    if(left.round != m_round)
+      return;
+    const Face_crossing& c = m_items[left.place].leaving->crossings[is_first_side(h) ? 0 : 1];
+    if(c.first != c.last)
+      arrivals.add(Arrival::from_side(m_items[left.place], c, is_left));
+  }
+
+  // \param due when the edge is, made less if it is earlier then
+  void enter(const Arrival& a, double& due)
+  {
+    if(a.opening != nullptr) {
+      due = (std::min)(due, put_beyond(a.opening->opposite, a.opening->window));
+      return;
+    }
+    const Face_crossing& c = *a.crossing;
+    const Face_side& f = m_state.sides.known(c.halfedge);
+    const Input_halfedge_index h = a.is_left ? c.previous : c.next;
+    const auto put = [&](Window& w) { due = (std::min)(due, put_beyond(h, w)); };
+    if(a.is_left)
+      c.arrive_left(f, m_state.sides.known(h).length, put);
+    else
+      c.arrive_right(f, m_state.sides.known(h), put);
+  }
+
+  Field_state<Triangulation>& m_state;
+  Round_items& m_items;
+  bool m_keeps_windows;
+  Window_inserter m_inserter;
+  Vertex_fan<Triangulation> m_fan;
+  bool m_has_flat_face = false;
+  // Of the round:
+  std::uint32_t m_round = 0;
+  std::size_t m_most_entries = 0;
+  Scratch<Starting> m_starting;
+  Scratch<Leaving> m_leaving;
+  Scratch<Vertex_opening> m_openings;
+  Scratch<Edge_path> m_paths;
+  Scratch<Crossing_window> m_windows;
+  Scratch<Noted> m_noted;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H

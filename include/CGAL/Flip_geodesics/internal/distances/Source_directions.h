@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_SOURCE_DIRECTIONS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_SOURCE_DIRECTIONS_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The direction in which a path starts, of any length, in the frame of a halfedge. That has the first face on its left,
+ * or is an edge of the border along which the path starts; if the source is a vertex, it starts there. */
+struct Start_direction
+{
+  Input_halfedge_index first = null_index;
+  std::complex<double> direction;
+};
+
+/*
+ * The directions in which shortest paths from one point to vertices start, from what a propagation keeps of each vertex.
+ * A path that bends starts as the path to the vertex at which it bends last, its root. A straight path is followed back
+ * through the faces that the rays of its window have crossed. Only the angle between the frames of its first face and of
+ * its last one is wanted:
+ *
+ *               . source              the frame of side h is turned against that of side g
+ *              ' .                    by the angle between the two sides
+ *       ------g---'-.--
+ *       \         ' .
+ *        \       h ' .
+ *         \     /   ' target
+ *
+ * The ray in the middle of the window is followed, which keeps away from vertices. Rays to many vertices cross the same
+ * faces; so the angle is kept at a part of the edges, with the place of the source in the frame of the edge, and the
+ * walk ends where it is known. The cost is at most proportional to the number of windows.
+ */
+template <class Triangulation>
+class Source_directions
+{
+  using Propagation = Window_propagation<Triangulation>;
+  using Vector = std::complex<double>;
+
+public:
+  /* \pre the sources are one point */
+  Source_directions(const Triangulation& triangulation, const Propagation& propagation)
+    : m_input(triangulation.input())
+    , m_propagation(propagation)
+    , m_starts(static_cast<std::size_t>(m_input.number_of_vertices()))
+  {
+  }
+
+  /* None if roundings hide where the windows come from. \pre the vertex is reached, and is not the source */
+  std::optional<Start_direction> operator()(Vertex_index v)
+  {
+    m_bends.clear();
+    while(m_starts[v].first == null_index && bends(v)) {
+      m_bends.push_back(v);
+      v = Vertex_index(m_propagation.vertex(v).root);
+    }
+    if(m_starts[v].first == null_index)
+      m_starts[v] = straight(v);
+    for(Vertex_index w : m_bends)
+      m_starts[w] = m_starts[v];
+    return m_starts[v].first == null_index ? std::nullopt : std::optional(m_starts[v]);
+  }
+
+private:
+  // Rays that come from the source through side h. Vectors are in the frame of h, which has the source below.
+  struct Rays
+  {
+    Input_halfedge_index h;
+    Vector source, ray; // the place of the source, and the direction of one of the rays
+    Vector turn;        // takes directions there from the frame of the side that was asked
+  };
+
+  // The first face, and what takes directions to its frame from that of a side.
+  struct First_face
+  {
+    Input_halfedge_index first;
+    Vector turn;
+  };
+
+  struct Known_rays
+  {
+    Vector source;
+    First_face face;
+  };
+
+  Face_side side(Input_halfedge_index h) const { return m_propagation.sides().copy(h); }
+
+  bool is_part(Index root) const { return root >= m_input.number_of_vertices(); }
+  const Source_part& part(Index root) const
+  {
+    return m_propagation.parts()[static_cast<std::size_t>(root - m_input.number_of_vertices())];
+  }
+
+  // Does the path to a vertex bend on its way?
+  bool bends(Vertex_index v) const
+  {
+    const Index root = m_propagation.vertex(v).root;
+    return !is_part(root) && !m_propagation.vertex(Vertex_index(root)).is_source;
+  }
+
+  // Of a path that does not bend.
+  Start_direction straight(Vertex_index v)
+  {
+    const Vertex_record& record = m_propagation.vertex(v);
+    if(record.along != null_index)
+      return {record.along, 1};
+    if(record.through == null_index)
+      return inside_face(v, part(record.root));
+    const Window& w = record.window;
+    const Face_side f = side(record.through);
+    const Vector source(w.x, -w.y), target(f.x, f.y), middle((w.from + w.to) / 2, 0);
+    const auto face = first_face({record.through, source, middle - source, 1}, record.root, std::abs(target - source));
+    return face ? Start_direction{face->first, product(target - source, face->turn)} : Start_direction();
+  }
+
+  Start_direction inside_face(Vertex_index v, const Source_part& source) const
+  {
+    Face_weights corner = {{1, 0, 0}};
+    for(Input_halfedge_index h = source.halfedge; m_input.tail(h) != v; h = m_input.next(h))
+      corner = {{corner[2], corner[0], corner[1]}};
+    const Face_side f = side(source.halfedge);
+    return {source.halfedge, position(f, corner) - position(f, source.ends[0])};
+  }
+
+  // Follows rays back to the source, over at most as many edges as there are windows.
+  std::optional<First_face> first_face(Rays rays, Index root, double length)
+  {
+    const double allowed = unfolded_place_error * length;
+    std::optional<First_face> result;
+    m_passed.clear();
+    for(std::size_t i = 0; i < m_propagation.number_of_windows() && !result; ++i) {
+      if(m_input.is_border(twin_index(rays.h)))
+        return std::nullopt;
+      result = cross_backward(rays, root, allowed);
+      if(!result && !(rays.source.imag() < 0))
+        return std::nullopt;
+      if(!result && is_kept(rays.h) && !(result = known(rays, allowed)))
+        m_passed.push_back(rays);
+    }
+    if(!result)
+      return std::nullopt;
+    result->turn = product(rays.turn, result->turn);
+    for(const Rays& r : m_passed)
+      m_known.insert({{r.h, r.source.real()}, {r.source, {result->first, product(std::conj(r.turn), result->turn)}}});
+    return result;
+  }
+
+  // Takes rays back over the face below, to the side by which they enter it; returns that face if they start in it. The
+  // turn of the rays leads to its frame then.
+  std::optional<First_face> cross_backward(Rays& rays, Index root, double allowed) const
+  {
+    const Input_halfedge_index t = twin_index(rays.h);
+    const Face_side f = side(t);
+    const Input_halfedge_index tp = m_input.next(f.next);
+    const Vector apex(f.x, f.y);
+    rays = {t, f.length - rays.source, -rays.ray, -rays.turn};
+    if(const auto place = place_of_root(t, f, root); place && std::abs(*place - rays.source) <= allowed)
+      return is_part(root) ? First_face{t, 1} : First_face{tp, -std::conj(apex) / std::sqrt(std::norm(apex))};
+    const bool is_next = cross(apex - rays.source, rays.ray) > 0;
+    const Vector start = is_next ? Vector(f.length) : apex, along = is_next ? apex - f.length : -apex;
+    const Vector turn = std::conj(along) / std::sqrt(std::norm(along));
+    rays = {is_next ? f.next : tp, product(rays.source - start, turn), product(rays.ray, turn),
+            product(rays.turn, turn)};
+    return std::nullopt;
+  }
+
+  // In the frame of side t of a face, if it is in the face and not on that side.
+  std::optional<Vector> place_of_root(Input_halfedge_index t, const Face_side& f, Index root) const
+  {
+    const Input_halfedge_index tp = m_input.next(f.next);
+    if(!is_part(root))
+      return m_input.tail(tp).idx() == root ? std::optional(Vector(f.x, f.y)) : std::nullopt;
+    const Source_part& source = part(root);
+    Face_weights weights = source.ends[0];
+    if(source.halfedge != t && source.halfedge != f.next && source.halfedge != tp)
+      return std::nullopt;
+    for(Input_halfedge_index h = source.halfedge; h != t; h = m_input.next(h))
+      weights = rotated(weights);
+    return position(f, weights);
+  }
+
+  // One edge in sixteen, whatever their order.
+  static bool is_kept(Input_halfedge_index h)
+  {
+    return static_cast<std::uint32_t>(h.idx()) * std::uint32_t(2654435769) >> 28 == 0;
+  }
+
+  std::optional<First_face> known(const Rays& rays, double allowed) const
+  {
+    const double x = rays.source.real();
+    for(auto i = m_known.lower_bound({rays.h, x - allowed});
+        i != m_known.end() && i->first.first == rays.h && i->first.second <= x + allowed; ++i)
+      if(std::abs(i->second.source - rays.source) <= allowed)
+        return i->second.face;
+    return std::nullopt;
+  }
+
+  const typename Triangulation::Input_mesh& m_input;
+  const Propagation& m_propagation;
+  Indexed_by<Vertex_index, std::vector<Start_direction>> m_starts;
+  std::vector<Vertex_index> m_bends;                                          // on the way to a vertex
+  std::vector<Rays> m_passed;                                                 // where they are to be kept
+  std::multimap<std::pair<Input_halfedge_index, double>, Known_rays> m_known; // by the first coordinate of the source
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_SOURCE_DIRECTIONS_H

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_UNFOLDED_FACES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_UNFOLDED_FACES_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The shapes of the input faces, for rays that are unfolded from face to face, and the vertices that shortest paths may
+ * pass; each is computed when it is first asked for.
+ *
+ * A search passes a small part of a mesh, whose halfedges may be numbered in any order. So the sides of the faces that it
+ * passes are numbered anew, three by three, in the order in which they are laid out; what a search keeps for a halfedge,
+ * it keeps under this number, and finds it near to what it needs with it.
+ *
+ * Lengths and directions of sides are given, and no coordinates of corners: differences of coordinates would lose the
+ * direction of a side that is short beside the others.
+ */
+template <class Triangulation>
+class Unfolded_faces
+{
+public:
+  using Number = double;
+  using Vector = std::complex<double>;
+
+  /* A halfedge, and the angle at its tail in the face on its left. */
+  struct Side
+  {
+    double length, cosine, sine;
+    Input_halfedge_index halfedge;
+    Vertex_index tail;
+    Index twin = -1; // the number of the other halfedge of the edge, if its face has been laid out
+  };
+
+  /* A direction from a vertex: an angle on from a halfedge that leaves it, in the face on the left. */
+  struct Direction
+  {
+    Input_halfedge_index halfedge;
+    double angle;
+  };
+
+  explicit Unfolded_faces(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+    , m_number(static_cast<std::size_t>(triangulation.number_of_halfedges()))
+    , m_shapes(static_cast<std::size_t>(triangulation.number_of_vertices()))
+  {
+  }
+
+  /* The number of h as a side. \pre h is not on the border
+   * \throws Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error */
+  Index number(Input_halfedge_index h)
+  {
+    if(m_number[h] == 0)
+      lay_out(h);
+    return m_number[h] - 1;
+  }
+
+  /* The same where the face has been laid out, otherwise -1; also for the other halfedge of the edge. */
+  Index known_number(Input_halfedge_index h) const { return m_number[h] - 1; }
+  Index known_twin(Index side) const { return (*this)[side].twin; }
+
+  const Side& operator[](Index side) const { return m_sides[static_cast<std::size_t>(side)]; }
+  static Index next(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Index previous(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
+  /* One more than the largest number. */
+  std::size_t size() const { return m_sides.size(); }
+
+  /* The corner opposite to a side that runs from 0 to its length on the real axis. */
+  Vector apex(Index side) const
+  {
+    const Side& s = (*this)[side];
+    return (*this)[previous(side)].length * Vector(s.cosine, s.sine);
+  }
+
+  double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
+
+  /*
+   * May a shortest path pass the vertex? Only on the border and where the angles add up to more than 2 pi; where they
+   * nearly do, it counts as if they did.
+   */
+  bool is_passable(Vertex_index v) { return shape(v) != CONVEX; }
+
+  /* Do the angles nearly add up to 2 pi? */
+  bool is_flat(Vertex_index v) { return shape(v) == FLAT; }
+
+  /* From a vertex to the nearest edge opposite to it. */
+  double nearest_edge(Vertex_index v)
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index first = input.outgoing(v);
+    double nearest = std::numeric_limits<double>::infinity();
+    Input_halfedge_index h = first;
+    do {
+      if(!input.is_border(h))
+        nearest = (std::min)(nearest, apex(next(number(h))).imag());
+      h = input.next(twin_index(h));
+    } while(h != first);
+    return nearest;
+  }
+
+  /* The smaller angle between two directions from a vertex, zero if it is less than a tolerance. */
+  double angle_between(const Direction& a, const Direction& b, double tolerance)
+  {
+    const double angle = (std::min)(turn(a, b, tolerance), turn(b, a, tolerance));
+    return angle < tolerance ? 0 : angle;
+  }
+
+private:
+  // The angle from one direction on to another; infinite if the border lies between them.
+  double turn(const Direction& a, const Direction& b, double tolerance)
+  {
+    double angle = -a.angle;
+    for(Input_halfedge_index h = a.halfedge; h != b.halfedge || angle + b.angle < -tolerance;) {
+      if(m_triangulation.input().is_border(h))
+        return std::numeric_limits<double>::infinity();
+      const Index side = number(h);
+      angle += std::atan2((*this)[side].sine, (*this)[side].cosine);
+      h = twin_index((*this)[previous(side)].halfedge);
+      if(h == a.halfedge && h != b.halfedge) // faces about the vertex that meet these at the vertex alone
+        return std::numeric_limits<double>::infinity();
+    }
+    return angle + b.angle;
+  }
+
+  enum Shape : char { UNKNOWN, CONVEX, FLAT, OTHER };
+
+  Shape shape(Vertex_index v)
+  {
+    Shape& known = m_shapes[v];
+    if(known == UNKNOWN)
+      known = compute_shape(v);
+    return known;
+  }
+
+  void lay_out(Input_halfedge_index h)
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index hn = input.next(h), hp = input.next(hn);
+    const auto vectors = input_face_geometry(m_triangulation, h);
+    const Vector a(vectors[0].x, vectors[0].y), b(vectors[1].x, vectors[1].y), c(vectors[2].x, vectors[2].y);
+    const double la = a.real(), lb = std::sqrt(std::norm(b)), lc = std::sqrt(std::norm(c));
+    // Of a face without area, too, each angle is turned by, and light passes it.
+    const double height = (std::max)(b.imag(), least_face_height * la);
+    add({la, -c.real() / lc, height / lc, h, input.tail(h)});
+    add({lb, -b.real() / lb, height / lb, hn, input.tail(hn)});
+    // The sine of a small angle would not survive a product of the vectors.
+    const double product = b.real() * c.real() + b.imag() * c.imag();
+    add({lc, -product / (lb * lc), la * height / (lb * lc), hp, input.tail(hp)});
+  }
+
+  void add(const Side& side)
+  {
+    const Index number = static_cast<Index>(m_sides.size()), twin = known_number(twin_index(side.halfedge));
+    m_sides.push_back(side);
+    m_sides.back().twin = twin;
+    if(twin >= 0)
+      m_sides[static_cast<std::size_t>(twin)].twin = number;
+    m_number[side.halfedge] = number + 1;
+  }
+
+  // Turns by the angles, and counts the half turns.
+  Shape compute_shape(Vertex_index v)
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index first = input.outgoing(v);
+    Vector direction(1, 0);
+    int half_turns = 0;
+    Input_halfedge_index h = first;
+    do {
+      if(input.is_border(h))
+        return OTHER;
+      const Index s = number(h);
+      const bool was_left = direction.imag() >= 0;
+      direction *= Vector((*this)[s].cosine, (*this)[s].sine);
+      half_turns += was_left == (direction.imag() >= 0) ? 0 : 1;
+      h = twin_index((*this)[previous(s)].halfedge);
+    } while(h != first);
+    if(direction.real() > 0 && std::abs(direction.imag()) < full_turn_tolerance && (half_turns == 1 || half_turns == 2))
+      return FLAT;
+    return half_turns < 2 ? CONVEX : OTHER;
+  }
+
+  const Triangulation& m_triangulation;
+  Indexed_by<Input_halfedge_index, Lazy_array<Index>> m_number; // and 1, of the sides that are laid out
+  std::vector<Side> m_sides;
+  Indexed_by<Vertex_index, Lazy_array<Shape>> m_shapes;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_UNFOLDED_FACES_H

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
+
+#include <CGAL/Flip_geodesics/internal/distances/Edge_windows.h>
+#include <CGAL/Flip_geodesics/internal/distances/Face_sides.h>
+#include <CGAL/Flip_geodesics/internal/distances/Field_state.h>
+#include <CGAL/Flip_geodesics/internal/distances/Last_leg.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
+#include <CGAL/Flip_geodesics/internal/distances/Source_part.h>
+#include <CGAL/Flip_geodesics/internal/distances/Team.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_fan.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Distances on the input mesh from vertices and from straight lines in faces, exact up to rounding: windows of rays are
+ * carried from face to face [MMP87]. An edge carries on all that wait on it when the nearest is due, and keeps the lower
+ * envelope of what has come to it; so few windows are made twice, and the queue holds edges and vertices only.
+ *
+ * This is done in rounds: what is due not much later than the first comes at once. It does not matter for the distances
+ * in what order windows are carried on. In each round first the faces are crossed, from all edges and vertices; then what
+ * has crossed them is put on the edges that it comes to. So threads can share both halves, the edges that are left
+ * and those that are entered; the results are the same for each number of threads, since one thread has the same rounds,
+ * and what comes to an edge is put there in the same order.
+ */
+template <class Triangulation>
+class Window_propagation
+{
+  using State = Field_state<Triangulation>;
+  using Worker = Round_worker<Triangulation>;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t most_on_an_edge = 5000; // windows
+
+public:
+  /* \param keeps_windows if not, windows are given back once the front has passed them */
+  Window_propagation(const Triangulation& triangulation, bool keeps_windows)
+    : m_triangulation(triangulation)
+    , m_keeps_windows(keeps_windows)
+    , m_state(std::make_unique<State>(triangulation))
+    , m_items(std::make_unique<Round_items>())
+  {
+    make_workers(1);
+  }
+
+  /* Makes a vertex a source. */
+  void add_vertex(Vertex_index v, double offset, std::size_t source)
+  {
+    if(m_state->is_shorter(v, offset))
+      accept(v, {offset, Window(), null_index, null_index, v.idx(), true, true, source}, 0);
+  }
+
+  /* Makes a line in a face a source, apart from ends that are vertices. */
+  void add_part(const Source_part& part)
+  {
+    const Index root = m_triangulation.input().number_of_vertices() + static_cast<Index>(m_parts.size());
+    m_parts.push_back(part);
+    Input_halfedge_index h = part.halfedge;
+    std::array<Face_weights, 2> ends = part.ends;
+    int side = 0;
+    for(Face_weights corner = {{1, 0, 0}}; h != null_index;) {
+      const Vertex_index v = m_state->sides(h).tail;
+      const double distance = part.distance(m_state->sides(part.halfedge), corner);
+      if(m_state->is_shorter(v, distance))
+        accept(v, {distance, Window(), null_index, null_index, root, true, false, 0}, 0);
+      Window w = Source_part::window(m_state->sides(h), ends[0], ends[1], part.offset);
+      w.root = root;
+      const double due = w.from < w.to ? m_workers.front()->put_beyond(h, w) : infinity;
+      note_waiting(State::edge_of(h), due, static_cast<std::uint32_t>(Bearing::spread(side++, 3)));
+      h = m_state->sides(h).next == part.halfedge ? Input_halfedge_index(null_index) : m_state->sides(h).next;
+      ends = {{rotated(ends[0]), rotated(ends[1])}};
+      corner = {{corner[2], corner[0], corner[1]}};
+    }
+  }
+
+  /* Goes on until all paths shorter than `bound` are known, or there are more than `most_windows`, or it is interrupted
+   * before a round, from the calling thread. If it throws, what was known still is, and it can be called again. */
+  template <class ConcurrencyTag = Sequential_tag>
+  void run(double bound, std::size_t most_windows, Interruption* interruption = nullptr)
+  {
+    Team<Sequential_tag> alone;
+    Team<ConcurrencyTag> team;
+    make_workers(team.most_members());
+    if(m_workers.size() > 1)
+      m_state->sides.share();
+    while(!is_given_up(most_windows) && reach() < bound && !is_interrupted_before_part(interruption)) {
+      if(m_is_populated)
+        take_round(team, bound);
+      else
+        take_round(alone, bound); // threads that ask for memory disturb each other
+      populate();
+    }
+  }
+
+  /* All paths that are shorter than this are known. */
+  double reach() const { return (std::min)(m_vertex_queue.least(), m_edge_queue.least()); }
+
+  bool is_reached(Vertex_index v) const { return m_state->is_reached(v); }
+  double distance(Vertex_index v) const { return m_state->distance(v); }
+  const Vertex_record& vertex(Vertex_index v) const { return m_state->vertices[v]; }
+  /* \pre it comes from a vertex, and is none that was made a source */
+  Last_leg last_leg(Vertex_index v) const
+  {
+    double angle = 0;
+    const Vertex_record& record = vertex(v);
+    const Input_halfedge_index h = Vertex_fan<Triangulation>(m_triangulation).first_halfedge(sides(), v, record, angle);
+    const Vertex_index from(record.root);
+    if(record.along != null_index)
+      return {from, h, 0, m_triangulation.metric().length(m_triangulation.input(), record.along)};
+    const Face_side& f = sides().known(record.through);
+    return {from, h, -angle, std::hypot(f.x - record.window.x, f.y + record.window.y)};
+  }
+  /* The source from which paths come to a root, a vertex or a part of a source: the one at which they end. */
+  std::size_t source(Index root) const
+  {
+    const Index n = m_triangulation.input().number_of_vertices();
+    while(root < n && !vertex(Vertex_index(root)).is_source)
+      root = vertex(Vertex_index(root)).root;
+    return root < n ? vertex(Vertex_index(root)).source : m_parts[static_cast<std::size_t>(root - n)].source;
+  }
+  const std::vector<Source_part>& parts() const { return m_parts; }
+  const Face_sides<Triangulation>& sides() const { return m_state->sides; }
+  const Edge_windows& windows() const { return m_state->windows; }
+  std::size_t number_of_windows() const { return sum(&Window_inserter::number_made); }
+  /* Of how many windows there is room. */
+  std::size_t capacity() const { return sum(&Window_inserter::capacity); }
+  /* Were there faces so flat that rays can have been lost in them? */
+  bool has_flat_face() const
+  {
+    return std::any_of(m_workers.begin(), m_workers.end(), [](const auto& w) { return w->has_flat_face(); });
+  }
+
+  /* Can rounding errors have changed the distance of a vertex that is known by more than 1e-10 of it? */
+  bool has_inaccurate_distance() const { return m_has_inaccurate_distance; }
+
+  /* Are there too many windows? Or so many on one edge that rays go round and round vertices that faces without area put
+   * into one place? They would for as long as roundings let them. Other edges may have as many, but not on the average
+   * over all windows. */
+  bool is_given_up(std::size_t most_windows) const
+  {
+    const auto is_crowded = [](const auto& w) { return w->inserter().most_on_an_edge() > most_on_an_edge; };
+    const std::size_t made = number_of_windows();
+    return made > most_windows || sum(&Window_inserter::number_passed) / most_on_an_edge > made ||
+           (has_flat_face() && std::any_of(m_workers.begin(), m_workers.end(), is_crowded));
+  }
+
+private:
+  std::size_t sum(std::size_t (Window_inserter::*number)() const) const
+  {
+    std::size_t result = 0;
+    for(const auto& worker : m_workers)
+      result += (worker->inserter().*number)();
+    return result;
+  }
+
+  void make_workers(std::size_t number)
+  {
+    while(m_workers.size() < number)
+      m_workers.push_back(std::make_unique<Worker>(*m_state, *m_items, m_keeps_windows));
+  }
+
+  void accept(Vertex_index v, const Vertex_record& record, std::uint32_t bearing)
+  {
+    m_vertex_queue.push({record.distance, v.idx(), bearing});
+    m_number_reached += is_reached(v) ? 0 : 1;
+    m_state->vertices[v] = record;
+  }
+
+  void note_waiting(Index edge, double due, std::uint32_t bearing)
+  {
+    Noted noted;
+    Array_part<Noted> all{&noted, &noted};
+    m_state->note_waiting(edge, due, Bearing{bearing}, all);
+    push(all);
+  }
+
+  void push(const Array_part<Noted>& noted)
+  {
+    for(const Noted& e : noted)
+      m_edge_queue.push(e);
+  }
+
+  template <class Team>
+  void take_round(Team& team, double bound)
+  {
+    begin_round(bound, team.most_members());
+    try {
+      team.for_each(m_items->numbers(), [this](std::size_t k, std::size_t i) { m_workers[k]->leave(m_round, i); });
+      make_room();
+      note_accuracy();
+      accept_vertices();
+      team.for_each(m_items->numbers(), [this](std::size_t k, std::size_t i) { m_workers[k]->enter(m_round, i); });
+    } catch(...) {
+      give_up_round();
+      throw;
+    }
+    end_round();
+    give_back_passed();
+  }
+
+  // Takes what is due out of the queues: the first, and what is due not much later. If it throws, nothing is taken out.
+  void begin_round(double bound, std::size_t members)
+  {
+    const double first = reach();
+    const double last = first + m_step < bound ? first + m_step : std::nextafter(bound, 0);
+    m_items->clear(m_vertex_queue.look_ahead(last, m_step) + m_edge_queue.look_ahead(last, m_step));
+    ++m_round;
+    m_vertex_queue.take(last, [this](const Noted& e) { m_items->add(e); });
+    const std::size_t number_of_vertices = m_items->size();
+    m_edge_queue.take(last, [this](const Noted& e) { m_items->add(e); });
+    m_items->deal(members, number_of_vertices);
+  }
+
+  // In the queues, for all that the round can put there, or put back.
+  void make_room()
+  {
+    std::size_t most = 0;
+    for(const auto& worker : m_workers)
+      most += worker->most_entries(m_round);
+    m_vertex_queue.reserve(most);
+    m_edge_queue.reserve(most);
+    m_passing.reserve(most);
+  }
+
+  /*
+   * Notes whether distances that are final now are accurate. Windows have crossed at most one face a round. Their source
+   * lies in the frame of an edge no farther than the path is long, and the edge; each face moves it by the part
+   * `Window::step_error` of that and of the edge. A window that is lost to these errors passes a vertex within them, and
+   * paths by way of the vertex are hardly longer. So the sum bounds the error of all distances up to the longest of the
+   * round.
+   */
+  void note_accuracy()
+  {
+    double shortest = infinity;
+    for(const std::size_t i : m_items->places())
+      if(const Round_item& item = (*m_items)[i]; !item.is_vertex)
+        m_longest_edge = (std::max)(m_longest_edge, item.leaving->length);
+      else if(item.due.key > 0)
+        shortest = (std::min)(shortest, item.due.key);
+    const double part = Window::step_error * static_cast<double>(m_round);
+    if(shortest < infinity && part * (shortest + 2 * m_longest_edge) > accurate_distance * shortest)
+      m_has_inaccurate_distance = true;
+  }
+
+  // Puts the lengths of paths on the vertices where they end.
+  void accept_vertices()
+  {
+    for(const std::size_t i : m_items->places())
+      if(const Round_item& item = (*m_items)[i]; item.may_reach) {
+        if(item.is_vertex)
+          accept_along(item.due, *item.starting);
+        else
+          accept_across(item.due, *item.leaving);
+      }
+  }
+
+  void accept_along(const Noted& e, const Starting& s)
+  {
+    for(const Edge_path& p : s.paths)
+      if(m_state->is_shorter(p.head, p.distance))
+        accept(p.head, {p.distance, Window(), null_index, p.along, e.id, true, false, 0}, Bearing::of(e));
+  }
+
+  void accept_across(const Noted& e, const Leaving& l)
+  {
+    for(const Face_crossing& c : l.crossings)
+      if(c.is_shorter && m_state->is_shorter(c.apex, c.distance)) {
+        const Window& w = c.nearest->window;
+        accept(c.apex, {c.distance, w, c.halfedge, null_index, w.root, true, false, 0}, Bearing::of(e));
+      }
+  }
+
+  // Puts back what a round has taken, to be dealt with once more, and notes what has come of it.
+  void give_up_round()
+  {
+    for(const std::size_t i : m_items->places()) {
+      const Round_item& item = (*m_items)[i];
+      if(item.is_vertex) {
+        if(item.starting != nullptr)
+          push(item.starting->noted);
+        m_vertex_queue.push(item.due);
+      } else if(item.leaving != nullptr) {
+        give_up(*item.leaving, item.due);
+      } else {
+        m_edge_queue.push(item.due);
+      }
+    }
+  }
+
+  void give_up(const Leaving& l, const Noted& e)
+  {
+    push(l.noted);
+    if(l.passed < infinity)
+      m_passing.push({l.passed, e.id, 0});
+    if(!(l.length > 0)) // was not waiting
+      return;
+    double due = infinity;
+    for(Window& w : m_state->windows.on_edge(e.id))
+      if(w.state == Window_state::CROSSING) {
+        w.state = Window_state::WAITING;
+        due = (std::min)(due, w.least_distance());
+      }
+    note_waiting(e.id, due, Bearing::of(e));
+  }
+
+  void end_round()
+  {
+    double inverse_lengths = 0;
+    std::size_t number = 0;
+    for(const std::size_t i : m_items->places())
+      if(const Round_item& item = (*m_items)[i]; item.is_vertex) {
+        push(item.starting->noted);
+      } else if(item.leaving->length > 0) {
+        push(item.leaving->noted);
+        ++number;
+        inverse_lengths += 1 / item.leaving->length;
+        if(item.leaving->passed < infinity)
+          m_passing.push({item.leaving->passed, item.due.id, 0});
+      }
+    if(number > 0)
+      m_step = static_cast<double>(number) / inverse_lengths / 4; // longer ones waste windows
+  }
+
+  void give_back_passed()
+  {
+    const auto has_less_spare = [](const auto& a, const auto& b) {
+      return a->inserter().spare() < b->inserter().spare();
+    };
+    const auto clear = [&](const Noted& e) {
+      (*std::min_element(m_workers.begin(), m_workers.end(), has_less_spare))->inserter().clear(m_state->windows, e.id);
+    };
+    const double last = std::nextafter(reach(), 0);
+    m_passing.look_ahead(last, m_step);
+    m_passing.take(last, clear);
+  }
+
+  // Asks for memory for all the mesh, once a part of it has been reached.
+  void populate()
+  {
+    constexpr std::size_t part = 32;
+    if(m_is_populated || m_number_reached < m_state->vertices.size() / part)
+      return;
+    m_is_populated = true;
+    m_state->populate();
+  }
+
+  const Triangulation& m_triangulation;
+  bool m_keeps_windows;
+  std::unique_ptr<State> m_state;
+  std::unique_ptr<Round_items> m_items;
+  std::vector<Source_part> m_parts;
+  Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by when the nearest window is due
+  Round_queue m_passing;                    // edges, by when the front has passed them
+  std::vector<std::unique_ptr<Worker>> m_workers;
+  std::size_t m_number_reached = 0; // vertices
+  bool m_is_populated = false;      // has memory been asked for for all the mesh?
+  double m_longest_edge = 0;        // of those that windows have crossed
+  bool m_has_inaccurate_distance = false;
+  // Of the round:
+  double m_step = 0; // how much later than the first what is due is taken, too
+  std::uint32_t m_round = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_INPUT_FACES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_INPUT_FACES_H
+
+#include <CGAL/Flip_geodesics/internal/numbers/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Faces of the input mesh, laid out one by one in plain doubles. */
+template <class Triangulation>
+class Input_faces
+{
+public:
+  explicit Input_faces(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  bool has_halfedge(Input_halfedge_index h) const
+  {
+    return h.is_valid() && h.idx() < m_triangulation.input().number_of_halfedges();
+  }
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+  Input_halfedge_index previous(Input_halfedge_index h) const { return m_triangulation.input().previous(h); }
+  Vertex_index tail(Input_halfedge_index h) const { return m_triangulation.input().tail(h); }
+  Vertex_index head(Input_halfedge_index h) const { return tail(twin_index(h)); }
+  Vertex_index apex(Input_halfedge_index h) const { return head(next(h)); }
+  bool is_border(Input_halfedge_index h) const { return m_triangulation.input().is_border(h); }
+  double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
+
+  /* \pre the face exists on this side; it need not be a triangle */
+  Input_halfedge_index clockwise(Input_halfedge_index h) const { return next(twin_index(h)); }
+  Input_halfedge_index counterclockwise(Input_halfedge_index h) const { return twin_index(previous(h)); }
+
+  /* The third corner of the face of h, which has to be a triangle, where h leads from 0 to 1 in the complex plane. */
+  Plane_vector corner(Input_halfedge_index h) const
+  {
+    if constexpr(std::is_same<typename Triangulation::Metric::Place, std::array<double, 3>>::value) {
+      check_triangle(m_triangulation.input(), h);
+      return corner(place(tail(h)), place(head(h)), place(apex(h)));
+    } else {
+      const auto face = input_face_geometry(m_triangulation, h);
+      return {-face[2].x / face[0].x, -face[2].y / face[0].x};
+    }
+  }
+
+private:
+  auto place(Vertex_index v) const { return m_triangulation.metric().place(m_triangulation.input(), v); }
+
+  static Plane_vector corner(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                             const std::array<double, 3>& r)
+  {
+    const double x = q[0] - p[0], y = q[1] - p[1], z = q[2] - p[2];
+    const double u = r[0] - p[0], v = r[1] - p[1], w = r[2] - p[2];
+    const double a = unfused(y * w) - unfused(z * v), b = unfused(z * u) - unfused(x * w),
+                 c = unfused(x * v) - unfused(y * u);
+    const double scale = 1 / (unfused(x * x) + unfused(y * y) + unfused(z * z));
+    return {(unfused(x * u) + unfused(y * v) + unfused(z * w)) * scale,
+            std::sqrt(unfused(a * a) + unfused(b * b) + unfused(c * c)) * scale};
+  }
+
+  const Triangulation& m_triangulation;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_INPUT_FACES_H

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_LEG_DRAWER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_LEG_DRAWER_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Followed_arcs.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Network_place.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Lifts the curves of a network from the edges' labels, for as long as it lives. The network is not used meanwhile. */
+template <class Network>
+class Lifted_labels
+{
+  using Triangulation = typename Network::Triangulation;
+
+public:
+  explicit Lifted_labels(Network& network)
+    : m_triangulation(network.triangulation())
+  {
+    for(Curve_index c : network.curves())
+      network.for_each_segment(c, [&](Segment_index s) { lift(Triangulation::edge(network.halfedge(s))); });
+  }
+  Lifted_labels(const Lifted_labels&) = delete;
+  Lifted_labels& operator=(const Lifted_labels&) = delete;
+  ~Lifted_labels()
+  {
+    for(const auto& [e, label] : m_labels)
+      m_triangulation.set_label(e, label);
+  }
+
+private:
+  void lift(Edge_index e)
+  {
+    if(m_triangulation.label(e) == 0)
+      return;
+    m_labels.push_back({e, m_triangulation.label(e)});
+    m_triangulation.set_label(e, 0);
+  }
+
+  Triangulation& m_triangulation;
+  std::vector<std::pair<Edge_index, Index>> m_labels;
+};
+
+/*
+ * Makes geodesics between vertices edges of a triangulation that serves them all. Each is pulled tight by itself, as if
+ * there were no other curves, from a path of edges. So it passes the ends of the others on the sides on which a geodesic
+ * does, and not as the path does. A geodesic that crosses a curve of the network is left out for its path: whether the
+ * curves cross, or can be pulled off each other, is up to `order_overlapping_curves()`.
+ */
+template <class Network>
+class Leg_drawer
+{
+  using Triangulation = typename Network::Triangulation;
+  using Chain = std::vector<Halfedge_index>;
+
+public:
+  explicit Leg_drawer(Network& network)
+    : m_network(network)
+    , m_triangulation(network.triangulation())
+    , m_arcs(m_triangulation)
+  {
+  }
+
+  /* A chain along the geodesics to which the paths, one after the other, are pulled tight. */
+  Chain operator()(const std::vector<Chain>& paths)
+  {
+    for(const Chain& path : paths)
+      for(const Followed_arc& arc : arcs_of_leg(path))
+        m_arcs.add(arc);
+    Chain result;
+    for(std::size_t i = 0; i < m_arcs.size(); ++i)
+      draw(i, result);
+    return result;
+  }
+
+private:
+  std::vector<Followed_arc> arcs_of_leg(const Chain& path)
+  {
+    const auto before = m_triangulation.log_position();
+    Followed_arcs<Triangulation> arcs(m_triangulation);
+    {
+      const Lifted_labels<Network> lifted(m_network);
+      try {
+        for(Halfedge_index h : pulled_tight(path))
+          arcs.add({h, {}});
+        arcs.roll_back(before);
+      } catch(...) {
+        m_triangulation.rollback(before);
+        throw;
+      }
+    }
+    std::vector<Followed_arc> result;
+    for(std::size_t i = 0; i < arcs.size(); ++i)
+      result.push_back(arcs[i]);
+    if(std::all_of(result.begin(), result.end(), [this](const Followed_arc& arc) { return is_free(arc); }))
+      return result;
+    result.clear();
+    for(Halfedge_index h : path)
+      result.push_back({h, {}});
+    return result;
+  }
+
+  Chain pulled_tight(const Chain& path)
+  {
+    Edge_path_network<Triangulation> network(m_triangulation, Beside_lifted_network());
+    const Curve_index curve = network.add_curve(path, false);
+    shorten(network);
+    return network.halfedges(curve);
+  }
+
+  bool is_free(const Followed_arc& arc) const
+  {
+    return std::none_of(arc.crossed.begin(), arc.crossed.end(), [this](Halfedge_index h) { return is_occupied(h); });
+  }
+
+  bool is_occupied(Halfedge_index h) const
+  {
+    return m_network.is_occupied(h) || m_drawn.count(Triangulation::edge(h)) != 0;
+  }
+
+  // Arcs of a geodesic are straight, and the strip that is crossed holds the segment.
+  void draw(std::size_t i, Chain& chain)
+  {
+    const Followed_arc arc = m_arcs[i];
+    Chain edges(1, arc.along);
+    if(!arc.crossed.empty()) {
+      for(Halfedge_index h : arc.crossed)
+        check_is_free(h);
+      edges = left_side_of_strip(m_triangulation, arc.crossed);
+      straighten_on_the_right(m_triangulation, edges, [this](Halfedge_index h) {
+        check_is_free(h);
+        m_arcs.follow(h, [&] { m_triangulation.flip(h); });
+      });
+    }
+    for(Halfedge_index h : edges)
+      m_drawn.insert(Triangulation::edge(h));
+    chain.insert(chain.end(), edges.begin(), edges.end());
+  }
+
+  void check_is_free(Halfedge_index h) const
+  {
+    if(!is_occupied(h))
+      return;
+    const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
+    throw Crossing_curves_error("a geodesic of a curve through points crosses a curve between vertex " +
+                                    std::to_string(v.idx()) + " and vertex " + std::to_string(w.idx()),
+                                {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+  }
+
+  Network& m_network;
+  Triangulation& m_triangulation;
+  Followed_arcs<Triangulation> m_arcs;
+  std::set<Edge_index> m_drawn; // by this drawer
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_LEG_DRAWER_H

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A segment of a curve that is given by places: its word, and which of them are its crossed edges. */
+struct Segment_of_places
+{
+  Crossing_word word;
+  std::size_t start = 0;         // the number of the place where it starts; crossed edges follow
+  std::vector<bool> is_as_given; // or is the other side of the edge in the word?
+};
+
+/* Makes words of ends and crossed edges, whatever sides of them are given, and refuses what does not lead on. Each place
+ * has a number, which errors tell. */
+template <class Triangulation>
+class Words_of_places
+{
+  using Places = Places_on_input<Triangulation>;
+
+public:
+  explicit Words_of_places(const Places& places)
+    : m_places(places)
+  {
+  }
+
+  /* Ends a segment, unless it is the first, and starts one. */
+  void pass(Vertex_index v, std::size_t number)
+  {
+    if(m_is_started)
+      arrive(v, number);
+    m_segment = {};
+    m_segment.word.tail = v;
+    m_segment.start = number;
+    m_is_started = true;
+  }
+
+  /* Crosses an edge; h is valid. */
+  void cross(Input_halfedge_index h, std::size_t number)
+  {
+    const auto& input = m_places.input();
+    if(input.is_border(h) || input.is_border(twin_index(h)))
+      refuse(number, "is a crossed edge on the border");
+    std::vector<Input_halfedge_index>& crossed = m_segment.word.crossed;
+    const bool is_as_given = leads_on_through(h);
+    h = is_as_given ? h : twin_index(h);
+    if(!is_as_given && !leads_on_through(h))
+      refuse(number, crossed.empty() ? "is a crossed edge that is not opposite to the place before"
+                                     : "is a crossed edge that is not in the face behind the one before");
+    for(Input_halfedge_index side : {h, twin_index(h)})
+      check_triangle(input, side);
+    crossed.push_back(h);
+    m_segment.is_as_given.push_back(is_as_given);
+  }
+
+  /* Ends a segment. */
+  void arrive(Vertex_index v, std::size_t number)
+  {
+    Crossing_word& word = m_segment.word;
+    word.head = v;
+    if(word.crossed.empty())
+      find_common_face(number);
+    else if(!is_opposite_vertex(m_places, v, twin_index(word.crossed.back())))
+      refuse(number, "is not opposite to the crossed edge before");
+    m_segments.push_back(m_segment);
+  }
+
+  const std::vector<Segment_of_places>& segments() const { return m_segments; }
+
+private:
+  [[noreturn]] static void refuse(std::size_t number, const std::string& what)
+  {
+    throw Invalid_curve_error("place " + std::to_string(number) + " of the curve " + what, {number});
+  }
+
+  bool leads_on_through(Input_halfedge_index h) const
+  {
+    const Crossing_word& word = m_segment.word;
+    if(word.crossed.empty())
+      return is_opposite_vertex(m_places, word.tail, h);
+    const Input_halfedge_index entered = twin_index(word.crossed.back());
+    return h == m_places.input().next(entered) || h == m_places.input().next(m_places.input().next(entered));
+  }
+
+  // Nothing is crossed: both ends are on one edge, or else in one face.
+  void find_common_face(std::size_t number)
+  {
+    Crossing_word& word = m_segment.word;
+    if(are_same(word.tail, word.head))
+      refuse(number, "is the same as the one before");
+    for(Input_halfedge_index h : edges_at(word.tail))
+      if(is_on_halfedge(m_places, word.head, twin_index(h)) && leads_along(h)) {
+        word.along = h;
+        return;
+      }
+    for(Input_halfedge_index h : edges_at(word.tail))
+      if(!m_places.input().is_border(h) && is_in_face(m_places, word.head, h)) {
+        check_triangle(m_places.input(), h);
+        word.face = h;
+        return;
+      }
+    refuse(number, "is in no face with the one before, and no edge is crossed in between");
+  }
+
+  // A halfedge of each face that has a place; of one on an edge both sides, of a vertex those that start there.
+  std::vector<Input_halfedge_index> edges_at(Vertex_index v) const
+  {
+    const auto& input = m_places.input();
+    if(m_places.is_inserted(v)) {
+      const Input_halfedge_index h = m_places.location(v).halfedge;
+      return vertex_kind(m_places, v) == Location_kind::FACE ? std::vector<Input_halfedge_index>{h}
+                                                             : std::vector<Input_halfedge_index>{h, twin_index(h)};
+    }
+    std::vector<Input_halfedge_index> result;
+    Input_halfedge_index h = input.outgoing(v);
+    do {
+      result.push_back(h);
+      h = input.next(twin_index(h)); // along the border, too
+    } while(h != result.front());
+    return result;
+  }
+
+  // Does h lead from the tail to the head, both of which are on its edge?
+  bool leads_along(Input_halfedge_index h) const
+  {
+    const Crossing_word& word = m_segment.word;
+    if(m_places.is_inserted(word.tail) && vertex_kind(m_places, word.tail) == Location_kind::FACE)
+      return false;
+    if(!m_places.is_inserted(word.tail) || !m_places.is_inserted(word.head))
+      return true;
+    const auto a = integer_weights(vertex_weights(m_places, word.tail, h));
+    const auto b = integer_weights(vertex_weights(m_places, word.head, h));
+    return a[1] * b[0] < b[1] * a[0];
+  }
+
+  // Of two places, inside of one face or edge, by their exact weights.
+  bool are_same(Vertex_index v, Vertex_index w) const
+  {
+    if(v == w || !m_places.is_inserted(v) || !m_places.is_inserted(w))
+      return v == w;
+    const Surface_location& p = m_places.location(v);
+    const Surface_location& q = m_places.location(w);
+    if(p.halfedge != q.halfedge || kind(p) != kind(q))
+      return false;
+    const auto a = integer_weights(p.weights), b = integer_weights(q.weights);
+    return a[0] * b[1] == a[1] * b[0] && a[0] * b[2] == a[2] * b[0];
+  }
+
+  const Places& m_places;
+  Segment_of_places m_segment;
+  bool m_is_started = false;
+  std::vector<Segment_of_places> m_segments;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H

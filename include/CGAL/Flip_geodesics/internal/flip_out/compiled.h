@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPILED_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPILED_H
+
+/*
+ * CGAL_FLIP_GEODESICS_COMPILED is defined by linking to CGAL::Flip_geodesics_compiled. Then headers of one-call functions
+ * declare what these call and do not define it, which costs a third of the time of a compiler. The library has the
+ * instances that most programs need. For others a source defines CGAL_FLIP_GEODESICS_HEADER_ONLY, and makes them itself.
+ */
+#if defined(CGAL_FLIP_GEODESICS_COMPILED) && !defined(CGAL_FLIP_GEODESICS_HEADER_ONLY)
+#define CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY
+#endif
+
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
+
+#include <type_traits>
+
+namespace CGAL {
+
+class Epick;
+
+namespace Flip_geodesics {
+namespace internal {
+namespace compiled {
+
+template <class TriangleMesh>
+constexpr bool is_known_mesh = false;
+template <class K>
+constexpr bool is_known_mesh<Surface_mesh<Point_3<K>>> =
+    std::is_same<K, Simple_cartesian<double>>::value || std::is_same<K, Epick>::value;
+
+/* Complete where definitions are included, by whatever header. */
+template <class TriangleMesh>
+struct Definitions;
+
+template <class TriangleMesh, class = void>
+constexpr bool are_defined = false;
+template <class TriangleMesh>
+constexpr bool are_defined<TriangleMesh, std::void_t<decltype(sizeof(Definitions<TriangleMesh>))>> = true;
+
+/* Ends the compilation, and not the linking, if there is neither a definition nor an instance. */
+template <class TriangleMesh, class StopPredicate, class NamedParameters>
+constexpr void check_instance()
+{
+  constexpr bool is_in_library = is_known_mesh<TriangleMesh> &&
+                                 std::is_same<StopPredicate, Never_stop_predicate>::value &&
+                                 std::is_same<NamedParameters, parameters::Default_named_parameters>::value;
+  static_assert(is_in_library || are_defined<TriangleMesh>,
+                "the compiled library has no instance for this mesh, or none with options: define "
+                "CGAL_FLIP_GEODESICS_HEADER_ONLY before the first header of the package is included");
+}
+
+} // namespace compiled
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPILED_H

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
+
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_options.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The values that a computation gives for an output iterator, and its report. */
+template <class Value, class Report = Shortening_report>
+struct Computed_output
+{
+  std::vector<Value> values;
+  Report report;
+};
+
+/* Writes what was computed, which is final: an attempt that was repeated on the contracted surface leaves nothing in the
+ * output. Returns a `Result`, the end of the output and the report. */
+template <class Result, class Computed, class OutputIterator>
+Result write_computed(Computed&& computed, OutputIterator out)
+{
+  return Result{std::move(computed.values.begin(), computed.values.end(), out), std::move(computed.report)};
+}
+
+/* A copy of a range of vertices of the mesh. */
+template <class TriangleMesh>
+using Vertices_of = std::vector<Vertex_in<TriangleMesh>>;
+
+template <class TriangleMesh, class VertexRange>
+Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRange& vertices)
+{
+  static_assert(is_range_of<VertexRange, Vertex_in<TriangleMesh>>, "the curve is no range of vertices of the mesh");
+  Vertices_of<TriangleMesh> result;
+  for(const auto& v : vertices)
+    result.push_back(v);
+  return result;
+}
+
+/*
+ * The computations of the functions of `geodesic_curves.h`, which then write the output. They are not inline, and depend
+ * on the form of the output alone, so that the compiled library can have instances of them; see
+ * `internal/flip_out/compiled.h`.
+ */
+
+/* Of `geodesic_path()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
+                                   Vertex_in<TriangleMesh> target, const StopPredicate& stop,
+                                   const NamedParameters& np);
+
+/* Of `geodesic_loop()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
+                                   const StopPredicate& stop, const NamedParameters& np);
+
+/* Of `straighten()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
+                                                   const std::vector<Vertices_of<TriangleMesh>>& curves,
+                                                   const StopPredicate& stop, const NamedParameters& np);
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H

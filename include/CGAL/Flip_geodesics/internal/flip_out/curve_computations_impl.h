@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_IMPL_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_IMPL_H
+
+// What curve_computations.h declares.
+
+#include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/contracted_surface.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Interrupting_visitor.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/surface/make_visitor.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/straightened_path.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+namespace internal {
+
+template <class TriangleMesh>
+struct compiled::Definitions
+{
+};
+
+/* Returns the error for a pair of ends that become disconnected when degenerate edges are contracted, by the error that
+ * was thrown before. */
+inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& error)
+{
+  if(error.remedy() != Degeneracy_remedy::CONTRACT)
+    return error;
+  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since faces "
+                            "without area are gone",
+          error.elements(), Degeneracy_remedy::MOLLIFY};
+}
+
+/*
+ * Calls `compute(triangulation)` over a mesh; and if that meets an edge of length zero, again over the surface that is
+ * left when such edges are contracted. Where that does not help either, what was wrong first is thrown.
+ */
+template <class TriangleMesh, class NamedParameters, class Compute>
+auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, const Compute& compute)
+{
+  try {
+    auto triangulation = make_triangulation(mesh, np);
+    return compute(triangulation);
+  } catch(const Degenerate_face_error& error) {
+    auto triangulation = make_triangulation(mesh, np, Zero_length_edges::CONTRACT);
+    if(!triangulation.input().is_contracted())
+      throw;
+    try {
+      return compute(triangulation);
+    } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
+      throw contracted_in_vain(error);
+    }
+  }
+}
+
+/* Shortens with the visitor of the named parameters, if there is one. */
+template <class Network, class NamedParameters, class StopPredicate>
+Shortening_report shorten_with_visitor(Network& network, const NamedParameters& np, const StopPredicate& stop)
+{
+  static_assert(is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
+  auto visitor = make_visitor(np);
+  return shorten(network, stop, visitor.get());
+}
+
+/* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
+ * or the stop predicate is to see all of it. */
+template <class Network, class StopPredicate, class Visitor>
+Shortening_report shorten_from_start(Network& network, const std::vector<Halfedge_index>& path,
+                                     const StopPredicate& stop, Visitor& visitor)
+{
+  std::size_t flips = 0;
+  if constexpr(!observes_steps<Visitor> && std::is_same<StopPredicate, Never_stop_predicate>::value)
+    flips = add_straightened_path(network, path);
+  else
+    network.add_curve(path, false);
+  Shortening_report report = shorten(network, stop, visitor);
+  report.flips += flips;
+  report.curves.front().flips += flips;
+  return report;
+}
+
+/* Searches the edge path from which a geodesic is to start; there is none if the visitor stops the search. */
+template <class Search, class Visitor>
+std::vector<Halfedge_index> edge_path_between(Search& search, const std::vector<Vertex_index>& ends, Visitor& visitor)
+{
+  if constexpr(std::is_same<Visitor, Default_shortening_visitor>::value)
+    return shortest_halfedges_through(search, ends);
+  else
+    return shortest_halfedges_through(search, ends, false, visitor);
+}
+
+/* The report of a path that a visitor stopped before there was one. */
+inline Shortening_report report_of_stopped_search()
+{
+  Shortening_report report;
+  report.curves.emplace_back();
+  report.curves.back().status = Shortening_status::STOPPED_BY_VISITOR;
+  return report;
+}
+
+/* Returns the points of a curve of a network in the form that the output takes; none of a loop that is a point. */
+template <class Form, class Network, class TriangleMesh>
+std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, Curve_index curve)
+{
+  using Triangulation = typename Network::Triangulation;
+  std::vector<Form> result;
+  if(network.is_closed(curve) && network.length(curve) == 0)
+    return result;
+  Curve_extractor<Network> extractor(network);
+  if constexpr(std::is_same<Form, typename Curve_forms<Triangulation>::All>::value) {
+    extractor.curve_points(curve, mesh, std::back_inserter(result));
+  } else {
+    const Form_converter<Triangulation, Form> convert(network.triangulation(), mesh);
+    for(const Surface_point& p : extractor.surface_points(curve))
+      result.push_back(convert(p));
+  }
+  return result;
+}
+
+/* A path of length zero, between vertices in one place: its two ends. */
+template <class Form, class Triangulation, class TriangleMesh>
+Computed_output<Form> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh, Vertex_index v)
+{
+  check_vertex(v, triangulation.input().number_of_vertices());
+  if(triangulation.input().outgoing(v) == null_index) {
+    if(triangulation.input().is_contracted())
+      throw_no_surface_left(v);
+    throw Vertex_out_of_range_error("vertex " + std::to_string(v.idx()) + " is in no face of the mesh",
+                                    {static_cast<std::size_t>(v.idx())});
+  }
+  Computed_output<Form> result;
+  result.report.curves.push_back(report_of_point(triangulation));
+  note_contraction(triangulation, result.report);
+  const Form_converter<Triangulation, Form> convert(triangulation, mesh);
+  result.values.assign(2, convert(surface_point_at_vertex(triangulation, v)));
+  return result;
+}
+
+/* Computes a geodesic between two vertices of a mesh, in an empty network. */
+template <class Form, class Network, class Search, class TriangleMesh, class Vertex, class NamedParameters,
+          class StopPredicate>
+Computed_output<Form> geodesic_between(Network& network, Search& search, const TriangleMesh& mesh, Vertex source,
+                                       Vertex target, const NamedParameters& np, const StopPredicate& stop)
+{
+  static_assert(is_stop_predicate<StopPredicate>,
+                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
+  const auto& triangulation = network.triangulation();
+  const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
+  if(ends[0] == ends[1])
+    return path_in_one_place<Form>(triangulation, mesh, ends[0]);
+  auto visitor = make_visitor(np);
+  const std::vector<Halfedge_index> path = edge_path_between(search, ends, visitor.get());
+  if(path.empty())
+    return {{}, report_of_stopped_search()};
+  Shortening_report report = shorten_from_start(network, path, stop, visitor.get());
+  note_contraction(triangulation, report);
+  return {curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
+}
+
+/* The indices of vertices of the mesh, before edges are contracted. */
+template <class Triangulation, class Vertex>
+std::vector<Vertex_index> mesh_indices(const Triangulation& triangulation, const std::vector<Vertex>& vertices)
+{
+  std::vector<Vertex_index> result;
+  for(const Vertex& v : vertices)
+    result.push_back(triangulation.input().uncontracted().index(v));
+  return result;
+}
+
+/* Adds a curve through vertices of the mesh. Returns whether there is one, or all vertices lie in one place. */
+template <class Network>
+bool add_vertex_curve(Network& network, const std::vector<Vertex_index>& vertices, bool is_closed)
+{
+  const std::vector<Halfedge_index> halfedges = halfedges_on_surface(network.triangulation(), vertices, is_closed);
+  if(halfedges.empty())
+    return false;
+  network.add_curve(halfedges, is_closed);
+  return true;
+}
+
+/* The same for many curves, of which those whose last vertex is their first are closed. */
+template <class Network, class Vertex>
+std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vector<Vertex>>& curves)
+{
+  std::vector<bool> result;
+  for(const std::vector<Vertex>& curve : curves) {
+    std::vector<Vertex_index> vertices = mesh_indices(network.triangulation(), curve);
+    const bool is_closed = vertices.size() > 2 && vertices.front() == vertices.back();
+    if(is_closed)
+      vertices.pop_back();
+    result.push_back(add_vertex_curve(network, vertices, is_closed));
+  }
+  return result;
+}
+
+/* Of `geodesic_path()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
+                                   Vertex_in<TriangleMesh> target, const StopPredicate& stop, const NamedParameters& np)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
+    typename Types::Network network(triangulation);
+    return geodesic_between<Form>(network, search, mesh, source, target, np, stop);
+  });
+}
+
+/* Of `geodesic_loop()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
+                                   const StopPredicate& stop, const NamedParameters& np)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    typename Types::Network network(triangulation);
+    std::vector<Vertex_index> loop = mesh_indices(triangulation, vertices);
+    if(loop.size() > 1 && loop.front() == loop.back())
+      loop.pop_back();
+    Computed_output<Form> result;
+    if(add_vertex_curve(network, loop, true)) {
+      order_overlapping_curves(network);
+      result.report = shorten_with_visitor(network, np, stop);
+      result.values = curve_forms<Form>(network, mesh, Curve_index(0));
+    } else {
+      result.report.curves.push_back(report_of_point(triangulation));
+    }
+    note_contraction(triangulation, result.report);
+    return result;
+  });
+}
+
+/* Of `straighten()`. */
+template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
+                                                   const std::vector<Vertices_of<TriangleMesh>>& curves,
+                                                   const StopPredicate& stop, const NamedParameters& np)
+{
+  using Types = Curve_types<TriangleMesh, NamedParameters>;
+  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+    typename Types::Network network(triangulation);
+    const std::vector<bool> has_length = add_vertex_curves(network, curves);
+    order_overlapping_curves(network);
+    Computed_output<std::vector<Form>> result;
+    result.report = shorten_with_visitor(network, np, stop);
+    auto& reports = result.report.curves;
+    for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
+      result.values.emplace_back();
+      if(has_length[i])
+        result.values.back() = curve_forms<Form>(network, mesh, Curve_index(static_cast<Index>(c++)));
+      else
+        reports.insert(reports.begin() + static_cast<std::ptrdiff_t>(i), report_of_point(triangulation));
+    }
+    note_contraction(triangulation, result.report);
+    return result;
+  });
+}
+
+} // namespace internal
+
+#ifdef CGAL_FLIP_GEODESICS_COMPILED
+namespace internal {
+
+#define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
+  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_path(const Mesh&, Vertex_in<Mesh>,                 \
+                                                                         Vertex_in<Mesh>, const Never_stop_predicate&, \
+                                                                         const parameters::Default_named_parameters&); \
+  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_loop(const Mesh&, const Vertices_of<Mesh>&,        \
+                                                                         const Never_stop_predicate&,                  \
+                                                                         const parameters::Default_named_parameters&); \
+  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<std::vector<Form>> compute_network(                              \
+      const Mesh&, const std::vector<Vertices_of<Mesh>>&, const Never_stop_predicate&,                                 \
+      const parameters::Default_named_parameters&);
+CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
+#undef CGAL_FLIP_GEODESICS_INSTANCES
+
+} // namespace internal
+#endif
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_IMPL_H

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Free_wedges.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* How far the shortening of a curve has come. */
+struct Curve_state
+{
+  Shortening_status status = Shortening_status::LOCALLY_SHORTEST; // or still to be shortened
+  double length = 0;
+  double shortest = 0; // up to what rounding makes of it
+  std::size_t steps_since_shortest = 0;
+  std::size_t flips = 0;
+};
+
+/* How far the shortening of a network has come: all that a run leaves to the next one. */
+template <class Network>
+struct Shortening_state
+{
+  explicit Shortening_state(Network& network)
+    : wedges(network)
+    , curves(static_cast<std::size_t>(network.number_of_curves()))
+  {
+    for(Curve_index c : descriptors<Curve_index>(network.number_of_curves())) {
+      curves[c].length = curves[c].shortest = network.length(c);
+      length += curves[c].length;
+      initial_length += network.initial_length(c);
+      if(network.is_contracted(c))
+        curves[c].status = Shortening_status::CONTRACTED;
+      wedges.look_at_curve(c);
+    }
+  }
+
+  Free_wedges<Network> wedges;
+  Indexed_by<Curve_index, std::vector<Curve_state>> curves;
+  double length = 0, initial_length = 0;
+  std::size_t flips = 0, steps = 0;
+};
+
+/*
+ * [SC20, Algorithm 2] for any network: while a wedge that is free has an angle below pi, take the smallest and flip it
+ * out.
+ */
+template <class Network, class StopPredicate, class Visitor>
+class Flip_out
+{
+  using Triangulation = typename Network::Triangulation;
+
+  // With exact decisions every step shortens, whatever the rounded lengths say.
+  static constexpr bool can_err = Triangulation::Traits::Has_drift::value;
+
+public:
+  Flip_out(Network& network, Shortening_state<Network>& state, const StopPredicate& stop, Visitor& visitor)
+    : m_network(network)
+    , m_triangulation(network.triangulation())
+    , m_state(state)
+    , m_wedges(state.wedges)
+    , m_curves(state.curves)
+    , m_stop(stop)
+    , m_visitor(visitor)
+    , m_first_step(state.steps)
+  {
+  }
+
+  /* Goes on until there is no wedge left or it is told to end. */
+  void run()
+  {
+    while(m_wedges.has_next() && !has_ended()) {
+      const Queued_wedge candidate = m_wedges.pop();
+      if(is_current(candidate) && m_wedges.is_still_free(candidate.joint()))
+        take_step(candidate);
+    }
+  }
+
+  /* Has it been told to end? */
+  bool has_ended() const { return m_end != Shortening_status::LOCALLY_SHORTEST; }
+
+  /* The status of all curves that still have a wedge to flip out. \pre has_ended() */
+  Shortening_status end_status() const { return m_end; }
+
+private:
+  bool is_current(const Queued_wedge& candidate)
+  {
+    const Segment_index x = candidate.joint().incoming;
+    if(!m_network.is_alive(x) || m_network.next(x) != candidate.outgoing())
+      return false;
+    const Shortening_status status = m_curves[m_network.curve(x)].status;
+    if(status == Shortening_status::LENGTH_LIMIT)
+      m_wedges.hold(candidate);
+    return status == Shortening_status::LOCALLY_SHORTEST;
+  }
+
+  void take_step(const Queued_wedge& candidate)
+  {
+    if(!m_visitor.go_further()) {
+      m_wedges.hold(candidate);
+      m_end = Shortening_status::STOPPED_BY_VISITOR;
+      return;
+    }
+    const Curve_index curve = m_network.curve(candidate.joint().incoming);
+    const std::size_t flips_before = m_state.flips;
+    if(candidate.joint().incoming == candidate.outgoing())
+      shorten_single_segment_loop(candidate);
+    else
+      shorten_joint(candidate);
+    m_curves[curve].flips += m_state.flips - flips_before;
+  }
+
+  void shorten_joint(const Queued_wedge& candidate)
+  {
+    const Curve_index curve = m_network.curve(candidate.joint().incoming);
+    const auto start = m_triangulation.log_position();
+    const double change = flip_out(candidate.joint());
+    const bool is_longer = can_err && is_visible(change, curve) && change > 0;
+    const Stop_decision decision = is_longer ? Stop_decision::CONTINUE : ask(candidate.key(), curve, change);
+    if(is_longer || decision != Stop_decision::CONTINUE) {
+      m_triangulation.rollback(start); // longer can only be wrong: the angle was below pi by rounding alone
+      return obey(decision, candidate, curve);
+    }
+    apply(candidate.joint(), change);
+    finish_step(curve);
+  }
+
+  // Flips out a free wedge, whose outer arc goes to m_arc. Returns by how much the curve becomes longer.
+  double flip_out(const Joint& joint)
+  {
+    m_arc.clear();
+    const auto [a, c] = m_network.ends(joint);
+    const double change = -m_triangulation.length(a.halfedge) - m_triangulation.length(c.halfedge);
+    if(m_network.is_turning_back(joint))
+      return change;
+    return change + flip_out_wedge(m_triangulation, a.halfedge, c.halfedge, m_arc, [&](Halfedge_index h) { flip(h); });
+  }
+
+  void flip(Halfedge_index h)
+  {
+    CGAL_assertion_msg(!m_network.is_occupied(h), "a free wedge holds no strand");
+    m_triangulation.flip(h);
+    ++m_state.flips;
+    m_visitor.on_flip(m_triangulation, h);
+  }
+
+  void apply(const Joint& joint, double change)
+  {
+    add_length(m_network.curve(joint.incoming), change);
+    m_network.replace_joint(joint, m_arc, m_affected);
+  }
+
+  void finish_step(Curve_index curve)
+  {
+    ++m_state.steps;
+    m_visitor.after_flip_out(m_network, curve);
+    if(m_network.is_contracted(curve))
+      m_curves[curve].status = Shortening_status::CONTRACTED;
+    m_wedges.look_at_all(m_affected);
+    m_affected.clear();
+    count_blind_step(curve);
+  }
+
+  // Is the change larger than what rounding makes of the length?
+  bool is_visible(double change, Curve_index curve) const
+  {
+    return std::abs(change) > visible_length_change * m_curves[curve].length;
+  }
+
+  /*
+   * Every step shortens, but by less than doubles see where the angle is within 1e-7 of pi. Exact decisions end all the
+   * same; those of doubles could go round in circles, and a curve that has not become visibly shorter than ever before
+   * in so many steps is given up. As each round shortens it visibly, there are finitely many.
+   */
+  void count_blind_step(Curve_index curve)
+  {
+    constexpr std::size_t patience = 10000;
+    Curve_state& state = m_curves[curve];
+    ++state.steps_since_shortest;
+    if(state.length < state.shortest * (1 - visible_length_change)) {
+      state.shortest = state.length;
+      state.steps_since_shortest = 0;
+    }
+    if(can_err && state.steps_since_shortest > patience)
+      state.status = Shortening_status::PRECISION_LIMIT;
+  }
+
+  /*
+   * A loop of one segment, [SC20, Appendix B], as one unit: move the loop over the face in its wedge, which lengthens
+   * it, flip out the wedge at the old node, and then shorten it back on the other side as long as that is possible.
+   * All of it happens in a flat annulus that holds no vertex and no other strand, and ends shorter than it began; the
+   * manual's section on termination has the proof.
+   */
+  void shorten_single_segment_loop(const Queued_wedge& candidate)
+  {
+    const Segment_index s = candidate.joint().incoming;
+    const Curve_index curve = m_network.curve(s);
+    const auto start = m_triangulation.log_position();
+    const auto place = m_network.stack_place(s);
+    const double length_before = m_curves[curve].length;
+
+    const auto take_back = [&] {
+      m_affected.clear();
+      m_triangulation.rollback(start);
+      return m_network.restore_loop(curve, place);
+    };
+    try {
+      perturb_and_flip_out({s, candidate.joint().side});
+      std::size_t patience = can_err ? 10000 : (std::numeric_limits<std::size_t>::max)();
+      while(!m_network.is_contracted(curve) && patience-- > 0 &&
+            shorten_somewhere(curve, opposite_side(candidate.joint().side)))
+      {
+      }
+    } catch(...) { // of a face that is no triangle, or of the visitor
+      take_back();
+      throw;
+    }
+
+    const double change = m_curves[curve].length - length_before;
+    add_length(curve, -change);
+    const bool is_shorter = !can_err || change < 0;
+    const Stop_decision decision = is_shorter ? ask(candidate.key(), curve, change) : Stop_decision::CONTINUE;
+    if(is_shorter && decision == Stop_decision::CONTINUE) {
+      add_length(curve, change);
+      return finish_step(curve);
+    }
+    const Segment_index restored = take_back();
+    obey(decision, {candidate.key(), {restored, candidate.joint().side}, restored}, curve);
+  }
+
+  void perturb_and_flip_out(const Joint& loop)
+  {
+    const Curve_index curve = m_network.curve(loop.incoming);
+    const Halfedge_index h = m_network.halfedge(loop.incoming);
+    const Segment_index arriving =
+        m_network.perturb_loop(loop.incoming, loop.side == Side::LEFT ? h : Triangulation::twin(h));
+    add_length(curve, m_network.length(curve) - m_curves[curve].length);
+    const Joint old_node = {arriving, loop.side};
+    apply(old_node, flip_out(old_node));
+  }
+
+  // One step at the first joint of a curve whose wedge on a side is free; false if there is none.
+  bool shorten_somewhere(Curve_index curve, Side side)
+  {
+    Segment_index found = null_index;
+    m_network.for_each_segment(curve, [&](Segment_index s) {
+      if(found == null_index && m_network.next(s) != s && m_wedges.is_free({s, side}))
+        found = s;
+    });
+    if(found == null_index)
+      return false;
+    const auto start = m_triangulation.log_position();
+    const double change = flip_out({found, side});
+    if(can_err && change >= 0) {
+      m_triangulation.rollback(start);
+      return false;
+    }
+    apply({found, side}, change);
+    return true;
+  }
+
+  void add_length(Curve_index curve, double change)
+  {
+    m_curves[curve].length += change;
+    m_state.length += change;
+  }
+
+  Stop_decision ask(double key, Curve_index curve, double change) const
+  {
+    return m_stop(Shortening_step{curve, key, m_state.steps - m_first_step, m_network.initial_length(curve),
+                                  m_curves[curve].length + change, m_state.initial_length, m_state.length + change,
+                                  m_triangulation.memory_of_records()});
+  }
+
+  // Does what a predicate has decided on a candidate, which waits for another run if it was refused.
+  void obey(Stop_decision decision, const Queued_wedge& candidate, Curve_index curve)
+  {
+    if(decision != Stop_decision::CONTINUE)
+      m_wedges.hold(candidate);
+    switch(decision) {
+    case Stop_decision::CONTINUE:
+      return;
+    case Stop_decision::CURVE_LENGTH_LIMIT:
+      m_curves[curve].status = Shortening_status::LENGTH_LIMIT;
+      return;
+    case Stop_decision::LENGTH_LIMIT:
+      m_end = Shortening_status::LENGTH_LIMIT;
+      return;
+    case Stop_decision::ANGLE_LIMIT:
+      m_end = Shortening_status::ANGLE_LIMIT;
+      return;
+    case Stop_decision::ITERATION_LIMIT:
+      m_end = Shortening_status::ITERATION_LIMIT;
+      return;
+    case Stop_decision::MEMORY_LIMIT:
+      m_end = Shortening_status::MEMORY_LIMIT;
+      return;
+    }
+  }
+
+  Network& m_network;
+  Triangulation& m_triangulation;
+  Shortening_state<Network>& m_state;
+  Free_wedges<Network>& m_wedges;
+  Indexed_by<Curve_index, std::vector<Curve_state>>& m_curves;
+  const StopPredicate& m_stop;
+  Visitor& m_visitor;
+  std::size_t m_first_step;
+  Shortening_status m_end = Shortening_status::LOCALLY_SHORTEST;
+  std::vector<Halfedge_index> m_arc;
+  std::vector<Joint> m_affected;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_H

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_SEGMENT_STORE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_SEGMENT_STORE_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Joint.h>
+#include <CGAL/Flip_geodesics/internal/network/Edge_stacks.h>
+#include <CGAL/Flip_geodesics/internal/network/Network_state.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A segment as a link of its curve. */
+struct Segment_links
+{
+  Segment_index next, previous;
+  Curve_index curve;
+  bool is_head_fixed = false;
+  mutable std::array<bool, 2> is_head_straight = {{false, false}}; // by side; what is known, not what is so
+};
+
+/*
+ * The curves of a network as segments: the chains that they are, and the stacks on the edges.
+ *
+ * The invariant, which each public function keeps: the segments of a curve are a chain from its first to its last one,
+ * which comes back if the curve is closed; a stack has exactly the segments on its edge; and an angle that is known to
+ * be straight is that of the joint between a segment and the one that follows it now. That the chains hang together in
+ * the triangulation, and do not cross, is for the network to see to.
+ */
+template <class Triangulation>
+class Segment_store : private Edge_stacks<Triangulation, Segment_links>
+{
+  using Stacks = Edge_stacks<Triangulation, Segment_links>;
+
+public:
+  explicit Segment_store(Triangulation& triangulation)
+    : Stacks(triangulation)
+    , m_triangulation(&triangulation)
+  {
+  }
+
+  using Stacks::end_of_ids;
+  using Stacks::halfedge;
+  using Stacks::is_alive;
+  using Stacks::neighbor;
+  using Stacks::outermost;
+  using Stacks::placed;
+  using Stacks::set_stack;
+  using Stacks::stack;
+  using Stacks::stack_place;
+
+  // ---------------------------------------------------------------- curves
+
+  Index number_of_curves() const { return static_cast<Index>(m_curves.size()); }
+  Segment_index first(Curve_index curve) const { return m_curves[curve].first; }
+  Segment_index last(Curve_index curve) const { return m_curves[curve].last; }
+  bool is_closed(Curve_index curve) const { return m_curves[curve].is_closed; }
+  double initial_length(Curve_index curve) const { return m_curves[curve].initial_length; }
+  void set_initial_length(Curve_index curve, double length) { m_curves[curve].initial_length = length; }
+
+  /* Calls `function(s)` for each segment of a curve, in order; it may not change the curve. */
+  template <class Function>
+  void for_each_segment(Curve_index curve, Function function) const
+  {
+    const Segment_index first = m_curves[curve].first;
+    for(Segment_index s = first; s != null_index;) {
+      function(s);
+      s = links(s).next;
+      if(s == first)
+        return;
+    }
+  }
+
+  // ---------------------------------------------------------------- segments
+
+  Curve_index curve(Segment_index s) const { return links(s).curve; }
+  Segment_index next(Segment_index s) const { return links(s).next; }
+  Segment_index previous(Segment_index s) const { return links(s).previous; }
+  bool is_head_fixed(Segment_index s) const { return next(s) == null_index || links(s).is_head_fixed; }
+  void set_head_fixed(Segment_index s, bool is_fixed) { links(s).is_head_fixed = is_fixed; }
+
+  /* By side of the joint at the head of s: is its angle known to be pi or more, or to hold the border? It stays so
+   * while the joint lives. */
+  bool is_known_straight(Segment_index s, Side side) const { return links(s).is_head_straight[number(side)]; }
+  void note_straight(Segment_index s, Side side, bool is_straight) const
+  {
+    links(s).is_head_straight[number(side)] = is_straight;
+  }
+
+  // ---------------------------------------------------------------- moves
+
+  /* A curve along halfedges, each segment rightmost on its edge as seen along its halfedge. \pre they are a chain */
+  template <class HalfedgeRange>
+  Curve_index add_curve(const HalfedgeRange& halfedges, bool is_closed)
+  {
+    make_room(static_cast<std::size_t>(std::distance(std::begin(halfedges), std::end(halfedges))));
+    const Curve_index curve(number_of_curves());
+    m_curves.push_back({null_index, null_index, is_closed, 0});
+    for(Halfedge_index h : halfedges)
+      append(create(curve, h));
+    if(is_closed)
+      link(last(curve), first(curve));
+    return curve;
+  }
+
+  void clear()
+  {
+    Stacks::clear();
+    m_curves.clear();
+  }
+
+  /*
+   * Replaces the two segments at a joint by segments along `arc`, which leads from the head of the joint's first end to
+   * that of its second; each is outermost on its right. Returns the first new one in the direction of the curve,
+   * null_index if there is none: then the two nodes become one, which is fixed if one of them was.
+   *
+   * \pre the angles of the arc on its right, on which the joint was, are at least pi; so these are known, and those at
+   * its ends on that side have not become smaller
+   */
+  Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc)
+  {
+    make_room(arc.size());
+    const Segment_index x = joint.incoming, y = next(x);
+    CGAL_precondition(x != y);
+    const Side other = opposite_side(joint.side);
+    const bool was_whole_loop = next(y) == x, is_end_fixed = links(y).is_head_fixed,
+               is_end_straight = is_known_straight(y, other);
+    const Gap gap = {curve(x), was_whole_loop ? null_index : previous(x), was_whole_loop ? null_index : next(y),
+                     was_whole_loop};
+    remove(x);
+    remove(y);
+    const auto [first, last] = create_chain(gap.curve, arc, joint.side);
+    if(last != null_index) {
+      set_head_fixed(last, is_end_fixed);
+      note_straight(last, other, is_end_straight);
+    }
+    if(gap.before != null_index && last == null_index)
+      links(gap.before).is_head_fixed = links(gap.before).is_head_fixed || is_end_fixed;
+    if(gap.before != null_index) {
+      note_straight(gap.before, joint.side, false);
+      if(last == null_index)
+        note_straight(gap.before, other, false);
+    }
+    fill(gap, first, last);
+    return first;
+  }
+
+  /*
+   * Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
+   * them, in their order. Returns what the first half of a watched one has become. If it throws, nothing has changed.
+   */
+  Segment_index divide_stack(Halfedge_index h, const std::array<Halfedge_index, 2>& chain,
+                             Segment_index watched = null_index)
+  {
+    Segment_index result = null_index;
+    std::vector<Segment_index> segments = stack(Triangulation::edge(h));
+    if(!is_first_side(h))
+      std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
+    make_room(2 * segments.size());
+    for(Segment_index s : segments)
+      unlink(s);
+    for(Segment_index s : segments) {
+      const bool is_along = halfedge(s) == h;
+      const Segment_index a = create(curve(s), is_along ? chain[0] : Triangulation::twin(chain[1]));
+      const Segment_index b = create(curve(s), is_along ? chain[1] : Triangulation::twin(chain[0]));
+      link_outermost(a, is_along ? chain[0] : chain[1]);
+      link_outermost(b, is_along ? chain[1] : chain[0]);
+      replace_in_curve(s, a, b);
+      result = s == watched ? a : result;
+    }
+    return result;
+  }
+
+  /* Replaces the one segment of a loop by two, along the other two edges of the face on the left of h, the segment's
+   * halfedge or its twin. Returns the one that arrives at the old node. */
+  Segment_index perturb_loop(Segment_index s, Halfedge_index h)
+  {
+    const Halfedge_index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
+    const Curve_index curve = this->curve(s);
+    const bool is_along = h == halfedge(s);
+    make_room(2);
+    remove(s);
+    const Segment_index a = create(curve, is_along ? Triangulation::twin(hp) : hn);
+    const Segment_index b = create(curve, is_along ? Triangulation::twin(hn) : hp);
+    // The face lies to the left of hn and hp.
+    link_outermost(a, is_along ? Triangulation::twin(hp) : Triangulation::twin(hn));
+    link_outermost(b, is_along ? Triangulation::twin(hn) : Triangulation::twin(hp));
+    link(a, b);
+    link(b, a);
+    m_curves[curve].first = a;
+    m_curves[curve].last = b;
+    return b;
+  }
+
+  /* Replaces a closed curve by the one segment that it was when `place` was taken. */
+  Segment_index restore_loop(Curve_index curve, const Stack_place& place)
+  {
+    std::vector<Segment_index> segments;
+    for_each_segment(curve, [&](Segment_index s) { segments.push_back(s); });
+    for(Segment_index s : segments)
+      remove(s);
+    const Segment_index s = create(curve, place.halfedge);
+    if(place.left != null_index)
+      link_right_of(s, place.left);
+    else if(place.right != null_index)
+      link_outermost(s, Triangulation::twin(first_side(Triangulation::edge(place.halfedge))));
+    else
+      link_outermost(s, place.halfedge);
+    link(s, s);
+    m_curves[curve].first = m_curves[curve].last = s;
+    return s;
+  }
+
+  // ---------------------------------------------------------------- state
+
+  /* Puts a state into an empty store. Returns false if the state is none: ids or halfedges that do not exist or are
+   * used twice, chains that do not hang together, stacks of other segments. It is to be cleared then. */
+  bool restore(const Network_state& state)
+  {
+    Stacks::set_end_of_ids(state.end_of_segment_ids);
+    for(const Network_state::Curve& curve : state.curves)
+      if(!restore_curve(curve))
+        return false;
+    for(const Network_state::Stack& stack : state.stacks)
+      if(!restore_stack(stack))
+        return false;
+    return true;
+  }
+
+private:
+  using Stacks::link_outermost;
+  using Stacks::link_right_of;
+  using Stacks::make_room;
+  using Stacks::unlink;
+
+  struct Curve
+  {
+    Segment_index first, last;
+    bool is_closed;
+    double initial_length;
+  };
+
+  // Where segments are missing in a curve: between these two, of which the path has none at its ends.
+  struct Gap
+  {
+    Curve_index curve;
+    Segment_index before, after;
+    bool is_whole_loop;
+  };
+
+  Segment_links& links(Segment_index s) { return static_cast<Stacks&>(*this)[s]; }
+  const Segment_links& links(Segment_index s) const { return static_cast<const Stacks&>(*this)[s]; }
+
+  static std::size_t number(Side side) { return static_cast<std::size_t>(side); }
+
+  // ---------------------------------------------------------------- chains
+
+  // A segment of a curve on a halfedge, in no chain and no stack.
+  Segment_index create(Curve_index curve, Halfedge_index h)
+  {
+    const Segment_index s = Stacks::create(h);
+    links(s).curve = curve;
+    return s;
+  }
+
+  // Puts t after s in their chain; either may be null_index.
+  void link(Segment_index s, Segment_index t)
+  {
+    if(s != null_index)
+      links(s).next = t;
+    if(t != null_index)
+      links(t).previous = s;
+  }
+
+  // Puts a new segment at the end of its curve, and rightmost on its edge.
+  void append(Segment_index s)
+  {
+    Curve& curve = m_curves[this->curve(s)];
+    link_outermost(s, halfedge(s));
+    link(curve.last, s);
+    curve.last = s;
+    if(curve.first == null_index)
+      curve.first = s;
+  }
+
+  // Segments along an arc, seen from a curve that has it on a side; the first and the last one.
+  std::pair<Segment_index, Segment_index> create_chain(Curve_index curve, const std::vector<Halfedge_index>& arc,
+                                                       Side side)
+  {
+    Segment_index first = null_index, last = null_index;
+    for(std::size_t i = 0; i < arc.size(); ++i) {
+      const Halfedge_index h = side == Side::LEFT ? arc[i] : Triangulation::twin(arc[arc.size() - 1 - i]);
+      const Segment_index s = create(curve, h);
+      link_outermost(s, side == Side::LEFT ? h : Triangulation::twin(h));
+      if(first == null_index) {
+        first = s;
+      } else {
+        link(last, s);
+        note_straight(last, opposite_side(side), true);
+      }
+      last = s;
+    }
+    return {first, last};
+  }
+
+  // Puts a chain into a gap; none, null_index twice, closes it.
+  void fill(const Gap& gap, Segment_index first, Segment_index last)
+  {
+    Curve& c = m_curves[gap.curve];
+    if(gap.is_whole_loop) {
+      if(first != null_index)
+        link(last, first);
+      c.first = first;
+      c.last = last;
+      return;
+    }
+    link(gap.before, first == null_index ? gap.after : first);
+    link(last == null_index ? gap.before : last, gap.after);
+    const Segment_index head = first == null_index ? gap.after : first, tail = last == null_index ? gap.before : last;
+    if(c.is_closed) { // any segment may be the first
+      c.first = head;
+      c.last = links(head).previous;
+      return;
+    }
+    if(gap.before == null_index)
+      c.first = head;
+    if(gap.after == null_index)
+      c.last = tail;
+  }
+
+  // Puts a and b into the place of s, which is in no stack any more.
+  void replace_in_curve(Segment_index s, Segment_index a, Segment_index b)
+  {
+    const Segment_links old = links(s);
+    Curve& c = m_curves[old.curve];
+    const bool was_whole_loop = old.next == s;
+    link(a, b);
+    link(was_whole_loop ? b : old.previous, a);
+    if(!was_whole_loop && old.previous != null_index)
+      links(old.previous).is_head_straight = {};
+    link(b, was_whole_loop ? a : old.next);
+    links(b).is_head_fixed = old.is_head_fixed;
+    Stacks::kill(s);
+    c.first = c.first == s ? a : c.first;
+    c.last = c.last == s ? b : c.last;
+  }
+
+  void remove(Segment_index s)
+  {
+    unlink(s);
+    Stacks::kill(s);
+  }
+
+  // ---------------------------------------------------------------- what is read
+
+  bool restore_curve(const Network_state::Curve& curve)
+  {
+    const Curve_index c(number_of_curves());
+    m_curves.push_back({null_index, null_index, curve.is_closed, curve.initial_length});
+    for(const Network_state::Segment& s : curve.segments) {
+      const bool is_free = s.id.idx() > 0 && s.id.idx() < end_of_ids() && !is_alive(s.id);
+      if(!is_free || !s.halfedge.is_valid() || s.halfedge.idx() >= m_triangulation->number_of_halfedges())
+        return false;
+      if(last(c) != null_index && m_triangulation->head(halfedge(last(c))) != m_triangulation->tail(s.halfedge))
+        return false;
+      Stacks::revive(s.id, s.halfedge);
+      links(s.id).curve = c;
+      set_head_fixed(s.id, s.is_head_fixed);
+      append(s.id);
+    }
+    return !curve.is_closed || last(c) == null_index || close(c);
+  }
+
+  bool close(Curve_index curve)
+  {
+    if(m_triangulation->head(halfedge(last(curve))) != m_triangulation->tail(halfedge(first(curve))))
+      return false;
+    link(last(curve), first(curve));
+    return true;
+  }
+
+  bool restore_stack(const Network_state::Stack& stack)
+  {
+    if(!stack.edge.is_valid() || stack.edge.idx() >= m_triangulation->number_of_edges())
+      return false;
+    std::vector<Segment_index> there = this->stack(stack.edge), wanted = stack.segments;
+    std::sort(there.begin(), there.end());
+    std::sort(wanted.begin(), wanted.end());
+    if(there != wanted)
+      return false;
+    set_stack(stack.edge, stack.segments);
+    return true;
+  }
+
+  Triangulation* m_triangulation;
+  Indexed_by<Curve_index, std::vector<Curve>> m_curves;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_SEGMENT_STORE_H

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H
+
+#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
+#include <CGAL/Flip_geodesics/internal/network/Parity_elimination.h>
+#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+[[noreturn]] inline void throw_crossing(Vertex_index v)
+{
+  throw Crossing_curves_error("curves cross at vertex " + std::to_string(v.idx()), {static_cast<std::size_t>(v.idx())});
+}
+
+[[noreturn]] inline void throw_ambiguous(Vertex_index v, Vertex_index w)
+{
+  throw Ambiguous_order_error("no order was found for the curves along the edge from vertex " +
+                                  std::to_string(v.idx()) + " to vertex " + std::to_string(w.idx()),
+                              {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+}
+
+/* The halfedges, of either direction, of all edges that curves use: each vertex's side by side. */
+template <class Network>
+std::vector<Halfedge_index> occupied_halfedges(const Network& network)
+{
+  const auto& triangulation = network.triangulation();
+  std::vector<Halfedge_index> result;
+  for(Segment_index s(1); s.idx() < network.end_of_segment_ids(); ++s)
+    if(network.is_alive(s))
+      result.insert(result.end(), {network.halfedge(s), Network::Triangulation::twin(network.halfedge(s))});
+  std::sort(result.begin(), result.end(), [&](Halfedge_index g, Halfedge_index h) {
+    return std::make_pair(triangulation.tail(g), g) < std::make_pair(triangulation.tail(h), h);
+  });
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/* Calls `function(begin, end)` for each range of halfedges with a common tail. */
+template <class Triangulation, class Function>
+void for_each_vertex(const Triangulation& triangulation, const std::vector<Halfedge_index>& halfedges,
+                     Function function)
+{
+  for(auto first = halfedges.begin(); first != halfedges.end();) {
+    const Vertex_index v = triangulation.tail(*first);
+    const auto last =
+        std::find_if(first, halfedges.end(), [&](Halfedge_index h) { return triangulation.tail(h) != v; });
+    function(first, last);
+    first = last;
+  }
+}
+
+/*
+ * The unknowns: a variable for each two segments of one edge, namely whether the older segment is left of the younger
+ * as seen along the edge's first halfedge; and after these one for each segment, see `Crossing_equations`.
+ */
+template <class Network>
+class Stack_pairs
+{
+  using Triangulation = typename Network::Triangulation;
+
+public:
+  using Segment_pair = std::pair<Segment_index, Segment_index>;
+
+  explicit Stack_pairs(const Network& network)
+    : m_network(network)
+    , m_stack_of(static_cast<std::size_t>(network.end_of_segment_ids()), null_index)
+    , m_rank(m_stack_of.size())
+    , m_pairs(1, {null_index, null_index})
+  {
+    for(Halfedge_index h : occupied_halfedges(network))
+      if(is_first_side(h))
+        add_stack(Triangulation::edge(h));
+    m_stacks = Buckets(static_cast<Index>(m_edges.size()), m_stack_of);
+  }
+
+  const Network& network() const { return m_network; }
+
+  /* Edges with more than one segment are numbered; their segments by age. */
+  Index number_of_stacks() const { return static_cast<Index>(m_edges.size()); }
+  Edge_index edge(Index stack) const { return m_edges[stack]; }
+  Buckets::Range segments(Index stack) const { return m_stacks[stack]; }
+  /* The stack of a segment, `null_index` if it has its edge to itself. */
+  Index stack_of(Segment_index s) const { return m_stack_of[s]; }
+
+  Index number_of_variables() const { return static_cast<Index>(m_pairs.size() + m_stack_of.size()); }
+  Index end_of_pairs() const { return static_cast<Index>(m_pairs.size()); }
+  const Segment_pair& segments_of_pair(Index v) const { return m_pairs[v]; }
+  Literal segment_literal(Segment_index s) const { return 2 * (end_of_pairs() + s.idx()); }
+
+  /* Is s left of t as seen along the first halfedge of their edge? \pre they are on one edge, and differ */
+  Literal is_left(Segment_index s, Segment_index t) const
+  {
+    const Index i = (std::min)(m_rank[s], m_rank[t]), j = (std::max)(m_rank[s], m_rank[t]);
+    return opposite_if(s > t, 2 * (m_first_pair[m_stack_of[s]] + j * (j - 1) / 2 + i));
+  }
+
+  /* Is s left of t as seen along halfedge h? \pre they are on the edge of h, and differ */
+  Literal is_left(Halfedge_index h, Segment_index s, Segment_index t) const
+  {
+    return opposite_if(!is_first_side(h), is_left(s, t));
+  }
+
+private:
+  // Literals, twice the variables, must fit into an Index.
+  static constexpr std::size_t most_pairs = std::size_t(1) << 29;
+
+  void add_stack(Edge_index e)
+  {
+    std::vector<Segment_index> segments = m_network.stack(e);
+    if(segments.size() < 2)
+      return;
+    if(m_pairs.size() + segments.size() * (segments.size() - 1) / 2 > most_pairs)
+      throw_ambiguous(m_network.triangulation().tail(first_side(e)), m_network.triangulation().head(first_side(e)));
+    std::sort(segments.begin(), segments.end());
+    m_first_pair.push_back(end_of_pairs());
+    for(std::size_t j = 0; j < segments.size(); ++j) {
+      m_stack_of[segments[j]] = static_cast<Index>(m_edges.size());
+      m_rank[segments[j]] = static_cast<Index>(j);
+      for(std::size_t i = 0; i < j; ++i)
+        m_pairs.emplace_back(segments[i], segments[j]);
+    }
+    m_edges.push_back(e);
+  }
+
+  const Network& m_network;
+  std::vector<Edge_index> m_edges; // by stack
+  std::vector<Index> m_first_pair; // by stack
+  Indexed_by<Segment_index, std::vector<Index>> m_stack_of, m_rank;
+  std::vector<Segment_pair> m_pairs; // by variable
+  Buckets m_stacks;
+};
+
+/* Variables whose sum modulo 2 is `parity`, after the cancelling of those that occur twice or are known. */
+struct Parity_sum
+{
+  std::array<Index, 4> variables{};
+  Index size = 0;
+  bool parity = false;
+
+  void add(Literal representative)
+  {
+    const Index v = variable(representative);
+    parity = parity != is_opposite(representative);
+    if(v == variable(false_literal))
+      return;
+    const auto end = variables.begin() + size, found = std::find(variables.begin(), end, v);
+    if(found == end) {
+      variables[size++] = v;
+      return;
+    }
+    std::copy(found + 1, end, found);
+    --size;
+  }
+};
+
+/*
+ * What must hold around the vertices so that nothing crosses, as linear equations modulo 2.
+ *
+ * Cut the cyclic order of ends around a vertex open, at the border if there is one. Of two joints (a, b) and (c, d),
+ *
+ *        a   c   b   d             cross if and only if [a<c] + [a<d] + [b<c] + [b<d] is odd,
+ *     ---+---+---+---+--->
+ *
+ * and the end x of a curve is between a and b if and only if [a<x] + [b<x] is odd. The order of two ends is known if
+ * they are on different spokes, and one of the variables of `Stack_pairs` if not. So two strands that run together from
+ * one spoke to another have the same order before and after, an equation in two variables; those that part have a known
+ * order; and where a strand turns back beside another, the sides that its two segments have are opposite, as seen along
+ * the curve. All ends, and the border, must lie on one side of a joint: the variable of the segment that arrives says
+ * whether they lie between a and b.
+ *
+ * Equations in one or two variables merge classes, so that a whole run becomes one unknown. Only turns within one spoke
+ * give longer equations: two of them on one spoke, or one beside an end.
+ */
+template <class Network>
+class Crossing_equations
+{
+  using Triangulation = typename Network::Triangulation;
+
+public:
+  /* An equation in more than two variables, and its vertex. */
+  struct Equation
+  {
+    std::array<Literal, 4> literals;
+    Vertex_index vertex;
+  };
+
+  explicit Crossing_equations(const Stack_pairs<Network>& pairs)
+    : m_pairs(pairs)
+    , m_network(pairs.network())
+    , m_triangulation(m_network.triangulation())
+    , m_classes(pairs.number_of_variables())
+    , m_position(static_cast<std::size_t>(m_triangulation.number_of_halfedges()))
+  {
+    for_each_vertex(m_triangulation, occupied_halfedges(m_network),
+                    [&](auto first, auto last) { add_vertex(first, last); });
+    do {
+      substitute();
+    } while(merge_combinations());
+  }
+
+  const Stack_pairs<Network>& pairs() const { return m_pairs; }
+  Parity_classes& classes() { return m_classes; }
+  const std::vector<Equation>& long_equations() const { return m_long_equations; }
+
+  Parity_sum sum(const Equation& equation)
+  {
+    Parity_sum result;
+    for(Literal a : equation.literals)
+      result.add(m_classes.representative(a));
+    return result;
+  }
+
+private:
+  template <class Iterator>
+  void add_vertex(Iterator first, Iterator last)
+  {
+    const auto is_shared = [&](Halfedge_index h) {
+      return m_pairs.stack_of(m_network.outermost(h, Side::LEFT)) != null_index;
+    };
+    if(std::none_of(first, last, is_shared))
+      return;
+    m_vertex = m_triangulation.tail(*first);
+    number_spokes();
+    count_single_ends(first, last);
+    for(auto h = first; h != last; ++h) {
+      const std::vector<Segment_index> segments = m_network.stack(Triangulation::edge(*h));
+      for(auto s = segments.begin(); s != segments.end(); ++s) {
+        add_joint({*h, *s});
+        for(auto t = segments.begin(); t != s; ++t)
+          add_neighbors({*h, *t}, {*h, *s});
+      }
+    }
+  }
+
+  void number_spokes()
+  {
+    const std::vector<Halfedge_index> all = spokes(m_triangulation, m_vertex);
+    for(std::size_t i = 0; i < all.size(); ++i)
+      m_position[all[i]] = static_cast<Index>(i);
+    m_has_border = m_triangulation.is_border(all.front());
+    m_single_ends_before.assign(all.size() + 1, 0);
+  }
+
+  template <class Iterator>
+  void count_single_ends(Iterator first, Iterator last)
+  {
+    for(auto h = first; h != last; ++h)
+      for(Segment_index s : m_network.stack(Triangulation::edge(*h)))
+        m_single_ends_before[m_position[*h] + 1] += mate({*h, s}).is_none() ? 1 : 0;
+    for(std::size_t i = 1; i < m_single_ends_before.size(); ++i)
+      m_single_ends_before[i] += m_single_ends_before[i - 1];
+  }
+
+  bool is_head(const Strand_end& end) const { return end.halfedge != m_network.halfedge(end.segment); }
+
+  // The end that a joint, if not fixed, connects with this one.
+  Strand_end mate(const Strand_end& end) const
+  {
+    const Segment_index x = is_head(end) ? end.segment : m_network.previous(end.segment);
+    if(x == null_index || m_network.is_head_fixed(x))
+      return {};
+    const auto [at_x, at_y] = m_network.ends({x, Side::LEFT});
+    return is_head(end) ? at_y : at_x;
+  }
+
+  // The joint that two ends belong to: do the single ends of its vertex lie between the two?
+  Literal contains_single_ends(const Strand_end& a, const Strand_end& b) const
+  {
+    return m_pairs.segment_literal(is_head(a) ? a.segment : b.segment);
+  }
+
+  Literal is_before(const Strand_end& a, const Strand_end& b) const
+  {
+    if(a.halfedge == b.halfedge)
+      return m_pairs.is_left(a.halfedge, a.segment, b.segment);
+    return constant(m_position[a.halfedge] < m_position[b.halfedge]);
+  }
+
+  // A joint and the single ends on other spokes than its own.
+  void add_joint(const Strand_end& a)
+  {
+    const Strand_end b = mate(a);
+    if(b.is_none() || !is_head(a))
+      return;
+    const Index p = (std::min)(m_position[a.halfedge], m_position[b.halfedge]);
+    const Index q = (std::max)(m_position[a.halfedge], m_position[b.halfedge]);
+    const auto& before = m_single_ends_before;
+    if(p < q && before[q] > before[p + 1])
+      add_equation({contains_single_ends(a, b), true_literal});
+    if(m_has_border || before[p] > 0 || before.back() > before[q + 1])
+      add_equation({contains_single_ends(a, b)});
+  }
+
+  // Two ends on one spoke, with what they are connected to.
+  void add_neighbors(const Strand_end& a, const Strand_end& c)
+  {
+    const Strand_end b = mate(a), d = mate(c);
+    if(b == c || (b.is_none() && d.is_none()))
+      return;
+    if(b.is_none())
+      add_joint_beside_single_end(c, d, a);
+    else if(d.is_none())
+      add_joint_beside_single_end(a, b, c);
+    else
+      add_joints(a, b, c, d);
+  }
+
+  void add_joint_beside_single_end(const Strand_end& a, const Strand_end& b, const Strand_end& x)
+  {
+    const bool is_repeated = a.halfedge == b.halfedge && !is_head(a);
+    if(!is_repeated)
+      add_equation({is_before(a, x), is_before(b, x), contains_single_ends(a, b)});
+  }
+
+  void add_joints(const Strand_end& a, const Strand_end& b, const Strand_end& c, const Strand_end& d)
+  {
+    const bool is_one_spoke = a.halfedge == b.halfedge && c.halfedge == d.halfedge;
+    const bool is_repeated = is_one_spoke && !(is_head(a) && is_head(c));
+    if(!is_repeated)
+      add_equation({is_before(a, c), is_before(a, d), is_before(b, c), is_before(b, d)});
+  }
+
+  // The sum of the literals, of which those left out are false, is even.
+  void add_equation(const std::array<Literal, 4>& literals)
+  {
+    const Equation equation = {literals, m_vertex};
+    if(!merge(equation))
+      m_long_equations.push_back(equation);
+  }
+
+  // Merges the classes that an equation says are equal; returns false if it has more than two variables.
+  bool merge(const Equation& equation)
+  {
+    const Parity_sum s = sum(equation);
+    if(s.size > 2)
+      return false;
+    const Literal a = s.size > 0 ? 2 * s.variables[0] : false_literal;
+    const Literal b = s.size > 1 ? 2 * s.variables[1] : false_literal;
+    if(!m_classes.unite(a, opposite_if(s.parity, b)))
+      throw_crossing(equation.vertex);
+    return true;
+  }
+
+  // Merges what classes have become known since make short enough.
+  void substitute()
+  {
+    std::size_t size = 0;
+    do {
+      size = m_long_equations.size();
+      const auto is_merged = [&](const Equation& equation) { return merge(equation); };
+      m_long_equations.erase(std::remove_if(m_long_equations.begin(), m_long_equations.end(), is_merged),
+                             m_long_equations.end());
+    } while(m_long_equations.size() < size);
+  }
+
+  // Merges what sums of long equations say; returns whether there is any.
+  bool merge_combinations()
+  {
+    Parity_elimination elimination;
+    for(const Equation& equation : m_long_equations) {
+      const Parity_sum s = sum(equation);
+      std::vector<Index> variables(s.variables.begin(), s.variables.begin() + s.size);
+      std::sort(variables.begin(), variables.end());
+      if(!elimination.add({std::move(variables), s.parity, equation.vertex}))
+        throw_crossing(equation.vertex);
+    }
+    bool has_merged = false;
+    for(const auto& [pivot, row] : elimination.rows()) {
+      if(row.variables.size() > 2)
+        continue;
+      const Literal other = row.variables.size() > 1 ? 2 * row.variables[1] : false_literal;
+      has_merged = true;
+      if(!m_classes.unite(2 * pivot, opposite_if(row.parity, other)))
+        throw_crossing(row.vertex);
+    }
+    return has_merged;
+  }
+
+  const Stack_pairs<Network>& m_pairs;
+  const Network& m_network;
+  const Triangulation& m_triangulation;
+  Parity_classes m_classes;
+  std::vector<Equation> m_long_equations;
+
+  // Of the vertex being looked at.
+  Vertex_index m_vertex = null_index;
+  bool m_has_border = false;
+  Indexed_by<Halfedge_index, Lazy_array<Index>> m_position; // of a spoke, clockwise from the cut
+  std::vector<Index> m_single_ends_before;                  // by position
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_H

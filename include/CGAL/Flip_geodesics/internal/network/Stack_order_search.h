@@ -1,0 +1,466 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_SEARCH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_SEARCH_H
+
+#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
+#include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Gives the classes of `Crossing_equations` values, so that the long equations hold too and each stack has an order:
+ * that no three segments are each left of the next.
+ *
+ * Classes that share a stack or an equation form a problem of their own. In each the defaults are tried all together,
+ * which is all there is to do for copies of curves. If they do not fit, classes are given their defaults one by one,
+ * each followed by what it implies; at a contradiction the last default that has not yet been taken back is. After some
+ * retries the search starts again, with the classes first that had no value left.
+ *
+ * Linear in the pairs if the defaults fit, and if they do not, at most in the pairs times the size of the largest stack
+ * for each retry. Retries need turns back that interlock: of 13 000 networks of random walks of up to 30 steps on
+ * meshes of 3 to 10 vertices, 36 needed any, and at most 64; of 3000 with up to 100 steps, one was given up.
+ */
+template <class Network>
+class Stack_order_search
+{
+  using Triangulation = typename Network::Triangulation;
+  using Equation = typename Crossing_equations<Network>::Equation;
+
+public:
+  /* How many segments one problem may take looking at, 1 s, before no choice is taken back any more. */
+  static constexpr std::size_t default_most_work = 200000000;
+
+  explicit Stack_order_search(Crossing_equations<Network>& equations, std::size_t most_work = default_most_work)
+    : m_equations(equations)
+    , m_pairs(equations.pairs())
+    , m_triangulation(m_pairs.network().triangulation())
+    , m_most_work(most_work)
+    , m_value(static_cast<std::size_t>(m_pairs.number_of_variables()), Value::UNKNOWN)
+  {
+    m_value[variable(false_literal)] = Value::NO;
+    flatten_classes();
+    find_members();
+    find_equations();
+  }
+
+  /* \throws Crossing_curves_error, Ambiguous_order_error */
+  void run()
+  {
+    find_problems();
+    if(!have_fitting_defaults()) {
+      imply_from_known_pairs();
+      find_problems();
+      for(Index i = 0; i < m_choices_of.size(); ++i)
+        if(m_choices_of[i].size() > 0 && !has_fitting_defaults(i))
+          search(i);
+    }
+    for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
+      if(!is_ordered(i))
+        throw_crossing(m_triangulation.tail(first_side(m_pairs.edge(i))));
+  }
+
+  /* The segments of a stack from left to right. \pre `run()` has returned */
+  std::vector<Segment_index> order(Index stack) const
+  {
+    const auto segments = m_pairs.segments(stack);
+    std::vector<Segment_index> result(static_cast<std::size_t>(segments.size()));
+    for(Index i : segments)
+      result[static_cast<std::size_t>(number_on_left(stack, Segment_index(i)))] = Segment_index(i);
+    return result;
+  }
+
+  /* How often a choice was taken back. */
+  std::size_t retries() const { return m_retries; }
+
+private:
+  enum class Value : char { NO, YES, UNKNOWN };
+
+  struct Choice
+  {
+    std::size_t trail_size; // before it
+    Index choice;
+    bool is_second; // has the default failed?
+  };
+
+  /// \name The classes
+  /// @{
+
+  void flatten_classes()
+  {
+    for(Index v = 0; v < m_pairs.number_of_variables(); ++v)
+      m_class.push_back(m_equations.classes().representative(2 * v));
+  }
+
+  Literal class_of(Literal a) const { return opposite_if(is_opposite(a), m_class[variable(a)]); }
+
+  void find_members()
+  {
+    std::vector<Index> keys(static_cast<std::size_t>(m_pairs.end_of_pairs()), null_index);
+    for(Index v = 1; v < m_pairs.end_of_pairs(); ++v)
+      if(is_unknown(2 * v))
+        keys[v] = variable(m_class[v]);
+    m_members = Buckets(m_pairs.number_of_variables(), keys);
+  }
+
+  // Four items for each equation, one for each literal.
+  void find_equations()
+  {
+    std::vector<Index> keys;
+    for(const Equation& equation : m_equations.long_equations())
+      for(Literal a : equation.literals)
+        keys.push_back(is_unknown(a) ? variable(class_of(a)) : null_index);
+    m_equation_items = Buckets(m_pairs.number_of_variables(), keys);
+  }
+
+  bool is_unknown(Literal a) const { return m_value[variable(class_of(a))] == Value::UNKNOWN; }
+
+  bool is_true(Literal a) const
+  {
+    const Literal c = class_of(a);
+    return m_value[variable(c)] == (is_opposite(c) ? Value::NO : Value::YES);
+  }
+
+  bool is_left(Segment_index s, Segment_index t) const { return is_true(m_pairs.is_left(s, t)); }
+
+  /// @}
+  /// \name What follows from what
+  /// @{
+
+  // Returns false if the opposite is known.
+  bool assign(Literal a)
+  {
+    if(!is_unknown(a))
+      return is_true(a);
+    const Literal c = class_of(a);
+    m_value[variable(c)] = is_opposite(c) ? Value::NO : Value::YES;
+    m_trail.push_back(variable(c));
+    return true;
+  }
+
+  void undo(std::size_t trail_size)
+  {
+    for(; m_trail.size() > trail_size; m_trail.pop_back())
+      m_value[m_trail.back()] = Value::UNKNOWN;
+    m_propagated = trail_size;
+  }
+
+  void imply_from_known_pairs()
+  {
+    for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
+      if(!imply_in_stack(i))
+        throw_crossing(m_conflict);
+    if(!propagate(true))
+      throw_crossing(m_conflict);
+  }
+
+  // Orders s and t if some u is known to lie between them; looks at 64 of these at a time.
+  bool imply_in_stack(Index stack)
+  {
+    const auto segments = m_pairs.segments(stack);
+    const Bit_matrix right = bits_of([&](Segment_index s, Segment_index t) { return is_left(s, t); }, segments);
+    const Bit_matrix left = bits_of([&](Segment_index s, Segment_index t) { return is_left(t, s); }, segments);
+    for(Index i = 0; i < segments.size(); ++i)
+      for(Index j = 0; j < segments.size(); ++j) {
+        const Segment_index s(segments.first[i]), t(segments.first[j]);
+        if(s != t && !is_left(s, t) && have_common_bit(right[i], left[j]) && !assign(m_pairs.is_left(s, t)))
+          return fail_at_stack(s);
+      }
+    return true;
+  }
+
+  using Bit_matrix = std::vector<std::vector<std::uint64_t>>;
+
+  template <class Relation>
+  static Bit_matrix bits_of(const Relation& relation, const Buckets::Range& segments)
+  {
+    const auto size = static_cast<std::size_t>(segments.size());
+    Bit_matrix result(size, std::vector<std::uint64_t>((size + 63) / 64, 0));
+    for(std::size_t i = 0; i < size; ++i)
+      for(std::size_t j = 0; j < size; ++j)
+        if(i != j && relation(Segment_index(segments.first[i]), Segment_index(segments.first[j])))
+          result[i][j / 64] |= std::uint64_t(1) << (j % 64);
+    return result;
+  }
+
+  static bool have_common_bit(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b)
+  {
+    for(std::size_t i = 0; i < a.size(); ++i)
+      if((a[i] & b[i]) != 0)
+        return true;
+    return false;
+  }
+
+  // Returns false if the values contradict each other. The orders of the stacks can be left out of it.
+  bool propagate(bool uses_orders)
+  {
+    for(; m_propagated < m_trail.size(); ++m_propagated) {
+      const Index c = m_trail[m_propagated];
+      for(Index item : m_equation_items[c])
+        if(!imply_from_equation(m_equations.long_equations()[item / 4]))
+          return false;
+      if(uses_orders)
+        for(Index v : m_members[c])
+          if(!imply_from_order(v))
+            return false;
+    }
+    return true;
+  }
+
+  bool imply_from_equation(const Equation& equation)
+  {
+    Parity_sum sum;
+    for(Literal a : equation.literals)
+      sum.add(is_unknown(a) ? class_of(a) : constant(is_true(a)));
+    const bool is_possible = sum.size > 1 ||
+                             (sum.size == 1 && assign(opposite_if(!sum.parity, 2 * sum.variables[0]))) ||
+                             (sum.size == 0 && !sum.parity);
+    if(!is_possible)
+      m_conflict = equation.vertex;
+    return is_possible;
+  }
+
+  bool imply_from_order(Index pair)
+  {
+    auto [s, t] = m_pairs.segments_of_pair(pair);
+    const auto segments = m_pairs.segments(m_pairs.stack_of(s));
+    m_work += static_cast<std::size_t>(segments.size());
+    if(!is_left(s, t))
+      std::swap(s, t);
+    for(Index i : segments) {
+      const Segment_index u(i);
+      if(u == s || u == t)
+        continue;
+      if((is_left(u, s) && !assign(m_pairs.is_left(u, t))) || (is_left(t, u) && !assign(m_pairs.is_left(s, u))))
+        return fail_at_stack(s);
+    }
+    return true;
+  }
+
+  bool fail_at_stack(Segment_index s)
+  {
+    m_conflict = m_triangulation.tail(first_side(m_pairs.edge(m_pairs.stack_of(s))));
+    return false;
+  }
+
+  Index number_on_left(Index stack, Segment_index s) const
+  {
+    Index count = 0;
+    for(Index t : m_pairs.segments(stack))
+      count += t != s.idx() && is_left(Segment_index(t), s) ? 1 : 0;
+    return count;
+  }
+
+  // No three segments are each left of the next if and only if the numbers of those on the left are all different.
+  bool is_ordered(Index stack) const
+  {
+    const auto segments = m_pairs.segments(stack);
+    std::vector<char> is_taken(static_cast<std::size_t>(segments.size()), 0);
+    for(Index s : segments) {
+      char& place = is_taken[static_cast<std::size_t>(number_on_left(stack, Segment_index(s)))];
+      if(place != 0)
+        return false;
+      place = 1;
+    }
+    return true;
+  }
+
+  /// @}
+  /// \name The problems
+  /// @{
+
+  // Problems are numbered by their representatives.
+  void find_problems()
+  {
+    Parity_classes problems(m_pairs.number_of_variables());
+    const auto join = [&](Index& first, Literal a) {
+      if(!is_unknown(a))
+        return;
+      const Index c = variable(class_of(a));
+      first = first == null_index ? c : first;
+      problems.unite(2 * first, 2 * c);
+    };
+    std::vector<Index> stack_class(static_cast<std::size_t>(m_pairs.number_of_stacks()), null_index);
+    for(Index v = 1; v < m_pairs.end_of_pairs(); ++v)
+      join(stack_class[m_pairs.stack_of(m_pairs.segments_of_pair(v).first)], 2 * v);
+    for(const Equation& equation : m_equations.long_equations()) {
+      Index first = null_index;
+      for(Literal a : equation.literals)
+        join(first, a);
+    }
+    const auto problem_of = [&](Index c) { return c == null_index ? c : variable(problems.representative(2 * c)); };
+    std::transform(stack_class.begin(), stack_class.end(), stack_class.begin(), problem_of);
+    m_stacks_of = Buckets(m_pairs.number_of_variables(), stack_class);
+    find_choices(problem_of);
+  }
+
+  // The unknown classes, by the oldest segments they are about, with their defaults: the older is on the left as seen
+  // along it, or the other way if its curve has turned back an odd number of times. So the oldest of those that nothing
+  // else orders is outermost, and what turns back lies beside itself, on one side of all that is younger.
+  template <class ProblemOf>
+  void find_choices(const ProblemOf& problem_of)
+  {
+    std::vector<char> is_known(static_cast<std::size_t>(m_pairs.number_of_variables()), 0);
+    std::vector<Index> problem;
+    m_choices.clear();
+    const std::vector<Halfedge_index> headings = initial_headings();
+    for(Segment_index s(1); s.idx() < m_pairs.network().end_of_segment_ids(); ++s) {
+      if(m_pairs.stack_of(s) == null_index)
+        continue;
+      const auto segments = m_pairs.segments(m_pairs.stack_of(s));
+      for(auto t = std::upper_bound(segments.begin(), segments.end(), s.idx()); t != segments.end(); ++t) {
+        const Literal a = class_of(m_pairs.is_left(headings[static_cast<std::size_t>(s.idx())], s, Segment_index(*t)));
+        if(!is_unknown(a) || is_known[variable(a)] != 0)
+          continue;
+        is_known[variable(a)] = 1;
+        m_choices.push_back(a);
+        problem.push_back(problem_of(variable(a)));
+      }
+    }
+    m_choices_of = Buckets(m_pairs.number_of_variables(), problem);
+  }
+
+  // The halfedge of each segment, or its twin if the curve has turned back an odd number of times before it.
+  std::vector<Halfedge_index> initial_headings() const
+  {
+    const Network& network = m_pairs.network();
+    std::vector<Halfedge_index> result(static_cast<std::size_t>(network.end_of_segment_ids()));
+    for(Curve_index c : descriptors<Curve_index>(network.number_of_curves())) {
+      Halfedge_index last; // the initial heading of the segment before
+      network.for_each_segment(c, [&](Segment_index s) {
+        const Halfedge_index h = network.halfedge(s);
+        const Segment_index p = network.previous(s);
+        const bool has_turned = last != null_index && h == Triangulation::twin(network.halfedge(p));
+        const bool is_turned = last != null_index && (last != network.halfedge(p)) != has_turned;
+        last = result[s.idx()] = is_turned ? Triangulation::twin(h) : h;
+      });
+    }
+    return result;
+  }
+
+  // Gives the defaults to the problems they fit, and returns whether these are all.
+  bool have_fitting_defaults()
+  {
+    bool do_all_fit = true;
+    for(Index i = 0; i < m_choices_of.size(); ++i)
+      if(m_choices_of[i].size() > 0)
+        do_all_fit = has_fitting_defaults(i) && do_all_fit;
+    return do_all_fit;
+  }
+
+  bool has_fitting_defaults(Index problem)
+  {
+    const std::size_t trail_size = m_trail.size();
+    for(Index i : m_choices_of[problem])
+      assign(m_choices[i]);
+    const auto stacks = m_stacks_of[problem];
+    if(propagate(false) && std::all_of(stacks.begin(), stacks.end(), [&](Index i) { return is_ordered(i); }))
+      return true;
+    undo(trail_size);
+    return false;
+  }
+
+  void search(Index problem)
+  {
+    make_queue(problem);
+    m_work = 0;
+    constexpr std::size_t first_most = 20;
+    std::size_t retries_left = first_most;
+    for(std::size_t most = first_most; !search_queue(retries_left); retries_left = most += most / 2)
+      ; // again from the start, with the queue as it is now
+  }
+
+  // First the choices in most equations, for the others seldom matter.
+  void make_queue(Index problem)
+  {
+    const auto choices = m_choices_of[problem];
+    const auto number_of_items = [&](Index i) { return m_equation_items[variable(m_choices[i])].size(); };
+    m_queue.assign(choices.begin(), choices.end());
+    std::stable_sort(m_queue.begin(), m_queue.end(),
+                     [&](Index i, Index j) { return number_of_items(i) > number_of_items(j); });
+  }
+
+  // Returns false, with all choices taken back, when no retries are left.
+  bool search_queue(std::size_t retries_left)
+  {
+    m_made.clear();
+    for(std::size_t i = 0; i < m_queue.size();) {
+      if(!is_unknown(m_choices[m_queue[i]])) {
+        ++i;
+        continue;
+      }
+      m_made.push_back({m_trail.size(), m_queue[i], false});
+      assign(m_choices[m_queue[i]]);
+      for(; !propagate(true); i = 0) {
+        retry();
+        if(--retries_left == 0) {
+          undo(m_made.front().trail_size);
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // Takes choices back until one has another value left, and gives it that. Those that had none come first from now on,
+  // so that the search finds out soon whether they still have none.
+  void retry()
+  {
+    for(; !m_made.empty() && m_made.back().is_second; m_made.pop_back()) {
+      const auto failed = std::find(m_queue.begin(), m_queue.end(), m_made.back().choice);
+      std::rotate(m_queue.begin(), failed, failed + 1);
+    }
+    if(m_made.empty())
+      throw_crossing(m_conflict);
+    Choice& last = m_made.back();
+    undo(last.trail_size);
+    ++m_retries;
+    if(m_work > m_most_work)
+      give_up(m_choices[last.choice]);
+    last.is_second = true;
+    assign(opposite(m_choices[last.choice]));
+  }
+
+  [[noreturn]] void give_up(Literal a) const
+  {
+    const Segment_index s = m_pairs.segments_of_pair(*m_members[variable(a)].begin()).first;
+    const Halfedge_index h = m_pairs.network().halfedge(s);
+    throw_ambiguous(m_triangulation.tail(h), m_triangulation.head(h));
+  }
+
+  /// @}
+
+  Crossing_equations<Network>& m_equations;
+  const Stack_pairs<Network>& m_pairs;
+  const Triangulation& m_triangulation;
+  const std::size_t m_most_work;
+
+  std::vector<Literal> m_class; // by variable
+  Buckets m_members;            // the pairs of an unknown class
+  Buckets m_equation_items;     // its places in long equations, four to an equation
+
+  std::vector<Value> m_value;   // of a class
+  std::vector<Index> m_trail;   // the classes that were given values, in order
+  std::size_t m_propagated = 0; // how many of them have been followed up
+  Vertex_index m_conflict;
+
+  std::vector<Literal> m_choices;
+  Buckets m_choices_of, m_stacks_of; // by problem
+  std::vector<Index> m_queue;        // the choices of a problem
+  std::vector<Choice> m_made;
+  std::size_t m_retries = 0, m_work = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_STACK_ORDER_SEARCH_H

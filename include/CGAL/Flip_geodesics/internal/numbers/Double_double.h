@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_DOUBLE_DOUBLE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_DOUBLE_DOUBLE_H
+
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Numbers of about 106 bits: the unevaluated sum of two doubles, the second at most half a unit in the last place of
+ * the first [Dekker]. With u = 2^-53, and as long as nothing over- or underflows, the result of each operation errs by
+ * at most `double_double_error`, that is 16 u^2,
+ *
+ *   - of |x| + |y| for a sum: 8 u^2 at most, as both roundings are of numbers below 2 u (|x| + |y|), and as, if so much
+ *     cancels that the last addition is not ordered, it errs by u of a number of that size;
+ *   - of the result for a product, 5 u^2, and for a root, 4 u^2 [Joldes, Muller, Popescu, Tight and Rigorous Error
+ * Bounds for Basic Building Blocks of Double-Word Arithmetic, algorithm 11; Lefevre et al., Accurate Calculation of
+ * Euclidean Norms Using Double-Word Arithmetic];
+ *   - of the result for a quotient, 13 u^2: the remainder of the first quotient is exact; then four roundings of
+ * numbers below 3 u, and the divisor's second half is left out once.
+ */
+struct Double_double
+{
+  double high = 0, low = 0;
+};
+
+/* a + b, exactly. [Knuth, TwoSum] */
+inline Double_double exact_sum(double a, double b)
+{
+  a = unfused(a);
+  b = unfused(b);
+  const double sum = a + b, rest = sum - a;
+  return {sum, (a - (sum - rest)) + (b - rest)};
+}
+
+/* a + b, exactly. \pre |a| >= |b| or a = 0 */
+inline Double_double ordered_sum(double a, double b)
+{
+  a = unfused(a);
+  b = unfused(b);
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+/* a b, exactly. */
+inline Double_double exact_product(double a, double b)
+{
+  const double product = unfused(a * b);
+  return {product, std::fma(a, b, -product)};
+}
+
+inline Double_double operator-(const Double_double& a) { return {-a.high, -a.low}; }
+
+inline Double_double operator+(const Double_double& a, const Double_double& b)
+{
+  const Double_double sum = exact_sum(a.high, b.high);
+  return ordered_sum(sum.high, sum.low + (a.low + b.low));
+}
+
+inline Double_double operator-(const Double_double& a, const Double_double& b) { return a + -b; }
+
+inline Double_double operator*(const Double_double& a, const Double_double& b)
+{
+  const Double_double product = exact_product(a.high, b.high);
+  return ordered_sum(product.high, product.low + std::fma(a.low, b.high, unfused(a.high * b.low)));
+}
+
+inline Double_double operator/(const Double_double& a, const Double_double& b)
+{
+  const double quotient = a.high / b.high;
+  const Double_double product = exact_product(quotient, b.high);
+  const double rest = (a.high - product.high) - product.low;
+  return ordered_sum(quotient, (rest + (a.low - unfused(quotient * b.low))) / b.high);
+}
+
+/* \pre a >= 0 */
+inline Double_double sqrt(const Double_double& a)
+{
+  if(!(a.high > 0))
+    return {};
+  const double root = std::sqrt(a.high);
+  return ordered_sum(root, (std::fma(-root, root, a.high) + a.low) / (2 * root));
+}
+
+/*
+ * Complex numbers of them. Each operation errs, as a vector, by at most `double_double_vector_error`, that is 64 u^2,
+ * of |v| + |w| for a sum and of |v| |w| for a product: there each coordinate takes two products and a sum of them, in
+ * all 33 u^2 (|v.x w.x| + |v.y w.y|) or the like, which is at most 33 u^2 |v| |w| [Cauchy, Schwarz].
+ */
+struct Double_double_vector
+{
+  Double_double x, y;
+};
+
+inline Double_double_vector operator-(const Double_double_vector& v) { return {-v.x, -v.y}; }
+inline Double_double_vector conjugate(const Double_double_vector& v) { return {v.x, -v.y}; }
+
+inline Double_double_vector operator+(const Double_double_vector& v, const Double_double_vector& w)
+{
+  return {v.x + w.x, v.y + w.y};
+}
+
+inline Double_double_vector operator*(const Double_double_vector& v, const Double_double_vector& w)
+{
+  return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
+}
+
+inline Double_double_vector operator*(const Double_double& a, const Double_double_vector& v)
+{
+  return {a * v.x, a * v.y};
+}
+
+/* The length, in double. */
+inline double length(const Double_double_vector& v)
+{
+  return std::sqrt(unfused(v.x.high * v.x.high) + unfused(v.y.high * v.y.high));
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_DOUBLE_DOUBLE_H

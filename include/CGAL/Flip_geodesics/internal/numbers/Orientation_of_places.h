@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_ORIENTATION_OF_PLACES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_ORIENTATION_OF_PLACES_H
+
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A sum of doubles, exactly, as parts that do not overlap, the largest last [Shewchuk, Grow-Expansion]. */
+template <std::size_t MostTerms>
+class Exact_sum
+{
+public:
+  void add(double x)
+  {
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < m_size; ++i) {
+      const Double_double sum = exact_sum(x, m_parts[i]);
+      if(sum.low != 0)
+        m_parts[kept++] = sum.low;
+      x = sum.high;
+    }
+    if(x != 0)
+      m_parts[kept++] = x;
+    m_size = kept;
+  }
+
+  void add_product(double a, double b)
+  {
+    const Double_double product = exact_product(a, b);
+    add(product.low);
+    add(product.high);
+  }
+
+  void add_product(double a, double b, double c)
+  {
+    const Double_double product = exact_product(a, b);
+    add_product(product.low, c);
+    add_product(product.high, c);
+  }
+
+  Sign sign() const { return m_size == 0 ? ZERO : (m_parts[m_size - 1] > 0 ? POSITIVE : NEGATIVE); }
+
+private:
+  std::array<double, MostTerms> m_parts;
+  std::size_t m_size = 0;
+};
+
+/*
+ * The sign of the determinant of the vectors from one place to N others, exactly. The predicates of CGAL's kernels give
+ * the same, but include the number types that CGAL was configured with.
+ *
+ * The determinant is evaluated in double with a bound of its error, where nothing is rounded without; then with twice
+ * the digits. What that does not decide is mostly zero. It is shown by a sum of doubles if the vectors are doubles, and
+ * else by integers.
+ */
+template <std::size_t N>
+class Orientation_of_places
+{
+  static_assert(N == 2 || N == 3, "in the plane or in space");
+
+  template <class Number>
+  using Matrix = std::array<std::array<Number, N>, N>;
+
+public:
+  using Place = std::array<double, N>;
+
+  /* The first place and the N others. */
+  Sign operator()(const std::array<Place, N + 1>& places) const
+  {
+    const Matrix<double> vectors = differences<double>(places, [](double a, double b) { return a - b; });
+    const double size = error_scale(vectors), value = determinant(vectors);
+    if(std::abs(value) > determinant_error * size + underflow_of_products)
+      return value > 0 ? POSITIVE : NEGATIVE;
+    if(has_zero_column(vectors))
+      return ZERO;
+    if(are_short(places))
+      return sign_of(value);
+    const auto precise_vectors =
+        differences<Double_double>(places, [](double a, double b) { return exact_sum(a, -b); });
+    const double precise_value = determinant(precise_vectors).high;
+    if(std::abs(precise_value) > 8 * double_double_error * size + underflow_of_products)
+      return precise_value > 0 ? POSITIVE : NEGATIVE;
+    return are_doubles(precise_vectors) ? sign_of_sum(vectors) : sign_of_integer(places);
+  }
+
+private:
+  static Sign sign_of(double x) { return x > 0 ? POSITIVE : (x < 0 ? NEGATIVE : ZERO); }
+
+  template <class Number, class Places, class Difference>
+  static Matrix<Number> differences(const Places& places, Difference difference)
+  {
+    Matrix<Number> result;
+    for(std::size_t i = 0; i < N; ++i)
+      for(std::size_t k = 0; k < N; ++k)
+        result[i][k] = difference(places[i + 1][k], places[0][k]);
+    return result;
+  }
+
+  // Neither does a product of three overflow, nor does its last bit underflow.
+  static bool has_exact_products(double x)
+  {
+    return x == 0 || (std::abs(x) > least_of_three_factors && std::abs(x) < greatest_of_three_factors);
+  }
+
+  static bool are_doubles(const Matrix<Double_double>& vectors)
+  {
+    for(const auto& row : vectors)
+      for(const Double_double& x : row)
+        if(x.low != 0 || !has_exact_products(x.high))
+          return false;
+    return true;
+  }
+
+  // Are they all multiples of some unit, 2^15 of them at most? Then nothing is rounded: neither differences nor, with
+  // six products that are less than 2^48 each, the determinant. A large number that is added rounds to such a unit.
+  static bool are_short(const std::array<Place, N + 1>& places)
+  {
+    double largest = 0;
+    for(const Place& place : places)
+      for(double x : place)
+        largest = (std::max)(largest, std::abs(x));
+    if(!(largest > least_unscaled && largest < greatest_unscaled))
+      return false;
+    const double shift = largest * short_coordinate_shift;
+    for(const Place& place : places)
+      for(double x : place)
+        if((x + shift) - shift != x)
+          return false;
+    return true;
+  }
+
+  // As where all faces lie in a plane along two axes.
+  static bool has_zero_column(const Matrix<double>& v)
+  {
+    for(std::size_t k = 0; k < N; ++k)
+      if(std::all_of(v.begin(), v.end(), [k](const Place& row) { return row[k] == 0; }))
+        return true;
+    return false;
+  }
+
+  // Leibniz' formula, with pairs of products subtracted, as in the determinant, or added.
+  template <class Number, class Operation>
+  static Number sum_of_products(const Matrix<Number>& v, Operation of)
+  {
+    if constexpr(N == 2)
+      return of(v[0][0] * v[1][1], v[0][1] * v[1][0]);
+    else
+      return v[0][0] * of(v[1][1] * v[2][2], v[1][2] * v[2][1]) + v[0][1] * of(v[1][2] * v[2][0], v[1][0] * v[2][2]) +
+             v[0][2] * of(v[1][0] * v[2][1], v[1][1] * v[2][0]);
+  }
+
+  template <class Number>
+  static Number determinant(const Matrix<Number>& v)
+  {
+    return sum_of_products(v, [](const Number& a, const Number& b) { return Number(a - b); });
+  }
+
+  // What errors of the determinant are relative to. Infinite where a tiny product that lost its digits may be
+  // multiplied by a huge number.
+  static double error_scale(const Matrix<double>& v)
+  {
+    Matrix<double> sizes;
+    for(std::size_t i = 0; i < N; ++i)
+      for(std::size_t k = 0; k < N; ++k)
+        sizes[i][k] = std::abs(v[i][k]);
+    for(double x : sizes[0])
+      if(!(x < greatest_of_three_factors))
+        return std::numeric_limits<double>::infinity();
+    return sum_of_products(sizes, [](double a, double b) { return a + b; });
+  }
+
+  static Sign sign_of_sum(const Matrix<double>& v)
+  {
+    Exact_sum<4 * 6> sum;
+    for(std::size_t i = 0; i < N; ++i) {
+      const std::size_t j = (i + 1) % N, k = (i + 2) % N;
+      if constexpr(N == 2) {
+        sum.add_product(i == 0 ? v[0][i] : -v[0][i], v[1][j]);
+      } else {
+        sum.add_product(v[1][j], v[2][k], v[0][i]);
+        sum.add_product(-v[1][k], v[2][j], v[0][i]);
+      }
+    }
+    return sum.sign();
+  }
+
+  static Sign sign_of_integer(const std::array<Place, N + 1>& places)
+  {
+    std::array<double, N*(N + 1)> coordinates;
+    for(std::size_t i = 0; i <= N; ++i)
+      std::copy(places[i].begin(), places[i].end(), coordinates.begin() + static_cast<std::ptrdiff_t>(N * i));
+    const auto integers = to_integers(coordinates);
+    std::array<std::array<Integer, N>, N + 1> points;
+    for(std::size_t i = 0; i < integers.size(); ++i)
+      points[i / N][i % N] = integers[i];
+    const auto vectors =
+        differences<Integer>(points, [](const Integer& a, const Integer& b) { return Integer(a - b); });
+    return sign_of(determinant(vectors).sign());
+  }
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_ORIENTATION_OF_PLACES_H

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_FLIPPED_START_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_FLIPPED_START_H
+
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A path of edges, and the flips of the input by which these come into being. */
+struct Flipped_start
+{
+  std::vector<Halfedge_index> flips, path;
+};
+
+template <class Triangulation>
+Flipped_start flipped_start(const Triangulation& triangulation, const std::vector<Halfedge_index>& path)
+{
+  Flipped_start result = {{}, path};
+  for(std::size_t i = 0; i < triangulation.log_position(); ++i)
+    if(triangulation.flip_record(i).is_flip())
+      result.flips.push_back(triangulation.flip_record(i).h);
+  return result;
+}
+
+/* The only curve of a network, as it is now. */
+template <class Network>
+Flipped_start flipped_start_of(const Network& network)
+{
+  std::vector<Halfedge_index> path;
+  network.for_each_segment(Curve_index(0), [&](Segment_index s) { path.push_back(network.halfedge(s)); });
+  return flipped_start(network.triangulation(), path);
+}
+
+/* Pulls the path tight, as the only curve of a network. */
+template <class Network, class Visitor>
+Shortening_report pull_tight(Network& network, const Flipped_start& start, Visitor& visitor)
+{
+  network.clear();
+  network.triangulation().rollback(0);
+  for(Halfedge_index h : start.flips)
+    network.triangulation().flip(h);
+  network.add_curve(start.path, false);
+  return shorten(network, Never_stop_predicate(), visitor);
+}
+
+/* Counts what a path has cost before it was replaced, and flips by which the other one came. */
+inline void count_before(Shortening_report& shortening, const Shortening_report& before, std::size_t flips)
+{
+  shortening.curves[0].initial_length = before.curves[0].initial_length;
+  shortening.flips += before.flips + flips;
+  shortening.flip_outs += before.flip_outs;
+}
+
+/* Is there a face of which one side is as long as the two others, but for roundings? Linear in the mesh. */
+template <class Triangulation>
+bool has_flat_face(const Triangulation& triangulation)
+{
+  const auto& input = triangulation.input();
+  const auto length = [&](Input_halfedge_index h) { return triangulation.metric().weight(input, h); };
+  const auto all = descriptors<Input_halfedge_index>(input.number_of_halfedges());
+  return std::any_of(all.begin(), all.end(), [&](Input_halfedge_index h) {
+    if(input.is_border(h))
+      return false;
+    const Input_halfedge_index hn = input.next(h);
+    return length(h) >= (length(hn) + length(input.next(hn))) * (1 - length_sum_rounding);
+  });
+}
+
+/* The path of a tree of geodesics that is grown in an intrinsic Delaunay triangulation of the input. */
+template <class Network>
+std::vector<Halfedge_index> path_in_tree(Network& network, Vertex_index from, Vertex_index to)
+{
+  using Triangulation = typename Network::Triangulation;
+  network.clear();
+  network.triangulation().rollback(0);
+  try {
+    flip_to_delaunay(network.triangulation());
+    Geodesic_tree<Triangulation> tree(network.triangulation());
+    tree.grow(from);
+    return tree.path(to);
+  } catch(const Degenerate_face_error&) { // an edge of length zero, which a path need not meet
+    return {};
+  }
+}
+
+/*
+ * Starts that windows do not find beside faces without area, since straight rays get lost there. In an intrinsic
+ * Delaunay triangulation are no such faces, but where vertices lie in one place. So the path of a tree that is grown
+ * there is mostly a shortest one; one is grown from either end.
+ */
+template <class Network>
+std::vector<Flipped_start> starts_in_trees(Network& network, Vertex_index source, Vertex_index target)
+{
+  using Triangulation = typename Network::Triangulation;
+  std::vector<Flipped_start> result;
+  std::vector<Halfedge_index> path = path_in_tree(network, source, target);
+  if(!path.empty())
+    result.push_back(flipped_start(network.triangulation(), path));
+  path = path_in_tree(network, target, source);
+  std::reverse(path.begin(), path.end());
+  std::transform(path.begin(), path.end(), path.begin(), [](Halfedge_index h) { return Triangulation::twin(h); });
+  if(!path.empty())
+    result.push_back(flipped_start(network.triangulation(), path));
+  return result;
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_FLIPPED_START_H

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_SHORTEST_TREE_REPAIR_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_SHORTEST_TREE_REPAIR_H
+
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Spoke_places.h>
+#include <CGAL/Flip_geodesics/internal/shortest/last_leg_of_search.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Replaces the paths of a tree that are not shortest by shortest ones.
+ *
+ * Shortest paths from one vertex do not cross. So, once the paths that are longer are taken off, a shortest path to a
+ * vertex that is nearest among those taken off crosses no edge of the tree; its last leg is traced backward through the
+ * triangulation, to the first vertex that it meets, and inserted there by flips.
+ *
+ * Paths in the tree that are shortest up to rounding only can cross such a leg; they are taken off as well then, each
+ * once. A leg that crosses one face several times, as on rough terrain, cannot be inserted by these flips: such legs
+ * come last, after the edges beside the tree are flipped to Delaunay.
+ *
+ * The search knows of the vertices of the input how far they are, and their last legs.
+ */
+template <class Tree, class Search = Window_search<typename Tree::Triangulation>>
+class Shortest_tree_repair
+{
+  using Triangulation = typename Tree::Triangulation;
+  using Grafts = typename Tree::Grafts;
+  using Vector = std::complex<double>;
+
+public:
+  /* \param interruption if it occurs, the paths that have not been inserted by then are grown as before */
+  Shortest_tree_repair(Tree& tree, const Search& search, double tolerance, Interruption* interruption = nullptr)
+    : m_tree(tree)
+    , m_triangulation(tree.triangulation())
+    , m_search(search)
+    , m_tolerance(tolerance)
+    , m_interruption(interruption)
+  {
+  }
+
+  /* The vertices whose paths are longer than shortest ones, or pass such a vertex, the nearest first. */
+  std::vector<Vertex_index> longer() const
+  {
+    std::vector<Vertex_index> order = vertices_by_distance();
+    Indexed_by<Vertex_index, std::vector<char>> is_longer(
+        static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
+    std::vector<Vertex_index> result;
+    for(Vertex_index v : order) {
+      const Halfedge_index h = m_tree.incoming(v);
+      const bool has_longer_parent = h != null_index && is_longer[m_triangulation.tail(h)] != 0;
+      if(m_tree.distance(v) <= m_search.distance(v) * (1 + m_tolerance) && !has_longer_parent)
+        continue;
+      is_longer[v] = 1;
+      result.push_back(v);
+    }
+    return result;
+  }
+
+  /* Replaces the paths of such vertices. */
+  Shortening_status run(const std::vector<Vertex_index>& longer)
+  {
+    return m_tree.replace_paths([&](Grafts& grafts) { replace(grafts, longer); }).status;
+  }
+
+  std::size_t flips() const { return m_flips; }
+
+private:
+  void replace(Grafts& grafts, const std::vector<Vertex_index>& longer)
+  {
+    m_is_taken_off.assign(static_cast<std::size_t>(m_triangulation.number_of_vertices()), 0);
+    for(Vertex_index v : longer)
+      take_off(grafts, v);
+    for(Vertex_index v : inserted_behind_taken_off())
+      take_off(grafts, v);
+    const std::vector<Vertex_index> failed = insert_last_legs(grafts);
+    if(!failed.empty() && !has_been_interrupted(m_interruption))
+    { // a leg that crosses one face several times; faces are compact now
+      flip_to_delaunay_beside_tree();
+      for(Vertex_index v : failed)
+        m_pending.insert({m_search.distance(v), v});
+      insert_last_legs(grafts);
+    }
+  }
+
+  // The search does not know inserted vertices; those whose paths pass a vertex that was taken off.
+  std::vector<Vertex_index> inserted_behind_taken_off() const
+  {
+    std::vector<Vertex_index> result;
+    for(Vertex_index v(m_triangulation.input().number_of_vertices()); v.idx() < m_triangulation.number_of_vertices();
+        ++v) {
+      Vertex_index w = v;
+      while(m_tree.incoming(w) != null_index)
+        w = m_triangulation.tail(m_tree.incoming(w));
+      if(m_tree.is_reached(v) && w != m_tree.source())
+        result.push_back(v);
+    }
+    return result;
+  }
+
+  std::vector<Vertex_index> vertices_by_distance() const
+  {
+    std::vector<Vertex_index> order;
+    for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.input().number_of_vertices()))
+      if(m_search.distance(v) <= m_tree.max_distance() && m_search.is_reached(v))
+        order.push_back(v);
+    std::sort(order.begin(), order.end(), [this](Vertex_index v, Vertex_index w) {
+      const double a = m_search.distance(v), b = m_search.distance(w);
+      return a != b ? a < b : v < w;
+    });
+    return order;
+  }
+
+  void take_off(Grafts& grafts, Vertex_index v)
+  {
+    grafts.take_off(v);
+    m_is_taken_off[v] = 1;
+    if(!m_triangulation.is_inserted(v) && m_search.is_reached(v))
+      m_pending.insert({m_search.distance(v), v});
+  }
+
+  void take_off_subtree(Grafts& grafts, Vertex_index v)
+  {
+    std::vector<Vertex_index> subtree = {v};
+    for(std::size_t i = 0; i < subtree.size(); ++i)
+      for(Halfedge_index spoke : spokes(m_triangulation, subtree[i]))
+        if(m_tree.incoming(m_triangulation.head(spoke)) == spoke)
+          subtree.push_back(m_triangulation.head(spoke));
+    for(Vertex_index w : subtree)
+      take_off(grafts, w);
+  }
+
+  // Inserts the last legs of the paths that are pending, the nearest first. Returns the vertices where this failed.
+  std::vector<Vertex_index> insert_last_legs(Grafts& grafts)
+  {
+    std::vector<Vertex_index> failed;
+    while(!m_pending.empty() && !is_interrupted_before_part(m_interruption)) {
+      const Vertex_index v = m_pending.begin()->second;
+      m_pending.erase(m_pending.begin());
+      m_in_the_way = null_index;
+      if(insert_last_leg(grafts, v))
+        continue;
+      // A path in the tree that is shortest up to rounding, but crosses this one: it makes way, once.
+      if(m_in_the_way != null_index && m_is_taken_off[m_in_the_way] == 0) {
+        take_off_subtree(grafts, m_in_the_way);
+        m_pending.insert({m_search.distance(v), v});
+      } else {
+        failed.push_back(v);
+      }
+    }
+    return failed;
+  }
+
+  // Returns false, and leaves v without a path, if something is in the way, which only rounding can put there.
+  bool insert_last_leg(Grafts& grafts, Vertex_index v)
+  {
+    std::vector<Halfedge_index> chain = traced(v, last_leg(m_triangulation, m_search, v));
+    if(chain.empty())
+      return false;
+    m_flips += straighten_on_the_right(m_triangulation, chain);
+    const Halfedge_index h = Triangulation::twin(chain.front());
+    const double length = m_tree.distance(m_triangulation.tail(h)) + m_triangulation.length(h);
+    if(!(length <= m_search.distance(v) * (1 + m_tolerance))) // infinite if there is no path to the tail
+      return false;
+    grafts.hang(v, h);
+    return true;
+  }
+
+  // Flips all edges that neither the tree nor a curve has.
+  void flip_to_delaunay_beside_tree()
+  {
+    std::vector<Edge_index> labeled;
+    for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.number_of_vertices())) {
+      const Halfedge_index h = m_tree.incoming(v);
+      if(h == null_index || m_triangulation.label(Triangulation::edge(h)) != 0)
+        continue;
+      labeled.push_back(Triangulation::edge(h));
+      m_triangulation.set_label(labeled.back(), 1);
+    }
+    m_flips += flip_to_delaunay(m_triangulation).flips;
+    for(Edge_index e : labeled)
+      m_triangulation.set_label(e, 0);
+  }
+
+  /*
+   * Follows the last leg from v back through the triangulation as it is now, up to the first vertex on it.
+   * Returns halfedges from v to there along the left side of the faces passed; none if the line gets lost, or meets an
+   * edge of the tree, whose farther end is noted.
+   */
+  std::vector<Halfedge_index> traced(Vertex_index v, const Last_leg& leg)
+  {
+    const Vertex_directions<Triangulation> directions = directions_of(leg, v);
+    const double direction = directions.of_input(leg.halfedge) + leg.angle, length = leg.length;
+    double offset = 0;
+    const Halfedge_index spoke = last_spoke_before(directions, leg, direction, offset);
+    if(spoke == null_index)
+      return {};
+    if(offset <= straight_leg)
+      return {spoke};
+    if(m_triangulation.is_border(spoke))
+      return {};
+    // In the frame of the line.
+    std::array<Vector, 3> face = face_along(spoke, std::polar(m_triangulation.length(spoke), -offset));
+    Vector right = face[0], left = -face[2], gate = -face[1];
+    if(std::abs(std::arg(left)) <= straight_leg)
+      return {Triangulation::twin(m_triangulation.previous(spoke))};
+    std::vector<Halfedge_index> crossed = {m_triangulation.next(spoke)};
+    while(!is_in_tree(crossed.back()) && crossed.size() < most_crossings) {
+      const Halfedge_index entered = Triangulation::twin(crossed.back());
+      if(m_triangulation.is_border(entered))
+        return {};
+      face = face_along(entered, gate);
+      const Vector apex = std::abs(face[1]) < std::abs(face[2]) ? right + face[1] : left - face[2];
+      const Vertex_index w = m_triangulation.tail(m_triangulation.previous(entered));
+      const bool is_end = w == leg.from && std::abs(apex - length) <= straight_leg * length;
+      if(is_end || is_passed(apex, length))
+        return left_side_of_strip(m_triangulation, crossed);
+      const bool is_leaving_right = apex.imag() > 0;
+      gate = is_leaving_right ? -face[1] : -face[2];
+      (is_leaving_right ? left : right) = apex;
+      crossed.push_back(is_leaving_right ? m_triangulation.next(entered) : m_triangulation.previous(entered));
+    }
+    const Halfedge_index h = crossed.back();
+    const Vertex_index w = m_triangulation.head(h);
+    // Else it got lost among faces without area.
+    if(is_in_tree(h))
+      m_in_the_way = m_tree.incoming(w) == h ? w : m_triangulation.tail(h);
+    return {};
+  }
+
+  // At the end of a leg, in the umbrella by which it arrives.
+  Vertex_directions<Triangulation> directions_of(const Last_leg& leg, Vertex_index v) const
+  {
+    Vertex_directions<Triangulation> usual(m_triangulation, v);
+    return usual.has(leg.halfedge) ? usual : Vertex_directions<Triangulation>(m_triangulation, leg.halfedge);
+  }
+
+  // Does a line along the x-axis from 0 to `length` pass this point, up to angles that count as none?
+  static bool is_passed(const Vector& p, double length)
+  {
+    const double x = p.real(), beyond = length - x;
+    return x > 0 && beyond > 0 && std::abs(p.imag()) <= straight_leg * (std::min)(x, beyond);
+  }
+
+  bool is_in_tree(Halfedge_index h) const
+  {
+    return m_tree.incoming(m_triangulation.head(h)) == h ||
+           m_tree.incoming(m_triangulation.tail(h)) == Triangulation::twin(h);
+  }
+
+  /*
+   * The spoke at the end of a leg that a direction is at, or follows counterclockwise; and by which angle. Which one it is, the
+   * triangulation's lengths tell nearly always, and the input decides.
+   */
+  Halfedge_index last_spoke_before(const Vertex_directions<Triangulation>& directions, const Last_leg& leg,
+                                   double direction, double& offset) const
+  {
+    const std::vector<Halfedge_index> around = spokes_beside(m_triangulation, leg.halfedge);
+    const std::vector<double> angles = estimated_directions(around, directions);
+    std::size_t best = around.size();
+    for(std::size_t i = 0; i < around.size(); ++i) {
+      const double angle = behind(angles[i], direction, directions, spoke_drift);
+      if(best == around.size() || angle < offset) {
+        best = i;
+        offset = angle;
+      }
+    }
+    for(int tries = 0; best < around.size() && tries < 2; ++tries) {
+      offset = behind(directions(around[best]), direction, directions, spoke_drift);
+      if(offset >= -straight_leg)
+        return offset < infinity ? around[best] : null_index;
+      best = best + 1 == around.size() && !directions.has_border() ? 0 : best + 1; // clockwise
+    }
+    return null_index;
+  }
+
+  // By which angle one direction follows another counterclockwise; a little before it, the angle is negative.
+  static double behind(double first, double second, const Vertex_directions<Triangulation>& directions, double little)
+  {
+    const double angle = second - first;
+    if(directions.has_border())
+      return angle < -little ? infinity : angle;
+    const double turned = angle < -little ? angle + directions.total() : angle;
+    return turned > directions.total() - little ? turned - directions.total() : turned;
+  }
+
+  // The directions of the spokes of a vertex: of one measured, of the others as the triangulation has the angles between.
+  std::vector<double> estimated_directions(const std::vector<Halfedge_index>& around,
+                                           const Vertex_directions<Triangulation>& directions) const
+  {
+    std::vector<double> result(around.size());
+    std::size_t first = 0;
+    const Spoke_places<Triangulation> places(m_triangulation);
+    const bool has_inserted_vertices =
+        m_triangulation.number_of_vertices() != m_triangulation.input().number_of_vertices();
+    Spoke_place place = has_inserted_vertices || around.empty() ? Spoke_place() : places.known_place(around, first);
+    for(std::size_t i = 0; i < around.size(); ++i) {
+      const std::size_t k = (first + i) % around.size();
+      if(i > 0)
+        places.turn_clockwise(around[k], place);
+      result[k] =
+          place.reference == null_index ? directions(around[k]) : directions.of_input(place.reference) + place.angle;
+    }
+    return result;
+  }
+
+  // The vectors of h, next(h), previous(h) in the triangulation, turned so that h lies along the given vector.
+  std::array<Vector, 3> face_along(Halfedge_index h, const Vector& along) const
+  {
+    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+    const Halfedge_index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
+    const auto face = Double_traits().construct_face_from_lengths_object()(
+        m_triangulation.length(h), m_triangulation.length(hn), m_triangulation.length(hp));
+    const Vector turn = along / face[0].x;
+    return {along, turn * Vector(face[1].x, face[1].y), turn * Vector(face[2].x, face[2].y)};
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t most_crossings = 1000000;
+
+  Tree& m_tree;
+  Triangulation& m_triangulation;
+  const Search& m_search;
+  double m_tolerance;
+  Interruption* m_interruption; // null if it cannot be interrupted
+  std::size_t m_flips = 0;
+  Indexed_by<Vertex_index, std::vector<char>> m_is_taken_off;
+  std::set<std::pair<double, Vertex_index>> m_pending; // vertices without a path, by their distance from the source
+  Vertex_index m_in_the_way = null_index;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_SHORTEST_TREE_REPAIR_H

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <thread>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Asks a visitor at regular intervals whether a search is to continue. Once it is interrupted, it remains so. */
+class Interruption
+{
+public:
+  /* \param visitor must outlive it; only `go_further()` is called */
+  template <class Visitor>
+  explicit Interruption(Visitor& visitor)
+    : m_go_further([&visitor] { return static_cast<bool>(visitor.go_further()); })
+  {
+  }
+
+  bool has_occurred() const { return m_has_occurred; }
+
+  /* Counts a step that is about to be taken; returns whether it is not to be. */
+  bool count_step() { return ++m_steps % interval == 0 ? begin_part() : m_has_occurred; }
+
+  /* Calls the visitor before a part of a computation that takes far longer than a step; returns whether the part is not
+   * to be computed. */
+  bool begin_part()
+  {
+    m_has_occurred = m_has_occurred || !m_go_further();
+    return m_has_occurred;
+  }
+
+private:
+  // Steps of a search take a microsecond at most on average, and a visitor may read a clock.
+  static constexpr std::size_t interval = 1024;
+
+  std::function<bool()> m_go_further;
+  std::size_t m_steps = 0;
+  bool m_has_occurred = false;
+};
+
+/*
+ * A visitor for the parts of a computation that several threads take at the same time, each with an `Interruption` of
+ * its own. Only the thread that has made it asks the caller's visitor; the others learn the outcome.
+ */
+class Shared_interruption
+{
+public:
+  explicit Shared_interruption(Interruption& interruption)
+    : m_interruption(interruption)
+    , m_has_occurred(interruption.has_occurred())
+  {
+  }
+
+  bool go_further()
+  {
+    if(std::this_thread::get_id() == m_thread && m_interruption.begin_part())
+      m_has_occurred = true;
+    return !m_has_occurred;
+  }
+
+private:
+  Interruption& m_interruption;
+  std::thread::id m_thread = std::this_thread::get_id();
+  std::atomic<bool> m_has_occurred;
+};
+
+/* Counts a step of a search which may be one that cannot be interrupted. */
+inline bool is_interrupted(Interruption* interruption) { return interruption != nullptr && interruption->count_step(); }
+
+/* The same of a search that is compiled without interruptions, and takes no time for them. */
+constexpr bool is_interrupted() { return false; }
+
+/* Begins a part of a computation which may be one that cannot be interrupted. */
+inline bool is_interrupted_before_part(Interruption* interruption)
+{
+  return interruption != nullptr && interruption->begin_part();
+}
+
+/* What a computation throws to end itself if its parts are of no use unless all are complete. The public function that
+ * takes the visitor catches it. */
+struct Interrupted
+{
+};
+
+/* Counts a step of such a computation. \throws Interrupted */
+inline void throw_if_interrupted(Interruption* interruption)
+{
+  if(is_interrupted(interruption))
+    throw Interrupted();
+}
+
+/* Begins a part of such a computation. \throws Interrupted */
+inline void throw_if_interrupted_before_part(Interruption* interruption)
+{
+  if(is_interrupted_before_part(interruption))
+    throw Interrupted();
+}
+
+/* Has a computation been interrupted, if it can be? */
+inline bool has_been_interrupted(const Interruption* interruption)
+{
+  return interruption != nullptr && interruption->has_occurred();
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* What an intrinsic vertex is on the input. */
+template <class Triangulation>
+Location_kind vertex_kind(const Triangulation& triangulation, Vertex_index v)
+{
+  return triangulation.is_inserted(v) ? kind(triangulation.location(v)) : Location_kind::VERTEX;
+}
+
+/* The word of an edge does not lead to the end that it is to have. */
+[[noreturn]] inline void throw_wrong_flips(Input_halfedge_index face)
+{
+  throw Insertion_error("the flips of the triangulation in the face of halfedge " + std::to_string(face.idx()) +
+                            " were wrong by rounding",
+                        {static_cast<std::size_t>(face.idx())});
+}
+
+/* The side of an input face, given by any of its halfedges, that a point of an edge lies on; inside, its halfedge. */
+template <class Input_mesh>
+Input_halfedge_index location_anchor(const Input_mesh& input, const Surface_location& location,
+                                     Input_halfedge_index face)
+{
+  if(kind(location) == Location_kind::FACE)
+    return location.halfedge;
+  for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
+    if(are_of_one_edge(h, location.halfedge))
+      return h;
+  throw_wrong_flips(location.halfedge);
+}
+
+/*
+ * The halfedge of an input face, given by any of its halfedges, that a vertex in it is told by: an input vertex by the
+ * halfedge that starts there, a point of an edge by the side of that edge, a point inside by its location's halfedge.
+ */
+template <class Triangulation>
+Input_halfedge_index anchor(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index face)
+{
+  const auto& input = triangulation.input();
+  if(triangulation.is_inserted(v))
+    return location_anchor(input, triangulation.location(v), face);
+  for(Input_halfedge_index h : {face, input.next(face), input.next(input.next(face))})
+    if(input.tail(h) == v)
+      return h;
+  throw_wrong_flips(face);
+}
+
+/* Is a vertex the tail of input halfedge h, or a point inside its edge? */
+template <class Triangulation>
+bool is_on_halfedge(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
+{
+  if(!triangulation.is_inserted(v))
+    return triangulation.input().tail(h) == v;
+  return vertex_kind(triangulation, v) == Location_kind::EDGE && are_of_one_edge(triangulation.location(v).halfedge, h);
+}
+
+/* Is a vertex inside the face of input halfedge h, or on its border? */
+template <class Triangulation>
+bool is_in_face(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
+{
+  const bool is_inside = triangulation.is_inserted(v) && vertex_kind(triangulation, v) == Location_kind::FACE;
+  for(int i = 0; i < 3; ++i, h = triangulation.input().next(h))
+    if(is_inside ? triangulation.location(v).halfedge == h : is_on_halfedge(triangulation, v, h))
+      return true;
+  return false;
+}
+
+/* Is a vertex there, but not on the edge of h? */
+template <class Triangulation>
+bool is_opposite_vertex(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
+{
+  return is_in_face(triangulation, v, h) && !is_on_halfedge(triangulation, v, h) &&
+         !is_on_halfedge(triangulation, v, twin_index(h));
+}
+
+/* An end of a word as seen from there: the input halfedge that it leaves along, the first one that it crosses, a
+ * halfedge of its first face, each `null_index` if there is none; and the vertex. */
+struct Word_end
+{
+  Input_halfedge_index along, crossed, face;
+  Vertex_index vertex;
+};
+
+inline Word_end tail_end(const Crossing_word& word)
+{
+  return {word.along, word.crossed.empty() ? null_index : word.crossed.front(), word.first_face(), word.tail};
+}
+
+inline Word_end head_end(const Crossing_word& word)
+{
+  return {word.along == null_index ? null_index : twin_index(word.along),
+          word.crossed.empty() ? null_index : twin_index(word.crossed.back()), word.last_face(), word.head};
+}
+
+/*
+ * The anchor of the tail of a word in its first face. Over an input halfedge that the word runs along, that halfedge,
+ * whose face is on the left. The directions of edges at a vertex are told from here.
+ */
+template <class Triangulation>
+Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Word_end& tail)
+{
+  if(tail.along != null_index)
+    return tail.along;
+  if(tail.crossed != null_index && !triangulation.is_inserted(tail.vertex))
+    return triangulation.input().next(triangulation.input().next(tail.crossed));
+  return anchor(triangulation, tail.vertex, tail.face);
+}
+
+template <class Triangulation>
+Input_halfedge_index tail_anchor(const Triangulation& triangulation, const Crossing_word& word)
+{
+  return tail_anchor(triangulation, tail_end(word));
+}
+
+/*
+ * The anchor of the head of a word in its last face, that on the left of a word along an input halfedge. It is also the
+ * first direction of an input edge, strictly, that a turn clockwise about the head meets.
+ */
+template <class Triangulation>
+Input_halfedge_index head_anchor(const Triangulation& triangulation, const Word_end& head)
+{
+  if(head.along == null_index)
+    return tail_anchor(triangulation, head);
+  const Input_halfedge_index along = twin_index(head.along);
+  return triangulation.is_inserted(head.vertex) ? along : triangulation.input().next(along);
+}
+
+template <class Triangulation>
+Input_halfedge_index head_anchor(const Triangulation& triangulation, const Crossing_word& word)
+{
+  return head_anchor(triangulation, head_end(word));
+}
+
+/* The direction of an input edge after `spoke`, clockwise about vertex v. */
+template <class Triangulation>
+Input_halfedge_index next_spoke(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index spoke)
+{
+  const Input_halfedge_index t = twin_index(spoke);
+  return triangulation.is_inserted(v) ? t : triangulation.input().next(t);
+}
+
+/* The weights of a canonical location, of an edge or inside, in the face of h, told from h on. */
+template <class Input_mesh>
+std::array<double, 3> weights_in_face(const Input_mesh& input, const Surface_location& location, Input_halfedge_index h)
+{
+  const Input_halfedge_index side = location_anchor(input, location, h);
+  const int i = side == h ? 0 : (side == input.next(h) ? 1 : 2);
+  const bool is_along = location.halfedge == side;
+  std::array<double, 3> result;
+  result[i] = location.weights[is_along ? 0 : 1];
+  result[(i + 1) % 3] = location.weights[is_along ? 1 : 0];
+  result[(i + 2) % 3] = location.weights[2];
+  return result;
+}
+
+/* The weights of a vertex in the face of h, told from h on. */
+template <class Triangulation>
+std::array<double, 3> vertex_weights(const Triangulation& triangulation, Vertex_index v, Input_halfedge_index h)
+{
+  const auto& input = triangulation.input();
+  if(triangulation.is_inserted(v))
+    return weights_in_face(input, triangulation.location(v), h);
+  const Input_halfedge_index corner = anchor(triangulation, v, h);
+  return {{corner == h ? 1.0 : 0.0, corner == input.next(h) ? 1.0 : 0.0, input.next(corner) == h ? 1.0 : 0.0}};
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_PLANAR_SINE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_PLANAR_SINE_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Exact_vector.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Unrolled_line.h>
+
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points; or
+ * which bend along parallel edges only, so that they are unrolled into a plane. These are the common cases of exact ties:
+ * the flat parts of technical models, and their walls.
+ *
+ * PlaceOf maps an input vertex to three double coordinates. Words with an end elsewhere are left to others, since
+ * the coordinates of such a point are no doubles.
+ */
+template <class Mesh, class PlaceOf>
+class Planar_sine
+{
+  using Place = std::array<double, 3>;
+  using Halfedges = std::vector<Input_halfedge_index>;
+
+public:
+  Planar_sine(const Mesh& mesh, PlaceOf place_of, Flat_edges& flat_edges)
+    : m_mesh(mesh)
+    , m_place_of(place_of)
+    , m_flat_edges(flat_edges)
+  {
+  }
+
+  /*
+   * The wedge leads from the direction of word a clockwise over `steps` input corners to that of word b, and is below
+   * 2 pi. Returns false, and no sign, if its faces do not lie so.
+   */
+  bool operator()(const Crossing_word& a, const Crossing_word& b, Index steps, Sign& sine) const
+  {
+    const Vertex_index ends(m_mesh.number_of_vertices());
+    if(a.tail >= ends || a.head >= ends || b.head >= ends)
+      return false;
+    Halfedges bends_of_a, bends_of_b, others;
+    Input_halfedge_index bend = null_index;
+    if(!add_bends(a, bend, bends_of_a) || !add_bends(b, bend, bends_of_b))
+      return false;
+    Input_halfedge_index h = reference(a);
+    const Input_halfedge_index first_face = a.along != null_index ? twin_index(h) : h;
+    for(Index i = 0; i < steps; ++i, h = m_mesh.next(twin_index(h))) {
+      const bool is_start = i == 0 && a.along != null_index;
+      if(!is_start && !add_bend(h, bend, others))
+        return false;
+    }
+    if(bend == null_index)
+      return sine_in_plane(a, b, first_face, sine);
+    return sine_over_walls({a, first_face, bends_of_a}, {b, reference(b), bends_of_b}, bend, sine);
+  }
+
+private:
+  // A word, a halfedge of its first face, and the edges on its way along which the faces bend.
+  struct Line
+  {
+    const Crossing_word& word;
+    Input_halfedge_index first_face;
+    const Halfedges& bends;
+  };
+
+  bool sine_in_plane(const Crossing_word& a, const Crossing_word& b, Input_halfedge_index face, Sign& sine) const
+  {
+    const Place node = place_of_tail(reference(a)), end_a = m_place_of(head(a)), end_b = m_place_of(head(b));
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      const Sign side = side_of_face(axis, face);
+      if(side == ZERO)
+        continue;
+      sine = side * orientation_along(axis, node, end_b, end_a);
+      return true;
+    }
+    return false;
+  }
+
+  bool sine_over_walls(const Line& a, const Line& b, Input_halfedge_index bend, Sign& sine) const
+  {
+    Unrolled_line line_a, line_b;
+    if(!unroll(a, bend, line_a) || !unroll(b, bend, line_b))
+      return false;
+    sine = Unrolled_sine(place_of_tail(bend), place_of_tail(twin_index(bend)))(line_a, line_b);
+    return true;
+  }
+
+  // Returns false if the numbers are too small or too large, or the line turns back.
+  bool unroll(const Line& line, Input_halfedge_index bend, Unrolled_line& result) const
+  {
+    result.places.push_back(place_of_tail(reference(line.word)));
+    for(Input_halfedge_index h : line.bends)
+      result.places.push_back(place_of_tail(h));
+    result.places.push_back(m_place_of(head(line.word)));
+    const Exact_vector up = vector(bend), way(result.places.front(), result.places.back());
+    if(!up.has_exact_products() || !way.has_exact_products())
+      return false;
+    result.height = sign_of_dot(up, way);
+    for(std::size_t i = 1; i < result.places.size(); ++i) {
+      const Exact_vector part(result.places[i - 1], result.places[i]);
+      if(!part.has_exact_products())
+        return false;
+      const Sign side = side_of_part(up, part, i == 1 ? line.first_face : twin_index(line.bends[i - 2]));
+      if(side != ZERO && side == CGAL::opposite(result.side))
+        return false;
+      result.side = result.side == ZERO ? side : result.side;
+    }
+    return true;
+  }
+
+  // POSITIVE if a part of a line in the plane of a face leads to the right of a vector in that plane.
+  Sign side_of_part(const Exact_vector& up, const Exact_vector& part, Input_halfedge_index face) const
+  {
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      const Sign turn = sign_of_cross(part, up, axis);
+      if(turn != ZERO)
+        return turn * side_of_face(axis, face);
+    }
+    return ZERO;
+  }
+
+  // Of the input edges that a word crosses; returns false if they do not all bend along parallel edges.
+  bool add_bends(const Crossing_word& word, Input_halfedge_index& bend, Halfedges& bends) const
+  {
+    for(Input_halfedge_index h : word.crossed)
+      if(!add_bend(h, bend, bends))
+        return false;
+    return true;
+  }
+
+  bool add_bend(Input_halfedge_index h, Input_halfedge_index& bend, Halfedges& bends) const
+  {
+    if(is_flat_across(h))
+      return true;
+    if(bend == null_index ? !is_sharp(h) : !is_parallel(bend, h))
+      return false;
+    bend = bend == null_index ? h : bend;
+    bends.push_back(h);
+    return true;
+  }
+
+  // Do the faces beside an edge bend by more than rounding? Where they do not, others will, along edges that are not
+  // parallel, and to look at them takes longer than to leave it to vectors.
+  bool is_sharp(Input_halfedge_index h) const
+  {
+    const Exact_vector u = vector(h), v(place_of_tail(h), m_place_of(apex(h))),
+                       w(place_of_tail(h), m_place_of(apex(twin_index(h))));
+    double height = 0, size = 0, folded = 0;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (i + 1) % 3, l = (i + 2) % 3;
+      const double normal = u[k] * v[l] - u[l] * v[k];
+      height += normal * w[i];
+      size += std::abs(normal * w[i]);
+      folded += normal * (u[k] * w[l] - u[l] * w[k]);
+    }
+    return folded > 0 || !(std::abs(height) < flat_bend * size);
+  }
+
+  bool is_parallel(Input_halfedge_index g, Input_halfedge_index h) const
+  {
+    const Exact_vector u = vector(g), v = vector(h);
+    return u.has_exact_products() && v.has_exact_products() && are_parallel(u, v);
+  }
+
+  Exact_vector vector(Input_halfedge_index h) const { return {place_of_tail(h), place_of_tail(twin_index(h))}; }
+
+  Place place_of_tail(Input_halfedge_index h) const { return m_place_of(m_mesh.tail(h)); }
+
+  Input_halfedge_index reference(const Crossing_word& word) const
+  {
+    return word.along != null_index ? word.along : m_mesh.next(m_mesh.next(word.crossed.front()));
+  }
+
+  Vertex_index head(const Crossing_word& word) const
+  {
+    return word.along != null_index ? m_mesh.tail(twin_index(word.along)) : apex(twin_index(word.crossed.back()));
+  }
+
+  Vertex_index apex(Input_halfedge_index h) const { return m_mesh.tail(m_mesh.next(m_mesh.next(h))); }
+
+  Place corner(Input_halfedge_index h, int i) const
+  {
+    for(; i > 0; --i)
+      h = m_mesh.next(h);
+    return m_place_of(m_mesh.tail(h));
+  }
+
+  bool is_flat(const Crossing_word& word) const
+  {
+    for(Input_halfedge_index h : word.crossed)
+      if(!is_flat_across(h))
+        return false;
+    return true;
+  }
+
+  bool is_flat_across(Input_halfedge_index h) const
+  {
+    return m_flat_edges(h, [&] { return lies_in_one_plane(h); });
+  }
+
+  // Do the faces on both sides of an edge, unfolded?
+  bool lies_in_one_plane(Input_halfedge_index h) const
+  {
+    const Place p = m_place_of(m_mesh.tail(h)), q = m_place_of(m_mesh.tail(twin_index(h)));
+    const Place r = m_place_of(apex(h)), s = m_place_of(apex(twin_index(h)));
+    return Orientation_of_places<3>()({p, q, r, s}) == ZERO && is_unfolded(p, q, r, s);
+  }
+
+  // Are r and s, which lie in one plane with p and q, on different sides of the line through these two?
+  static bool is_unfolded(const Place& p, const Place& q, const Place& r, const Place& s)
+  {
+    for(std::size_t axis = 0; axis < 3; ++axis) {
+      const Sign of_r = orientation_along(axis, p, q, r);
+      if(of_r != ZERO)
+        return orientation_along(axis, p, q, s) == -of_r;
+    }
+    return false;
+  }
+
+  // Which way a face is seen to turn, from where an axis leads to.
+  Sign side_of_face(std::size_t axis, Input_halfedge_index h) const
+  {
+    return orientation_along(axis, corner(h, 0), corner(h, 1), corner(h, 2));
+  }
+
+  static Sign orientation_along(std::size_t axis, const Place& p, const Place& q, const Place& r)
+  {
+    const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
+    return Orientation_of_places<2>()({{{p[x], p[y]}, {q[x], q[y]}, {r[x], r[y]}}});
+  }
+
+  const Mesh& m_mesh;
+  PlaceOf m_place_of;
+  Flat_edges& m_flat_edges;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_PLANAR_SINE_H

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_LINKING_MATRIX_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_LINKING_MATRIX_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/topology/Cotree.h>
+#include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/topology/Places_in_space.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Numbers that look random, the same in each run [Steele, Lea, Flood 2014]. */
+inline std::uint64_t scrambled(std::uint64_t n)
+{
+  n += 0x9e3779b97f4a7c15;
+  n = (n ^ (n >> 30)) * 0xbf58476d1ce4e5b9;
+  n = (n ^ (n >> 27)) * 0x94d049bb133111eb;
+  return n ^ (n >> 31);
+}
+
+/* The cotree of a closed surface as a tree of faces below a root in each component. */
+template <class Input_mesh>
+class Rooted_cotree
+{
+public:
+  Rooted_cotree(const Input_mesh& input, const Cotree& cotree)
+    : m_input(input)
+    , m_up(static_cast<std::size_t>(input.number_of_halfedges()), null_index)
+    , m_depth(static_cast<std::size_t>(input.number_of_halfedges()), -1)
+  {
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges()))
+      if(m_depth[face(h)] < 0)
+        grow(cotree, face(h));
+  }
+
+  /* The smallest halfedge of the face on the left. */
+  Input_halfedge_index face(Input_halfedge_index h) const
+  {
+    return (std::min)({h, m_input.next(h), m_input.previous(h)});
+  }
+
+  /* Calls `pass(side, is_left)` on the way from the face on the left of h to the one on its right: for each side of a
+   * face that leads up, on the way to the left of where the two meet or to the right of it. */
+  template <class Pass>
+  void for_each_side_between(Input_halfedge_index h, const Pass& pass) const
+  {
+    Input_halfedge_index left = face(h), right = face(twin_index(h));
+    while(left != right) {
+      const bool is_left = m_depth[left] >= m_depth[right];
+      Input_halfedge_index& f = is_left ? left : right;
+      pass(m_up[f], is_left);
+      f = face(twin_index(m_up[f]));
+    }
+  }
+
+private:
+  void grow(const Cotree& cotree, Input_halfedge_index root)
+  {
+    m_depth[root] = 0;
+    std::vector<Input_halfedge_index> queue(1, root);
+    for(std::size_t i = 0; i < queue.size(); ++i) {
+      Input_halfedge_index h = queue[i];
+      const Index depth = m_depth[h];
+      for(int side = 0; side < 3; ++side, h = m_input.next(h)) {
+        const Input_halfedge_index f = face(twin_index(h));
+        if(!cotree.is_crossed(h) || m_depth[f] >= 0)
+          continue;
+        m_depth[f] = depth + 1;
+        m_up[f] = twin_index(h);
+        queue.push_back(f);
+      }
+    }
+  }
+
+  const Input_mesh& m_input;
+  Indexed_by<Input_halfedge_index, std::vector<Input_halfedge_index>> m_up; // by face: the side that leads to the root
+  Indexed_by<Input_halfedge_index, std::vector<Index>> m_depth;             // by face
+};
+
+/*
+ * Which loops of a closed surface in space bound something outside of it, and which inside, by linking numbers.
+ *
+ * The loops of the generators run along edges. Each has a dual loop: over the edge of its generator, from right to left,
+ * and back by the cotree. It meets the first loop there, once, and no other one. So two loops are apart, but for that
+ * one point, and the linking number of the loop of generator i and dual loop j pushed off the surface is counted by
+ * crossings in a projection, with the sign of each:
+ *
+ *          t |               edge pq of a loop passes over piece st of a dual loop: +1 if that runs to the left,
+ *     p -----|----> q        0 if it passes under it
+ *          s |
+ *
+ * Where the two meet, the dual loop is pushed towards the viewer, and so counts nothing there. That is outwards where the
+ * surface faces the viewer, and elsewhere the number of the loop pushed outwards is one less. With N the numbers of loops
+ * pushed outwards, those pushed inwards have N + 1, the unit matrix. A class x bounds inside if and only if x N = 0
+ * [Alexander duality], outside if x (N + 1) = 0, and each class is the sum of one of either kind, so -N is a projector:
+ * N (N + 1) = 0, of rank g. It is no projector where the surface crosses itself between the loops.
+ *
+ * Exact: places are means of vertices with integers for weights, and signs are decided by integers where doubles do not
+ * suffice. If three places that matter lie in line in the projection, another one is taken.
+ */
+template <class Triangulation>
+class Linking_matrix
+{
+public:
+  using Row = std::vector<std::int64_t>;
+  using Rooted = Rooted_cotree<std::decay_t<decltype(std::declval<const Triangulation&>().input())>>;
+
+  /* For the loops `first` to `last` of generators, which are those of one component. \throws Interrupted */
+  Linking_matrix(const Triangulation& triangulation, const Edge_forest& forest, const Cotree& cotree,
+                 const Rooted& rooted, const Places_in_space& places, std::size_t first, std::size_t last,
+                 Interruption* interruption)
+    : m_triangulation(triangulation)
+    , m_interruption(interruption)
+    , m_places(places)
+    , m_cotree(cotree)
+    , m_rooted(rooted)
+    , m_first(first)
+    , m_size(last - first)
+  {
+    collect_edges(forest);
+    collect_pieces();
+    constexpr std::uint64_t most_projections = 20;
+    std::uint64_t seed = 0;
+    while(!project(seed))
+      if(++seed == most_projections)
+        throw Degenerate_face_error("faces without area are in the way of loops through vertex " +
+                                        std::to_string(input().tail(generator(0)).idx()),
+                                    {static_cast<std::size_t>(input().tail(generator(0)).idx())});
+    check_matrix();
+  }
+
+  /* The projector -N: row i has the part of class i that bounds outside. */
+  const std::vector<Row>& rows() const { return m_rows; }
+
+private:
+  using Direction = Places_in_space::Direction;
+
+  // How often loops pass something, by their numbers.
+  using Passes = std::vector<std::pair<std::size_t, int>>;
+
+  // Of a loop or a dual loop, from one place to another.
+  struct Piece
+  {
+    Weighted_place from, to;
+    Edge_index edge; // on which it lies, or to which it leads
+    Passes passes;
+    std::array<double, 2> low = {0, 0}, high = {0, 0}; // what it covers in the projection
+  };
+
+  struct Not_generic
+  {
+  };
+
+  const auto& input() const { return m_triangulation.input(); }
+  Vertex_index head(Input_halfedge_index h) const { return input().tail(twin_index(h)); }
+  Input_halfedge_index generator(std::size_t i) const { return m_cotree.generators()[m_first + i].halfedge; }
+
+  Weighted_place on_edge(Input_halfedge_index h) const
+  {
+    const Input_halfedge_index g = is_first_side(h) ? h : twin_index(h);
+    const int weight = 24 + static_cast<int>(scrambled(static_cast<std::uint64_t>(g.idx())) % 17);
+    return {{input().tail(g), head(g), head(g)}, {weight, Weighted_place::whole - weight, 0}};
+  }
+
+  std::array<Weighted_place, 3> corners(Input_halfedge_index h) const
+  {
+    return {Weighted_place::at_vertex(input().tail(h)), Weighted_place::at_vertex(head(h)),
+            Weighted_place::at_vertex(head(input().next(h)))};
+  }
+
+  Weighted_place in_face(Input_halfedge_index h) const
+  {
+    const Input_halfedge_index f = m_rooted.face(h);
+    const std::uint64_t random = scrambled(static_cast<std::uint64_t>(f.idx()));
+    const int a = 12 + static_cast<int>(random % 17), b = 12 + static_cast<int>(random / 32 % 17);
+    return {{input().tail(f), head(f), head(input().next(f))}, {a, b, Weighted_place::whole - a - b}};
+  }
+
+  void collect_edges(const Edge_forest& forest)
+  {
+    std::map<Edge_index, Passes> passes;
+    for(std::size_t i = 0; i < m_size; ++i)
+      for(Halfedge_index h : forest.cycle(input(), generator(i)))
+        passes[edge_of(h)].emplace_back(i, is_first_side(h) ? 1 : -1);
+    for(const auto& [e, of_loops] : passes) {
+      const Input_halfedge_index h = as_input(first_side(e));
+      m_edges.push_back({Weighted_place::at_vertex(input().tail(h)), Weighted_place::at_vertex(head(h)), e, of_loops});
+    }
+  }
+
+  // Dual loops by halves of edges of the dual graph: from a place in a face to one on a side of it.
+  void collect_pieces()
+  {
+    std::map<Input_halfedge_index, Passes> passes;
+    const auto pass = [&](std::size_t i, Input_halfedge_index side, int sign) {
+      passes[side].emplace_back(i, sign);
+      passes[twin_index(side)].emplace_back(i, -sign);
+    };
+    for(std::size_t i = 0; i < m_size; ++i) {
+      pass(i, generator(i), -1);
+      m_rooted.for_each_side_between(generator(i),
+                                     [&](Input_halfedge_index side, bool is_left) { pass(i, side, is_left ? 1 : -1); });
+    }
+    for(const auto& [side, of_loops] : passes)
+      m_pieces.push_back({in_face(side), on_edge(side), edge_of(as_intrinsic(side)), of_loops});
+  }
+
+  // Counts crossings in a projection; false if it is not generic.
+  bool project(std::uint64_t seed)
+  {
+    Direction direction;
+    for(std::size_t k = 0; k < 3; ++k)
+      direction[k] = (1 << 15) + static_cast<std::int64_t>(scrambled(3 * seed + k) % (1 << 20));
+    m_rows.assign(m_size, Row(m_size, 0));
+    try {
+      for(std::size_t i = 0; i < m_size; ++i)
+        m_rows[i][i] = is_pushed_outwards(generator(i), direction) ? 0 : 1;
+      count_crossings(direction);
+    } catch(const Not_generic&) {
+      return false;
+    }
+    return true;
+  }
+
+  Sign side(const Weighted_place& a, const Weighted_place& b, const Weighted_place& c, const Direction& direction) const
+  {
+    const Sign result = m_places.side(a, b, c, direction);
+    if(result == ZERO)
+      throw Not_generic();
+    return result;
+  }
+
+  // Is a dual loop that crosses an edge pushed outwards if it is pushed towards the viewer? The outside is where faces are
+  // counterclockwise. Where one face is turned away, it lies before or behind the other one:
+  //
+  //        viewer                       viewer        The loop lies in the faces, and is pushed past the edge o where it
+  //       ____o   ridge: inwards,     ____            is moved from between them to the other side. On a ridge that is
+  //          /    as into the wedge       \           outwards, so towards the viewer is inwards. In a valley it is the
+  //         /                          ____o valley   other way round.
+  bool is_pushed_outwards(Input_halfedge_index h, const Direction& direction) const
+  {
+    const auto left = corners(h), right = corners(twin_index(h));
+    const Sign of_left = side(left[0], left[1], left[2], direction);
+    const Sign of_right = side(right[0], right[1], right[2], direction);
+    if(of_left == of_right)
+      return of_left == POSITIVE;
+    const Sign fold = m_places.orientation({right[0], right[1], right[0], right[2], right[0], left[2]});
+    if(fold == ZERO)
+      throw_crossing(h);
+    return fold == POSITIVE;
+  }
+
+  [[noreturn]] void throw_crossing(Input_halfedge_index h) const
+  {
+    const Vertex_index v = input().tail(h), w = head(h);
+    throw Invalid_mesh_error("the surface touches or crosses itself at the edge between vertices " +
+                                 std::to_string(v.idx()) + " and " + std::to_string(w.idx()),
+                             {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+  }
+
+  void cover(Piece& piece, const Direction& direction) const
+  {
+    const Places_in_space::Coordinates a = m_places.close_by(piece.from), b = m_places.close_by(piece.to);
+    for(int k = 0; k < 2; ++k) {
+      const double scale = static_cast<double>(direction[2]), slope = static_cast<double>(direction[k]);
+      const double x = a[k] * scale - a[2] * slope, y = b[k] * scale - b[2] * slope;
+      const double off = 4 * (scale + slope) * m_places.rounding();
+      piece.low[k] = (std::min)(x, y) - off;
+      piece.high[k] = (std::max)(x, y) + off;
+    }
+  }
+
+  // Goes through the pieces from left to right of each edge, as far as it reaches.
+  void count_crossings(const Direction& direction)
+  {
+    double widest = 0;
+    for(Piece& piece : m_pieces) {
+      cover(piece, direction);
+      widest = (std::max)(widest, piece.high[0] - piece.low[0]);
+    }
+    std::sort(m_pieces.begin(), m_pieces.end(), [](const Piece& a, const Piece& b) {
+      return std::make_pair(a.low[0], a.edge) < std::make_pair(b.low[0], b.edge);
+    });
+    for(Piece& edge : m_edges) {
+      throw_if_interrupted(m_interruption);
+      cover(edge, direction);
+      auto piece = std::lower_bound(m_pieces.begin(), m_pieces.end(), edge.low[0] - widest,
+                                    [](const Piece& p, double x) { return p.low[0] < x; });
+      for(; piece != m_pieces.end() && piece->low[0] <= edge.high[0]; ++piece)
+        if(piece->high[0] >= edge.low[0] && piece->low[1] <= edge.high[1] && piece->high[1] >= edge.low[1] &&
+           piece->edge != edge.edge)
+          count(edge, *piece, direction);
+    }
+  }
+
+  // A place of a dual loop that is in line with an edge counts as left of it: it is not on it, but beyond one of its ends.
+  void count(const Piece& edge, const Piece& piece, const Direction& direction)
+  {
+    const Weighted_place &p = edge.from, &q = edge.to, &s = piece.from, &t = piece.to;
+    const bool is_from_left = m_places.side(p, q, s, direction) != NEGATIVE;
+    const bool is_to_left = m_places.side(p, q, t, direction) != NEGATIVE;
+    if(is_from_left == is_to_left || side(s, t, p, direction) == side(s, t, q, direction))
+      return;
+    const Sign crossing = is_to_left ? POSITIVE : NEGATIVE;
+    const Sign height = m_places.orientation({p, s, p, q, s, t});
+    if(height == ZERO)
+      throw_crossing(as_input(first_side(edge.edge)));
+    if(height == crossing)
+      return; // the edge passes under the piece
+    for(const auto& [i, of_edge] : edge.passes)
+      for(const auto& [j, of_piece] : piece.passes)
+        m_rows[i][j] -= crossing * of_edge * of_piece;
+  }
+
+  // Of a projector, the trace is the rank. Squared modulo 2^64, with a vector that nobody has chosen.
+  void check_matrix() const
+  {
+    std::vector<std::uint64_t> vector, once;
+    std::uint64_t trace = 0;
+    for(std::size_t i = 0; i < m_size; ++i) {
+      vector.push_back(scrambled(i));
+      trace += static_cast<std::uint64_t>(m_rows[i][i]);
+    }
+    once = times(vector);
+    if(2 * trace != m_size || times(once) != once)
+      throw Invalid_mesh_error("the surface crosses itself, and has no inside: loops of the component of vertex " +
+                                   std::to_string(input().tail(generator(0)).idx()) +
+                                   " have linking numbers that no solid has",
+                               {static_cast<std::size_t>(input().tail(generator(0)).idx())});
+  }
+
+  std::vector<std::uint64_t> times(const std::vector<std::uint64_t>& vector) const
+  {
+    std::vector<std::uint64_t> result(m_size, 0);
+    for(std::size_t i = 0; i < m_size; ++i)
+      for(std::size_t j = 0; j < m_size; ++j)
+        result[i] += static_cast<std::uint64_t>(m_rows[i][j]) * vector[j];
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+  Interruption* m_interruption; // null if it cannot be interrupted
+  const Places_in_space& m_places;
+  const Cotree& m_cotree;
+  const Rooted& m_rooted;
+  std::size_t m_first, m_size;
+  std::vector<Piece> m_edges, m_pieces; // of the loops, and of the dual loops
+  std::vector<Row> m_rows;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_LINKING_MATRIX_H

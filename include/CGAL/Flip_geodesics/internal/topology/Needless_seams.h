@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_NEEDLESS_SEAMS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_NEEDLESS_SEAMS_H
+
+#include <CGAL/Flip_geodesics/internal/topology/Cotree.h>
+#include <CGAL/Flip_geodesics/network_builders.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Finds which edges of a network are needed to cut each component of the surface open to a disk, where the network cuts
+ * it into several.
+ *
+ * The complement of a cut graph is one disk. Pulled tight, strands of it can come to lie on one another, or to touch in
+ * a vertex, and what lies between them has no width: the disk is pinched there, and its parts are disks that hang
+ * together by nothing.
+ *
+ *       _______            _____
+ *      /       \          /  a  \          a, b: two disks. Two disks that are joined along a chain are a disk, so one of
+ *      \__ = __/    ->    >--=--<          their common chains is no seam, and the strip between the strands is cut once.
+ *      /       \          \  b  /
+ *
+ * So seams are dropped along a spanning forest of the pieces, the longest first.
+ */
+template <class Network>
+class Needless_seams
+{
+  using Triangulation = typename Network::Triangulation;
+
+public:
+  explicit Needless_seams(Network& network)
+    : m_network(network)
+    , m_is_on_border(static_cast<std::size_t>(triangulation().number_of_vertices()), 0)
+    , m_is_seam(static_cast<std::size_t>(triangulation().number_of_edges()), 0)
+    , m_pieces(triangulation().number_of_halfedges())
+  {
+    for(Halfedge_index h : descriptors<Halfedge_index>(triangulation().number_of_halfedges()))
+      if(triangulation().is_border(h))
+        m_is_on_border[triangulation().tail(h)] = 1;
+    for(Edge_index e : descriptors<Edge_index>(triangulation().number_of_edges()))
+      m_is_seam[e] = network.is_occupied(first_side(e)) && !is_border_edge(first_side(e)) ? 1 : 0;
+    unite_pieces();
+  }
+
+  /* Leaves the network with the chains of the seams that are needed, between vertices where other than two of them meet.
+   * Returns false, with nothing changed, if all are needed. */
+  bool remove()
+  {
+    if(!is_in_pieces())
+      return false;
+    replace_curves();
+    const auto degree_before = m_degree;
+    const bool is_changed = drop_between_pieces();
+    prune(degree_before);
+    replace_curves();
+    return is_changed;
+  }
+
+private:
+  const Triangulation& triangulation() const { return m_network.triangulation(); }
+
+  bool is_border_edge(Halfedge_index h) const
+  {
+    return triangulation().is_border(h) || triangulation().is_border(Triangulation::twin(h));
+  }
+
+  // A piece is a set of halfedges: of a face, and over edges that are no seams.
+  void unite_pieces()
+  {
+    for(Halfedge_index h : descriptors<Halfedge_index>(triangulation().number_of_halfedges())) {
+      if(triangulation().is_border(h))
+        continue;
+      m_pieces.unite(h.idx(), triangulation().next(h).idx());
+      if(m_is_seam[Triangulation::edge(h)] == 0 && !is_border_edge(h))
+        m_pieces.unite(h.idx(), Triangulation::twin(h).idx());
+    }
+  }
+
+  bool is_in_pieces()
+  {
+    const auto all = descriptors<Edge_index>(triangulation().number_of_edges());
+    return std::any_of(all.begin(), all.end(), [this](Edge_index e) {
+      const Halfedge_index h = first_side(e);
+      return m_is_seam[e] != 0 &&
+             m_pieces.representative(h.idx()) != m_pieces.representative(Triangulation::twin(h).idx());
+    });
+  }
+
+  bool is_node(Vertex_index v) const { return m_degree[v] != 2 || m_is_on_border[v] != 0; }
+
+  // By one curve for each chain of seams.
+  void replace_curves()
+  {
+    m_network.clear();
+    m_degree = degrees(triangulation(), m_is_seam);
+    add_chains(m_network, m_is_seam, [this](Vertex_index v) { return is_node(v); });
+  }
+
+  bool drop_between_pieces()
+  {
+    std::vector<std::pair<double, Curve_index>> chains;
+    for(Curve_index c : m_network.curves())
+      chains.push_back({-m_network.length(c), c});
+    std::sort(chains.begin(), chains.end());
+    bool is_changed = false;
+    for(const auto& [length, c] : chains) {
+      std::vector<Halfedge_index> chain = m_network.halfedges(c);
+      if(!m_pieces.unite(chain.front().idx(), Triangulation::twin(chain.front()).idx()))
+        continue;
+      if(m_network.is_closed(c))
+        chain.resize(1); // two disks with all of it in common are a sphere, which is to be cut
+      drop(chain);
+      is_changed = true;
+    }
+    return is_changed;
+  }
+
+  void drop(const std::vector<Halfedge_index>& chain)
+  {
+    for(Halfedge_index h : chain) {
+      m_is_seam[Triangulation::edge(h)] = 0;
+      --m_degree[triangulation().tail(h)];
+      --m_degree[triangulation().head(h)];
+    }
+  }
+
+  // Takes chains away that lead to nowhere now. One between two such ends stays: a sphere is cut along it.
+  void prune(const Indexed_by<Vertex_index, std::vector<Index>>& degree_before)
+  {
+    for(Vertex_index leaf : descriptors<Vertex_index>(triangulation().number_of_vertices()))
+      for(Vertex_index v = leaf; m_degree[v] == 1 && degree_before[v] > 1 && m_is_on_border[v] == 0;) {
+        const std::vector<Halfedge_index> chain = chain_from(v);
+        v = triangulation().head(chain.back());
+        if(m_degree[v] == 1 && m_is_on_border[v] == 0)
+          break;
+        drop(chain);
+      }
+  }
+
+  std::vector<Halfedge_index> chain_from(Vertex_index leaf) const
+  {
+    std::vector<Halfedge_index> result;
+    for(Vertex_index v = leaf; result.empty() || !is_node(v); v = triangulation().head(result.back()))
+      for(Halfedge_index h : spokes(triangulation(), v))
+        if(m_is_seam[Triangulation::edge(h)] != 0 && (result.empty() || h != Triangulation::twin(result.back()))) {
+          result.push_back(h);
+          break;
+        }
+    return result;
+  }
+
+  Network& m_network;
+  Indexed_by<Vertex_index, std::vector<char>> m_is_on_border;
+  Edge_marks m_is_seam;
+  Disjoint_sets m_pieces;                                // of halfedges
+  Indexed_by<Vertex_index, std::vector<Index>> m_degree; // in the seams
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_NEEDLESS_SEAMS_H

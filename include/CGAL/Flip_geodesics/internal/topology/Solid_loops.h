@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_SOLID_LOOPS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_SOLID_LOOPS_H
+
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/topology/Bounding_loop_search.h>
+#include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
+#include <CGAL/Flip_geodesics/internal/topology/Linking_matrix.h>
+#include <CGAL/Flip_geodesics/internal/topology/Primitive_rows.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Loops of a closed surface in space that bound inside of it, and such that bound outside: a basis of either.
+ *
+ * Whether a class is in one of the two kernels is seen by a number modulo 2^64, that of the class times a projector and
+ * a vector that nobody has chosen, and then made sure of. So a number for each edge is all that a search needs. There are
+ * many loops to choose from: those of all edges that are not in the tree of shortest paths, and the shortest ones through
+ * the vertices where loops of the generators turn back, which are far from the base point.
+ */
+template <class Triangulation>
+class Solid_loops
+{
+  using Row = Primitive_rows::Row;
+  using Loop = std::vector<Halfedge_index>;
+
+public:
+  /* \throws Interrupted */
+  explicit Solid_loops(const Triangulation& triangulation, Interruption* interruption = nullptr)
+    : m_triangulation(triangulation)
+    , m_interruption(interruption)
+    , m_forest(checked_input(), std::vector<Vertex_index>(), weight(), interruption)
+    , m_cotree(input(), m_forest, Borders::CLOSED_BY_ONE_FACE, weight(), interruption)
+    , m_words(input(), m_forest, m_cotree, interruption)
+    , m_rooted(input(), m_cotree)
+    , m_places(input().number_of_vertices(), [this](Vertex_index v) { return place(v); })
+  {
+    list_edges();
+    Bounding_loop_search<Triangulation> search(triangulation, m_sums, interruption);
+    for(std::size_t first = 0, last = 0; first < number_of_generators(); first = last) {
+      while(last < number_of_generators() && component(last) == component(first))
+        ++last;
+      find(first, last, search);
+    }
+  }
+
+  const std::vector<Loop>& inside() const { return m_inside; }
+  const std::vector<Loop>& outside() const { return m_outside; }
+
+private:
+  using Rooted = typename Linking_matrix<Triangulation>::Rooted;
+  using Places = std::array<Weighted_place, 3>;
+
+  // A loop whose class seems to bound: that of an edge outside the forest, or any other chain.
+  struct Candidate
+  {
+    double length;
+    Input_halfedge_index halfedge;
+    Loop loop;
+
+    friend bool operator<(const Candidate& a, const Candidate& b)
+    {
+      return std::tie(a.length, a.halfedge) < std::tie(b.length, b.halfedge);
+    }
+  };
+
+  // Of loops of one class, or of the opposite one, the shortest is kept.
+  using Candidates = std::map<std::uint64_t, Candidate>;
+
+  struct Basis
+  {
+    Primitive_rows taken;
+    std::vector<Row> classes;
+    std::vector<Loop> loops;
+  };
+
+  const auto& input() const { return m_triangulation.input(); }
+  std::size_t number_of_generators() const { return m_cotree.generators().size(); }
+  std::size_t component(std::size_t i) const { return static_cast<std::size_t>(m_cotree.generators()[i].component); }
+
+  auto weight() const
+  {
+    return [this](Input_halfedge_index h) { return m_triangulation.metric().weight(input(), h); };
+  }
+
+  const auto& checked_input() const
+  {
+    check_surface(input());
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input().number_of_halfedges()))
+      if(input().is_border(h)) {
+        const Vertex_index v = input().tail(h), w = input().tail(twin_index(h));
+        throw Invalid_mesh_error("the surface has a border between vertices " + std::to_string(v.idx()) + " and " +
+                                     std::to_string(w.idx()) + ", and bounds no solid",
+                                 {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+      }
+    return input();
+  }
+
+  Places_in_space::Coordinates place(Vertex_index v) const
+  {
+    decltype(auto) p = m_triangulation.metric().point(input(), v);
+    const Places_in_space::Coordinates result = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                                 CGAL::to_double(p.z())};
+    for(double x : result)
+      if(!(std::abs(x) < greatest_length))
+        throw Invalid_coordinate_error("a coordinate of vertex " + std::to_string(v.idx()) +
+                                           " is not a number below 1e70",
+                                       {static_cast<std::size_t>(v.idx())});
+    return result;
+  }
+
+  // Halfedges outside the forest, by component.
+  void list_edges()
+  {
+    m_edges.resize(m_forest.roots().size());
+    m_sums.resize(static_cast<std::size_t>(input().number_of_halfedges() / 2));
+    for(Edge_index e : descriptors<Edge_index>(input().number_of_halfedges() / 2)) {
+      const Input_halfedge_index h = as_input(first_side(e));
+      if(!m_forest.contains(input(), h))
+        m_edges[static_cast<std::size_t>(m_forest.component(input().tail(h)))].push_back(h);
+    }
+  }
+
+  // In one component, with the generators `first` to `last`.
+  void find(std::size_t first, std::size_t last, Bounding_loop_search<Triangulation>& search)
+  {
+    throw_if_interrupted_before_part(m_interruption);
+    m_first = first;
+    m_size = last - first;
+    const Linking_matrix<Triangulation> matrix(m_triangulation, m_forest, m_cotree, m_rooted, m_places, first, last,
+                                               m_interruption);
+    // rows that generate the classes that bound behind the surface, against its normals, and in front of it
+    std::array<std::vector<Row>, 2> rows = {matrix.rows(), matrix.rows()};
+    for(std::size_t i = 0; i < m_size; ++i)
+      for(std::size_t j = 0; j < m_size; ++j)
+        rows[0][i][j] = (i == j ? 1 : 0) - rows[0][i][j];
+    throw_if_interrupted_before_part(m_interruption);
+    set_sums(rows);
+    std::array<Candidates, 2> candidates = loops_of_edges();
+    std::array<Basis, 2> bases = {Basis{Primitive_rows(m_size), {}, {}}, Basis{Primitive_rows(m_size), {}, {}}};
+    constexpr std::size_t most_rounds = 16;
+    for(std::size_t round = 0; round == 0 || (round < most_rounds && !is_complete(bases)); ++round) {
+      add_near_loops(search, round, candidates);
+      for(std::size_t side : {0, 1})
+        bases[side] = basis_of(candidates[side], rows[1 - side]);
+    }
+    const std::size_t inner = faces_outwards(component(first)) ? 0 : 1;
+    append_basis(bases[inner], rows[inner], m_inside);
+    append_basis(bases[1 - inner], rows[1 - inner], m_outside);
+  }
+
+  // A class bounds on a side if its product with the rows of the other side is zero.
+  void set_sums(const std::array<std::vector<Row>, 2>& rows)
+  {
+    std::vector<Class_sums> of_generators(m_size);
+    for(std::size_t i = 0; i < m_size; ++i) {
+      of_generators[i].name = scrambled(i);
+      for(std::size_t side : {0, 1})
+        for(std::size_t j = 0; j < m_size; ++j)
+          of_generators[i].remainders[side] += static_cast<std::uint64_t>(rows[1 - side][i][j]) * scrambled(j);
+    }
+    for(Input_halfedge_index h : m_edges[component(m_first)])
+      m_words.for_each_letter(h, [&](Letter letter) {
+        m_sums[edge_of(as_intrinsic(h))].add(of_generators[static_cast<std::size_t>(letter / 2) - m_first],
+                                             letter % 2 == 1);
+      });
+  }
+
+  std::array<Candidates, 2> loops_of_edges() const
+  {
+    std::array<Candidates, 2> result;
+    for(Input_halfedge_index h : m_edges[component(m_first)]) {
+      throw_if_interrupted(m_interruption);
+      for(std::size_t side : {0, 1})
+        if(const Class_sums& sums = m_sums[edge_of(as_intrinsic(h))]; sums.bounds(side))
+          keep({length_of(m_forest.cycle(input(), h)), h, {}}, sums, result[side]);
+    }
+    return result;
+  }
+
+  // The shortest ones through a vertex of each generator's loop; at first, whatever their class, through that where it
+  // turns back, then those of new classes, through others. All searches of a round take the time of a few of the whole
+  // component.
+  void add_near_loops(Bounding_loop_search<Triangulation>& search, std::size_t round,
+                      std::array<Candidates, 2>& candidates) const
+  {
+    const std::size_t most = 1000 + 4 * m_edges[component(m_first)].size() / m_size;
+    for(std::size_t i = 0; i < m_size; ++i) {
+      throw_if_interrupted_before_part(m_interruption);
+      const Input_halfedge_index h = m_cotree.generators()[m_first + i].halfedge;
+      const Loop cycle = m_forest.cycle(input(), h);
+      const Vertex_index root = round == 0 ? input().tail(h) : input().tail(as_input(cycle[7 * round % cycle.size()]));
+      const std::array<Loop, 2> loops = search(root, most, [&](std::size_t side, const Class_sums& sums) {
+        return round == 0 || candidates[side].count((std::min)(sums.name, -sums.name)) == 0;
+      });
+      for(std::size_t side : {0, 1})
+        if(!loops[side].empty()) {
+          Class_sums sums;
+          for(Halfedge_index g : loops[side])
+            sums.add(m_sums[edge_of(g)], !is_first_side(g));
+          keep({length_of(loops[side]), h, loops[side]}, sums, candidates[side]);
+        }
+    }
+  }
+
+  static void keep(const Candidate& candidate, const Class_sums& sums, Candidates& by_class)
+  {
+    const auto [found, is_new] = by_class.emplace((std::min)(sums.name, -sums.name), candidate);
+    if(!is_new && candidate < found->second)
+      found->second = candidate;
+  }
+
+  // Is the volume positive, with faces counterclockwise?
+  bool faces_outwards(std::size_t component) const
+  {
+    double sum = 0, off = 0, largest = 0;
+    for_each_face(component, [&](const Places& corners) {
+      const auto [volume, error] = m_places.volume(corners);
+      sum += volume;
+      off += error;
+      largest = (std::max)(largest, std::abs(sum));
+    });
+    off += rounding_errors(static_cast<double>(input().number_of_halfedges())) * largest;
+    if(std::abs(sum) > 2 * off)
+      return sum > 0;
+    Integer exact(0);
+    for_each_face(component, [&](const Places& corners) { exact += m_places.exact_volume(corners); });
+    if(exact.sign() == 0)
+      throw Invalid_mesh_error("the component of vertex " + std::to_string(m_forest.roots()[component].idx()) +
+                                   " encloses no volume",
+                               {static_cast<std::size_t>(m_forest.roots()[component].idx())});
+    return exact.sign() > 0;
+  }
+
+  template <class Use>
+  void for_each_face(std::size_t component, const Use& use) const
+  {
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input().number_of_halfedges()))
+      if(m_rooted.face(h) == h && m_forest.component(input().tail(h)) == static_cast<Index>(component))
+        use({Weighted_place::at_vertex(input().tail(h)), Weighted_place::at_vertex(input().tail(twin_index(h))),
+             Weighted_place::at_vertex(input().tail(input().previous(h)))});
+  }
+
+  // The shortest candidates that are part of a basis, of classes whose products with `others` are zero.
+  Basis basis_of(const Candidates& candidates, const std::vector<Row>& others) const
+  {
+    std::vector<const Candidate*> sorted;
+    for(const auto& [name, candidate] : candidates)
+      sorted.push_back(&candidate);
+    std::sort(sorted.begin(), sorted.end(), [](const Candidate* a, const Candidate* b) { return *a < *b; });
+    Basis result = {Primitive_rows(m_size), {}, {}};
+    for(const Candidate* candidate : sorted) {
+      if(2 * result.taken.size() == m_size)
+        break;
+      throw_if_interrupted(m_interruption);
+      const Loop loop = candidate->loop.empty() ? m_forest.cycle(input(), candidate->halfedge) : candidate->loop;
+      const Row row = class_of(loop);
+      if(!is_zero(row, others) || !result.taken.add(row))
+        continue;
+      result.classes.push_back(row);
+      result.loops.push_back(loop);
+    }
+    return result;
+  }
+
+  bool is_complete(const std::array<Basis, 2>& bases) const
+  {
+    return 2 * bases[0].taken.size() == m_size && 2 * bases[1].taken.size() == m_size;
+  }
+
+  // Completes it, if need be, to one of all classes that `rows` generate.
+  void append_basis(const Basis& basis, const std::vector<Row>& rows, std::vector<Loop>& loops) const
+  {
+    loops.insert(loops.end(), basis.loops.begin(), basis.loops.end());
+    if(2 * basis.taken.size() == m_size)
+      return;
+    std::vector<Row> missing = basis.taken.completed_by(rows);
+    for(std::size_t i = 0; i < missing.size(); ++i) {
+      shorten(missing, i, basis.classes);
+      loops.push_back(loop_of(missing[i]));
+    }
+  }
+
+  double length_of(const Loop& loop) const
+  {
+    double result = 0;
+    for(Halfedge_index h : loop)
+      result += weight()(as_input(h));
+    return result;
+  }
+
+  Row class_of(const Loop& loop) const
+  {
+    Row result(m_size, 0);
+    for(Halfedge_index h : loop)
+      m_words.for_each_letter(as_input(h), [&](Letter letter) {
+        result[static_cast<std::size_t>(letter / 2) - m_first] += letter % 2 == 0 ? 1 : -1;
+      });
+    return result;
+  }
+
+  static bool is_zero(const Row& row, const std::vector<Row>& matrix)
+  {
+    Row product(row.size(), 0);
+    for(std::size_t i = 0; i < row.size(); ++i)
+      if(row[i] != 0)
+        for(std::size_t j = 0; j < row.size(); ++j)
+          product[j] += row[i] * matrix[i][j];
+    return std::all_of(product.begin(), product.end(), [](std::int64_t x) { return x == 0; });
+  }
+
+  // Adds others to a class as long as loops that it is made of get shorter by that.
+  void shorten(std::vector<Row>& rows, std::size_t i, const std::vector<Row>& classes) const
+  {
+    const auto is_improved_by = [&](const Row& other) {
+      for(int sign : {1, -1}) {
+        Row sum = rows[i];
+        for(std::size_t k = 0; k < m_size; ++k)
+          sum[k] += sign * other[k];
+        if(length_of(sum) < length_of(rows[i])) {
+          rows[i] = std::move(sum);
+          return true;
+        }
+      }
+      return false;
+    };
+    for(bool is_changed = true; is_changed;) {
+      is_changed = std::any_of(classes.begin(), classes.end(), is_improved_by);
+      for(std::size_t k = 0; k < rows.size() && !is_changed; ++k)
+        is_changed = k != i && is_improved_by(rows[k]);
+    }
+  }
+
+  double length_of(const Row& row) const
+  {
+    double result = 0;
+    for(std::size_t i = 0; i < m_size; ++i)
+      result += std::abs(static_cast<double>(row[i])) * m_cotree.generators()[m_first + i].length;
+    return result;
+  }
+
+  // The generators' loops one after the other, without what is passed out and back.
+  Loop loop_of(const Row& row) const
+  {
+    Loop result;
+    const auto pass = [&result](Halfedge_index h) {
+      if(!result.empty() && result.back() == twin_index(h))
+        result.pop_back();
+      else
+        result.push_back(h);
+    };
+    for(std::size_t i = 0; i < m_size; ++i) {
+      const Loop loop = m_forest.loop(input(), m_cotree.generators()[m_first + i].halfedge);
+      for(std::int64_t times = std::abs(row[i]); times > 0; --times)
+        if(row[i] > 0)
+          std::for_each(loop.begin(), loop.end(), pass);
+        else
+          std::for_each(loop.rbegin(), loop.rend(), [&](Halfedge_index h) { pass(twin_index(h)); });
+    }
+    std::size_t common = 0;
+    while(2 * (common + 1) < result.size() && result[common] == twin_index(result[result.size() - 1 - common]))
+      ++common;
+    const auto ends = static_cast<std::ptrdiff_t>(common);
+    return {result.begin() + ends, result.end() - ends};
+  }
+
+  const Triangulation& m_triangulation;
+  Interruption* m_interruption; // null if it cannot be interrupted
+  Edge_forest m_forest;
+  Cotree m_cotree;
+  Generator_words m_words;
+  Rooted m_rooted;
+  Places_in_space m_places;
+  std::vector<std::vector<Input_halfedge_index>> m_edges;    // outside the forest, by component
+  typename Bounding_loop_search<Triangulation>::Sums m_sums; // zero on the forest
+  std::size_t m_first = 0, m_size = 0;                       // of the generators of the component looked at
+  std::vector<Loop> m_inside, m_outside;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_SOLID_LOOPS_H

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CROSSING_WORDS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CROSSING_WORDS_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Version_cache.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Word_tracer.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The crossing words of an intrinsic triangulation's edges, by combinatorics alone, so that they are exact whatever the
+ * numbers do. Those of the edges that are there now are read off the triangulation; where that cannot be, and for edges
+ * that flips have replaced, they are derived from the flip log.
+ *
+ * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the
+ * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
+ * touches k or l at the ends. The words of edges at an inserted point are given when it is inserted. Only the edges
+ * that the asked ones descend from are visited: about as many as the curve had segments, not as there were flips.
+ *
+ * Words can be as long as there are faces. So those of flips are kept in memory proportional to the number of flips,
+ * as long as they are asked for, and derived again if need be. What numbers are derived from is kept for each flip, is
+ * found without words nearly always, and does not depend on which of them are there.
+ */
+template <class Triangulation>
+class Crossing_words
+{
+public:
+  /* An edge of the input, or one as a flip or split made it, with a direction. */
+  struct Edge_version
+  {
+    Halfedge_index halfedge;
+    Index version;
+  };
+
+  /*
+   * Of the diagonal kl that a flip made: how many input edges the turn about i from ik to il crosses, how many lie between
+   * the first faces of ki and of kl about k, and between those of li and of lk about l.
+   */
+  struct Spokes
+  {
+    Index at_joint, at_tail, at_head;
+    // Are vectors to be derived along with the word? Where it is so short, it is faster to unfold it.
+    bool are_many;
+  };
+
+  /*
+   * The word of halfedge h, from tail to head.
+   *
+   * An edge whose ends and the points that it passes lie on one input edge has a word only if it is straight, which
+   * rounded flips need not see to where points are closer to each other than numbers can tell. Then the number of
+   * crossings, which flips keep right whatever they do, is another one.
+   */
+  Crossing_word operator()(const Triangulation& triangulation, Halfedge_index h)
+  {
+    const Edge_version asked = {h, triangulation.version(Triangulation::edge(h))};
+    if(asked.version == 0)
+      return input_word(triangulation, h);
+    if(!is_there(asked))
+      trace(triangulation, asked);
+    Crossing_word found = word(triangulation, asked);
+    if(found.crossed.size() != static_cast<std::size_t>(number_of_crossings(triangulation, h)))
+      fail(triangulation, found);
+    return found;
+  }
+
+  /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made.
+   */
+  void store(Halfedge_index h, Index version, const Crossing_word& word)
+  {
+    m_words_of_splits.emplace(key(Triangulation::edge(h), version), is_first_side(h) ? word : word.reversed());
+    m_bytes_of_splits += bytes_of_split(word);
+  }
+
+  /* The word of an edge as a flip or split made it; from the log if it is not there. */
+  Crossing_word word(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    derive(triangulation, wanted);
+    Crossing_word input_edge;
+    const Directed_word found = directed_word(triangulation, wanted, input_edge);
+    return found.is_reversed ? found.word.reversed() : found.word;
+  }
+
+  /*
+   * From numbers of crossings alone: the input edges in the triangle that the flip made of k, i, l are those that start at
+   * its corners, and those that cut one off. \pre a flip made the edge
+   */
+  Spokes spokes(const Triangulation& triangulation, Index version) const
+  {
+    const Flip_record& flip = triangulation.flip_record(position(version));
+    const Index kl = (std::max)(flip.number, 0);
+    const Triangle_crossings corners(crossings(triangulation, {flip.tn, flip.version_tn}), kl,
+                                     crossings(triangulation, {flip.hp, flip.version_hp}));
+    return {corners.emanating[1], corners.emanating[0], corners.emanating[2], kl > few_crossings};
+  }
+
+  /* Was it a split that made the edge? */
+  bool is_of_split(const Edge_version& wanted) const { return word_of_split(wanted) != nullptr; }
+
+  /* Drops words that have not been asked for long. To be called when none is being used. */
+  void shrink(std::size_t number_of_records)
+  {
+    m_words.shrink(few_bytes + bytes_per_record * number_of_records,
+                   [this](Crossing_word&& word) { recycle(std::move(word)); });
+  }
+
+  /* In bytes. */
+  std::size_t memory() const { return m_words.memory() + m_bytes_of_splits; }
+
+  /* Forgets the word of an edge that a flip or split made, since that is taken back. \pre so is all that came later */
+  void forget(Edge_index e, Index version)
+  {
+    m_words.forget(version, [this](Crossing_word&& word) { recycle(std::move(word)); });
+    if(!m_words_of_splits.empty())
+      forget_split(key(e, version));
+  }
+
+private:
+  using Flip_record = typename Triangulation::Flip_record;
+
+  // Words are kept in so much memory.
+  static constexpr std::size_t few_bytes = 1 << 20, bytes_per_record = 4;
+  static constexpr std::size_t most_spare_letters = 1 << 10;
+  // How many crossings are unfolded faster than vectors are derived.
+  static constexpr Index few_crossings = 4;
+
+  [[noreturn]] static void fail(const Triangulation& triangulation, const Crossing_word& word)
+  {
+    const Vertex_index v = triangulation.is_inserted(word.tail) ? word.tail : word.head;
+    const Input_halfedge_index h = triangulation.location(v).halfedge;
+    throw Insertion_error("points at vertex " + std::to_string(v.idx()) + ", in the face of halfedge " +
+                              std::to_string(h.idx()) +
+                              ", are closer together than numbers can tell: the flips around them were wrong",
+                          {static_cast<std::size_t>(h.idx())});
+  }
+
+  // A word, and whether it is that of the other direction.
+  struct Directed_word
+  {
+    const Crossing_word& word;
+    bool is_reversed;
+
+    Word_end tail() const { return is_reversed ? head_end(word) : tail_end(word); }
+    Word_end head() const { return is_reversed ? tail_end(word) : head_end(word); }
+  };
+
+  static std::size_t position(Index version) { return static_cast<std::size_t>(version) - 1; }
+
+  // Tells edges and the split that made them.
+  static std::uint64_t key(Edge_index e, Index version)
+  {
+    return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e.idx());
+  }
+
+  static Crossing_word input_word(const Triangulation& triangulation, Halfedge_index h)
+  {
+    const Input_halfedge_index along = as_input(h);
+    return {along, {}, null_index, triangulation.input().tail(along), triangulation.input().tail(twin_index(along))};
+  }
+
+  static bool has_inserted_vertices(const Triangulation& triangulation)
+  {
+    return triangulation.number_of_vertices() != triangulation.input().number_of_vertices();
+  }
+
+  static Index number_of_crossings(const Triangulation& triangulation, Halfedge_index h)
+  {
+    return (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
+  }
+
+  // How many input edges it crosses; 0 if it lies along one.
+  Index crossings(const Triangulation& triangulation, const Edge_version& e) const
+  {
+    if(e.version == 0)
+      return 0;
+    if(const Crossing_word* of_split = word_of_split(e))
+      return static_cast<Index>(of_split->crossed.size());
+    return (std::max)(triangulation.flip_record(position(e.version)).number, 0);
+  }
+
+  // The word of an edge that is there; `input_edge` holds that of one of the input.
+  Directed_word directed_word(const Triangulation& triangulation, const Edge_version& wanted, Crossing_word& input_edge)
+  {
+    const Halfedge_index h = wanted.halfedge;
+    if(wanted.version == 0) {
+      input_edge = input_word(triangulation, h);
+      return {input_edge, false};
+    }
+    const Crossing_word* of_flip = m_words.find(wanted.version);
+    return {of_flip != nullptr ? *of_flip : *word_of_split(wanted), !is_first_side(h)};
+  }
+
+  bool is_there(const Edge_version& wanted) const
+  {
+    return wanted.version == 0 || m_words.contains(wanted.version) || is_of_split(wanted);
+  }
+
+  const Crossing_word* word_of_split(const Edge_version& wanted) const
+  {
+    if(m_words_of_splits.empty())
+      return nullptr;
+    const auto found = m_words_of_splits.find(key(Triangulation::edge(wanted.halfedge), wanted.version));
+    return found == m_words_of_splits.end() ? nullptr : &found->second;
+  }
+
+  void forget_split(std::uint64_t key)
+  {
+    const auto found = m_words_of_splits.find(key);
+    if(found == m_words_of_splits.end())
+      return;
+    m_bytes_of_splits -= bytes_of_split(found->second);
+    m_words_of_splits.erase(found);
+  }
+
+  static std::size_t bytes_of_letters(std::size_t number)
+  {
+    constexpr std::size_t of_allocation = 16;
+    return number > 0 ? number * sizeof(Index) + of_allocation : 0;
+  }
+
+  static std::size_t bytes_of_split(const Crossing_word& word)
+  {
+    constexpr std::size_t of_node = 48;
+    return sizeof(Crossing_word) + of_node + bytes_of_letters(word.crossed.size());
+  }
+
+  // Reads the word of an edge as it is now off the triangulation, from one end or the other. Returns false if it
+  // cannot.
+  bool trace(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    if(has_inserted_vertices(triangulation))
+      return false;
+    const Halfedge_index h = first_side(edge_of(wanted.halfedge));
+    Crossing_word traced;
+    traced.crossed = spare_letters();
+    Word_tracer<Triangulation> tracer(triangulation);
+    if(!tracer(h, traced)) {
+      if(!tracer(Triangulation::twin(h), traced))
+        return false;
+      traced.reverse();
+    }
+    keep(wanted.version, std::move(traced));
+    return true;
+  }
+
+  // Derives the word of an edge, and those that it descends from as far as they are not there. Depth first.
+  void derive(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    m_pending.assign(1, wanted);
+    while(!m_pending.empty()) {
+      const Edge_version next = m_pending.back();
+      if(is_there(next)) {
+        m_pending.pop_back();
+        continue;
+      }
+      const Flip_record& flip = triangulation.flip_record(position(next.version));
+      const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
+      if(!is_there(ki) || !is_there(il)) {
+        m_pending.push_back(ki);
+        m_pending.push_back(il);
+        continue;
+      }
+      keep(next.version, join(triangulation, next.version, ki, il));
+      m_pending.pop_back();
+    }
+  }
+
+  // The diagonal that a flip made. \pre the words of ki and il are there
+  Crossing_word join(const Triangulation& triangulation, Index version, const Edge_version& ki, const Edge_version& il)
+  {
+    Crossing_word input_ki, input_il;
+    const Directed_word first = directed_word(triangulation, ki, input_ki);
+    const Directed_word second = directed_word(triangulation, il, input_il);
+    const Word_end k = first.tail(), i = first.head(), l = second.head();
+    const Index turn = spokes(triangulation, version).at_joint;
+    Word_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k), spare_letters());
+    path.cross(first.word, first.is_reversed);
+    path.turn(i.vertex, turn > 0 ? head_anchor(triangulation, i) : null_index, turn);
+    path.cross(second.word, second.is_reversed);
+    Crossing_word kl = path.finish(l.vertex, head_anchor(triangulation, l));
+    if(is_first_side(triangulation.flip_record(position(version)).h)) // it leaves h = l->k and its twin k->l
+      kl.reverse();
+    return kl;
+  }
+
+  void keep(Index version, Crossing_word&& word)
+  {
+    if(m_words.contains(version))
+      return recycle(std::move(word));
+    if(word.crossed.capacity() > word.crossed.size() + word.crossed.size() / 4 + 16)
+      word.crossed.shrink_to_fit();
+    const std::size_t bytes = bytes_of_letters(word.crossed.capacity());
+    m_words.insert(version, std::move(word), bytes);
+  }
+
+  std::vector<Input_halfedge_index> spare_letters()
+  {
+    return m_number_of_spares > 0 ? std::move(m_spares[--m_number_of_spares]) : std::vector<Input_halfedge_index>();
+  }
+
+  void recycle(Crossing_word&& word)
+  {
+    if(m_number_of_spares < m_spares.size() && word.crossed.capacity() <= most_spare_letters)
+      m_spares[m_number_of_spares++] = std::move(word.crossed);
+  }
+
+  Version_cache<Crossing_word> m_words;
+  std::unordered_map<std::uint64_t, Crossing_word> m_words_of_splits;
+  std::size_t m_bytes_of_splits = 0;
+  std::vector<Edge_version> m_pending;
+  std::array<std::vector<Input_halfedge_index>, 64> m_spares; // memory for letters
+  std::size_t m_number_of_spares = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_CROSSING_WORDS_H

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_HALFEDGE_STORE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_HALFEDGE_STORE_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/align/aligned_allocator.hpp>
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A hint to the cache that an address will be read soon. */
+inline void prefetch(const void* address)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(address);
+  asm volatile(""); // without it, g++ takes what only prefetches for a function without effect, and drops its calls
+#else
+  static_cast<void>(address);
+#endif
+}
+
+/* Where a triangulation keeps a halfedge, with its twin beside it. */
+enum class Slot : Index { NONE = 0 };
+
+inline Slot twin_slot(Slot s) { return static_cast<Slot>(static_cast<Index>(s) ^ 1); }
+
+/* The slot of h, given that of h or its twin. */
+inline Slot side_slot(Slot s, Halfedge_index h)
+{
+  return static_cast<Slot>((static_cast<Index>(s) & ~1) | (h.idx() & 1));
+}
+
+/*
+ * What a triangulation keeps of a halfedge, and half of what it keeps of its edge: the first side has the crossings and
+ * the version, the second the label and which edge it is. All zeros is a side of an input edge whose face is not known
+ * yet. With two doubles of geometry it takes 32 bytes, so that an edge is a cache line.
+ */
+template <class Halfedge_geometry>
+struct Halfedge_record
+{
+  static constexpr Index untouched = 0, border = -1;
+
+  Index encoded_next; // untouched, border, or the slot of the next halfedge
+  Vertex_index tail;
+  Index of_edge[2]; // crossings, one more, and version; or label, and first halfedge, one more if a side is kept
+  Halfedge_geometry geometry;
+
+  bool is_known() const { return encoded_next != untouched; }
+  bool is_border() const { return encoded_next == border; }
+  /* \pre known and not on the border */
+  Slot next() const
+  {
+    CGAL_precondition_msg(encoded_next > 0, "the next halfedge is asked for where there is no face");
+    return static_cast<Slot>(encoded_next);
+  }
+  void set_next(Slot s) { encoded_next = static_cast<Index>(s); }
+};
+
+/*
+ * The halfedges of a triangulation, and a halfedge per vertex: those of the input, each face copied when it is first
+ * touched, and those that are added. So nothing is read or written of what is not touched; and what was touched
+ * together lies together, since the halfedges have slots in that order. Links between halfedges are slots, so that only
+ * the way in, from a halfedge that is given by its index, goes through the table of slots.
+ */
+template <class Input_mesh_, class Traits_, class Metric_>
+class Halfedge_store
+{
+public:
+  using Input_mesh = Input_mesh_;
+  using Traits = Traits_;
+  using Metric = Metric_;
+  using Halfedge_geometry = typename Traits::Halfedge_geometry;
+  using Record = Halfedge_record<Halfedge_geometry>;
+
+  Halfedge_store(const Input_mesh& input, const Metric& metric, const Traits& traits)
+    : m_input(input)
+    , m_metric(metric)
+    , m_traits(traits)
+    , m_number_of_vertices(m_input.number_of_vertices())
+    , m_number_of_halfedges(m_input.number_of_halfedges())
+    , m_slots(static_cast<std::size_t>(m_number_of_halfedges))
+    , m_vertex_slots(static_cast<std::size_t>(m_number_of_vertices))
+  {
+    m_records.reserve(room_for(m_slots)); // so that none moves
+    m_records.resize(m_slots.number_of_slots());
+    m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
+  }
+
+  const Input_mesh& input() const { return m_input; }
+  const Metric& metric() const { return m_metric; }
+  const Traits& traits() const { return m_traits; }
+
+  Index number_of_vertices() const { return m_number_of_vertices; }
+  Index number_of_edges() const { return m_number_of_halfedges / 2; }
+
+  /* The record of a slot as it is; if the face is known, so are the two others of the face. */
+  Record& operator[](Slot s) { return m_records[static_cast<std::size_t>(s)]; }
+  const Record& operator[](Slot s) const { return m_records[static_cast<std::size_t>(s)]; }
+
+  /* The slot of a halfedge; one with a record of zeros, not to be written, if its edge was never touched. */
+  Slot slot(Halfedge_index h) const { return static_cast<Slot>(m_slots[h.idx()]); }
+
+  /* The halfedge with a slot that is taken. */
+  Halfedge_index halfedge(Slot s) const
+  {
+    return Halfedge_index((second_side(s).of_edge[1] & ~1) | (static_cast<Index>(s) & 1));
+  }
+
+  /* The record of a halfedge, or of a slot that is taken, as in each step of a walk; its face is copied if need be. */
+  Record& known(Halfedge_index h)
+  {
+    Record& record = (*this)[slot(h)];
+    return record.is_known() ? record : imported(h);
+  }
+
+  BOOST_FORCEINLINE Record& known(Slot s)
+  {
+    Record& record = (*this)[s];
+    return record.is_known() ? record : imported(halfedge(s));
+  }
+
+  /* The slot of a halfedge, which takes one if it has none. */
+  Slot taken(Halfedge_index h)
+  {
+    if(!m_slots.has_slot(h.idx()))
+      take(h);
+    return slot(h);
+  }
+
+  /* Calls the two other sides of the face of a slot into the cache, if the face is known. */
+  void prefetch_face(Slot s) const
+  {
+    const Record& record = (*this)[s];
+    if(record.encoded_next <= 0)
+      return;
+    const Record& hn = (*this)[record.next()];
+    prefetch(&hn);
+    prefetch(&(*this)[hn.next()]);
+  }
+
+  Index& crossings_plus_one(Slot s) { return first_side(s).of_edge[0]; }
+  Index& version(Slot s) { return first_side(s).of_edge[1]; }
+  Index crossings_plus_one(Slot s) const { return first_side(s).of_edge[0]; }
+  Index version(Slot s) const { return first_side(s).of_edge[1]; }
+  Index crossings(Slot s) const { return crossings_plus_one(s) - 1; }
+  Index& label(Slot s) { return second_side(s).of_edge[0]; }
+  Index label(Slot s) const { return second_side(s).of_edge[0]; }
+
+  /* A halfedge that starts at v, null_index at an isolated vertex. */
+  Halfedge_index outgoing(Vertex_index v)
+  {
+    if(outgoing_slot(v) == Slot::NONE) { // of the input: an added vertex has one
+      const Halfedge_index h = as_intrinsic(m_input.outgoing(v));
+      if(h == null_index)
+        return null_index;
+      known(h);
+      set_outgoing(v, slot(h));
+    }
+    return halfedge(outgoing_slot(v));
+  }
+
+  void set_outgoing(Vertex_index v, Slot s)
+  {
+    if(!m_vertex_slots.has_slot(v.idx())) {
+      m_outgoing.resize(m_vertex_slots.number_of_slots() + Vertex_slots::block_size, Slot::NONE);
+      m_vertex_slots.add(v.idx());
+    }
+    m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])] = s;
+    if(s != Slot::NONE)
+      second_side(s).of_edge[1] |= 1;
+  }
+
+  /* If `from` is the halfedge that is kept for v, keeps `to` instead. */
+  void move_outgoing(Vertex_index v, Slot from, Slot to)
+  {
+    if(outgoing_slot(v) == from)
+      set_outgoing(v, to);
+  }
+
+  /* The same for both sides of an edge, which all leave their vertices v and w. Mostly neither is kept. */
+  void move_outgoing(Slot s, Slot instead_of_s, Slot instead_of_twin)
+  {
+    Index& is_kept = second_side(s).of_edge[1];
+    if((is_kept & 1) == 0)
+      return;
+    move_outgoing((*this)[s].tail, s, instead_of_s);
+    move_outgoing((*this)[twin_slot(s)].tail, twin_slot(s), instead_of_twin);
+    is_kept &= ~1;
+  }
+
+  void link_face(Slot a, Slot b, Slot c)
+  {
+    (*this)[a].set_next(b);
+    (*this)[b].set_next(c);
+    (*this)[c].set_next(a);
+  }
+
+  /* Sets the vectors of the face on the left of h, from it on. \pre it is known */
+  void set_face_geometry(Halfedge_index h, const Halfedge_geometry& at_h, const Halfedge_geometry& at_hn,
+                         const Halfedge_geometry& at_hp)
+  {
+    Record& first = (*this)[slot(h)];
+    Record& second = (*this)[first.next()];
+    first.geometry = at_h;
+    second.geometry = at_hn;
+    (*this)[second.next()].geometry = at_hp;
+  }
+
+  /* If it throws, as the next but one, nothing has changed. */
+  void add_vertex()
+  {
+    m_vertex_slots.grow(static_cast<std::size_t>(m_number_of_vertices) + 1);
+    ++m_number_of_vertices;
+  }
+
+  void remove_last_vertex()
+  {
+    const Vertex_index v(--m_number_of_vertices);
+    if(m_vertex_slots.has_slot(v.idx()))
+      set_outgoing(v, Slot::NONE);
+  }
+
+  /* An edge whose sides are in no face yet; all may move. Returns its first slot. */
+  Slot add_edge()
+  {
+    m_slots.grow(static_cast<std::size_t>(m_number_of_halfedges) + 2);
+    if(m_records.capacity() < m_slots.largest_number_of_slots())
+      m_records.reserve(room_for(m_slots));
+    m_number_of_halfedges += 2;
+    return taken(Halfedge_index(m_number_of_halfedges - 2));
+  }
+
+  void remove_last_edge()
+  {
+    m_number_of_halfedges -= 2;
+    const Slot s = slot(Halfedge_index(m_number_of_halfedges));
+    first_side(s) = second_side(s) = Record();
+    second_side(s).of_edge[1] = m_number_of_halfedges;
+  }
+
+private:
+  using Halfedge_slots = Slot_table<8>;
+  using Vertex_slots = Slot_table<16>;
+
+  // For some more elements than there are.
+  template <class Slots>
+  static std::size_t room_for(const Slots& slots)
+  {
+    return slots.largest_number_of_slots() + slots.largest_number_of_slots() / 8;
+  }
+
+  const Record& first_side(Slot s) const { return m_records[static_cast<std::size_t>(s) & ~std::size_t(1)]; }
+  const Record& second_side(Slot s) const { return m_records[static_cast<std::size_t>(s) | 1]; }
+  Record& first_side(Slot s) { return m_records[static_cast<std::size_t>(s) & ~std::size_t(1)]; }
+  Record& second_side(Slot s) { return m_records[static_cast<std::size_t>(s) | 1]; }
+
+  Slot outgoing_slot(Vertex_index v) const { return m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])]; }
+
+  BOOST_NOINLINE void take(Halfedge_index h)
+  {
+    const Index start = m_slots.add(h.idx()), first = h.idx() - (m_slots[h.idx()] - start);
+    m_records.resize(m_slots.number_of_slots());
+    for(Index i = 0; i < static_cast<Index>(Halfedge_slots::block_size); i += 2)
+      second_side(static_cast<Slot>(start + i)).of_edge[1] = first + i;
+  }
+
+  // Copies the face of a halfedge.
+  BOOST_NOINLINE Record& imported(Halfedge_index wanted)
+  {
+    const Input_halfedge_index h = as_input(wanted);
+    if(m_input.is_border(h)) {
+      check_has_face(m_input, h); // only there its length is kept
+      Record& record = (*this)[taken(wanted)];
+      record.tail = m_input.tail(h);
+      record.encoded_next = Record::border;
+      return record;
+    }
+    check_triangle(m_input, h);
+    const Input_halfedge_index hn = m_input.next(h), hp = m_input.next(hn);
+    if(hn == h)
+      throw_no_triangle(m_input, h);
+    // From the smallest side on, so that the bits do not depend on which side is touched first.
+    const Input_halfedge_index first = (std::min)({h, hn, hp});
+    const Input_halfedge_index sides[3] = {first, m_input.next(first), m_input.next(m_input.next(first))};
+    const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
+    std::array<Slot, 3> slots;
+    for(int i = 0; i < 3; ++i) {
+      slots[i] = taken(as_intrinsic(sides[i]));
+      Record& record = (*this)[slots[i]];
+      record.tail = m_input.tail(sides[i]);
+      record.geometry = geometry[i];
+      if(outgoing_slot(record.tail) == Slot::NONE)
+        set_outgoing(record.tail, slots[i]);
+    }
+    link_face(slots[0], slots[1], slots[2]);
+    return (*this)[slot(wanted)];
+  }
+
+  Input_mesh m_input;
+  Metric m_metric;
+  Traits m_traits;
+  Index m_number_of_vertices, m_number_of_halfedges;
+  Halfedge_slots m_slots;
+  Vertex_slots m_vertex_slots;
+  std::vector<Record, boost::alignment::aligned_allocator<Record, 64>> m_records;
+  std::vector<Slot> m_outgoing; // NONE where none is known
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_HALFEDGE_STORE_H

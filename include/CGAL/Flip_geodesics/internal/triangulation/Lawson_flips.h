@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_LAWSON_FLIPS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_LAWSON_FLIPS_H
+
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
+
+#include <cstddef>
+#include <deque>
+#include <unordered_map>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Calls function(h) for each edge of the faces around v. */
+template <class Triangulation, class Function>
+void for_each_edge_in_star(const Triangulation& triangulation, Vertex_index v, Function function)
+{
+  Halfedge_index start = triangulation.outgoing(v);
+  if(start == null_index)
+    return;
+  for(Halfedge_index h = triangulation.clockwise(start); h != null_index && h != triangulation.outgoing(v);
+      h = triangulation.clockwise(h))
+    start = h; // the last one before the border
+  if(triangulation.clockwise(start) != null_index)
+    start = triangulation.outgoing(v);
+  Halfedge_index h = start;
+  do {
+    function(h);
+    if(!triangulation.is_border(h))
+      function(triangulation.next(h));
+    h = triangulation.counterclockwise(h);
+  } while(h != null_index && h != start);
+}
+
+/*
+ * Lawson's algorithm on a set of edges, or on all: flips those that are not locally Delaunay, first come, first served,
+ * and looks again at the four edges around. Edges with a label, under curves, stay.
+ */
+template <class Triangulation>
+class Lawson_flips
+{
+  static_assert(Has_words<Triangulation>::value || !Triangulation::Traits::Has_drift::value,
+                "faces that err are laid out afresh from the input, with which the triangulation does not correspond");
+
+public:
+  /* On the edges that are allowed then, or on all, of which those that are looked at are queued. */
+  explicit Lawson_flips(Triangulation& triangulation, bool allows_all = false)
+    : m_triangulation(triangulation)
+    , m_allows_all(allows_all)
+  {
+  }
+
+  /* Admits an edge to the set and queues it. */
+  void allow(Edge_index e)
+  {
+    if(m_edges.emplace(e, Edge{true, 0}).second)
+      m_queue.push_back(e);
+  }
+
+  /* Forgets what was flipped and what is queued. */
+  void clear()
+  {
+    m_edges.clear();
+    m_queue.clear();
+  }
+
+  /* Queues an edge of the set again. */
+  void look_at(Edge_index e)
+  {
+    if(m_allows_all)
+      return allow_or_requeue(e);
+    const auto found = m_edges.find(e);
+    if(found == m_edges.end() || found->second.is_queued)
+      return;
+    found->second.is_queued = true;
+    m_queue.push_back(e);
+  }
+
+  /* Flips until nothing is left to flip, so many flips are done, or the visitor says no. Returns how many were. */
+  template <class Visitor>
+  std::size_t flip(std::size_t maximum, Visitor& visitor)
+  {
+    std::size_t flips = 0;
+    m_is_stopped = false;
+    while(!m_queue.empty() && flips < maximum) {
+      if(!visitor.go_further()) {
+        m_is_stopped = true;
+        return flips;
+      }
+      const Edge_index e = m_queue.front();
+      const Halfedge_index h = first_side(e);
+      m_queue.pop_front();
+      Edge& edge = m_edges.at(e);
+      edge.is_queued = false;
+      if(m_triangulation.label(e) != 0 || m_triangulation.is_locally_delaunay(h) || !is_still_to_flip(edge, h))
+        continue;
+      m_triangulation.flip(h);
+      visitor.on_flip(m_triangulation, h);
+      ++flips;
+      ++edge.flips;
+      for(Halfedge_index side : {h, Triangulation::twin(h)}) {
+        look_at(Triangulation::edge(m_triangulation.next(side)));
+        look_at(Triangulation::edge(m_triangulation.previous(side)));
+      }
+    }
+    return flips;
+  }
+
+  /* Has the visitor ended the last call of flip()? */
+  bool is_stopped() const { return m_is_stopped; }
+
+private:
+  struct Edge
+  {
+    bool is_queued;
+    unsigned flips;
+  };
+
+  void allow_or_requeue(Edge_index e)
+  {
+    Edge& edge = m_edges.emplace(e, Edge{false, 0}).first->second;
+    if(edge.is_queued)
+      return;
+    edge.is_queued = true;
+    m_queue.push_back(e);
+  }
+
+  // An edge that was flipped 32, 64, ... times is decided from the input, before drift can make it go round in circles.
+  bool is_still_to_flip(const Edge& edge, Halfedge_index h)
+  {
+    if constexpr(Triangulation::Traits::Has_drift::value)
+      if(edge.flips >= 32 && (edge.flips & (edge.flips - 1)) == 0) {
+        refresh_face(m_triangulation, h);
+        refresh_face(m_triangulation, Triangulation::twin(h));
+        return !m_triangulation.is_locally_delaunay(h);
+      }
+    return true;
+  }
+
+  Triangulation& m_triangulation;
+  bool m_allows_all;
+  bool m_is_stopped = false;
+  std::unordered_map<Edge_index, Edge> m_edges;
+  std::deque<Edge_index> m_queue;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_LAWSON_FLIPS_H

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_LAYOUT_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_LAYOUT_H
+
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * Where the vertices of an overlay lie, rounded: crossings along their two edges, and the corners of polygons in their
+ * input faces.
+ *
+ * Crossings are measured in the strip of their intrinsic edge, each for itself, so that rounding may exchange two that
+ * lie close together on one edge of the input. The overlay knows their order, and the positions are raised to it.
+ */
+template <class Triangulation>
+class Overlay_layout
+{
+public:
+  using Overlay = internal::Overlay<Triangulation>;
+  using Weights = std::array<double, 3>;
+  using Point_2 = std::array<double, 2>;
+
+  /* Measures an overlay from which nothing is dissolved yet. */
+  explicit Overlay_layout(const Overlay& overlay)
+    : m_overlay(&overlay)
+    , m_faces(overlay.input_faces())
+  {
+    measure_crossings();
+    raise_to_order();
+    find_intrinsic_faces();
+    m_weights.resize(m_faces.size());
+    for(Overlay_halfedge h : overlay.halfedges())
+      if(!overlay.is_border(h))
+        m_weights[h] = measure_corner(h);
+  }
+
+  /* The position of a crossing on its input edge, from 0 at the tail of `crossed_halfedge(v)` to 1 at the head. */
+  double on_input(Overlay_vertex v) const { return m_crossings[number(v)].on_input; }
+  /* The position of a crossing on its intrinsic edge, from 0 at the tail of the first halfedge to 1 at the head. */
+  double on_intrinsic(Overlay_vertex v) const { return m_crossings[number(v)].on_intrinsic; }
+
+  /* The first halfedge of that intrinsic edge. */
+  Halfedge_index intrinsic_halfedge(Overlay_vertex v) const { return m_crossings[number(v)].intrinsic_halfedge; }
+
+  /* The smallest halfedge of the intrinsic face that the polygon of h lies in, null_index if polygons were merged. */
+  Halfedge_index intrinsic_face(Overlay_halfedge h) const
+  {
+    return m_intrinsic_faces.empty() ? Halfedge_index() : m_intrinsic_faces[h];
+  }
+  /* To be called when polygons of different intrinsic faces are merged. */
+  void forget_intrinsic_faces() { m_intrinsic_faces.clear(); }
+
+  /* The smallest halfedge of the input face that the polygon of h lies in. */
+  Input_halfedge_index face(Overlay_halfedge h) const { return m_faces[h]; }
+  /* The origin of h in that face: barycentric coordinates for the tails of that halfedge and the next two. */
+  const Weights& weights(Overlay_halfedge h) const { return m_weights[h]; }
+
+  /* Takes notice of a diagonal that was added to the overlay from the origin of a to that of b. */
+  void add_diagonal(Overlay_halfedge a, Overlay_halfedge b)
+  {
+    m_faces.insert(m_faces.end(), 2, m_faces[a]);
+    if(!m_intrinsic_faces.empty())
+      m_intrinsic_faces.insert(m_intrinsic_faces.end(), 2, m_intrinsic_faces[a]);
+    const Weights from = m_weights[a], to = m_weights[b];
+    m_weights.insert(m_weights.end(), {from, to});
+  }
+
+  /* Takes notice of h and the edge after it before they are joined. */
+  void join(Overlay_halfedge h) { m_weights[Overlay::twin(h)] = m_weights[Overlay::twin(m_overlay->next(h))]; }
+
+  /* Takes notice of an edge that was cut: the new edge stands for t, the twin of h. */
+  void add_cut(Overlay_halfedge t)
+  {
+    m_faces.insert(m_faces.end(), {m_faces[t], null_index});
+    if(!m_intrinsic_faces.empty())
+      m_intrinsic_faces.insert(m_intrinsic_faces.end(), {m_intrinsic_faces[t], null_index});
+    const Weights weights = m_weights[t];
+    m_weights.insert(m_weights.end(), {weights, weights});
+  }
+
+  /*
+   * Splits the edge of h, between two triangles or on the border, in the middle, as the overlay does. For an overlay
+   * that is triangulated, and whose vertices have not been split yet.
+   */
+  void split(Overlay& overlay, Overlay_halfedge h)
+  {
+    CGAL_precondition(m_intrinsic_faces.empty());
+    h = is_first_side(h) ? h : Overlay::twin(h);
+    const Overlay_halfedge t = Overlay::twin(h);
+    std::array<Side, 2> sides;
+    for(const Overlay_halfedge side : {h, t})
+      if(!overlay.is_border(side))
+        sides[is_first_side(side) ? 0 : 1] = {m_faces[side], middle_of(side), m_weights[overlay.previous(side)]};
+    add_midpoint(h, sides[overlay.is_border(h) ? 1 : 0]);
+    overlay.split(h);
+    add_edge(sides[0].face, sides[0].middle, sides[1].face, m_weights[t]);
+    m_weights[t] = sides[1].middle;
+    for(const Side& side : sides)
+      if(side.face != null_index)
+        add_edge(side.face, side.middle, side.face, side.apex);
+  }
+
+  /* A vertex that was added by split(), with the first halfedge of the intrinsic edge that it lies on, and where; the
+   * halfedge is null if there is none. */
+  struct Midpoint
+  {
+    Surface_point on_input;
+    Halfedge_index intrinsic_halfedge;
+    double on_intrinsic;
+  };
+
+  const Midpoint& midpoint(Overlay_vertex v) const { return m_midpoints[number(v) - m_crossings.size()]; }
+
+  /* The corners of an input face in the plane, the tail of f at the origin. */
+  std::array<Point_2, 3> corners(Input_halfedge_index f) const
+  {
+    const auto vectors = input_face_geometry(triangulation(), f);
+    return {{{0, 0}, {vectors[0].x, vectors[0].y}, {-vectors[2].x, -vectors[2].y}}};
+  }
+
+  static Point_2 point(const std::array<Point_2, 3>& corners, const Weights& w)
+  {
+    return {w[1] * corners[1][0] + w[2] * corners[2][0], w[1] * corners[1][1] + w[2] * corners[2][1]};
+  }
+
+private:
+  struct Crossing
+  {
+    double on_input, on_intrinsic;
+    Halfedge_index intrinsic_halfedge;
+  };
+
+  // What an edge that is split has on one side.
+  struct Side
+  {
+    Input_halfedge_index face;
+    Weights middle = {{0, 0, 0}}, apex = {{0, 0, 0}};
+  };
+
+  const Triangulation& triangulation() const { return m_overlay->triangulation(); }
+
+  Weights middle_of(Overlay_halfedge h) const
+  {
+    const Weights &p = m_weights[h], &q = m_weights[m_overlay->next(h)];
+    return {{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}};
+  }
+
+  void add_edge(Input_halfedge_index face, const Weights& from, Input_halfedge_index face_of_twin, const Weights& to)
+  {
+    m_faces.insert(m_faces.end(), {face, face_of_twin});
+    m_weights.insert(m_weights.end(), {from, to});
+  }
+
+  void add_midpoint(Overlay_halfedge h, const Side& side)
+  {
+    const auto& input = triangulation().input();
+    const Input_halfedge_index f = side.face, fn = input.next(f), along = m_overlay->input_halfedge(h);
+    const Halfedge_index intrinsic = m_overlay->intrinsic_halfedge(h);
+    const Overlay_vertex from = m_overlay->origin(h), to = m_overlay->target(h);
+    const double first = m_overlay->is_crossing(from) ? on_intrinsic(from) : 0,
+                 last = m_overlay->is_crossing(to) ? on_intrinsic(to) : 1;
+    m_midpoints.push_back({surface_point({{input.tail(f), input.tail(fn), input.tail(input.next(fn))}}, side.middle,
+                                         along == null_index ? f : along),
+                           intrinsic, (first + last) / 2});
+  }
+
+  std::size_t number(Overlay_vertex v) const
+  {
+    return static_cast<std::size_t>(v.idx() - triangulation().number_of_vertices());
+  }
+
+  // Each polygon has a piece of an intrinsic edge among its sides.
+  void find_intrinsic_faces()
+  {
+    m_intrinsic_faces.assign(m_faces.size(), null_index);
+    m_overlay->for_each_polygon([&](Overlay_halfedge h) {
+      Overlay_halfedge piece = h;
+      while(m_overlay->intrinsic_halfedge(piece) == null_index)
+        piece = m_overlay->next(piece);
+      const Halfedge_index side = m_overlay->intrinsic_halfedge(piece), after = triangulation().next(side);
+      const Halfedge_index face = (std::min)({side, after, triangulation().next(after)});
+      m_overlay->for_each_side(h, [&](Overlay_halfedge s) { m_intrinsic_faces[s] = face; });
+    });
+  }
+
+  void measure_crossings()
+  {
+    for(Edge_index e : descriptors<Edge_index>(triangulation().number_of_edges())) {
+      if(m_overlay->crossings(e) == 0)
+        continue;
+      const Strip<Triangulation> strip(triangulation(), triangulation().crossing_word(first_side(e)));
+      double along = 0;
+      for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+        along = (std::max)(along, strip.crossing_along(i));
+        m_crossings.push_back({strip.crossing(i), along, first_side(e)});
+      }
+    }
+  }
+
+  void raise_to_order()
+  {
+    for(Overlay_halfedge h : m_overlay->halfedges()) {
+      const Input_halfedge_index c = m_overlay->input_halfedge(h);
+      if(c == null_index || !is_first_side(c) || m_overlay->is_crossing(m_overlay->origin(h)))
+        continue;
+      double reached = position_on_side(Vertex_index(m_overlay->origin(h).idx()));
+      for(Overlay_halfedge arc = h; m_overlay->is_crossing(m_overlay->target(arc)); arc = m_overlay->next_arc(arc)) {
+        const Overlay_vertex v = m_overlay->target(arc);
+        const bool is_along = m_overlay->crossed_halfedge(v) == c;
+        double& t = m_crossings[number(v)].on_input;
+        reached = (std::max)(reached, is_along ? t : 1 - t);
+        if(reached > (is_along ? t : 1 - t))
+          t = is_along ? reached : 1 - reached;
+      }
+    }
+  }
+
+  // Where a vertex of the triangulation is on the input edge that it starts or divides, from 0 at the tail of the
+  // edge's first halfedge. Locations are told from that, unless it is on the border, where there are no crossings.
+  double position_on_side(Vertex_index v) const
+  {
+    if(!triangulation().is_inserted(v))
+      return 0;
+    const Surface_location at = triangulation().location(v);
+    return at.weights[1] / (at.weights[0] + at.weights[1]);
+  }
+
+  // The origin of h lies on a side of the input face, which follows from what h runs along, or is an inserted vertex.
+  Weights measure_corner(Overlay_halfedge h) const
+  {
+    const auto& input = triangulation().input();
+    const Overlay_vertex v = m_overlay->origin(h);
+    const Input_halfedge_index along = m_overlay->input_halfedge(h);
+    if(!m_overlay->is_crossing(v)) {
+      const bool is_told_by_crossing = along != null_index || m_overlay->is_crossing(m_overlay->target(h));
+      if(triangulation().is_inserted(Vertex_index(v.idx())) || !is_told_by_crossing)
+        return normalized(vertex_weights(triangulation(), Vertex_index(v.idx()), m_faces[h]));
+      const Input_halfedge_index corner = along != null_index ? along : input.next(input.next(leaving_through(h)));
+      return on_side(m_faces[h], corner, 0);
+    }
+    const Input_halfedge_index crossed = m_overlay->crossed_halfedge(v);
+    const double t = on_input(v);
+    if(along != null_index)
+      return on_side(m_faces[h], along, along == crossed ? t : 1 - t);
+    const bool is_entering = is_first_side(m_overlay->intrinsic_halfedge(h)); // the face beyond crossed
+    return on_side(m_faces[h], is_entering ? twin_index(crossed) : crossed, is_entering ? 1 - t : t);
+  }
+
+  // The side of the face through which an intrinsic edge that starts at a corner leaves it.
+  Input_halfedge_index leaving_through(Overlay_halfedge h) const
+  {
+    const Input_halfedge_index crossed = m_overlay->crossed_halfedge(m_overlay->target(h));
+    return is_first_side(m_overlay->intrinsic_halfedge(h)) ? crossed : twin_index(crossed);
+  }
+
+  static Weights normalized(const Weights& w)
+  {
+    const double sum = w[0] + w[1] + w[2];
+    return {{w[0] / sum, w[1] / sum, w[2] / sum}};
+  }
+
+  Weights on_side(Input_halfedge_index f, Input_halfedge_index side, double t) const
+  {
+    const auto& input = triangulation().input();
+    Weights weights = {0, 0, 0};
+    for(int i = 0; i < 3; ++i, f = input.next(f))
+      if(f == side) {
+        weights[i] = 1 - t;
+        weights[(i + 1) % 3] = t;
+      }
+    return weights;
+  }
+
+  const Overlay* m_overlay;
+  Per_overlay_halfedge<Input_halfedge_index> m_faces;
+  Per_overlay_halfedge<Halfedge_index> m_intrinsic_faces;
+  Per_overlay_halfedge<Weights> m_weights;
+  std::vector<Crossing> m_crossings;
+  std::vector<Midpoint> m_midpoints;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_LAYOUT_H

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_PATH_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_PATH_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * A path on the input surface as the sequence of input edges that it crosses, put together of pieces; pulled straight
+ * without passing a vertex, it has the word that `finish()` gives: the free reduction, less the letters that touch the
+ * ends. An input vertex touches the edges that start there, a point of an edge that edge, a point inside a face none.
+ */
+template <class Triangulation>
+class Word_path
+{
+public:
+  /* A path that starts at a vertex, into the input face of its anchor. The memory of old letters can be reused. */
+  Word_path(const Triangulation& triangulation, Vertex_index start, Input_halfedge_index start_anchor,
+            std::vector<Input_halfedge_index> memory = {})
+    : m_triangulation(triangulation)
+    , m_start_anchor(start_anchor)
+  {
+    m_word.crossed = std::move(memory);
+    m_word.crossed.clear();
+    m_word.tail = start;
+  }
+
+  void cross(Input_halfedge_index letter)
+  {
+    if(is_taken_back(letter))
+      m_word.crossed.pop_back();
+    else
+      m_word.crossed.push_back(letter);
+  }
+
+  /* Crosses some letters of a word. As it is reduced, letters cancel where the two meet and nowhere else. */
+  void cross(const std::vector<Input_halfedge_index>& letters, std::size_t first, std::size_t last)
+  {
+    for(; first < last && is_taken_back(letters[first]); ++first)
+      m_word.crossed.pop_back();
+    const auto begin = letters.begin();
+    m_word.crossed.insert(m_word.crossed.end(), begin + static_cast<std::ptrdiff_t>(first),
+                          begin + static_cast<std::ptrdiff_t>((std::max)(first, last)));
+  }
+
+  /* Crosses the letters of a word, or of its other direction. */
+  void cross(const Crossing_word& word, bool is_reversed)
+  {
+    if(!is_reversed)
+      return cross(word.crossed, 0, word.crossed.size());
+    std::size_t last = word.crossed.size();
+    for(; last > 0 && is_taken_back(twin_index(word.crossed[last - 1])); --last)
+      m_word.crossed.pop_back();
+    m_word.crossed.reserve(m_word.crossed.size() + last);
+    for(; last > 0; --last)
+      m_word.crossed.push_back(twin_index(word.crossed[last - 1]));
+  }
+
+  /* Turns clockwise about vertex v over a number of input edges, that in the direction of `spoke` first. */
+  void turn(Vertex_index v, Input_halfedge_index spoke, Index number)
+  {
+    for(Index i = 0; i < number; ++i, spoke = next_spoke(m_triangulation, v, spoke))
+      cross(spoke);
+  }
+
+  /* Hands out the word of the straight path; this one ends at a vertex, in the input face of its anchor. */
+  Crossing_word finish(Vertex_index end, Input_halfedge_index end_anchor)
+  {
+    m_word.head = end;
+    Input_halfedge_index first_anchor = m_start_anchor, last_anchor = end_anchor;
+    auto first = m_word.crossed.begin(), last = m_word.crossed.end();
+    for(; first != last && touches(m_word.tail, first_anchor, *first); ++first)
+      first_anchor = across(m_word.tail, *first, first_anchor);
+    for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last)
+      last_anchor = across(end, twin_index(*(last - 1)), last_anchor);
+    const auto skipped = first - m_word.crossed.begin();
+    m_word.crossed.erase(last, m_word.crossed.end()); // with it goes `first`, where all is taken back
+    m_word.crossed.erase(m_word.crossed.begin(), m_word.crossed.begin() + skipped);
+    if(m_word.crossed.empty())
+      place_in_face(first_anchor, last_anchor);
+    return std::move(m_word);
+  }
+
+private:
+  const auto& input() const { return m_triangulation.input(); }
+
+  // Does a letter cross back what was crossed last?
+  bool is_taken_back(Input_halfedge_index letter) const
+  {
+    return !m_word.crossed.empty() && m_word.crossed.back() == twin_index(letter);
+  }
+
+  // Does a side of the anchor's face touch the vertex?
+  bool touches(Vertex_index v, Input_halfedge_index anchor, Input_halfedge_index side) const
+  {
+    switch(vertex_kind(m_triangulation, v)) {
+    case Location_kind::VERTEX:
+      return side != input().next(anchor);
+    case Location_kind::EDGE:
+      return side == anchor;
+    case Location_kind::FACE:
+      return false;
+    }
+    return false;
+  }
+
+  // The anchor in the face on the other side of a side that touches the vertex.
+  Input_halfedge_index across(Vertex_index v, Input_halfedge_index side, Input_halfedge_index anchor) const
+  {
+    const Input_halfedge_index t = twin_index(side);
+    return !m_triangulation.is_inserted(v) && side == anchor ? input().next(t) : t;
+  }
+
+  // What crosses nothing runs along an input edge or through the inside of a face.
+  void place_in_face(Input_halfedge_index k, Input_halfedge_index l)
+  {
+    const Location_kind at_k = vertex_kind(m_triangulation, m_word.tail);
+    const Location_kind at_l = vertex_kind(m_triangulation, m_word.head);
+    if(at_k == Location_kind::VERTEX && at_l == Location_kind::VERTEX)
+      m_word.along = input().next(k) == l ? k : twin_index(l);
+    else if(at_k == Location_kind::VERTEX && at_l == Location_kind::EDGE && l != input().next(k))
+      m_word.along = l == k ? k : twin_index(l);
+    else if(at_k == Location_kind::EDGE && at_l == Location_kind::VERTEX && k != input().next(l))
+      m_word.along = k == l ? twin_index(k) : k;
+    else if(at_k == Location_kind::EDGE && at_l == Location_kind::EDGE && k == l)
+      m_word.along = is_before(m_word.tail, m_word.head, k) ? k : twin_index(k);
+    else
+      m_word.face = k;
+  }
+
+  // Of two points of an input edge, is the first nearer to the tail of halfedge h?
+  bool is_before(Vertex_index v, Vertex_index w, Input_halfedge_index h) const
+  {
+    const auto a = vertex_weights(m_triangulation, v, h), b = vertex_weights(m_triangulation, w, h);
+    const auto n = to_integers<4>({{a[0], a[1], b[0], b[1]}});
+    return n[1] * n[2] < n[3] * n[0];
+  }
+
+  const Triangulation& m_triangulation;
+  Input_halfedge_index m_start_anchor;
+  Crossing_word m_word;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_PATH_H

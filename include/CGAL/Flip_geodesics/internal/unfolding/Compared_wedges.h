@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_COMPARED_WEDGES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_COMPARED_WEDGES_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
+#include <CGAL/enum.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* A side of an edge as it is between two flips of the edge. */
+struct Side_version
+{
+  Halfedge_index halfedge;
+  Index version;
+
+  bool operator==(const Side_version& other) const { return halfedge == other.halfedge && version == other.version; }
+};
+
+/*
+ * How wedges compare with pi, of which that was hard to tell. A straight angle stops flips, and so it is asked for
+ * again whenever the flips about it are: at the walls of an extrusion a hundred times. The angle between two edges is
+ * the same for as long as both are there.
+ *
+ * A hash table in which a wedge has one place, and takes it from another one; so it is of bounded size, and nothing is
+ * searched. Versions are used again after flips were taken back; from then on all wedges count as new but those
+ * between edges of the input.
+ */
+class Compared_wedges
+{
+public:
+  /* The wedge clockwise from one edge to another: the result, null if it is not known. */
+  const Comparison_result* find(const Side_version& from, const Side_version& to) const
+  {
+    if(m_entries.empty())
+      return nullptr;
+    const Entry& entry = m_entries[place(from, to)];
+    return entry.epoch == epoch(from, to) && entry.from == from && entry.to == to ? &entry.result : nullptr;
+  }
+
+  void insert(const Side_version& from, const Side_version& to, Comparison_result result)
+  {
+    if(4 * m_size >= m_entries.size() && m_entries.size() < most_entries)
+      grow();
+    put({from, to, epoch(from, to), result});
+  }
+
+  /* Flips were taken back. */
+  void forget_flips() { ++m_epoch; }
+
+private:
+  // Of an entry that is not taken the epoch is 0; of a wedge between edges of the input it is 1.
+  struct Entry
+  {
+    Side_version from, to;
+    std::uint32_t epoch = 0;
+    Comparison_result result = EQUAL;
+  };
+
+  static constexpr std::size_t few_entries = 64, most_entries = std::size_t(1) << 14; // powers of two
+
+  std::uint32_t epoch(const Side_version& from, const Side_version& to) const
+  {
+    return from.version == 0 && to.version == 0 ? 1 : m_epoch;
+  }
+
+  std::size_t place(const Side_version& from, const Side_version& to) const
+  {
+    std::uint64_t hash = 0;
+    for(Index i : {from.halfedge.idx(), from.version, to.halfedge.idx(), to.version})
+      hash = (hash ^ static_cast<std::uint32_t>(i)) * 0x9e3779b97f4a7c15u; // [Fibonacci hashing]
+    return static_cast<std::size_t>(hash >> 40) & (m_entries.size() - 1);
+  }
+
+  void put(const Entry& entry)
+  {
+    Entry& place_of_entry = m_entries[place(entry.from, entry.to)];
+    m_size += place_of_entry.epoch == 0 ? 1 : 0;
+    place_of_entry = entry;
+  }
+
+  void grow()
+  {
+    std::vector<Entry> larger(m_entries.empty() ? few_entries : 4 * m_entries.size());
+    larger.swap(m_entries);
+    m_size = 0;
+    for(const Entry& entry : larger)
+      if(entry.epoch == 1 || entry.epoch == m_epoch)
+        put(entry);
+  }
+
+  std::vector<Entry> m_entries;
+  std::size_t m_size = 0; // entries that are taken
+  std::uint32_t m_epoch = 2;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_COMPARED_WEDGES_H

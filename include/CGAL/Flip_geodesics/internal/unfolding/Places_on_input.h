@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PLACES_ON_INPUT_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PLACES_ON_INPUT_H
+
+#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The input of a triangulation, and places on it as vertices beside its own: what strips and their decisions ask of a
+ * triangulation, for words that are in none.
+ */
+template <class Triangulation>
+class Places_on_input
+{
+public:
+  using Triangle_mesh = typename Triangulation::Triangle_mesh;
+  using Input_mesh = typename Triangulation::Input_mesh;
+  using Metric = typename Triangulation::Metric;
+
+  /* The triangulation must outlive this. */
+  explicit Places_on_input(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  const Input_mesh& input() const { return m_triangulation.input(); }
+  const Metric& metric() const { return m_triangulation.metric(); }
+  bool is_inserted(Vertex_index v) const { return v.idx() >= input().number_of_vertices(); }
+  const Surface_location& location(Vertex_index v) const
+  {
+    return m_places[static_cast<std::size_t>(v.idx() - input().number_of_vertices())];
+  }
+  const Exact_face& exact_input_face(Input_halfedge_index h) const { return m_faces(*this, h); }
+
+  /* The vertex at a place: a new one, unless it is the input's. */
+  Vertex_index add(const Surface_location& location)
+  {
+    const Surface_location place = canonical_location(input(), location);
+    if(kind(place) == Location_kind::VERTEX)
+      return input().tail(place.halfedge);
+    m_places.push_back(place);
+    return Vertex_index(input().number_of_vertices() + static_cast<Index>(m_places.size()) - 1);
+  }
+
+private:
+  const Triangulation& m_triangulation;
+  std::vector<Surface_location> m_places;
+  mutable Exact_face_cache m_faces;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PLACES_ON_INPUT_H

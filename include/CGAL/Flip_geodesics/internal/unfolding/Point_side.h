@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_POINT_SIDE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_POINT_SIDE_H
+
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+template <class Number>
+Number determinant_of_weights(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                              const std::array<Number, 3>& r, const Number& sign)
+{
+  return p[0] * (q[1] * r[2] + sign * q[2] * r[1]) + p[1] * (q[2] * r[0] + sign * q[0] * r[2]) +
+         p[2] * (q[0] * r[1] + sign * q[1] * r[0]);
+}
+
+/* The orientation of three points of an input face, given by weights that are not negative, exactly: POSITIVE if they
+ * are in counterclockwise order. */
+inline Sign orientation_of_weights(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                   const std::array<double, 3>& r)
+{
+  // A sum of six products of three, each with less than six roundings.
+  const double quick = determinant_of_weights(p, q, r, -1.0), bound = determinant_of_weights(p, q, r, 1.0);
+  if(std::abs(quick) > product_sum_error * bound)
+    return quick > 0 ? POSITIVE : NEGATIVE;
+  const Integer exact =
+      determinant_of_weights<Integer>(integer_weights(p), integer_weights(q), integer_weights(r), Integer(-1));
+  return exact > 0 ? POSITIVE : (exact < 0 ? NEGATIVE : ZERO);
+}
+
+/*
+ * On which side of an intrinsic edge does a point of an input face lie that the edge passes: the sign of the exact
+ * number that the input and the point's weights define. POSITIVE is on the left.
+ *
+ * The edge passes the face of gap i of its word, that between letters i - 1 and i; the face at the tail is gap 0.
+ */
+template <class Triangulation>
+class Point_side
+{
+public:
+  Point_side(const Triangulation& triangulation, Decision_statistics& statistics)
+    : m_triangulation(triangulation)
+    , m_statistics(statistics)
+  {
+  }
+
+  Sign operator()(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  {
+    const std::array<double, 3> weights = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
+    if(word.along != null_index)
+      return weights[2] > 0 ? POSITIVE : ZERO;
+    if(word.crossed.empty())
+      return orientation_of_weights(vertex_weights(m_triangulation, word.tail, word.face),
+                                    vertex_weights(m_triangulation, word.head, word.face), weights);
+    const Uncertain<Sign> quick = in_double(word, gap, weights);
+    if(quick.is_certain()) {
+      ++m_statistics.by_strip;
+      return quick.make_certain();
+    }
+    return exactly(word, gap, weights);
+  }
+
+  /* How far on the left the point lies, rounded. */
+  double distance(const Crossing_word& word, std::size_t gap, const Surface_location& point) const
+  {
+    const std::array<double, 3> w = weights_in_face(m_triangulation.input(), point, face_of_gap(word, gap));
+    if(word.crossed.empty())
+      return 0; // decided by weights alone, exactly
+    const Strip<Triangulation> strip(m_triangulation, word);
+    std::complex<double> position = 0;
+    for(int i = 0; i < 3; ++i)
+      position += w[i] / (w[0] + w[1] + w[2]) * strip.face(gap)[i].position;
+    return std::imag(std::conj(strip.end()) * position) / strip.length();
+  }
+
+  /* The halfedge that the corners of a gap's face are told from. */
+  static Input_halfedge_index face_of_gap(const Crossing_word& word, std::size_t gap)
+  {
+    if(word.along != null_index)
+      return word.along;
+    return gap < word.crossed.size() ? word.crossed[gap] : word.last_face();
+  }
+
+private:
+  Uncertain<Sign> in_double(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
+  {
+    const Strip<Triangulation> strip(m_triangulation, word);
+    const auto corners = strip.face(gap);
+    const double sum = w[0] + w[1] + w[2];
+    std::complex<double> position = 0;
+    double error = 0;
+    for(int i = 0; i < 3; ++i) {
+      position += w[i] / sum * corners[i].position;
+      error += w[i] / sum * (corners[i].error + product_sum_error * std::abs(corners[i].position));
+    }
+    const double sine = std::imag(std::conj(strip.end()) * position);
+    const double bound = (strip.length() + strip.end_error()) * error + strip.end_error() * std::abs(position) +
+                         product_sum_error * strip.length() * std::abs(position);
+    if(!(std::abs(sine) > bound))
+      return Uncertain<Sign>::indeterminate();
+    return sine > 0 ? POSITIVE : NEGATIVE;
+  }
+
+  Sign exactly(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& weights) const
+  {
+    const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+    return Exact_sign(m_statistics)({unfolding.point(word, gap, weights), unfolding.head(word, true)});
+  }
+
+  const Triangulation& m_triangulation;
+  Decision_statistics& m_statistics;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_POINT_SIDE_H

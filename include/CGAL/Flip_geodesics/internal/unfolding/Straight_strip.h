@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRAIGHT_STRIP_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRAIGHT_STRIP_H
+
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Touched_vertices.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Ends of the edges that a word crosses, on its line. */
+struct Line_contacts
+{
+  struct Edge_end
+  {
+    std::size_t gate;
+    bool is_left;
+  };
+  std::vector<Edge_end> ends; // a vertex once for each of its edges
+  bool have_edge = false;     // are both ends of an edge on it?
+};
+
+/*
+ * Is the straight line from the tail to the head of a word a path through its strip that is locally shortest, exactly?
+ * It must pass between the ends of each crossed edge. Where faces without area lie along it, it may touch vertices with
+ * a full angle, and run along crossed edges on their inside.
+ */
+template <class Triangulation>
+class Straight_strip
+{
+  using Strip_in_double = Strip<Triangulation>;
+  using Gate = typename Strip_in_double::Gate;
+  using Touched = Touched_vertices<Triangulation>;
+
+public:
+  Straight_strip(const Triangulation& triangulation, Decision_statistics& statistics)
+    : m_triangulation(triangulation)
+    , m_statistics(statistics)
+  {
+  }
+
+  /* Is what is said to be the word of halfedge h one of a strip from its tail to its head? */
+  bool is_strip(Halfedge_index h, const Crossing_word& word) const
+  {
+    return word.tail == m_triangulation.tail(h) && word.head == m_triangulation.head(h) && is_strip(word);
+  }
+
+  /* Is the line of a word of a strip, which is at hand in double? */
+  bool operator()(const Crossing_word& word, const Strip_in_double& strip) const
+  {
+    Strip_obstacle obstacle;
+    return is_inside_face(word) || is_straight(word, strip, obstacle);
+  }
+
+  /* Is the line of a word, which need not be that of an edge of the triangulation? */
+  bool operator()(const Crossing_word& word) const
+  {
+    Strip_obstacle obstacle;
+    return (*this)(word, obstacle);
+  }
+
+  /* The same, and what is in its way. */
+  bool operator()(const Crossing_word& word, Strip_obstacle& obstacle) const
+  {
+    if(!is_strip(word))
+      return false;
+    return is_inside_face(word) || is_straight(word, Strip_in_double(m_triangulation, word), obstacle);
+  }
+
+  /* The same, and which ends of crossed edges lie on the line. Only of a word that crosses edges. */
+  bool operator()(const Crossing_word& word, Line_contacts& contacts) const
+  {
+    Strip_obstacle obstacle;
+    return is_strip(word) && is_straight(word, Strip_in_double(m_triangulation, word), obstacle, &contacts);
+  }
+
+private:
+  static bool is_inside_face(const Crossing_word& word) { return word.along == null_index && word.crossed.empty(); }
+
+  bool is_straight(const Crossing_word& word, const Strip_in_double& strip, Strip_obstacle& obstacle,
+                   Line_contacts* contacts = nullptr) const
+  {
+    Touched touched(m_triangulation, word.tail, word.head, strip.length(), m_statistics);
+    if(word.along != null_index)
+      add_edge_along(word, touched);
+    else if(!is_inside(word, strip, touched, obstacle, contacts))
+      return false;
+    return touched.are_passed_straight(obstacle);
+  }
+
+  /* On which sides of the line do the ends of a gate lie? POSITIVE is the right side. */
+  struct Gate_sides
+  {
+    Sign left, right;
+  };
+
+  // Do the faces follow on one another, from one that has the tail to one that has the head? Numbers have no say here.
+  bool is_strip(const Crossing_word& word) const
+  {
+    if(word.along != null_index)
+      return is_on_halfedge(m_triangulation, word.tail, word.along) &&
+             is_on_halfedge(m_triangulation, word.head, twin_index(word.along));
+    if(word.crossed.empty())
+      return word.face != null_index && is_in_face(m_triangulation, word.tail, word.face) &&
+             is_in_face(m_triangulation, word.head, word.face);
+    const auto& input = m_triangulation.input();
+    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
+      const Input_halfedge_index entered = twin_index(word.crossed[i]);
+      if(input.is_border(word.crossed[i]) || input.is_border(entered))
+        return false;
+      const Input_halfedge_index right_side = input.next(entered), left_side = input.next(right_side);
+      if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
+        return false;
+    }
+    return is_opposite_vertex(m_triangulation, word.tail, word.crossed.front()) &&
+           is_opposite_vertex(m_triangulation, word.head, twin_index(word.crossed.back()));
+  }
+
+  // All of the input edge, of which the segment can be a part.
+  void add_edge_along(const Crossing_word& word, Touched& touched) const
+  {
+    const double length = m_triangulation.metric().length(m_triangulation.input(), word.along);
+    const auto w = vertex_weights(m_triangulation, word.tail, word.along);
+    const double from = -length * (w[1] / (w[0] + w[1]));
+    touched.add_edge(word.along, from, from + length);
+  }
+
+  bool is_inside(const Crossing_word& word, const Strip_in_double& strip, Touched& touched, Strip_obstacle& obstacle,
+                 Line_contacts* contacts) const
+  {
+    double passed = 0; // the part of the line that has been followed
+    Gate_sides_beyond_doubles precise(*this, word, strip);
+    Gate_sides before = {ZERO, ZERO};
+    for(std::size_t i = 0; i < strip.gates().size(); ++i) {
+      const Gate& gate = strip.gates()[i];
+      Gate_sides sides = in_double(strip, gate);
+      // Gates share an end with the one before, and what has been proven of that is not proven again.
+      const bool is_left_shared = i > 0 && !is_right_shared(strip.gates()[i - 1], gate);
+      if(sides.left == ZERO)
+        sides.left = is_left_shared ? before.left : precise.side(i, true);
+      if(sides.right == ZERO)
+        sides.right = i > 0 && !is_left_shared ? before.right : precise.side(i, false);
+      before = sides;
+      const bool is_along = sides.left == ZERO && sides.right == ZERO;
+      if(sides.left == NEGATIVE || sides.right == NEGATIVE || (is_along && !runs_along(strip, gate, passed))) {
+        obstacle.vertex =
+            m_triangulation.input().tail(sides.left == NEGATIVE ? twin_index(gate.crossed) : gate.crossed);
+        obstacle.gate = i;
+        return false;
+      }
+      if(contacts != nullptr)
+        note_contacts(i, sides, *contacts);
+      if(is_along) {
+        touched.add_edge(gate.crossed, along(strip, gate.right), along(strip, gate.left));
+      } else if(sides.left == ZERO || sides.right == ZERO) {
+        touched.add_vertex(m_triangulation.input().tail(sides.left == ZERO ? twin_index(gate.crossed) : gate.crossed));
+      }
+    }
+    m_statistics.by_strip += precise.is_exact_needed() ? 0 : 1;
+    return true;
+  }
+
+  static void note_contacts(std::size_t gate, const Gate_sides& sides, Line_contacts& contacts)
+  {
+    if(sides.left == ZERO)
+      contacts.ends.push_back({gate, true});
+    if(sides.right == ZERO)
+      contacts.ends.push_back({gate, false});
+    contacts.have_edge = contacts.have_edge || (sides.left == ZERO && sides.right == ZERO);
+  }
+
+  // Do two gates in a row start at one vertex, or else end at one?
+  bool is_right_shared(const Gate& gate, const Gate& next) const
+  {
+    return next.crossed == m_triangulation.input().next(twin_index(gate.crossed));
+  }
+
+  static double along(const Strip_in_double& strip, const std::complex<double>& p)
+  {
+    return std::real(std::conj(strip.end()) * p) / strip.length();
+  }
+
+  // Goes on to the first point of the line that is inside of a gate on it, if there is one.
+  static bool runs_along(const Strip_in_double& strip, const Gate& gate, double& passed)
+  {
+    const double right = along(strip, gate.right), left = along(strip, gate.left);
+    const double error = gate.right_error + gate.left_error + 4 * strip.relative_error() * strip.length();
+    passed = (std::max)(passed, (std::min)(right, left) + error);
+    return passed < (std::max)(right, left) - error && passed <= strip.length() - error;
+  }
+
+  static Gate_sides in_double(const Strip_in_double& strip, const Gate& gate)
+  {
+    if(!(strip.relative_error() < 1))
+      return {ZERO, ZERO};
+    const std::complex<double> end = strip.end();
+    const double left_error = std::abs(end) * (gate.left_error + 2 * strip.relative_error() * std::abs(gate.left));
+    const double right_error = std::abs(end) * (gate.right_error + 2 * strip.relative_error() * std::abs(gate.right));
+    return {sign(std::imag(std::conj(end) * gate.left), left_error),
+            sign(-std::imag(std::conj(end) * gate.right), right_error)};
+  }
+
+  static Sign sign(double value, double error) { return value > error ? POSITIVE : (value < -error ? NEGATIVE : ZERO); }
+
+  // On which side of the line an end of a gate lies, by a strip of about 100 bits that is unfolded when it is first
+  // needed, or else exactly.
+  class Gate_sides_beyond_doubles
+  {
+    using Strip_beyond_doubles = Precise_strip<Triangulation>;
+
+  public:
+    Gate_sides_beyond_doubles(const Straight_strip& owner, const Crossing_word& word, const Strip_in_double& strip)
+      : m_triangulation(owner.m_triangulation)
+      , m_statistics(owner.m_statistics)
+      , m_word(word)
+      , m_strip_in_double(strip)
+    {
+    }
+
+    Sign side(std::size_t gate, bool is_left)
+    {
+      const Uncertain<Sign> quick = quick_side(gate, is_left);
+      const Sign result = quick.is_certain() ? quick.make_certain() : exact_side(gate, is_left);
+      return is_left ? result : CGAL::opposite(result);
+    }
+
+    bool is_exact_needed() const { return m_is_exact_needed; }
+
+  private:
+    Uncertain<Sign> quick_side(std::size_t gate, bool is_left)
+    {
+      if(m_triangulation.is_inserted(m_word.tail) || m_triangulation.is_inserted(m_word.head))
+        return Uncertain<Sign>::indeterminate();
+      if(!m_strip)
+        m_strip.emplace(m_triangulation, m_word, true);
+      const auto& ends = m_strip->gates()[gate];
+      return m_strip->side(is_left ? ends.left : ends.right);
+    }
+
+    // A vertex on the line, which is an end of gates in a row.
+    struct Touched_end
+    {
+      Vertex_index vertex;
+      std::size_t first, last; // gates
+      bool is_left;
+      std::complex<double> place;
+      double error; // of the place
+    };
+
+    // \pre no gate before has the same end
+    Sign exact_side(std::size_t gate, bool is_left)
+    {
+      m_is_exact_needed = true;
+      const Touched_end end = touched_end(gate, is_left);
+      const Sign result = is_in_line(end) ? ZERO : sign(m_word, gate, is_left);
+      if(result == ZERO) {
+        m_before_last = m_last;
+        m_last = end;
+      }
+      return result;
+    }
+
+    Touched_end touched_end(std::size_t gate, bool is_left) const
+    {
+      const Input_halfedge_index h = m_word.crossed[gate];
+      const Gate& g = m_strip_in_double.gates()[gate];
+      const std::complex<double> place = is_left ? g.left : g.right;
+      const double error =
+          (is_left ? g.left_error : g.right_error) + 2 * m_strip_in_double.relative_error() * std::abs(place);
+      return {m_triangulation.input().tail(is_left ? twin_index(h) : h),
+              gate,
+              last_gate(gate, is_left),
+              is_left,
+              place,
+              error};
+    }
+
+    std::size_t last_gate(std::size_t gate, bool is_left) const
+    {
+      const std::vector<Input_halfedge_index>& crossed = m_word.crossed;
+      while(gate + 1 < crossed.size() &&
+            (crossed[gate + 1] != m_triangulation.input().next(twin_index(crossed[gate]))) == is_left)
+        ++gate;
+      return gate;
+    }
+
+    // The sign of the sine of the angle from the line to an end of a gate.
+    Sign sign(const Crossing_word& word, std::size_t gate, bool is_left) const
+    {
+      const Unfolding_chains<Triangulation> unfolding(m_triangulation);
+      return Exact_sign(m_statistics)({unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
+    }
+
+    // Is a vertex on the line through the last two that have been found on the line, or the tail and the only one? The
+    // faces between them prove it, which are few as compared with all of the strip. Two vertices that can be in one
+    // place, as faces without area allow, do not define a line.
+    bool is_in_line(const Touched_end& end) const
+    {
+      if(!m_last)
+        return false;
+      const std::size_t first = m_before_last ? m_before_last->last + 1 : 0;
+      if(first > m_last->first || m_last->last >= end.first)
+        return false;
+      const double distance = std::abs(m_last->place - (m_before_last ? m_before_last->place : 0.0));
+      if(!(distance > m_last->error + (m_before_last ? m_before_last->error : 0)))
+        return false;
+      Crossing_word part;
+      part.tail = m_before_last ? m_before_last->vertex : m_word.tail;
+      part.head = end.vertex;
+      const auto begin = m_word.crossed.begin();
+      part.crossed.assign(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end.first));
+      return sign(part, m_last->first - first, m_last->is_left) == ZERO;
+    }
+
+    const Triangulation& m_triangulation;
+    Decision_statistics& m_statistics;
+    const Crossing_word& m_word;
+    const Strip_in_double& m_strip_in_double;
+    std::optional<Strip_beyond_doubles> m_strip;
+    std::optional<Touched_end> m_before_last, m_last; // of the vertices on the line
+    bool m_is_exact_needed = false;
+  };
+
+  const Triangulation& m_triangulation;
+  Decision_statistics& m_statistics;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRAIGHT_STRIP_H

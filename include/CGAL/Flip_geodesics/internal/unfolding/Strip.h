@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRIP_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRIP_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * The barycentric coordinates of one point less those of another, from weights that sum to anything. By products with
+ * their rounding errors, so that what is left is accurate however close the points are.
+ */
+inline std::array<double, 3> barycentric_difference(const std::array<double, 3>& from, const std::array<double, 3>& to)
+{
+  const auto sum_with_error = [](const std::array<double, 3>& w) {
+    const double a = w[0] + w[1], a_error = (w[0] - (a - (a - w[0]))) + (w[1] - (a - w[0]));
+    const double b = a + w[2], b_error = (a - (b - (b - a))) + (w[2] - (b - a)); // [Knuth, TwoSum]
+    return std::array<double, 2>{b, a_error + b_error};
+  };
+  const auto from_sum = sum_with_error(from), to_sum = sum_with_error(to);
+  std::array<double, 3> result;
+  for(int i = 0; i < 3; ++i) {
+    const double product = unfused(from[i] * to_sum[0]), rounding = std::fma(from[i], to_sum[0], -product);
+    const double difference = std::fma(to[i], from_sum[0], -product) - rounding; // [Kahan]
+    result[i] =
+        (difference + (unfused(to[i] * from_sum[1]) - unfused(from[i] * to_sum[1]))) / (from_sum[0] * to_sum[0]);
+  }
+  return result;
+}
+
+/*
+ * The input faces along a crossing word, unfolded into the plane from the input's own coordinates: whatever flips led
+ * to the edge, its vector is fresh here. The error is normwise, a few units in the last place per face, whatever the
+ * shapes of the faces.
+ *
+ * The tail lies at the origin; the frame is that of the reference halfedge, the tail's anchor: it has the first face on
+ * its left, and points along the positive real axis. At an input vertex it starts there, at a point of an edge it
+ * passes through it. An edge along an input halfedge refers to that.
+ */
+template <class Triangulation>
+class Strip
+{
+public:
+  using Vector = std::complex<double>;
+
+  /// The two ends of a crossed input edge as seen by the traveller.
+  struct Gate
+  {
+    Input_halfedge_index crossed; // the input halfedge as in the word; its tail is on the right
+    Vector right, left;
+    double right_error, left_error; // bounds
+  };
+
+  /// A corner of an unfolded face, with a bound of its error.
+  struct Corner
+  {
+    Vector position;
+    double error;
+  };
+
+  Strip(const Triangulation& triangulation, const Crossing_word& word)
+    : m_triangulation(&triangulation)
+  {
+    m_reference = tail_anchor(triangulation, word);
+    if(word.along != null_index)
+      lay_out_edge(word);
+    else if(word.crossed.empty())
+      lay_out_inside(word);
+    else
+      unfold(word);
+  }
+
+  Input_halfedge_index reference() const { return m_reference; }
+
+  /*
+   * The corners of the face between gates i - 1 and i as positions of the tails of h, next(h) and previous(h), where h
+   * is the halfedge through which the face is left, or entered if it is the last. \pre there is a gate
+   */
+  std::array<Corner, 3> face(std::size_t i) const
+  {
+    const bool is_last = i == m_gates.size();
+    const Gate& gate = m_gates[is_last ? i - 1 : i];
+    const Corner right = {gate.right, gate.right_error}, left = {gate.left, gate.left_error};
+    if(is_last)
+      return {left, right, m_last_corner};
+    if(i == 0)
+      return {right, left, m_first_corner};
+    const Gate& before = m_gates[i - 1];
+    const bool is_right_kept = gate.crossed == m_triangulation->input().next(twin_index(before.crossed));
+    return {right, left,
+            is_right_kept ? Corner{before.left, before.left_error} : Corner{before.right, before.right_error}};
+  }
+  const std::vector<Gate>& gates() const { return m_gates; }
+  const Vector& end() const { return m_end; }
+  double end_error() const { return m_error; }
+
+  /* The reference of the edge's other direction, and a vector along that direction in the reference's frame; the
+   * reference is `null_index` if an end of the edge is an inserted vertex. */
+  Input_halfedge_index arrival_reference() const { return m_arrival_reference; }
+  const Vector& arrival() const { return m_arrival; }
+
+  double length() const { return std::abs(m_end); }
+
+  /* A bound of the error of arrival(), relative to its length: that of end(), and of the last face's turn. */
+  double arrival_error() const { return relative_error() + static_cast<double>(m_gates.size() + 3) * face_ratio_error; }
+
+  /* A bound of the error of end(), relative to its length; infinite if that is all error. */
+  double relative_error() const
+  {
+    const double length = std::abs(m_end);
+    return length > 2 * m_error ? m_error / (length - m_error) : std::numeric_limits<double>::infinity();
+  }
+
+  /*
+   * The largest angle by which an end of a crossed edge lies on the wrong side of the straight line from tail to head,
+   * seen from the nearer end of that line: zero if the line stays inside the strip.
+   */
+  double bend() const
+  {
+    double result = 0;
+    for(const Gate& gate : m_gates)
+      result = (std::max)(result, bend(gate));
+    return result;
+  }
+
+  /* The same of one crossed edge. */
+  double bend(const Gate& gate) const
+  {
+    return (std::max)(wrong_side_angle(gate.left), wrong_side_angle(std::conj(gate.right), true));
+  }
+
+  /* Where the straight line crosses gate i, from 0 at the right end to 1 at the left end. */
+  double crossing(std::size_t i) const
+  {
+    const double right = (std::max)(-cross(m_end, m_gates[i].right), 0.0);
+    const double left = (std::max)(cross(m_end, m_gates[i].left), 0.0);
+    return right + left > 0 ? right / (right + left) : 0.5;
+  }
+
+  /* Where gate i crosses the straight line, from 0 at the tail to 1 at the head. */
+  double crossing_along(std::size_t i) const
+  {
+    const Vector right = m_gates[i].right, gate = m_gates[i].left - right;
+    const double whole = cross(m_end, gate);
+    return whole > 0 ? (std::min)((std::max)(cross(right, gate) / whole, 0.0), 1.0) : 0.5;
+  }
+
+private:
+  using Face_vectors = std::array<Vector, 3>;
+
+  double wrong_side_angle(const Vector& p, bool is_mirrored = false) const
+  {
+    const Vector end = is_mirrored ? std::conj(m_end) : m_end;
+    const double doubled_area = cross(end, p);
+    if(doubled_area >= 0)
+      return 0;
+    const double height = doubled_area / std::abs(end);
+    const double base = (std::min)(std::abs(p), std::abs(p - end));
+    return base > 0 ? std::asin((std::min)(-height / base, 1.0)) : 0;
+  }
+
+  // The vectors of h, next(h), previous(h) of an input face, turned so that h lies along the given vector.
+  Face_vectors face_along(Input_halfedge_index h, const Vector& along) const
+  {
+    const auto face = known_input_face_geometry(*m_triangulation, h);
+    const Vector turn = along / face[0].x; // the layout puts h on the positive real axis
+    return {along, product(turn, Vector(face[1].x, face[1].y)), product(turn, Vector(face[2].x, face[2].y))};
+  }
+
+  void lay_out_edge(const Crossing_word& word)
+  {
+    const Input_halfedge_index h = word.along;
+    m_error = 0; // the direction is exact
+    m_end = m_triangulation->metric().length(m_triangulation->input(), h);
+    if(m_triangulation->is_inserted(word.tail) || m_triangulation->is_inserted(word.head)) {
+      m_end *= barycentric_difference(weights(word.tail, h), weights(word.head, h))[1];
+    } else {
+      m_arrival_reference = twin_index(h);
+      m_arrival = m_end;
+    }
+  }
+
+  // From weights of both ends in one face, so that the ends may lie close together.
+  void lay_out_inside(const Crossing_word& word)
+  {
+    const Face_vectors face = first_face();
+    const auto d = barycentric_difference(weights(word.tail, m_reference), weights(word.head, m_reference));
+    m_end = unfused(d[1] * face[0]) - unfused(d[2] * face[2]);
+    m_error = face_ratio_error * (std::abs(d[1]) * std::abs(face[0]) + std::abs(d[2]) * std::abs(face[2]));
+  }
+
+  Face_vectors first_face() const
+  {
+    return face_along(m_reference, m_triangulation->metric().length(m_triangulation->input(), m_reference));
+  }
+
+  std::array<double, 3> weights(Vertex_index v, Input_halfedge_index h) const
+  {
+    return vertex_weights(*m_triangulation, v, h);
+  }
+
+  // The corners of the first face, from the tail of the word: the tails of the reference, its next and previous.
+  std::array<Corner, 3> first_corners(const Crossing_word& word) const
+  {
+    const Face_vectors f = first_face();
+    if(!m_triangulation->is_inserted(word.tail)) {
+      const double error = face_ratio_error * std::abs(f[0]);
+      return {{{0, 0}, {f[0], error}, {f[0] + f[1], error + face_ratio_error * std::abs(f[1])}}};
+    }
+    const auto w = weights(word.tail, m_reference);
+    const double sum = w[0] + w[1] + w[2];
+    std::array<Corner, 3> result;
+    for(int i = 0; i < 3; ++i) { // from the corner's two sides
+      const double b = w[(i + 1) % 3] / sum, c = w[(i + 2) % 3] / sum;
+      result[i].position = unfused(c * f[(i + 2) % 3]) - unfused(b * f[i]);
+      result[i].error = face_ratio_error * (b * std::abs(f[i]) + c * std::abs(f[(i + 2) % 3]));
+    }
+    return result;
+  }
+
+  void unfold(const Crossing_word& word)
+  {
+    const auto& input = m_triangulation->input();
+    const std::vector<Input_halfedge_index>& crossed = word.crossed;
+    const std::array<Corner, 3> first = first_corners(word);
+    const int side = crossed.front() == m_reference ? 0 : (crossed.front() == input.next(m_reference) ? 1 : 2);
+    Vector right = first[side].position, left = first[(side + 1) % 3].position, gate = -first_face()[side];
+    double right_error = first[side].error, left_error = first[(side + 1) % 3].error;
+    m_first_corner = first[(side + 2) % 3];
+    m_gates.resize(crossed.size());
+    for(std::size_t i = 0;; ++i) {
+      Gate& here = m_gates[i]; // member by member: copying a whole would wait for the parts
+      here.crossed = crossed[i];
+      here.right = right;
+      here.left = left;
+      here.right_error = right_error;
+      here.left_error = left_error;
+      // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never
+      // differences of positions, which would magnify the error wherever a gate is short.
+      const Input_halfedge_index entered = twin_index(crossed[i]);
+      const Face_vectors face = face_along(entered, gate);
+      const double to_right = magnitude(face[1]), to_left = magnitude(face[2]);
+      const bool is_near_right = to_right < to_left;
+      const Vector apex = is_near_right ? right + face[1] : left - face[2];
+      const double turn_error = static_cast<double>(i + 2) * face_ratio_error;
+      const double apex_error =
+          (is_near_right ? right_error + turn_error * to_right : left_error + turn_error * to_left) +
+          face_ratio_error * magnitude(apex);
+      if(i + 1 == crossed.size()) {
+        m_last_corner = {apex, apex_error};
+        if(m_triangulation->is_inserted(word.head))
+          return end_in_face(weights(word.head, entered), face, turn_error);
+        m_end = apex;
+        m_error = apex_error;
+        if(!m_triangulation->is_inserted(word.tail)) {
+          m_arrival_reference = input.next(input.next(entered));
+          m_arrival = product(-m_end, std::conj(face[2]));
+        }
+        return;
+      }
+      const bool is_leaving_right = crossed[i + 1] == input.next(entered);
+      gate = is_leaving_right ? -face[1] : -face[2];
+      (is_leaving_right ? left : right) = apex;
+      (is_leaving_right ? left_error : right_error) = apex_error;
+    }
+  }
+
+  // A point of the last face, entered over its side 0 from the left end of the last gate to the right, from that end
+  // from which it is nearer.
+  void end_in_face(const std::array<double, 3>& w, const Face_vectors& face, double turn_error)
+  {
+    const double sum = w[0] + w[1] + w[2], at_left = w[0] / sum, at_right = w[1] / sum, at_apex = w[2] / sum;
+    const Gate& gate = m_gates.back();
+    const double from_right = unfused(at_left * std::abs(face[0])) + unfused(at_apex * std::abs(face[1]));
+    const double from_left = unfused(at_right * std::abs(face[0])) + unfused(at_apex * std::abs(face[2]));
+    if(from_right < from_left) {
+      m_end = gate.right + unfused(at_apex * face[1]) - unfused(at_left * face[0]);
+      m_error = gate.right_error + turn_error * from_right;
+    } else {
+      m_end = gate.left + unfused(at_right * face[0]) - unfused(at_apex * face[2]);
+      m_error = gate.left_error + turn_error * from_left;
+    }
+    m_error += face_ratio_error * std::abs(m_end);
+  }
+
+  const Triangulation* m_triangulation;
+  Input_halfedge_index m_reference = null_index, m_arrival_reference = null_index;
+  std::vector<Gate> m_gates;
+  Corner m_first_corner = {0, 0}, m_last_corner = {0, 0}; // of the first and last face, not on a gate
+  Vector m_end, m_arrival;
+  double m_error = 0;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_STRIP_H

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_UNFOLDING_CHAIN_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_UNFOLDING_CHAIN_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/*
+ * One face of an exact unfolding, as a linear map. With the number q = dot + i root of the face, over its squared
+ * length L, the ends (right, left) of a gate go to the ends of the next one, all times L.
+ */
+struct Unfolding_step
+{
+  enum class Kind {
+    START,        // from 1 to (1, 1 + q / L)
+    START_INSIDE, // from 1 to two combinations of the face's sides, and their difference
+    NEW_LEFT,     // the apex, right + q / L (right - left), replaces the left end
+    NEW_RIGHT,    // it replaces the right end
+    POINT,        // a combination of left end, right end and apex replaces the right end
+    CORNER        // right times q
+  };
+
+  Kind kind;
+  const Exact_face* face;
+
+  const Integer& squared_length() const { return face->squared_length; }
+  const Integer& squared_root() const { return face->doubled_area_squared; }
+  Integer dot() const { return kind == Kind::CORNER ? Integer(-face->dot_next) : face->dot_next; }
+};
+
+/* A combination of the three sides of a face, as number + i root_coefficient root; the first side is L. */
+struct Side_combination
+{
+  Integer number = 0, root_coefficient = 0;
+
+  Side_combination() = default;
+  Side_combination(const Exact_face& face, const std::array<Integer, 3>& c)
+    : number(c[0] * face.squared_length + c[1] * face.dot_next + c[2] * face.dot_previous)
+    , root_coefficient(c[1] - c[2])
+  {
+  }
+};
+
+/*
+ * A complex number that input faces define, up to a positive factor: from 1 on, as the right end of a gate, through all
+ * steps; then the right end, or the left end, or its conjugate.
+ */
+struct Unfolding_chain
+{
+  std::vector<Unfolding_step> steps;
+  bool is_conjugate = false;
+  bool reads_left = false;
+  Side_combination right, left, to_right; // of START_INSIDE
+  std::array<Integer, 3> weights;         // of POINT: of left end, right end, apex
+};
+
+/* Makes chains of crossing words and of fans of input corners. */
+template <class Triangulation>
+class Unfolding_chains
+{
+  using Kind = Unfolding_step::Kind;
+  using Weights = std::array<Integer, 3>;
+
+public:
+  explicit Unfolding_chains(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+    , m_faces(triangulation)
+  {
+  }
+
+  /* The head of a word as seen from its tail. */
+  Unfolding_chain head(const Crossing_word& word, bool is_conjugate) const
+  {
+    Unfolding_chain result;
+    if(word.along == null_index && word.crossed.empty())
+      result = inside_face(word);
+    else if(word.along == null_index && m_triangulation.is_inserted(word.head))
+      result = point_in_face(word, word.crossed.size(), weights(word.head, word.last_face()));
+    else
+      result = gate(word, word.crossed.size(), false);
+    result.is_conjugate = is_conjugate;
+    return result;
+  }
+
+  /* An end of the crossed edge with the given number; after the last one, the apex of the last face. */
+  Unfolding_chain gate(const Crossing_word& word, std::size_t number, bool is_left) const
+  {
+    Unfolding_chain result;
+    result.reads_left = is_left;
+    if(word.along != null_index)
+      return result;
+    result.steps.reserve(number + 1);
+    start(word, result);
+    for(std::size_t i = 0; i < number; ++i) {
+      const Input_halfedge_index entered = twin_index(word.crossed[i]);
+      const bool is_leaving_right = i + 1 < word.crossed.size() && word.crossed[i + 1] == next(entered);
+      result.steps.push_back({is_leaving_right ? Kind::NEW_LEFT : Kind::NEW_RIGHT, &face(entered)});
+    }
+    return result;
+  }
+
+  /*
+   * A point of the face between gates gap - 1 and gap, by weights told from the halfedge that the face is left through,
+   * or from the one that it is entered through if it is the last.
+   */
+  Unfolding_chain point(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& w) const
+  {
+    const Weights n = integer_weights(w);
+    if(gap == word.crossed.size())
+      return point_in_face(word, gap, n);
+    const Input_halfedge_index told_from = word.crossed[gap];
+    if(gap > 0)
+      return point_in_face(word, gap, turned(n, told_from, twin_index(word.crossed[gap - 1])));
+    const Input_halfedge_index h = tail_anchor(m_triangulation, word);
+    const Weights v = turned(n, told_from, h);
+    const std::array<Weights, 3> corners = corners_from(word, h);
+    Weights sum = {0, 0, 0};
+    for(int i = 0; i < 3; ++i)
+      for(int k = 0; k < 3; ++k)
+        sum[k] += v[i] * corners[i][k];
+    Unfolding_chain result;
+    result.right = Side_combination(face(h), sum);
+    result.steps.push_back({Kind::START_INSIDE, &face(h)});
+    return result;
+  }
+
+  /* The turn over `count` input corners clockwise from input halfedge h. */
+  Unfolding_chain corners(Input_halfedge_index h, Index count) const
+  {
+    Unfolding_chain result;
+    for(Index i = 0; i < count; ++i) {
+      const Input_halfedge_index t = twin_index(h);
+      result.steps.push_back({Kind::CORNER, &face(t)}); // from next(t) to -t: -conj(q) up to a positive factor
+      h = next(t);
+    }
+    return result;
+  }
+
+private:
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+  const Exact_face& face(Input_halfedge_index h) const { return m_faces(h); }
+
+  Weights weights(Vertex_index v, Input_halfedge_index h) const
+  {
+    return integer_weights(vertex_weights(m_triangulation, v, h));
+  }
+
+  // Weights of a face's corners told from one halfedge, told from another.
+  Weights turned(const Weights& w, Input_halfedge_index from, Input_halfedge_index to) const
+  {
+    const int shift = from == to ? 0 : (to == next(from) ? 1 : 2);
+    return {w[shift], w[(shift + 1) % 3], w[(shift + 2) % 3]};
+  }
+
+  // The corners of the face of h as seen from the tail of a word in it, times the sum of its weights.
+  std::array<Weights, 3> corners_from(const Crossing_word& word, Input_halfedge_index h) const
+  {
+    const Weights w = weights(word.tail, h);
+    std::array<Weights, 3> result;
+    for(int i = 0; i < 3; ++i) {
+      result[i] = {0, 0, 0};
+      result[i][(i + 2) % 3] = w[(i + 2) % 3];
+      result[i][i] = -w[(i + 1) % 3];
+    }
+    return result;
+  }
+
+  void start(const Crossing_word& word, Unfolding_chain& chain) const
+  {
+    const Input_halfedge_index h = tail_anchor(m_triangulation, word), first = word.crossed.front();
+    if(!m_triangulation.is_inserted(word.tail)) {
+      chain.steps.push_back({Kind::START, &face(h)});
+      return;
+    }
+    const Weights w = weights(word.tail, h);
+    const int side = first == h ? 0 : (first == next(h) ? 1 : 2);
+    const std::array<Weights, 3> corners = corners_from(word, h);
+    Weights to_right = {0, 0, 0};
+    to_right[side] = -(w[0] + w[1] + w[2]);
+    chain.right = Side_combination(face(h), corners[side]);
+    chain.left = Side_combination(face(h), corners[(side + 1) % 3]);
+    chain.to_right = Side_combination(face(h), to_right);
+    chain.steps.push_back({Kind::START_INSIDE, &face(h)});
+  }
+
+  // The vector between two points of one face.
+  Unfolding_chain inside_face(const Crossing_word& word) const
+  {
+    const Input_halfedge_index h = tail_anchor(m_triangulation, word);
+    const Weights from = weights(word.tail, h), to = weights(word.head, h);
+    const Integer from_sum = from[0] + from[1] + from[2], to_sum = to[0] + to[1] + to[2];
+    Unfolding_chain result;
+    result.right = Side_combination(face(h), {Integer(to[1] * from_sum - from[1] * to_sum), Integer(0),
+                                              Integer(from[2] * to_sum - to[2] * from_sum)});
+    result.steps.push_back({Kind::START_INSIDE, &face(h)});
+    return result;
+  }
+
+  // By weights told from the halfedge that the face is entered through.
+  Unfolding_chain point_in_face(const Crossing_word& word, std::size_t gap, const Weights& w) const
+  {
+    Unfolding_chain result = gate(word, gap, false);
+    result.steps.back().kind = Kind::POINT;
+    result.weights = w;
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+  Exact_input_faces<Triangulation> m_faces;
+};
+
+/*
+ * Computes chains in a ring that knows the roots, and has complex numbers. A ring may divide by squared lengths or scale
+ * by them. One with errors bounds them by one radius for a complex number: with one each for real and imaginary part a
+ * turn would enlarge them by up to sqrt(2), and all digits be used up after some hundred faces.
+ */
+template <class Ring>
+class Chain_arithmetic
+{
+  using Kind = Unfolding_step::Kind;
+
+public:
+  using Number = typename Ring::Number;
+  using Complex = typename Ring::Complex;
+
+  /*
+   * The ends of a gate, and the vector from the left one to the right one: a product of corners, never a difference of
+   * positions, which would magnify errors wherever a gate is short.
+   */
+  struct Gate
+  {
+    Complex right, left, to_right;
+  };
+
+  explicit Chain_arithmetic(const Ring& ring)
+    : m_ring(ring)
+  {
+  }
+
+  /* The imaginary part of a product. */
+  Number sine(const std::vector<Unfolding_chain>& chains) const
+  {
+    Complex product = m_ring.one();
+    bool is_one = true;
+    for(const Unfolding_chain& chain : chains) {
+      if(chain.steps.empty())
+        continue;
+      const Complex z = value(chain);
+      product = is_one ? z : m_ring.multiply(product, z);
+      is_one = false;
+    }
+    return m_ring.imaginary_part(product);
+  }
+
+  /* The gate before the first step. */
+  Gate first_gate() const { return {m_ring.one(), m_ring.zero(), m_ring.zero()}; }
+
+  /* Takes a step of a chain with a gate. */
+  void apply(const Unfolding_chain& chain, const Unfolding_step& step, Gate& gate) const
+  {
+    const Integer& length = step.squared_length();
+    if(step.kind == Kind::START_INSIDE) {
+      gate = {combined(step, chain.right), combined(step, chain.left), combined(step, chain.to_right)};
+      return;
+    }
+    const auto q = m_ring.side(step.dot(), step.squared_root(), 1, length);
+    if(step.kind == Kind::CORNER) {
+      gate.right = m_ring.times_side(gate.right, q);
+      return;
+    }
+    const Complex to_apex = m_ring.times_side(step.kind == Kind::START ? gate.right : gate.to_right, q);
+    gate.right = m_ring.rescale(gate.right, length);
+    const Complex apex = m_ring.add(gate.right, to_apex);
+    if(step.kind == Kind::POINT) {
+      gate.right = m_ring.add(m_ring.add(m_ring.times_integer(m_ring.rescale(gate.left, length), chain.weights[0]),
+                                         m_ring.times_integer(gate.right, chain.weights[1])),
+                              m_ring.times_integer(apex, chain.weights[2]));
+    } else if(step.kind == Kind::NEW_RIGHT) {
+      const auto p = m_ring.side(step.face->dot_previous, step.squared_root(), -1, length);
+      gate.to_right = m_ring.negate(m_ring.times_side(gate.to_right, p));
+      gate.left = m_ring.rescale(gate.left, length);
+      gate.right = apex;
+    } else {
+      gate.to_right = m_ring.negate(to_apex);
+      gate.left = apex;
+    }
+  }
+
+  /* The number of a chain. */
+  Complex value(const Unfolding_chain& chain) const
+  {
+    Gate gate = first_gate();
+    for(const Unfolding_step& step : chain.steps)
+      apply(chain, step, gate);
+    const Complex& result = chain.reads_left ? gate.left : gate.right;
+    return chain.is_conjugate ? m_ring.conjugate(result) : result;
+  }
+
+private:
+  Complex combined(const Unfolding_step& step, const Side_combination& c) const
+  {
+    return m_ring.combination(m_ring.side(c.number, step.squared_root(), 1, step.squared_length()), c.root_coefficient);
+  }
+
+  const Ring& m_ring;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_UNFOLDING_CHAIN_H
