@@ -35,6 +35,12 @@ public:
       add(value);
   }
 
+  void add_text(const std::string& text)
+  {
+    for(char c : text)
+      add(static_cast<long long>(c));
+  }
+
   std::string text() const
   {
     char digits[17];

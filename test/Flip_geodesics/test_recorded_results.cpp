@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Results are a function of the input alone: what the public functions give on small meshes of all kinds, compared with
-// what they gave once. Other tests say what is right; this one says that nothing has changed, be it the paths, their
-// order, or the work. Where a change is meant, FLIP_GEODESICS_RECORD=1 in the environment writes the file anew.
+// Results are a function of the input alone: the results of the public functions on small meshes of all kinds are
+// compared with recorded ones. Other tests check what is right; this one checks that nothing has changed, be it the
+// paths, their order, or the work. There is one hash for each algorithm and mesh, and the comment of each algorithm
+// states what it has that no other has. After an intended change, FLIP_GEODESICS_RECORD=1 in the environment writes the
+// file anew.
 
 #define BOOST_TEST_MODULE recorded_results
 
@@ -12,17 +14,14 @@ using namespace Flip_geodesics_test;
 
 // ---------------------------------------------------------------- paths
 
+// Search, initial straightening and shortening of single paths, by certified predicates.
 BOOST_AUTO_TEST_CASE(paths) { compare<Certified>("paths", Depends_on::INPUT, Add_paths{40}); }
 
+// The same by predicates in double, which decide otherwise where angles are near pi.
 BOOST_AUTO_TEST_CASE(plain_paths) { compare<Plain>("plain_paths", Depends_on::INPUT, Add_paths{20}); }
 
-// Pulled tight from the path of edges on, with landmarks, for a while.
+// Shortened from the edge path on, with landmarks, by runs that stop before the end.
 BOOST_AUTO_TEST_CASE(stopped_paths) { compare<Certified>("stopped_paths", Depends_on::INPUT, Add_stopped_curves()); }
-
-BOOST_AUTO_TEST_CASE(plain_stopped_paths)
-{
-  compare<Plain>("plain_stopped_paths", Depends_on::INPUT, Add_stopped_curves());
-}
 
 // Paths that cross themselves, turn back, and run along the border.
 BOOST_AUTO_TEST_CASE(straightened_walks)
@@ -42,6 +41,7 @@ BOOST_AUTO_TEST_CASE(straightened_walks)
   });
 }
 
+// Closed curves, with and without a fixed vertex, and their certificates.
 BOOST_AUTO_TEST_CASE(loops)
 {
   compare<Certified>("loops", Depends_on::INPUT, [](Setting<Certified>& s, Summary& summary, Result&) {
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(loops)
           network.fix_nodes_at(way[0]);
         shorten_and_add(network, summary);
         const FG::Network_certificate certificate = FG::certify(network);
-        summary.statuses.add(static_cast<long long>(certificate.curves[0].verdict));
+        summary.results.add(static_cast<long long>(certificate.curves[0].verdict));
         FG::Curve_extractor<Setting<Certified>::Network> extractor(network);
         summary.add(extractor.surface_points(0_c));
       });
@@ -66,10 +66,10 @@ BOOST_AUTO_TEST_CASE(loops)
   });
 }
 
+// Curves that share edges, with fixed and with freed vertices.
 BOOST_AUTO_TEST_CASE(networks) { compare<Certified>("networks", Depends_on::INPUT, Add_networks{8}); }
 
-BOOST_AUTO_TEST_CASE(plain_networks) { compare<Plain>("plain_networks", Depends_on::INPUT, Add_networks{8}); }
-
+// The window search that confirms a path as the shortest one.
 BOOST_AUTO_TEST_CASE(shortest_paths)
 {
   compare<Certified>("shortest_paths", Depends_on::ARITHMETIC, Add_shortest_paths{20});
@@ -77,6 +77,7 @@ BOOST_AUTO_TEST_CASE(shortest_paths)
 
 // ---------------------------------------------------------------- curves through points
 
+// Points in faces and on edges: free geodesic segments, and curves through inserted vertices.
 BOOST_AUTO_TEST_CASE(curves_through_points)
 {
   compare<Certified>("curves_through_points", Depends_on::ARITHMETIC,
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(curves_through_points)
                            const FG::Free_legs legs = FG::geodesics_through(s.triangulation, locations);
                            summary.add(legs.legs);
                            summary.add(legs.report);
-                           summary.statuses.add(static_cast<long long>(legs.report.curves[0].verdict));
+                           summary.results.add(static_cast<long long>(legs.report.curves[0].verdict));
                          });
                          Setting<Certified>::Network network(s.triangulation);
                          summary.attempt([&] {
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(curves_through_points)
                            FG::Curve_extractor<Setting<Certified>::Network>(network).face_locations(
                                0_c, s.mesh, std::back_inserter(in_faces));
                            for(const auto& [face, weights] : in_faces) {
-                             summary.words.add(static_cast<long long>(face));
+                             summary.results.add(static_cast<long long>(face));
                              for(double weight : weights)
                                summary.lengths.add(weight);
                            }
@@ -113,6 +114,7 @@ BOOST_AUTO_TEST_CASE(curves_through_points)
                      });
 }
 
+// Polylines that are drawn face by face.
 BOOST_AUTO_TEST_CASE(polylines)
 {
   compare<Certified>("polylines", Depends_on::ARITHMETIC, [](Setting<Certified>& s, Summary& summary, Result&) {
@@ -123,7 +125,7 @@ BOOST_AUTO_TEST_CASE(polylines)
         polyline = FG::complete_polyline(s.triangulation, s.random_locations(4), is_closed);
         summary.add(polyline);
         const auto snapped = FG::snap_polyline(s.triangulation, polyline, is_closed);
-        summary.words.add_all(snapped);
+        summary.results.add_all(snapped);
       });
       Setting<Certified>::Network network(s.triangulation);
       summary.attempt([&] {
@@ -140,6 +142,7 @@ BOOST_AUTO_TEST_CASE(polylines)
   });
 }
 
+// Splines by subdivision in a network.
 BOOST_AUTO_TEST_CASE(splines)
 {
   compare<Certified>("splines", Depends_on::ARITHMETIC, [](Setting<Certified>& s, Summary& summary, Result& extra) {
@@ -152,8 +155,8 @@ BOOST_AUTO_TEST_CASE(splines)
         FG::order_overlapping_curves(network);
         auto spline = i == 0 ? FG::Geodesic_spline<Setting<Certified>::Network>(network, curve)
                              : FG::Geodesic_spline<Setting<Certified>::Network>::cubic_b_spline(network, curve);
-        summary.words.add(spline.refine(0.01, 3));
-        summary.words.add_all(spline.vertices_on_curve());
+        summary.results.add(spline.refine(0.01, 3));
+        summary.results.add_all(spline.vertices_on_curve());
         pieces += spline.number_of_pieces();
         summary.add(spline.finish());
         summary.add_curves(network);
@@ -165,6 +168,7 @@ BOOST_AUTO_TEST_CASE(splines)
   });
 }
 
+// Splines of free segments, without a network.
 BOOST_AUTO_TEST_CASE(free_splines)
 {
   compare<Certified>("free_splines", Depends_on::ARITHMETIC, [](Setting<Certified>& s, Summary& summary, Result&) {
@@ -173,11 +177,11 @@ BOOST_AUTO_TEST_CASE(free_splines)
       const auto points = s.random_locations(4);
       summary.attempt([&] {
         FG::Free_geodesic_spline<Certified> spline(s.triangulation, points, kind);
-        summary.words.add(spline.refine(0.02, 2));
+        summary.results.add(spline.refine(0.02, 2));
         summary.lengths.add(spline.length());
         summary.add(spline.finish());
         summary.add(spline.report());
-        summary.statuses.add(static_cast<long long>(spline.report().curves[0].verdict));
+        summary.results.add(static_cast<long long>(spline.report().curves[0].verdict));
       });
     }
   });
@@ -185,8 +189,10 @@ BOOST_AUTO_TEST_CASE(free_splines)
 
 // ---------------------------------------------------------------- trees
 
+// Geodesic trees, and what makes their paths shortest.
 BOOST_AUTO_TEST_CASE(trees) { compare<Certified>("trees", Depends_on::ARITHMETIC, Add_trees{3}); }
 
+// The same by predicates in double.
 BOOST_AUTO_TEST_CASE(plain_trees) { compare<Plain>("plain_trees", Depends_on::ARITHMETIC, Add_trees{3}); }
 
 // After vertices were inserted, of which the search for shortest paths knows nothing.
@@ -203,6 +209,7 @@ BOOST_AUTO_TEST_CASE(trees_of_refined_meshes)
 
 // ---------------------------------------------------------------- among lies
 
+// What happens after a wrong answer of a predicate: rollbacks, limits and refusals, in each algorithm that has its own.
 BOOST_AUTO_TEST_CASE(hostile_paths) { compare_among_lies("hostile_paths", Add_paths{8}); }
 
 #ifndef _GLIBCXX_DEBUG // containers that check are larger, so that a limit of memory stops elsewhere

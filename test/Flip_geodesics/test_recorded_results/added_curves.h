@@ -29,7 +29,7 @@ struct Add_paths
       summary.attempt([&] {
         const auto path = search(v, w);
         settled += search.settled_vertices();
-        summary.words.add_all(path);
+        summary.results.add_all(path);
         beforehand += FG::add_straightened_path(network, path);
         summary.add_curves(network);
         shorten_and_add(network, summary);
@@ -184,7 +184,7 @@ void add_tree(const FG::Geodesic_tree<Triangulation>& tree, Summary& summary)
 {
   const auto& triangulation = tree.triangulation();
   for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(triangulation.number_of_vertices())) {
-    summary.words.add(tree.incoming(v));
+    summary.results.add(tree.incoming(v));
     if(tree.is_reached(v))
       summary.lengths.add(tree.distance(v));
     if(tree.incoming(v) != FG::null_index)
@@ -201,24 +201,23 @@ struct Add_trees
   void operator()(Setting<Triangulation>& s, Summary& summary, Result& extra) const
   {
     std::size_t reopened = 0, windows = 0, longer = 0, vertices = 0, mended = 0, confirmed = 0;
-    Weighted_sum excess;
     FG::Geodesic_tree<Triangulation> tree(s.triangulation);
     for(int i = 0; i < n; ++i) {
       const FG::Geodesic_tree_report report = i == 1 ? tree.grow(s.random_vertex(), 2.5) : tree.grow(s.random_vertex());
-      summary.statuses.add(static_cast<long long>(report.status));
+      summary.results.add(static_cast<long long>(report.status));
       summary.flips += report.flips;
       summary.steps += report.flip_outs;
       summary.lengths.add(report.smallest_angle);
       reopened += report.reopened;
       add_tree(tree, summary);
       const FG::Shortest_tree_report shortest = FG::make_shortest(tree);
-      summary.statuses.add(static_cast<long long>(shortest.status));
+      summary.results.add(static_cast<long long>(shortest.status));
       windows += shortest.windows;
       vertices += shortest.vertices;
       longer += shortest.longer_before + shortest.longer;
       mended += shortest.flips;
       confirmed += shortest.is_confirmed ? 1 : 0;
-      excess.add(1 + shortest.largest_excess_before);
+      summary.lengths.add(1 + shortest.largest_excess_before);
       add_tree(tree, summary);
       if(i == 0)
         s.triangulation.rollback();
@@ -229,7 +228,6 @@ struct Add_trees
     extra.count("longer", longer);
     extra.count("mended", mended);
     extra.count("confirmed", confirmed);
-    extra.add("excess", excess);
   }
 
   int n; // how many

@@ -150,10 +150,10 @@ struct Setting
   bool has_two_pieces;
 };
 
-// Sums up results of a kind.
+// Sums up results of a kind: one hash of all paths, flips and statuses, and numbers that show what has changed.
 struct Summary
 {
-  Integer_hash words, flipped, statuses;
+  Integer_hash results;
   Weighted_sum lengths;
   std::size_t flips = 0, steps = 0, errors = 0;
 
@@ -163,11 +163,11 @@ struct Summary
     const auto& triangulation = network.triangulation();
     for(FG::Curve_index c : FG::internal::descriptors<FG::Curve_index>(network.number_of_curves())) {
       const auto halfedges = network.halfedges(c);
-      words.add(static_cast<long long>(halfedges.size()));
+      results.add(static_cast<long long>(halfedges.size()));
       for(const auto h : halfedges) {
-        words.add(h);
+        results.add(h);
         add(triangulation.crossing_word(h));
-        words.add_all(network.stack(Plain::edge(h)));
+        results.add_all(network.stack(Plain::edge(h)));
       }
       lengths.add(network.length(c));
     }
@@ -177,15 +177,15 @@ struct Summary
   void add(const FG::Crossing_word& word)
   {
     for(long long i : {word.along.idx(), word.face.idx(), word.tail.idx(), word.head.idx()})
-      words.add(i);
-    words.add_all(word.crossed);
+      results.add(i);
+    results.add_all(word.crossed);
   }
 
   template <class Triangulation>
   void add_log(const Triangulation& triangulation)
   {
     for(std::size_t i = 0; i < triangulation.log_position(); ++i)
-      flipped.add(triangulation.flip_record(i).h);
+      results.add(triangulation.flip_record(i).h);
   }
 
   void add(const FG::Shortening_report& report)
@@ -193,8 +193,8 @@ struct Summary
     flips += report.flips;
     steps += report.flip_outs;
     for(const FG::Curve_report& curve : report.curves) {
-      statuses.add(static_cast<long long>(curve.status));
-      statuses.add(static_cast<long long>(curve.flips));
+      results.add(static_cast<long long>(curve.status));
+      results.add(static_cast<long long>(curve.flips));
       lengths.add(curve.initial_length);
       lengths.add(curve.length);
       lengths.add(curve.smallest_angle);
@@ -203,10 +203,10 @@ struct Summary
 
   void add(const FG::Surface_location& location)
   {
-    words.add(location.halfedge);
+    results.add(location.halfedge);
     const auto& w = location.weights;
     for(double weight : w) {
-      words.add(weight != 0);
+      results.add(weight != 0);
       lengths.add(weight / (w[0] + w[1] + w[2]));
     }
   }
@@ -214,7 +214,7 @@ struct Summary
   void add(const FG::Surface_point& p)
   {
     for(long long i : {p.a.idx(), p.b.idx(), p.c.idx(), p.halfedge.idx(), p.vertex.idx()})
-      words.add(i);
+      results.add(i);
     lengths.add(p.t);
     lengths.add(p.u);
   }
@@ -222,7 +222,7 @@ struct Summary
   template <class Element>
   void add(const std::vector<Element>& elements)
   {
-    words.add(static_cast<long long>(elements.size()));
+    results.add(static_cast<long long>(elements.size()));
     for(const Element& element : elements)
       add(element);
   }
@@ -241,9 +241,7 @@ struct Summary
   Result result() const
   {
     Result all;
-    all.add("words", words);
-    all.add("flipped", flipped);
-    all.add("statuses", statuses);
+    all.add("results", results);
     all.count("flips", flips);
     all.count("steps", steps);
     all.count("errors", errors);
@@ -252,32 +250,24 @@ struct Summary
   }
 };
 
-// Calls `function(setting, summary, extra)`, and compares what it adds.
-template <class Triangulation, class Function>
-void compare_one(Recorded_results& recorded, const std::string& name, Setting<Triangulation>& setting,
-                 const Function& function)
-{
-  Summary summary;
-  Result extra;
-  summary.attempt([&] { function(setting, summary, extra); });
-  Result result = summary.result();
-  result.append(extra);
-  recorded.compare(name, result);
-}
-
-// For each mesh.
+// Calls `function(setting, summary, extra)` for each mesh, and compares what it adds.
 template <class Triangulation, class Function>
 void compare(const std::string& name, Depends_on depends_on, const Function& function)
 {
   Recorded_results recorded(FLIP_GEODESICS_RECORDED_RESULTS, name, depends_on);
   for(const Input& input : inputs()) {
     Setting<Triangulation> setting(input);
-    compare_one(recorded, input.name, setting, function);
+    Summary summary;
+    Result extra;
+    summary.attempt([&] { function(setting, summary, extra); });
+    Result result = summary.result();
+    result.append(extra);
+    recorded.compare(input.name, result);
   }
   recorded.finish();
 }
 
-// For some meshes, with traits that are wrong as no rounding is.
+// For some meshes, with traits that are wrong as no rounding is: one hash of the results with each error of the traits.
 template <class Function>
 void compare_among_lies(const std::string& name, const Function& function)
 {
@@ -285,6 +275,7 @@ void compare_among_lies(const std::string& name, const Function& function)
   for(const Input& input : inputs()) {
     if(input.soup.triangles.size() > 300)
       continue;
+    Summary summary;
     for(int period : {3, 8}) {
       Liar liar(period);
       std::map<std::string, Lies> all;
@@ -293,11 +284,14 @@ void compare_among_lies(const std::string& name, const Function& function)
       all["bent"].is_wedge_straight = [&](int corners, bool truth) { return truth && !(corners > 1 && liar(false)); };
       if(name == "hostile_trees")
         all.erase("stiff"); // trees rely on arcs being free of edges: an assertion says so
-      for(const auto& [lie, lies] : all) {
-        Setting<Hostile> setting(input, Hostile_traits(lies));
-        compare_one(recorded, input.name + "_" + lie + "_" + std::to_string(period), setting, function);
+      for(const auto& lie : all) {
+        Setting<Hostile> setting(input, Hostile_traits(lie.second));
+        Result extra;
+        summary.attempt([&] { function(setting, summary, extra); });
+        summary.results.add_text(extra.text());
       }
     }
+    recorded.compare(input.name, summary.result());
   }
   recorded.finish();
 }

@@ -10,7 +10,7 @@ namespace {
 
 void add(const FG::Refinement_report& report, Summary& summary, Result& extra)
 {
-  summary.statuses.add(static_cast<long long>(report.status));
+  summary.results.add(static_cast<long long>(report.status));
   summary.flips += report.flips;
   summary.lengths.add(report.smallest_angle);
   summary.lengths.add(report.smallest_free_angle);
@@ -42,23 +42,23 @@ void add_subdivision(const Subdivision& subdivision, Summary& summary, Result& e
   for(const auto v : mesh.vertices()) {
     const FG::Subdivision_vertex origin = subdivision.vertex_origin(v);
     summary.add(origin.on_input);
-    summary.words.add(origin.intrinsic_vertex);
-    summary.words.add(origin.intrinsic_halfedge);
+    summary.results.add(origin.intrinsic_vertex);
+    summary.results.add(origin.intrinsic_halfedge);
     summary.lengths.add(origin.intrinsic_t);
   }
   for(const auto f : mesh.faces()) {
     for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      summary.words.add(static_cast<long long>(v));
-    summary.words.add(subdivision.input_face(f));
-    summary.words.add(subdivision.intrinsic_face(f));
+      summary.results.add(static_cast<long long>(v));
+    summary.results.add(subdivision.input_face(f));
+    summary.results.add(subdivision.intrinsic_face(f));
     summary.lengths.add(subdivision.area(f));
     for(const auto& corner : subdivision.corners(f))
       for(double weight : corner)
         summary.lengths.add(weight);
   }
   for(const auto h : mesh.halfedges()) {
-    summary.words.add(subdivision.input_halfedge(h));
-    summary.words.add(subdivision.intrinsic_halfedge(h));
+    summary.results.add(subdivision.input_halfedge(h));
+    summary.results.add(subdivision.intrinsic_halfedge(h));
   }
   std::size_t constrained = 0;
   for(const auto e : mesh.edges())
@@ -72,6 +72,7 @@ void add_subdivision(const Subdivision& subdivision, Summary& summary, Result& e
 
 // ---------------------------------------------------------------- other triangulations
 
+// Flips to Delaunay, and the common subdivision.
 BOOST_AUTO_TEST_CASE(delaunay)
 {
   compare<Certified>("delaunay", Depends_on::INPUT, [](Setting<Certified>& s, Summary& summary, Result& extra) {
@@ -79,12 +80,13 @@ BOOST_AUTO_TEST_CASE(delaunay)
     add_places(s.triangulation, summary);
     for(int i = 0; i < 20; ++i) {
       const FG::Vertex_index v = s.random_vertex(), w = s.random_vertex();
-      summary.words.add_all(FG::shortest_intrinsic_edge_path(s.triangulation, v, w));
+      summary.results.add_all(FG::shortest_intrinsic_edge_path(s.triangulation, v, w));
     }
     add_subdivision(FG::common_subdivision(s.triangulation, s.mesh), summary, extra);
   });
 }
 
+// Insertion of circumcenters.
 BOOST_AUTO_TEST_CASE(refinement)
 {
   compare<Certified>("refinement", Depends_on::ARITHMETIC, [](Setting<Certified>& s, Summary& summary, Result& extra) {
@@ -95,6 +97,7 @@ BOOST_AUTO_TEST_CASE(refinement)
   });
 }
 
+// The same by predicates in double, with bounds on angles and lengths.
 BOOST_AUTO_TEST_CASE(plain_refinement)
 {
   compare<Plain>("plain_refinement", Depends_on::ARITHMETIC, [](Setting<Plain>& s, Summary& summary, Result& extra) {
@@ -107,6 +110,7 @@ BOOST_AUTO_TEST_CASE(plain_refinement)
   });
 }
 
+// Refinement and Delaunay flips that keep the edges of curves.
 BOOST_AUTO_TEST_CASE(refinement_about_curves)
 {
   compare<Certified>(
@@ -125,6 +129,7 @@ BOOST_AUTO_TEST_CASE(refinement_about_curves)
       });
 }
 
+// Curves as edges of a mesh, and cuts along them.
 BOOST_AUTO_TEST_CASE(subdivision_along_curves)
 {
   compare<Certified>("subdivision_along_curves", Depends_on::INPUT,
@@ -150,7 +155,7 @@ BOOST_AUTO_TEST_CASE(region_boundaries)
     for(FG::Junctions junctions : {FG::Junctions::FIXED, FG::Junctions::FREE}) {
       Setting<Certified>::Network network(s.triangulation);
       summary.attempt([&] {
-        summary.words.add(FG::add_region_boundaries(network, s.mesh, regions, junctions));
+        summary.results.add(FG::add_region_boundaries(network, s.mesh, regions, junctions));
         shorten_and_add(network, summary);
       });
       network.clear();
