@@ -144,12 +144,12 @@ def read_glb(path):
         node = scene['nodes'][i]
         (primitive,) = scene['meshes'][node['mesh']]['primitives']
         positions = values(primitive['attributes']['POSITION'])
-        if node['name'] == 'surface':
-            check(primitive['mode'] == 4, f'{path}: the surface has mode {primitive["mode"]}')
-            corners = values(primitive['indices'])
-            points, faces = positions, [tuple(corners[k:k + 3]) for k in range(0, len(corners), 3)]
+        if primitive['mode'] == 4:  # the surface, or a tube
+            corners = [i + len(points) for i in values(primitive['indices'])]
+            points = points + positions
+            faces += [tuple(corners[k:k + 3]) for k in range(0, len(corners), 3)]
         else:
-            check(primitive['mode'] == 3, f'{path}: a curve has mode {primitive["mode"]}')
+            check(primitive['mode'] == 3, f'{path}: {node["name"]} has mode {primitive["mode"]}')
             curves[int(node['name'][len('curve_'):])] = positions
     return points, faces, curves
 

@@ -4,8 +4,9 @@
 //   npm run check               fails if they are not what build would write
 //   npm run build-engine        compiles the engine of live_page.html first, with Emscripten
 //
-// The program is built with the pages, so that only who changes them needs Node.js and Emscripten. The pages have the
-// hashes of their sources in them, which a test compares. Without build-engine the engine in live_page.html stays.
+// The program is built with the pages, so that it needs neither Node.js nor Emscripten. The pages are rebuilt for a release
+// only. They list the hashes of their sources, from which check_sources.cmake finds out whether they are older. Without
+// build-engine the engine in live_page.html stays.
 
 import { createHash } from 'node:crypto';
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
