@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Containers of the library against those of the standard one: stacks in blocks, and values with versions.
+// Containers of the library against those of the standard one: stacks in blocks, values with versions, queues, and records.
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
+#include <CGAL/Flip_geodesics/internal/distances/Scratch.h>
+#include <CGAL/Flip_geodesics/internal/distances/Written_records.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Version_cache.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <list>
+#include <map>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -161,6 +170,126 @@ BOOST_AUTO_TEST_CASE(a_cache_of_versions_drops_what_was_not_asked_for_longest)
       bytes += entry_size + e.bytes;
     BOOST_REQUIRE(cache.memory() == bytes);
   }
+}
+
+namespace {
+
+struct Queued
+{
+  double key;
+  int number;
+
+  static std::size_t is_before(const Queued& a, const Queued& b)
+  {
+    return a.key < b.key || (a.key == b.key && a.number < b.number) ? 1 : 0;
+  }
+  friend bool operator<(const Queued& a, const Queued& b) { return is_before(a, b) == 1; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_heap_of_four_is_a_priority_queue)
+{
+  std::mt19937 random(3);
+  for(const std::size_t usual_size : {3, 6, 40, 400}) { // small ones have few siblings
+    FGI::Heap_of_four<Queued> heap;
+    std::set<Queued> model;
+    for(int step = 0; step < 4000; ++step) {
+      if(random() % (2 * usual_size) > model.size()) {
+        const Queued entry = {static_cast<double>(random() % 100), step};
+        heap.push(entry);
+        model.insert(entry);
+      } else if(!model.empty()) {
+        BOOST_REQUIRE(heap.top().number == model.begin()->number);
+        heap.pop();
+        model.erase(model.begin());
+      }
+      BOOST_REQUIRE(heap.empty() == model.empty());
+    }
+    heap.clear();
+    BOOST_TEST(heap.empty());
+    heap.push({1, 1});
+    BOOST_TEST(heap.top().number == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bits_of_numbers_have_their_order)
+{
+  const std::vector<double> numbers = {0, 5e-324,      1e-300, 0.5,
+                                       1, 1 + 0x1p-52, 1e300,  std::numeric_limits<double>::infinity()};
+  for(std::size_t i = 0; i + 1 < numbers.size(); ++i)
+    BOOST_TEST(FGI::ordered_bits(numbers[i]) < FGI::ordered_bits(numbers[i + 1]));
+  BOOST_TEST(FGI::ordered_bits(-0.0) == FGI::ordered_bits(0.0));
+}
+
+BOOST_AUTO_TEST_CASE(arrays_in_scratch_memory_do_not_overlap)
+{
+  FGI::Scratch<int> scratch;
+  std::mt19937 random(4);
+  for(int round = 0; round < 3; ++round) { // from the second on, in the same memory
+    std::vector<std::pair<int*, std::size_t>> arrays;
+    for(int i = 0; i < 200; ++i) {
+      const std::size_t size = i == 50 ? 5000 : random() % 100; // one is larger than the next block would be
+      arrays.emplace_back(scratch.take(size), size);
+      std::fill_n(arrays.back().first, size, i);
+    }
+    for(int i = 0; i < 200; ++i) {
+      const auto [first, size] = arrays[static_cast<std::size_t>(i)];
+      BOOST_TEST(std::count(first, first + size, i) == static_cast<std::ptrdiff_t>(size));
+    }
+    scratch.give_up_all();
+  }
+}
+
+BOOST_AUTO_TEST_CASE(written_records_are_those_of_their_elements)
+{
+  using CGAL::Flip_geodesics::Vertex_index;
+  FGI::Written_records<Vertex_index, int> records(100);
+  std::map<int, int> model;
+  std::mt19937 random(5);
+  for(int step = 0; step < 300; ++step) {
+    const int element = static_cast<int>(random() % 100);
+    if(step % 3 == 0)
+      records.write(Vertex_index(element)) = model[element] = step;
+    BOOST_TEST(records[Vertex_index(element)] == (model.count(element) != 0 ? model[element] : 0));
+  }
+}
+
+namespace {
+
+struct Counting_visitor
+{
+  int calls = 0, last_call = 0;
+  bool go_further() { return ++calls != last_call; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_visitor_is_asked_every_1024_steps)
+{
+  Counting_visitor visitor;
+  visitor.last_call = 3;
+  FGI::Interruption interruption(visitor);
+  for(int step = 1; step < 3 * 1024; ++step) {
+    BOOST_REQUIRE(!interruption.count_step());
+    BOOST_REQUIRE(visitor.calls == step / 1024);
+  }
+  BOOST_TEST(interruption.count_step());
+  BOOST_TEST(interruption.count_step());
+  BOOST_TEST(interruption.has_occurred());
+  BOOST_TEST(interruption.begin_part());
+  BOOST_TEST(visitor.calls == 3); // after an interruption it is not asked again
+}
+
+BOOST_AUTO_TEST_CASE(places_are_finite_if_all_coordinates_are)
+{
+  BOOST_TEST(FGI::are_finite({{1, -2, 1e308}}));
+  for(const double wrong : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    for(std::size_t i = 0; i < 3; ++i) {
+      std::array<double, 3> place = {{1, 2, 3}};
+      place[i] = wrong;
+      BOOST_TEST(!FGI::are_finite(place));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(more_elements_than_indices_are_refused)
