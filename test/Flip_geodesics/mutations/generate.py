@@ -15,6 +15,7 @@ import subprocess
 
 from clang import cindex
 from clang.cindex import CursorKind as Kind
+from clang.cindex import TypeKind
 
 # header: relative to the package; module: its folder, or "public"; function: with its class; begin, end: offsets in the
 # header; kind: `expression` or `drop`; original, replacement: source text, the former as it stands in the header;
@@ -31,6 +32,10 @@ AT_COMPILE_TIME = {Kind.STATIC_ASSERT, Kind.ENUM_DECL, Kind.TYPE_ALIAS_DECL, Kin
                    Kind.TEMPLATE_NON_TYPE_PARAMETER, Kind.TEMPLATE_TYPE_PARAMETER, Kind.USING_DECLARATION}
 BODIES = {Kind.COMPOUND_STMT, Kind.IF_STMT, Kind.FOR_STMT, Kind.WHILE_STMT, Kind.DO_STMT, Kind.CXX_FOR_RANGE_STMT}
 STATEMENTS = {Kind.CALL_EXPR, Kind.COMPOUND_ASSIGNMENT_OPERATOR, Kind.BINARY_OPERATOR, Kind.UNARY_OPERATOR}
+
+
+# What is not known before a template is instantiated.
+UNKNOWN = {TypeKind.INVALID, TypeKind.UNEXPOSED, TypeKind.DEPENDENT, TypeKind.OVERLOAD}
 
 
 def squeezed(text):
@@ -77,8 +82,20 @@ class Reader:
     def replace(self, cursor, replacement):
         self.add(cursor.extent.start.offset, cursor.extent.end.offset, "expression", replacement)
 
+    def is_template_argument(self, literal):
+        before, after = self.text[:literal.extent.start.offset].rstrip(), self.text[literal.extent.end.offset:]
+        return before[-1:] in ",<" and after[:1] == ">"
+
+    def have_one_type(self, a, b):
+        """Can two arguments of a call be swapped? Not known within templates: no."""
+        types = [c.type.get_canonical() for c in (a, b)]
+        names = [re.sub(r"\bconst\b|&", "", t.spelling).strip() for t in types]
+        return names[0] == names[1] and not any(t.kind in UNKNOWN for t in types)
+
     def binary(self, cursor, left, right):
         between = self.text[left.extent.end.offset:right.extent.start.offset].strip()
+        if between == "+" and re.search(r'"|to_string', self.of(cursor)):
+            return  # strings have no other operator
         if between in OPERATORS:
             self.replace(cursor, f"{self.of(left)} {OPERATORS[between]} {self.of(right)}")
 
@@ -91,14 +108,14 @@ class Reader:
         elif len(children) == 3 and cursor.spelling and not cursor.spelling.startswith("operator"):
             a, b = children[1:]
             begin = cursor.extent.start.offset
-            if self.of(a) != self.of(b) and begin < a.extent.start.offset and a.extent.end.offset <= b.extent.start.offset:
+            if self.of(a) != self.of(b) and self.have_one_type(a, b) and begin < a.extent.start.offset and a.extent.end.offset <= b.extent.start.offset:
                 middle = self.text[a.extent.end.offset:b.extent.start.offset]
                 self.replace(cursor, self.text[begin:a.extent.start.offset] + self.of(b) + middle + self.of(a)
                              + self.text[b.extent.end.offset:cursor.extent.end.offset])
 
     def expression(self, cursor, children):
         text = self.of(cursor)
-        if cursor.kind == Kind.INTEGER_LITERAL and other_integer(text):
+        if cursor.kind == Kind.INTEGER_LITERAL and other_integer(text) and not self.is_template_argument(cursor):
             self.replace(cursor, other_integer(text))
         elif cursor.kind == Kind.FLOATING_LITERAL:
             self.replace(cursor, f"2 * {text}" if re.search(r"[1-9]", text.lower().split("e")[0]) else "1.0")
@@ -122,7 +139,7 @@ class Reader:
             return re.search(r"[^=<>!]=[^=]", text) is not None
         if cursor.kind == Kind.UNARY_OPERATOR:
             return "++" in text or "--" in text
-        return cursor.kind == Kind.CALL_EXPR
+        return cursor.kind == Kind.CALL_EXPR and not re.fullmatch(r"operator([!=<>]=|<|>)", cursor.spelling)
 
     def statements(self, cursor, children):
         first = 0 if cursor.kind == Kind.COMPOUND_STMT else 1

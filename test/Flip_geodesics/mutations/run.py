@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Would the tests notice a wrong operator?  Generates mutants of the headers and runs the tests on each.
 
-  python3 test/Flip_geodesics/mutations/run.py --build DIR                          20 mutants of each module: hours
+  python3 test/Flip_geodesics/mutations/run.py --build DIR                          20 mutants of each module: an hour
   python3 test/Flip_geodesics/mutations/run.py --build DIR --seed 7 --number 5      5 others of each module
   python3 test/Flip_geodesics/mutations/run.py --build DIR --module strips --tests test_certify,test_extract
   python3 test/Flip_geodesics/mutations/run.py --build DIR --header flip_out.h --number 50
@@ -11,13 +11,15 @@
 generate.py finds all places where an operator, a constant, a condition, a call or a statement can be changed; the seed
 draws the sample. To compile each test program once and not once per mutant, all mutants are put into one copy of the
 headers: an expression E with a mutant M becomes (::mutation::is_active(17) ? (M) : (E)), a statement S that is dropped
-becomes if(::mutation::is_active(17)) {} else S, and an environment variable selects the mutant. Mutants that do not
-compile are replaced by the next of the sample, or dropped if this is found when a test is compiled. A first run without
-any mutant records which test cases reach which mutants and how long they take. A mutant is then run in the cases that
-reach it, the fastest program first, until a check fails, the program crashes or it takes five times as long: it is
-killed.
+becomes if(::mutation::is_active(17)) {} else S, and an environment variable selects the mutant. All headers are
+precompiled, with the instances that tests share; mutants that do not compile there are replaced by the next of the
+sample, and dropped if a test finds this. Then the tests are compiled and run one after the other, in the order of
+--tests, each with the mutants that none before has killed. A first run of a program without any mutant records which test
+cases reach which mutants and how long they take. A mutant is then run in the cases that reach it, until a check fails,
+the program crashes or it takes five times as long: it is killed.
 
-Results are appended to DIR/results.csv; a further run continues where the last one ended. explanations.txt states why
+Results are appended to DIR/results.csv; a further run continues where the last one ended, and ends with a table of the
+modules and the mutants that survive. Run survivors with --again after a change of tests. explanations.txt states why
 mutants survive that are equivalent to the original, by function:
 
   [internal/flip_out/flip_out.h]
@@ -26,7 +28,7 @@ mutants survive that are equivalent to the original, by function:
   + a <= b                the mutant
   = the two are never equal
 
-Needs g++, clang++, Boost.Test, and for Debian's python3 the packages python3-clang-14 and libclang-14-dev.
+Needs clang++, Boost.Test, and for Debian's python3 the packages python3-clang-14 and libclang-14-dev.
 """
 
 import argparse
@@ -155,6 +157,12 @@ struct Setup
 BOOST_TEST_GLOBAL_FIXTURE(Setup);
 """
 
+# Tests that compute for long, optimized; see CMakeLists.txt.
+own_instances = {"test_distance_field", "test_edge_path_graph", "test_hostile_traits", "test_interruption", "test_isolines"}
+
+# In lines. A diagnostic farther behind a mutant is not due to it.
+longest_expression = 20
+
 Entry = collections.namedtuple("Entry", "number mutant digest")
 
 
@@ -215,16 +223,15 @@ def overlaps(mutant, others):
                                               or mutant.begin < o.begin < mutant.end < o.end) for o in others)
 
 
-def drawn(mutants, explanations, number, seed):
-    """Of each module the mutants in random order, and the first `number` of them that are not explained."""
+def drawn(mutants, number, seed):
+    """The first `number` mutants of each module in random order, and the queues of the others. The order is one of
+    hashes, so that a change of a header affects its own mutants only."""
     per_module = collections.defaultdict(list)
     for m in mutants:
         per_module[m.module].append(m)
     sample, reserve = [], {}
     for module in sorted(per_module):
-        order = per_module[module]
-        random.Random(f"{seed} {module}").shuffle(order)
-        order = [m for m in order if not explanations.of(m)]
+        order = sorted(per_module[module], key=lambda m: hashlib.sha1(f"{seed} {digest(m)}".encode()).digest())
         chosen = []
         while order and len(chosen) < number:
             m = order.pop(0)
@@ -307,9 +314,14 @@ def files_of(test):
 
 
 class Compiler:
+    """Compiles tests with headers in which all mutants are. What most tests instantiate is compiled once, as by
+    package_info/cmake/Flip_geodesics_shared_instances.cmake."""
+
     def __init__(self, options, build):
-        self.build = build
-        self.base = shlex.split(options.compiler) + shlex.split(options.flags)
+        self.build, self.tree = build, os.path.join(build, "include")
+        self.base = shlex.split(options.compiler) + shlex.split(options.flags) + ["-I", self.tree]
+        self.sample_key = ""
+        os.makedirs(os.path.join(build, "programs"), exist_ok=True)
         write_if_changed(os.path.join(build, "switch.h"), SWITCH)
         write_if_changed(os.path.join(build, "observer.cpp"), OBSERVER)
 
@@ -321,110 +333,163 @@ class Compiler:
         made = os.path.getmtime(target)
         return all(os.path.exists(n) and os.path.getmtime(n) <= made for n in names)
 
-    def make(self, target, source, arguments, log):
-        depfile = target + ".d"
-        if self.is_newer(target, depfile):
-            return True
-        command = self.base + arguments + ["-MD", "-MF", depfile, "-o", target, source]
+    def run(self, arguments, log):
         with open(log, "w") as out:
-            out.write(" ".join(command) + "\n")
+            out.write(shlex.join(self.base + arguments) + "\n")
             out.flush()
-            result = subprocess.run(command, stdout=out, stderr=out, check=False)
-        return result.returncode == 0
+            return subprocess.run(self.base + arguments, stdout=out, stderr=out, check=False).returncode == 0
 
-    def precompile(self):
-        header = os.path.join(self.build, "switch.h")
-        if not self.make(header + ".gch", header, ["-x", "c++-header"], os.path.join(self.build, "switch.log")):
-            fail(f"switch.h does not compile, see {self.build}/switch.log")
-        observer = os.path.join(self.build, "observer.o")
-        if not self.make(observer, os.path.join(self.build, "observer.cpp"), ["-c", "-include", header],
-                         os.path.join(self.build, "observer.log")):
+    def make(self, target, source, arguments, log):
+        return self.is_newer(target, target + ".d") or self.run(
+            arguments + ["-MD", "-MF", target + ".d", "-o", target, source], log)
+
+    def share(self):
+        """Precompiles all headers, with the instances that tests share. Returns the log if this fails."""
+        headers = sorted(os.path.relpath(os.path.join(folder, name), self.tree)
+                         for folder, _, names in os.walk(self.tree) for name in names if name.endswith(".h"))
+        instances = os.path.join(ROOT, "package_info", "cmake", "shared_instances.h")
+        shared, log = os.path.join(self.build, "shared.h"), os.path.join(self.build, "shared.log")
+        write_if_changed(shared, '#include "switch.h"\n' + "".join(f"#include <{header}>\n" for header in headers)
+                         + f'#include "{instances}"\n')
+        options = ["-O0", "-ferror-limit=0", "-isystem", "/usr/include/eigen3", "-x", "c++-header", "-Xclang", "-emit-pch",
+                   "-fpch-instantiate-templates", "-Xclang", "-fmodules-codegen"]
+        if not self.make(self.pch(), shared, options, log):
+            return open(log, encoding="utf-8").read()
+        code = self.object("shared")
+        if not os.path.exists(code) or os.path.getmtime(code) < os.path.getmtime(self.pch()):
+            if not self.run(["-O1", "-c", self.pch(), "-o", code], log):
+                fail(f"no code can be made of the shared instances, see {log}")
+        return ""
+
+    def pch(self):
+        return os.path.join(self.build, "shared.pch")
+
+    def object(self, name):
+        return os.path.join(self.build, name + ".o")
+
+    def observer(self):
+        if not self.make(self.object("observer"), os.path.join(self.build, "observer.cpp"),
+                         ["-c", "-include", os.path.join(self.build, "switch.h")], os.path.join(self.build, "observer.log")):
             fail(f"observer.cpp does not compile, see {self.build}/observer.log")
-        return observer
+        return self.object("observer")
 
-    def program(self, test, include, folder):
-        """Compiles and links a test with the headers in `include`; its path, or none."""
-        os.makedirs(folder, exist_ok=True)
-        observer, files = self.precompile(), files_of(test)
-        text = "".join(open(name, encoding="utf-8").read() for name in files)
-        arguments = ["-c", "-I", include, "-I", TESTS, "-I", os.path.join(ROOT, "benchmark", "Flip_geodesics")]
-        libraries = ["-lboost_unit_test_framework", "-lmpfr", "-lgmp"]
-        if "FLIP_GEODESICS_RECORDED_RESULTS" in text:
+    def arguments_of(self, test, text):
+        """Options of the compiler and libraries of a test whose sources hold this text."""
+        arguments = ["-I", TESTS, "-I", os.path.join(ROOT, "benchmark", "Flip_geodesics")]
+        libraries = ["-lboost_unit_test_framework", "-lmpfr", "-lgmpxx", "-lgmp"]
+        switch = ["-include", os.path.join(self.build, "switch.h")]
+        if test == "test_recorded_results":
             recorded = os.path.join(TESTS, "recorded_results.txt")
-            arguments.append(f'-DFLIP_GEODESICS_RECORDED_RESULTS="{recorded}"')
+            return arguments + switch + ["-O1", "-DCGAL_DISABLE_GMP",
+                                         f'-DFLIP_GEODESICS_RECORDED_RESULTS="{recorded}"'], libraries
+        if test == "test_readers":
+            program = os.path.join(ROOT, "examples", "Flip_geodesics_program")
+            arguments += ["-I", program, f'-DFLIP_GEODESICS_CORPUS="{os.path.join(TESTS, "fuzz", "corpus")}"']
         if "EIGEN3_ENABLED" in text or "<Eigen/" in text:
-            arguments += ["-I", "/usr/include/eigen3", "-DCGAL_EIGEN3_ENABLED", "-DEIGEN_MAX_ALIGN_BYTES=16"]
-        elif "LINKED_WITH_TBB" in text or "Parallel_tag" in text:
-            arguments += ["-DCGAL_LINKED_WITH_TBB", "-pthread"]
-            libraries += ["-ltbb", "-pthread"]
-        else:
-            arguments += ["-include", os.path.join(self.build, "switch.h")]
-        if arguments[-2] != "-include": # other macros, other precompiled headers
-            arguments += ["-include", self.plain_switch()]
-        target = os.path.join(folder, test + ".o")
-        log = os.path.join(folder, test + ".log")
-        together = os.path.join(folder, test + ".cpp")
+            eigen = ["-isystem", "/usr/include/eigen3", "-DCGAL_EIGEN3_ENABLED", "-DEIGEN_MAX_ALIGN_BYTES=16"]
+            return arguments + switch + ["-O1"] + eigen, libraries
+        if "LINKED_WITH_TBB" in text or "Parallel_tag" in text:
+            return arguments + switch + ["-O1", "-DCGAL_LINKED_WITH_TBB", "-pthread"], libraries + ["-ltbb", "-pthread"]
+        if test in own_instances:
+            return arguments + switch + ["-O1"], libraries
+        return arguments + ["-O0", "-include-pch", self.pch()], [self.object("shared")] + libraries
+
+    def state_of(self, files, arguments):
+        """What a program depends on, but for mutants that are dropped: it may keep those."""
+        files = files + [os.path.join(TESTS, n) for n in sorted(os.listdir(TESTS)) if n.endswith(".h")]
+        texts = [open(name, encoding="utf-8").read() for name in files]
+        return hashlib.sha1(repr((self.sample_key, self.base, arguments, texts)).encode()).hexdigest()
+
+    def program(self, test):
+        """Compiles and links a test; its path, or none."""
+        files, program = files_of(test), os.path.join(self.build, "programs", test)
+        arguments, libraries = self.arguments_of(test, "".join(open(n, encoding="utf-8").read() for n in files))
+        state = self.state_of(files, arguments)
+        if os.path.exists(program + ".state") and open(program + ".state").read() == state:
+            return program
+        together = program + ".cpp"
         write_if_changed(together, "".join(f'#include "{name}"\n' for name in files if name.endswith(".cpp")))
-        if not self.make(target, together, arguments, log):
+        if not self.run(["-c", together, "-o", program + ".o"] + arguments, program + ".log"):
             return None
-        program = os.path.join(folder, test)
-        if not os.path.exists(program) or os.path.getmtime(program) < os.path.getmtime(target):
-            command = self.base[:1] + ["-o", program, target, observer] + libraries
-            with open(log, "a") as out:
-                if subprocess.run(command, stdout=out, stderr=out, check=False).returncode != 0:
-                    return None
+        if not self.run(["-o", program, program + ".o", self.observer()] + libraries, program + ".link.log"):
+            fail(f"{test} cannot be linked, see {program}.link.log")
+        with open(program + ".state", "w") as out:
+            out.write(state)
         return program
 
-    def plain_switch(self):
-        name = os.path.join(self.build, "plain", "switch.h")
-        write_if_changed(name, SWITCH)
-        return name
 
-
-def mutants_in(diagnostics, at):
-    """The numbers of the mutants on lines of the headers that `at`, a regular expression, finds in what a compiler wrote."""
+def mutants_at(diagnostics, kind, is_near=True):
+    """The numbers of the mutants at lines of headers that diagnostics of this kind name, or in all of such headers. A
+    mutant can begin on an earlier line."""
     numbers = set()
-    for name, line in re.findall(at, diagnostics, re.M):
-        if os.path.exists(name):
-            text = open(name, encoding="utf-8").read().split("\n")[int(line) - 1]
-            numbers |= set(map(int, re.findall(r"::mutation::is_active\((\d+)\)", text)))
+    for name, line in set(re.findall(r"^([^\s:]+\.h):(\d+):\d+: " + kind, diagnostics, re.M)):
+        lines = open(name, encoding="utf-8").read().split("\n") if os.path.exists(name) else []
+        for text in reversed(lines[:int(line)][-longest_expression:] if is_near else lines):
+            found = re.findall(r"::mutation::is_active\((\d+)\)", text)
+            numbers |= set(map(int, found))
+            if found and is_near:
+                break
     return numbers
 
 
-def not_parsed(include, entries):
-    """The numbers of mutants that do not parse. clang++ reads them together, in one source with all headers, and
-    continues after errors."""
-    with tempfile.TemporaryDirectory() as build:
-        tree = copy_with_all(include, os.path.join(build, "include"), entries)
-        write_if_changed(os.path.join(build, "switch.h"), SWITCH)
-        headers = sorted(os.path.relpath(os.path.join(folder, name), tree) for folder, _, names in os.walk(tree)
-                         for name in names if name.endswith(".h"))
-        source = os.path.join(build, "all.cpp")
-        write_if_changed(source, "".join(f"#include <{header}>\n" for header in headers))
-        command = ["clang++", "-std=c++17", "-fsyntax-only", "-w", "-frounding-math", "-ferror-limit=0", "-I", tree,
-                   "-isystem", "/usr/include/eigen3", "-include", os.path.join(build, "switch.h"), source]
-        result = subprocess.run(command, stderr=subprocess.PIPE, universal_newlines=True, check=False)
-        numbers = mutants_in(result.stderr, r"^(.*?):(\d+):\d+: (?:fatal )?error: ")
-        if result.returncode != 0 and not numbers:
-            fail("the headers with mutants do not parse: " + result.stderr[:2000])
-        return numbers
+def mutants_in(diagnostics):
+    """The numbers of the mutants that a compiler objects to: in their own lines, in what these instantiate, or, where
+    a compiler deduces a type and does not name its place, in the same headers."""
+    errors, notes = "(?:fatal )?error: ", "(?:note: |  required)"
+    return (mutants_at(diagnostics, errors) or mutants_at(diagnostics, notes)
+            or mutants_at(diagnostics, errors, False) or mutants_at(diagnostics, notes, False))
 
 
-def parsing_sample(include, sample, reserve):
-    """The sample, with mutants that do not parse replaced by the next ones of their modules."""
+def parsing_sample(include, sample, reserve, compiler, name):
+    """The sample, with mutants that do not compile replaced by the next ones of their modules. The file `name` keeps
+    those that do not."""
+    known = set(open(name, encoding="utf-8").read().split()) if os.path.exists(name) else set()
+    bad = {e.number for e in entries_of(sample) if e.digest in known}
     while True:
         entries = entries_of(sample)
-        bad = not_parsed(include, entries)
         if not bad:
-            return entries
+            copy_with_all(include, compiler.tree, entries)
+            diagnostics = compiler.share()
+            if not diagnostics:
+                return entries
+            bad = mutants_in(diagnostics)
+            if not bad:
+                fail(f"the headers with mutants do not compile, see {compiler.build}/shared.log")
+            print(f"{len(bad)} mutants of the sample do not compile and are replaced", flush=True)
+        known |= {e.digest for e in entries if e.number in bad}
+        with open(name, "w", encoding="utf-8") as out:
+            out.write("\n".join(sorted(known)) + "\n")
         sample = [e.mutant for e in entries if e.number not in bad]
         for e in entries:
             queue = reserve[e.mutant.module]
             while e.number in bad and queue:
                 m = queue.pop(0)
-                if not overlaps(m, sample):
+                if digest(m) not in known and not overlaps(m, sample):
                     sample.append(m)
                     break
+        bad = set()
+
+
+class Sample:
+    """The entries of a sample with their numbers, kept in a file so that programs stay valid in later runs."""
+
+    def __init__(self, name, draw):
+        self.name = name
+        if os.path.exists(name):
+            rows = json.load(open(name, encoding="utf-8"))
+            mutants = [(number, Mutant(*fields)) for number, fields in rows]
+            self.entries = [Entry(number, m, digest(m)) for number, m in mutants]
+        else:
+            self.entries = draw()
+            self.write()
+
+    def write(self):
+        with open(self.name, "w", encoding="utf-8") as out:
+            json.dump([(e.number, e.mutant) for e in self.entries], out)
+
+    def drop(self, numbers):
+        self.entries = [e for e in self.entries if e.number not in numbers]
+        self.write()
 
 
 # ---------------------------------------------------------------- running
@@ -512,51 +577,50 @@ class Results:
         return self.rows.get(entry.digest)
 
 
-def run_entries(entries, programs, results, options):
-    """`programs`: test to path, which all contain all mutants."""
-    coverage = {test: Coverage(path, options.memory) for test, path in programs.items()}
+def run_entries(entries, test, program, results, options):
+    """Runs those that no other test has killed in the cases of one test."""
+    coverage = Coverage(program, options.memory)
     for e in entries:
         old = results.of(e)
-        if old and old[1] == "killed":
+        cases, seconds = coverage.reaching(e.number)
+        if not cases or (old and (old[1] == "killed" or (test in old[2].split() and not options.again))):
             continue
-        tried = set(old[2].split()) if old and not options.again else set()
-        order = sorted((coverage[t].reaching(e.number)[1], t) for t in programs
-                       if t not in tried and coverage[t].reaching(e.number)[0])
-        if not order and not old:
-            print(f"{e.number} {e.mutant.header}: no test of those compiled reaches it", flush=True)
-            results.append(e, "survived", [], "not reached")
-        for position, (seconds, test) in enumerate(order):
-            start = time.time()
-            how = verdict_of(programs[test], e.number, coverage[test].reaching(e.number)[0], seconds, options.memory)
-            if how:
-                results.append(e, "killed", [test], how)
-                print(f"{e.number} {e.mutant.header}: killed by {test}, {how}, {time.time() - start:.1f} s", flush=True)
-                break
-            results.append(e, "survived", [test], "")
-            if position + 1 == len(order):
-                print(f"{e.number} {e.mutant.header}: SURVIVED {' '.join(t for _, t in order)}", flush=True)
+        start = time.time()
+        how = verdict_of(program, e.number, cases, seconds, options.memory)
+        results.append(e, "killed" if how else "survived", [test], how or "")
+        print(f"{e.number} {e.mutant.header}: {'killed ' + how if how else 'survives'}, {time.time() - start:.1f} s", flush=True)
 
 
 # ---------------------------------------------------------------- what is printed
 
 
-def print_table(entries, results):
+def state_of(entry, results, explanations):
+    """Killed, equivalent, survived, or not reached."""
+    result = results.of(entry)
+    if result and result[1] == "killed":
+        return 0
+    if explanations.of(entry.mutant):
+        return 1
+    return 2 if result else 3
+
+
+def print_table(entries, results, explanations):
     rows = collections.OrderedDict()
     for e in sorted(entries, key=lambda e: e.mutant.module):
-        row, result = rows.setdefault(e.mutant.module, [0, 0, 0, 0]), results.of(e)
-        row[0] += 1
-        row[1 if result and result[1] == "killed" else 3 if not result or result[3] == "not reached" else 2] += 1
+        rows.setdefault(e.mutant.module, [0, 0, 0, 0])[state_of(e, results, explanations)] += 1
     width = max(len(module) for module in rows) + 2
-    print(f"{'module':{width}}{'mutants':>9}{'killed':>8}{'survived':>10}{'not reached':>13}{'killed':>9}")
+    print(f"{'module':{width}}{'mutants':>9}{'killed':>8}{'equivalent':>12}{'survived':>10}{'not reached':>13}{'killed':>9}")
     for module, row in list(rows.items()) + [("all", [sum(c) for c in zip(*rows.values())])]:
-        print(f"{module:{width}}{row[0]:>9}{row[1]:>8}{row[2]:>10}{row[3]:>13}{100 * row[1] / row[0]:>8.0f}%")
+        share = 100 * row[0] / max(1, sum(row) - row[1])
+        print(f"{module:{width}}{sum(row):>9}{row[0]:>8}{row[1]:>12}{row[2]:>10}{row[3]:>13}{share:>8.0f}%")
     for e in entries:
+        if state_of(e, results, explanations) < 2:
+            continue
         result = results.of(e)
-        if not result or result[1] != "killed":
-            print(f"\n[{e.mutant.header}]\n{e.mutant.function}\n- {squeezed(e.mutant.original)}")
-            if e.mutant.replacement:
-                print(f"+ {squeezed(e.mutant.replacement)}")
-            print(f"  survived {result[2] or result[3] if result else 'no test'}")
+        print(f"\n[{e.mutant.header}]\n{e.mutant.function}\n- {squeezed(e.mutant.original)}")
+        if e.mutant.replacement:
+            print(f"+ {squeezed(e.mutant.replacement)}")
+        print(f"  {e.number} survived {result[2]}" if result else f"  {e.number} not reached by the tests that ran")
 
 
 def arguments():
@@ -570,34 +634,28 @@ def arguments():
     parser.add_argument("--header", default="", help="only headers whose names contain this")
     parser.add_argument("--again", action="store_true", help="survivors are run again")
     parser.add_argument("--check", action="store_true", help="only compares the explanations with the headers")
-    parser.add_argument("--compiler", default="g++")
-    parser.add_argument("--flags", default="-std=c++17 -O1 -w -frounding-math -DBOOST_TEST_DYN_LINK")
+    parser.add_argument("--compiler", default="clang++")
+    parser.add_argument("--flags", default="-std=c++17 -w -frounding-math -ferror-limit=0 -DBOOST_TEST_DYN_LINK")
     parser.add_argument("--memory", type=int, default=4000, help="megabytes for a test program")
     return parser.parse_args()
 
 
-def compiled(tests, include, entries, compiler):
-    """The programs with all mutants, and the entries without those that do not compile."""
-    programs = {}
-    for test in tests:
-        while True:
-            start = time.time()
-            tree = copy_with_all(include, os.path.join(compiler.build, "include"), entries)
-            path = compiler.program(test, tree, os.path.join(compiler.build, "programs"))
-            if path:
-                break
-            log = open(os.path.join(compiler.build, "programs", test + ".log"), encoding="utf-8").read()
-            bad = mutants_in(log, r"^([^\s:]+\.h):(\d+):\d+: error: ")
-            if not bad:
-                fail(f"{test} does not compile with the mutants, see {compiler.build}/programs/{test}.log")
-            print(f"{test}: {len(bad)} mutants do not compile and are left out", flush=True)
-            entries = [e for e in entries if e.number not in bad]
-            programs.clear()
-            return compiled(tests, include, entries, compiler)
-        if time.time() - start > 1:
+def compiled(test, include, sample, compiler):
+    """The program with all mutants but those that do not compile, which are dropped."""
+    while True:
+        start = time.time()
+        path = compiler.program(test)
+        if path:
             print(f"{test}: compiled in {time.time() - start:.0f} s", flush=True)
-        programs[test] = path
-    return programs, entries
+            return path
+        log = os.path.join(compiler.build, "programs", test + ".log")
+        bad = mutants_in(open(log, encoding="utf-8").read())
+        if not bad:
+            fail(f"{test} does not compile with the mutants, see {log}")
+        print(f"{test}: mutants {sorted(bad)} do not compile and are left out", flush=True)
+        sample.drop(bad)
+        copy_with_all(include, compiler.tree, sample.entries)
+        compiler.share()
 
 
 def main():
@@ -617,13 +675,21 @@ def main():
         if options.check:
             sys.exit(1 if stale else 0)
         mutants = [m for m in mutants if options.header in m.header and options.module in ("", m.module)]
-        entries = parsing_sample(options.include, *drawn(mutants, explanations, options.number, options.seed))
+        key = hashlib.sha1(repr((options.number, options.seed, mutants)).encode()).hexdigest()[:12]
+        compiler = Compiler(options, build)
+        sample = Sample(os.path.join(build, f"sample-{key}.json"), lambda: parsing_sample(
+            options.include, *drawn(mutants, options.number, options.seed), compiler,
+            os.path.join(build, "not_compiling.txt")))
+        compiler.sample_key = key
+        copy_with_all(options.include, compiler.tree, sample.entries)
+        compiler.share()
         names = sorted(n[:-4] for n in os.listdir(TESTS) if n.startswith("test_") and n.endswith(".cpp"))
-        tests = options.tests.split(",") if options.tests else names
-        programs, entries = compiled(tests, options.include, entries, Compiler(options, build))
-        results = Results(os.path.join(build, "results.csv"))
-        run_entries(entries, programs, results, options)
-        print_table(entries, results)
+        results_file = os.path.join(build, "results.csv")
+        for test in options.tests.split(",") if options.tests else names:
+            program = compiled(test, options.include, sample, compiler)
+            results = Results(results_file)  # another run may have added to it
+            run_entries(sample.entries, test, program, results, options)
+        print_table(sample.entries, Results(results_file), explanations)
 
 
 if __name__ == "__main__":
