@@ -12,6 +12,7 @@
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_concepts.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -423,6 +424,21 @@ BOOST_AUTO_TEST_CASE(faces_are_numbered_on_request)
     BOOST_TEST(static_cast<std::size_t>(expected) == num_faces(t));
     flip_at_random(t, 30, 7);
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_halfedge_can_be_one_of_the_border)
+{
+  Surface mesh = to_mesh<Surface>(tetrahedron());
+  CGAL::Euler::remove_face(*mesh.halfedges().begin(), mesh);
+  mesh.collect_garbage();
+  const Triangulation t(mesh);
+  BOOST_TEST_REQUIRE(t.is_border(FG::Halfedge_index(0)));
+  std::size_t count = 0;
+  for(const auto f : faces(t)) {
+    BOOST_TEST(!t.is_border(halfedge(f, t)));
+    ++count;
+  }
+  BOOST_TEST(count == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(what_a_flip_does_to_descriptors)

@@ -307,6 +307,12 @@ BOOST_AUTO_TEST_CASE(polygons_are_cleaned)
   BOOST_CHECK(repaired.report.vertices_of_point(5) == repaired.report.vertices_of_point(1));
   BOOST_CHECK(repaired.report.faces_of_polygon(1).empty());
 
+  // Both parts of a polygon that passes a point twice are kept.
+  const Repaired pinched =
+      repair(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2, 0, 3, 4}}});
+  BOOST_CHECK_EQUAL(pinched.report.number_of(Repair::POLYGONS_SPLIT), 1u);
+  BOOST_CHECK_EQUAL(pinched.report.faces_of_polygon(0).size(), 2u);
+
   // The first corner again at the end, which closes what is closed.
   const Soup closed = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 0, 0}}};
   check_repairs(repair(closed).report, {{Repair::CORNERS_REPEATED, 2}, {Repair::POLYGONS_TRIANGULATED, 1}});

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/distances/Scratch.h>
 #include <CGAL/Flip_geodesics/internal/distances/Written_records.h>
+#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
@@ -290,6 +291,18 @@ BOOST_AUTO_TEST_CASE(places_are_finite_if_all_coordinates_are)
       place[i] = wrong;
       BOOST_TEST(!FGI::are_finite(place));
     }
+}
+
+BOOST_AUTO_TEST_CASE(buckets_keep_the_order_of_items)
+{
+  const FGI::Buckets buckets(4, {2, 0, 2, -1, 3, 2, 0});
+  const std::vector<std::vector<Index>> expected = {{1, 6}, {}, {0, 2, 5}, {4}};
+  BOOST_TEST_REQUIRE(buckets.size() == 4);
+  for(Index i = 0; i < 4; ++i) {
+    const auto range = buckets[i];
+    BOOST_TEST(std::vector<Index>(range.begin(), range.end()) == expected[static_cast<std::size_t>(i)],
+               boost::test_tools::per_element());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(more_elements_than_indices_are_refused)

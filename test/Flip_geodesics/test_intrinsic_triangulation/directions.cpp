@@ -135,6 +135,29 @@ BOOST_AUTO_TEST_CASE(strips_without_length_have_no_relative_error)
   BOOST_TEST(closed > 20);
 }
 
+// A power of two changes neither flips nor relative errors, be the ends of a strip vertices of the input or inserted ones.
+BOOST_AUTO_TEST_CASE(relative_errors_do_not_depend_on_the_size_of_the_mesh)
+{
+  std::vector<std::vector<double>> errors;
+  for(const double size : {1., 0x1p40, 0x1p-40}) {
+    Random_numbers random(17);
+    const Mesh mesh =
+        to_mesh<Mesh>(mapped(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 7), [=](const Coordinates& p) {
+          return Coordinates{p[0] * size, p[1] * size, p[2] * size};
+        }));
+    Triangulation t(mesh);
+    insert_at_random(t, 8, random);
+    flip_at_random(t, 60, random);
+    errors.emplace_back();
+    for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges()))
+      if(const FG::Crossing_word word = t.crossing_word(h); !word.crossed.empty())
+        errors.back().push_back(FG::internal::Strip<Triangulation>(t, word).relative_error());
+  }
+  BOOST_TEST(errors[0].size() > 20u);
+  BOOST_TEST(errors[1] == errors[0], boost::test_tools::per_element());
+  BOOST_TEST(errors[2] == errors[0], boost::test_tools::per_element());
+}
+
 // Also where flips were wrong, and the straight line is not in the strip.
 BOOST_AUTO_TEST_CASE(crossings_lie_on_the_edges_that_cross)
 {

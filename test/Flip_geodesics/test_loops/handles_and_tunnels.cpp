@@ -6,6 +6,7 @@
 #include "test_loops/loop_setting.h"
 
 #include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
+#include <CGAL/Flip_geodesics/internal/topology/Places_in_space.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
@@ -112,8 +113,10 @@ FG::Handle_and_tunnel_loops check_solid(const Mesh_soup& soup, std::size_t genus
   BOOST_TEST_REQUIRE(s.basis.number_of_loops() == static_cast<FG::Index>(2 * genus));
   std::vector<Class> classes;
   for(const auto* kind : {&loops.handles, &loops.tunnels})
-    for(const Chain& chain : *kind)
+    for(const Chain& chain : *kind) {
       classes.push_back(s.basis.homology_class(Setting::input_chain(chain)));
+      BOOST_TEST((chain.front() != twin_index(chain.back()))); // nothing is passed out and back
+    }
   BOOST_TEST(is_basis(classes));
   for(FG::Index i = 0; i < s.basis.number_of_loops(); ++i) {
     const std::vector<Vector> outside = pushed(soup, s.triangulation, s.basis.cycle(i), push);
@@ -270,6 +273,30 @@ BOOST_AUTO_TEST_CASE(surfaces_that_bound_no_solid)
     broken.points[7][1] = x;
     BOOST_CHECK_THROW(find(broken), FG::Invalid_coordinate_error);
   }
+}
+
+// Coordinates of very different sizes, which doubles do not decide.
+BOOST_AUTO_TEST_CASE(determinants_of_places_are_exact)
+{
+  using FG::internal::Places_in_space;
+  using FG::internal::Weighted_place;
+  const std::vector<Vector> points = {{1, 1, 1},           {2, 1, 1},      {1, 2, 1},
+                                      {1, 1, 1 + 0x1p-50}, {1e-200, 0, 0}, {1e15, 1, 1}};
+  const Places_in_space places(static_cast<FG::Index>(points.size()),
+                               [&](FG::Vertex_index v) { return points[static_cast<std::size_t>(v.idx())]; });
+  const auto at = [](FG::Index i) { return Weighted_place::at_vertex(FG::Vertex_index(i)); };
+  BOOST_TEST(places.side(at(0), at(1), at(2), {0, 0, 1}) == CGAL::POSITIVE);
+  BOOST_TEST(places.side(at(0), at(1), at(2), {0, 0, -1}) == CGAL::NEGATIVE);
+  BOOST_TEST(places.side(at(0), at(1), at(5), {0, 0, 1}) == CGAL::ZERO);
+  BOOST_TEST(places.orientation({at(0), at(1), at(0), at(2), at(0), at(3)}) == CGAL::POSITIVE);
+  BOOST_TEST(places.orientation({at(0), at(2), at(0), at(1), at(0), at(3)}) == CGAL::NEGATIVE);
+  BOOST_TEST(places.orientation({at(0), at(1), at(0), at(2), at(1), at(2)}) == CGAL::ZERO);
+  // from the first place
+  BOOST_TEST(places.exact_volume({at(1), at(2), at(3)}).sign() == 1);
+  BOOST_TEST(places.exact_volume({at(2), at(1), at(3)}).sign() == -1);
+  BOOST_TEST(places.exact_volume({at(1), at(2), at(5)}).sign() == 0);
+  const auto [volume, error] = places.volume({at(1), at(2), at(4)});
+  BOOST_TEST(std::abs(volume + 1) <= error); // in units of the first two; the third lies below them
 }
 
 // Vectors that are part of a basis, and what completes them.
