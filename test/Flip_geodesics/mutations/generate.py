@@ -2,8 +2,8 @@
 """Generates mutants of the headers from their syntax trees.
 
 `mutants_of(include)` returns each place where one operator, constant, condition, call or statement can be changed. It
-reads all headers as one source with the Python bindings of clang (Debian's packages python3-clang-14 and libclang-14-dev
-or later). What is evaluated at compile time, and what stands in macros, has no mutants.
+reads all headers as one source with the Python bindings of clang (Debian's packages python3-clang-14 and
+libclang-14-dev or later). What is evaluated at compile time, and what stands in macros, has no mutants.
 """
 
 import bisect
@@ -108,7 +108,8 @@ class Reader:
         elif len(children) == 3 and cursor.spelling and not cursor.spelling.startswith("operator"):
             a, b = children[1:]
             begin = cursor.extent.start.offset
-            if self.of(a) != self.of(b) and self.have_one_type(a, b) and begin < a.extent.start.offset and a.extent.end.offset <= b.extent.start.offset:
+            are_in_order = begin < a.extent.start.offset and a.extent.end.offset <= b.extent.start.offset
+            if are_in_order and self.of(a) != self.of(b) and self.have_one_type(a, b):
                 middle = self.text[a.extent.end.offset:b.extent.start.offset]
                 self.replace(cursor, self.text[begin:a.extent.start.offset] + self.of(b) + middle + self.of(a)
                              + self.text[b.extent.end.offset:cursor.extent.end.offset])

@@ -14,9 +14,9 @@ headers: an expression E with a mutant M becomes (::mutation::is_active(17) ? (M
 becomes if(::mutation::is_active(17)) {} else S, and an environment variable selects the mutant. All headers are
 precompiled, with the instances that tests share; mutants that do not compile there are replaced by the next of the
 sample, and dropped if a test finds this. Then the tests are compiled and run one after the other, in the order of
---tests, each with the mutants that none before has killed. A first run of a program without any mutant records which test
-cases reach which mutants and how long they take. A mutant is then run in the cases that reach it, until a check fails,
-the program crashes or it takes five times as long: it is killed.
+--tests, each with the mutants that none before has killed. A first run of a program without any mutant records which
+test cases reach which mutants and how long they take. A mutant is then run in the cases that reach it, the fastest first as
+long as there is time for, until a check fails, the program crashes or it takes three times as long: it is killed.
 
 Results are appended to DIR/results.csv; a further run continues where the last one ended, and ends with a table of the
 modules and the mutants that survive. Run survivors with --again after a change of tests. explanations.txt states why
@@ -158,7 +158,8 @@ BOOST_TEST_GLOBAL_FIXTURE(Setup);
 """
 
 # Tests that compute for long, optimized; see CMakeLists.txt.
-own_instances = {"test_distance_field", "test_edge_path_graph", "test_hostile_traits", "test_interruption", "test_isolines"}
+own_instances = {"test_distance_field", "test_edge_path_graph", "test_hostile_traits", "test_interruption",
+                 "test_isolines"}
 
 # In lines. A diagnostic farther behind a mutant is not due to it.
 longest_expression = 20
@@ -343,19 +344,22 @@ class Compiler:
         return self.is_newer(target, target + ".d") or self.run(
             arguments + ["-MD", "-MF", target + ".d", "-o", target, source], log)
 
-    def share(self):
-        """Precompiles all headers, with the instances that tests share. Returns the log if this fails."""
+    def share(self, keeps_code=False):
+        """Precompiles all headers, with the instances that tests share. Returns the log if this fails. Code that has
+        more mutants than the headers can be kept."""
         headers = sorted(os.path.relpath(os.path.join(folder, name), self.tree)
                          for folder, _, names in os.walk(self.tree) for name in names if name.endswith(".h"))
         instances = os.path.join(ROOT, "package_info", "cmake", "shared_instances.h")
         shared, log = os.path.join(self.build, "shared.h"), os.path.join(self.build, "shared.log")
         write_if_changed(shared, '#include "switch.h"\n' + "".join(f"#include <{header}>\n" for header in headers)
                          + f'#include "{instances}"\n')
-        options = ["-O0", "-ferror-limit=0", "-isystem", "/usr/include/eigen3", "-x", "c++-header", "-Xclang", "-emit-pch",
-                   "-fpch-instantiate-templates", "-Xclang", "-fmodules-codegen"]
+        options = ["-O0", "-ferror-limit=0", "-isystem", "/usr/include/eigen3", "-x", "c++-header", "-Xclang",
+                   "-emit-pch", "-fpch-instantiate-templates", "-Xclang", "-fmodules-codegen"]
         if not self.make(self.pch(), shared, options, log):
             return open(log, encoding="utf-8").read()
         code = self.object("shared")
+        if keeps_code:
+            os.utime(code)
         if not os.path.exists(code) or os.path.getmtime(code) < os.path.getmtime(self.pch()):
             if not self.run(["-O1", "-c", self.pch(), "-o", code], log):
                 fail(f"no code can be made of the shared instances, see {log}")
@@ -369,7 +373,8 @@ class Compiler:
 
     def observer(self):
         if not self.make(self.object("observer"), os.path.join(self.build, "observer.cpp"),
-                         ["-c", "-include", os.path.join(self.build, "switch.h")], os.path.join(self.build, "observer.log")):
+                         ["-c", "-include", os.path.join(self.build, "switch.h")],
+                         os.path.join(self.build, "observer.log")):
             fail(f"observer.cpp does not compile, see {self.build}/observer.log")
         return self.object("observer")
 
@@ -496,7 +501,7 @@ class Sample:
 
 
 def run(program, environment, seconds, memory):
-    """Exit code and what was written to standard error; a time limit of the processor, and a longer one of the clock."""
+    """Exit code and what was written to standard error; a limit of processor time, and a longer one of elapsed time."""
 
     def limit():
         resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
@@ -533,10 +538,14 @@ class Coverage:
             number, _, seconds, reached = line.rstrip("\n").split("\t")
             self.cases[int(number)] = (float(seconds), {int(i) for i in reached.split()})
 
-    def reaching(self, mutation):
-        """Cases, and their time."""
-        cases = [n for n, (_, reached) in self.cases.items() if mutation in reached]
-        return cases, sum(self.cases[n][0] for n in cases)
+    def reaching(self, mutation, most):
+        """Cases, the fastest ones first as long as they take less than `most` seconds together, and their time."""
+        cases, total = [], 0
+        for seconds, number in sorted((s, n) for n, (s, reached) in self.cases.items() if mutation in reached):
+            if not cases or total + seconds <= most:
+                cases.append(number)
+                total += seconds
+        return cases, total
 
 
 def verdict_of(program, mutation, cases, seconds, memory):
@@ -544,7 +553,7 @@ def verdict_of(program, mutation, cases, seconds, memory):
     environment = {"MUTATION": str(mutation)}
     if cases is not None:
         environment["MUTATION_CASES"] = " ".join(map(str, cases))
-    code, text = run(program, environment, 5 * seconds + 2, memory)
+    code, text = run(program, environment, 3 * seconds + 2, memory)
     if code == 0:
         return None
     match = re.search(r"MUTATION KILLED (.*)", text)
@@ -582,13 +591,14 @@ def run_entries(entries, test, program, results, options):
     coverage = Coverage(program, options.memory)
     for e in entries:
         old = results.of(e)
-        cases, seconds = coverage.reaching(e.number)
+        cases, seconds = coverage.reaching(e.number, options.seconds)
         if not cases or (old and (old[1] == "killed" or (test in old[2].split() and not options.again))):
             continue
         start = time.time()
         how = verdict_of(program, e.number, cases, seconds, options.memory)
         results.append(e, "killed" if how else "survived", [test], how or "")
-        print(f"{e.number} {e.mutant.header}: {'killed ' + how if how else 'survives'}, {time.time() - start:.1f} s", flush=True)
+        print(f"{e.number} {e.mutant.header}: {'killed ' + how if how else 'survives'}, {time.time() - start:.1f} s",
+              flush=True)
 
 
 # ---------------------------------------------------------------- what is printed
@@ -609,7 +619,8 @@ def print_table(entries, results, explanations):
     for e in sorted(entries, key=lambda e: e.mutant.module):
         rows.setdefault(e.mutant.module, [0, 0, 0, 0])[state_of(e, results, explanations)] += 1
     width = max(len(module) for module in rows) + 2
-    print(f"{'module':{width}}{'mutants':>9}{'killed':>8}{'equivalent':>12}{'survived':>10}{'not reached':>13}{'killed':>9}")
+    print(f"{'module':{width}}{'mutants':>9}{'killed':>8}{'equivalent':>12}{'survived':>10}{'not reached':>13}"
+          f"{'killed':>9}")
     for module, row in list(rows.items()) + [("all", [sum(c) for c in zip(*rows.values())])]:
         share = 100 * row[0] / max(1, sum(row) - row[1])
         print(f"{module:{width}}{sum(row):>9}{row[0]:>8}{row[1]:>12}{row[2]:>10}{row[3]:>13}{share:>8.0f}%")
@@ -636,6 +647,7 @@ def arguments():
     parser.add_argument("--check", action="store_true", help="only compares the explanations with the headers")
     parser.add_argument("--compiler", default="clang++")
     parser.add_argument("--flags", default="-std=c++17 -w -frounding-math -ferror-limit=0 -DBOOST_TEST_DYN_LINK")
+    parser.add_argument("--seconds", type=float, default=20, help="for the cases of a test that reach a mutant")
     parser.add_argument("--memory", type=int, default=4000, help="megabytes for a test program")
     return parser.parse_args()
 
@@ -655,7 +667,7 @@ def compiled(test, include, sample, compiler):
         print(f"{test}: mutants {sorted(bad)} do not compile and are left out", flush=True)
         sample.drop(bad)
         copy_with_all(include, compiler.tree, sample.entries)
-        compiler.share()
+        compiler.share(keeps_code=True)
 
 
 def main():
