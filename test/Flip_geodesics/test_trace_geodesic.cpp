@@ -394,6 +394,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
   BOOST_CHECK_THROW(trace(mesh, corner, std::make_pair(h, 0.0), 1), FG::Invalid_parameter_error);
   BOOST_CHECK_THROW(trace(mesh, Face_location{Face(0), {0.2, 0.3, 0.5}}, std::make_pair(h, 0.0), 1),
                     FG::Invalid_parameter_error);
+  for(const Halfedge none : {Surface::null_halfedge(), Halfedge(mesh.number_of_halfedges())})
+    BOOST_CHECK_THROW(trace(mesh, source, std::make_pair(none, 0.0), 1), FG::Invalid_parameter_error);
   const Halfedge rim = mesh.halfedge(corner, Vertex(grid_vertex(12, 1, 0)));
   BOOST_CHECK_THROW(trace(mesh, Vertex(100000), std::make_pair(h, 0.0), 1), FG::Vertex_out_of_range_error);
   // A vector says nothing of a face without area, or with a corner that is no point.

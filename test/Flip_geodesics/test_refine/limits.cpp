@@ -4,6 +4,11 @@
 
 #include "test_refine/checked_refinement.h"
 
+#include <CGAL/Flip_geodesics/internal/triangulation/Refinement_outlook.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Segment_points.h>
+
+#include <array>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(a_limit_on_insertions_is_kept)
@@ -183,4 +188,36 @@ BOOST_AUTO_TEST_CASE(faces_are_given_up_alone)
     bad += is_in_fair && shape.smallest_angle() < 24.9 * std::acos(-1.0) / 180 ? 1 : 0;
   }
   BOOST_CHECK_EQUAL(bad, 0u);
+}
+
+// A / s^2, of the right triangle with sides 3, 4 and 5.
+BOOST_AUTO_TEST_CASE(the_need_of_a_face_does_not_depend_on_its_first_side)
+{
+  std::array<double, 3> lengths = {{3, 4, 5}};
+  do
+    BOOST_TEST(FG::internal::Refinement_outlook::need(lengths, 0.6) == 6. / 9, boost::test_tools::tolerance(1e-15));
+  while(std::next_permutation(lengths.begin(), lengths.end()));
+}
+
+// Of pieces of an edge the ends and distances are those of the whole edge.
+BOOST_AUTO_TEST_CASE(points_of_a_segment_are_measured_from_its_ends)
+{
+  Curve_setting s(flat_grid(2, 2, Diagonal_rule::RISING));
+  auto& t = s.triangulation;
+  const FG::Halfedge_index h(0);
+  const FG::Vertex_index tail = t.tail(h), head = t.head(h);
+  const double length = t.length(h);
+  FG::internal::Segment_points<Curve_setting::Triangulation> points(t);
+  const auto half = points.point(h, length / 2);
+  const FG::Vertex_index middle = t.split_edge(h, {FG::internal::as_input(h), {{0.5, 0.5, 0}}}, 0, [](const auto&) {});
+  points.add(middle, half);
+  for(const FG::Halfedge_index g : FG::internal::spokes(t, middle)) {
+    if(t.head(g) != head && t.head(g) != tail)
+      continue;
+    const auto quarter = points.point(g, length / 8); // towards one of the ends
+    BOOST_TEST(quarter.distances[0] == length * 5 / 8, boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(quarter.distances[1] == length * 3 / 8, boost::test_tools::tolerance(1e-15));
+    BOOST_TEST((quarter.ends[0] == (t.head(g) == head ? tail : head)));
+    BOOST_TEST((quarter.ends[1] == t.head(g)));
+  }
 }

@@ -16,6 +16,7 @@
 #include <complex>
 #include <cstddef>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -240,4 +241,16 @@ BOOST_AUTO_TEST_CASE(a_short_way_over_a_long_edge_keeps_its_digits)
     const auto vector = corridor.start(0).vector * direction_in_plane(t, corridor.legs().front().face);
     BOOST_TEST(std::abs(vector - whole) < 1e-14 * std::abs(whole));
   }
+}
+
+BOOST_AUTO_TEST_CASE(places_without_a_common_face_are_named)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
+  const Triangulation t(mesh);
+  const auto at = [&](int i, int j) { return t.location(FG::Vertex_index(grid_vertex(4, i, j))); };
+  const auto is_named = [](const FG::Invalid_curve_error& error) {
+    return error.elements() == std::vector<std::size_t>{1, 2} &&
+           std::string(error.what()).find("points 1 and 2 ") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(Corridor(t, Way{at(0, 0), at(1, 0), at(3, 3)}), FG::Invalid_curve_error, is_named);
 }
