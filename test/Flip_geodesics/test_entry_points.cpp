@@ -214,6 +214,15 @@ BOOST_AUTO_TEST_CASE(chains_that_are_none_are_refused)
     BOOST_CHECK_THROW(FG::add_straightened_path(network, chain), FG::Invalid_curve_error);
     BOOST_TEST(network.number_of_curves() == 0);
   }
+  // The error names the first halfedge that does not go on from the one before.
+  const FG::Halfedge_index onward = triangulation.next(0_h);
+  for(const Chain& chain : {Chain{onward, onward}, Chain{0_h, onward, onward}, Chain{0_h, onward, end, end}}) {
+    Network network(triangulation);
+    const auto is_named = [&](const FG::Invalid_curve_error& error) {
+      return error.elements() == std::vector<std::size_t>{chain.size() == 4 ? 2 : chain.size() - 1};
+    };
+    BOOST_CHECK_EXCEPTION(network.add_curve(chain, false), FG::Invalid_curve_error, is_named);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_direction_zero_elsewhere_is_refused)

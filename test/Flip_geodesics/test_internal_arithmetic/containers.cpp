@@ -5,6 +5,8 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/distances/Scratch.h>
+#include <CGAL/Flip_geodesics/internal/distances/Search_labels.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/internal/distances/Written_records.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
@@ -291,6 +293,51 @@ BOOST_AUTO_TEST_CASE(places_are_finite_if_all_coordinates_are)
       place[i] = wrong;
       BOOST_TEST(!FGI::are_finite(place));
     }
+}
+
+BOOST_AUTO_TEST_CASE(vertices_of_one_priority_leave_a_queue_in_their_order)
+{
+  using CGAL::Flip_geodesics::Vertex_index;
+  FGI::Vertex_queue queue;
+  std::set<std::pair<double, Index>> model;
+  std::mt19937 random(6);
+  for(int step = 0; step < 2000; ++step) {
+    if(random() % 3 != 0) {
+      const std::pair<double, Index> entry(static_cast<double>(random() % 4), static_cast<Index>(random() % 1000));
+      if(model.insert(entry).second)
+        queue.push(entry.first, Vertex_index(entry.second));
+    } else if(!model.empty()) {
+      BOOST_REQUIRE(queue.priority() == model.begin()->first);
+      BOOST_REQUIRE(queue.pop().idx() == model.begin()->second);
+      model.erase(model.begin());
+    }
+    BOOST_REQUIRE(queue.empty() == model.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(labels_are_those_of_the_last_search)
+{
+  using CGAL::Flip_geodesics::Input_halfedge_index;
+  using CGAL::Flip_geodesics::Vertex_index;
+  FGI::Search_labels labels(50);
+  for(int search = 0; search < 3; ++search) {
+    for(Index v = search; v < 50; v += 3) {
+      BOOST_TEST(!labels.is_reached(labels[Vertex_index(v)]));
+      BOOST_TEST(!labels.is_settled(labels[Vertex_index(v)]));
+      labels.reach(Vertex_index(v), v + 0.5, Input_halfedge_index(2 * v));
+      const auto& label = labels[Vertex_index(v)];
+      BOOST_TEST(labels.is_reached(label));
+      BOOST_TEST(!labels.is_settled(label));
+      BOOST_TEST(label.distance == v + 0.5);
+      BOOST_TEST(label.incoming().idx() == 2 * v);
+      if(v % 2 == 0) {
+        labels.settle(Vertex_index(v));
+        BOOST_TEST(!labels.is_reached(label));
+        BOOST_TEST(labels.is_settled(label));
+      }
+    }
+    labels.clear();
+  }
 }
 
 BOOST_AUTO_TEST_CASE(buckets_keep_the_order_of_items)

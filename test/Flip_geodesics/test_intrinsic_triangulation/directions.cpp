@@ -4,6 +4,10 @@
 
 #include "test_intrinsic_triangulation/inserted_vertices.h"
 
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+
 using namespace Flip_geodesics_test;
 
 BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
@@ -156,6 +160,61 @@ BOOST_AUTO_TEST_CASE(relative_errors_do_not_depend_on_the_size_of_the_mesh)
   BOOST_TEST(errors[0].size() > 20u);
   BOOST_TEST(errors[1] == errors[0], boost::test_tools::per_element());
   BOOST_TEST(errors[2] == errors[0], boost::test_tools::per_element());
+}
+
+// Centers of the faces that an edge passes, on either side of it.
+BOOST_AUTO_TEST_CASE(points_lie_beside_edges_as_in_the_plane)
+{
+  Random_numbers random(18);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 8));
+  Triangulation t(mesh);
+  insert_at_random(t, 6, random);
+  flip_at_random(t, 60, random);
+  FG::Decision_statistics statistics;
+  const FG::internal::Point_side<Triangulation> side(t, statistics);
+  const auto in_plane = [&](FG::Input_halfedge_index h) {
+    const Point p = mesh.point(t.vertex(t.input().tail(h)));
+    return std::complex<double>(p.x(), p.y());
+  };
+  std::array<int, 2> points = {{0, 0}}; // on the left, and on the right
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+    const FG::Crossing_word word = t.crossing_word(h);
+    if(word.crossed.empty())
+      continue;
+    const std::complex<double> from = place(mesh, t, t.tail(h)), along = place(mesh, t, t.head(h)) - from;
+    for(std::size_t gap = 0; gap <= word.crossed.size(); ++gap) {
+      const FG::Input_halfedge_index a = side.face_of_gap(word, gap), b = t.input().next(a), c = t.input().next(b);
+      const FG::Surface_location center = {a, {{1, 2, 5}}};
+      const std::complex<double> p = (in_plane(a) + 2. * in_plane(b) + 5. * in_plane(c)) / 8.;
+      const double expected = std::imag(std::conj(along) * (p - from)) / std::abs(along);
+      BOOST_TEST(std::abs(side.distance(word, gap, center) - expected) < 1e-12);
+      if(std::abs(expected) < 1e-9)
+        continue;
+      BOOST_TEST(side(word, gap, center) == (expected > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE));
+      ++points[expected > 0 ? 0 : 1];
+    }
+  }
+  BOOST_TEST(points[0] > 20);
+  BOOST_TEST(points[1] > 20);
+}
+
+// A word is that of an edge only if it leads from its tail to its head.
+BOOST_AUTO_TEST_CASE(words_of_other_edges_are_no_strips)
+{
+  Random_numbers random(19);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 9));
+  Triangulation t(mesh);
+  flip_at_random(t, 60, random);
+  FG::Decision_statistics statistics;
+  const FG::internal::Straight_strip<Triangulation> straight(t, statistics);
+  for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
+    const FG::Crossing_word word = t.crossing_word(h);
+    BOOST_TEST(straight.is_strip(h, word));
+    for(FG::Halfedge_index g : spokes_at_tail(t, h)) {
+      BOOST_TEST(straight.is_strip(g, word) == (t.head(g) == t.head(h)));
+      BOOST_TEST(!straight.is_strip(t.twin(g), word)); // a grid has no loops
+    }
+  }
 }
 
 // Also where flips were wrong, and the straight line is not in the strip.

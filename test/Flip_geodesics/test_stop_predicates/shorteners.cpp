@@ -168,6 +168,24 @@ BOOST_AUTO_TEST_CASE(a_stopped_shortener_leaves_nodes_that_were_fixed)
   BOOST_TEST(setting.triangulation.log_position() == 0u);
 }
 
+// A path visits a vertex before and after a spike. Whichever visit is fixed, the path still passes the vertex.
+BOOST_AUTO_TEST_CASE(a_node_stays_fixed_when_a_spike_is_removed)
+{
+  const int n = 4;
+  const auto at = [](int i, int j) { return Vertex_index(grid_vertex(n, i, j)); };
+  for(const bool is_first_fixed : {false, true}) {
+    Curve_setting setting(flat_grid(n, n, Diagonal_rule::RISING));
+    auto& network = setting.network;
+    setting.add({at(1, 2), at(2, 2), at(3, 2), at(2, 2), at(2, 1)}, false);
+    const FG::Segment_index first = network.first_segment(0_c);
+    network.set_head_fixed(is_first_fixed ? first : network.next(network.next(first)), true);
+    setting.pull();
+    BOOST_TEST(std::abs(network.length(0_c) - 2) < rounding);
+    BOOST_TEST(network.halfedges(0_c).size() == 2u);
+    BOOST_TEST(network.is_head_fixed(network.first_segment(0_c)));
+  }
+}
+
 // ---------------------------------------------------------------- small regions
 
 // A limit on the total length lets a speck vanish; a limit on each curve keeps it.
