@@ -19,7 +19,7 @@ test cases reach which mutants and how long they take. A mutant is then run in t
 long as there is time for, until a check fails, the program crashes or it takes three times as long: it is killed.
 
 Results are appended to DIR/results.csv; a further run continues where the last one ended, and ends with a table of the
-modules and the mutants that survive. Run survivors with --again after a change of tests. explanations.txt states why
+modules and the mutants that survive. These run again in tests that have changed. explanations.txt states why
 mutants survive that are equivalent to the original, by function:
 
   [internal/flip_out/flip_out.h]
@@ -587,16 +587,17 @@ class Results:
 
 
 def run_entries(entries, test, program, results, options):
-    """Runs those that no other test has killed in the cases of one test."""
+    """Runs those that no other test has killed in the cases of one test, unless it has run as it is now."""
     coverage = Coverage(program, options.memory)
+    run = f"{test}@{open(program + '.state').read()[:8]}"
     for e in entries:
         old = results.of(e)
         cases, seconds = coverage.reaching(e.number, options.seconds)
-        if not cases or (old and (old[1] == "killed" or (test in old[2].split() and not options.again))):
+        if not cases or (old and (old[1] == "killed" or run in old[2].split())):
             continue
         start = time.time()
         how = verdict_of(program, e.number, cases, seconds, options.memory)
-        results.append(e, "killed" if how else "survived", [test], how or "")
+        results.append(e, "killed" if how else "survived", [run], how or "")
         print(f"{e.number} {e.mutant.header}: {'killed ' + how if how else 'survives'}, {time.time() - start:.1f} s",
               flush=True)
 
@@ -631,7 +632,7 @@ def print_table(entries, results, explanations):
         print(f"\n[{e.mutant.header}]\n{e.mutant.function}\n- {squeezed(e.mutant.original)}")
         if e.mutant.replacement:
             print(f"+ {squeezed(e.mutant.replacement)}")
-        print(f"  {e.number} survived {result[2]}" if result else f"  {e.number} not reached by the tests that ran")
+        print(f"  {e.number} survived {' '.join(sorted({t.split('@')[0] for t in result[2].split()}))}" if result else f"  {e.number} not reached by the tests that ran")
 
 
 def arguments():
@@ -643,7 +644,6 @@ def arguments():
     parser.add_argument("--number", type=int, default=20, help="of mutants in each module")
     parser.add_argument("--module", default="", help="only this module, a folder of internal/, or public")
     parser.add_argument("--header", default="", help="only headers whose names contain this")
-    parser.add_argument("--again", action="store_true", help="survivors are run again")
     parser.add_argument("--check", action="store_true", help="only compares the explanations with the headers")
     parser.add_argument("--compiler", default="clang++")
     parser.add_argument("--flags", default="-std=c++17 -w -frounding-math -ferror-limit=0 -DBOOST_TEST_DYN_LINK")

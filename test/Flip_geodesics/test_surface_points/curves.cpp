@@ -4,9 +4,29 @@
 
 #include "test_surface_points/inserted_points.h"
 
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_measurement.h>
+
 #include <boost/math/constants/constants.hpp>
 
 using namespace Flip_geodesics_test;
+
+namespace {
+
+// Angles from directions of segments that are measured once are those of the joints, also beside inserted points.
+template <class Network>
+void check_measured_angles(const Network& network)
+{
+  FG::internal::Curve_measurement<Network> measure(network);
+  for(FG::Curve_index c : descriptors<FG::Curve_index>(network.number_of_curves()))
+    measure(
+        c, [](FG::Segment_index, const FG::Crossing_word&) { return true; }, [](const auto&...) {},
+        [&](const FG::Joint& joint, const FG::internal::Wedge_angle& angle) {
+          const double expected = measure.angle(joint).value;
+          BOOST_TEST((angle.value == expected || std::abs(angle.value - expected) < 1e-9));
+        });
+}
+
+} // namespace
 
 BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
 {
@@ -40,6 +60,7 @@ BOOST_AUTO_TEST_CASE(curves_on_split_edges_stay_where_they_are)
     }
     for(FG::Curve_index c : descriptors<FG::Curve_index>(network.number_of_curves()))
       BOOST_TEST(std::abs(network.length(c) - lengths[c]) < 1e-12 * lengths[c]);
+    check_measured_angles(network);
     const FG::Shortening_report report = FG::shorten(network);
     BOOST_TEST(report.is_complete());
     BOOST_TEST(FG::certify(network).is_locally_shortest());
