@@ -4,7 +4,7 @@
 
   python3 test/Flip_geodesics/mutations/run.py --build DIR                          20 mutants of each module: an hour
   python3 test/Flip_geodesics/mutations/run.py --build DIR --seed 7 --number 5      5 others of each module
-  python3 test/Flip_geodesics/mutations/run.py --build DIR --module strips --tests test_certify,test_extract
+  python3 test/Flip_geodesics/mutations/run.py --build DIR --module unfolding --tests test_certify,test_extract
   python3 test/Flip_geodesics/mutations/run.py --build DIR --header flip_out.h --number 50
   python3 test/Flip_geodesics/mutations/run.py --check                              are the explanations up to date?
 
