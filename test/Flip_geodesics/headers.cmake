@@ -2,29 +2,33 @@
 #
 # The test `headers`: each header compiles alone, and twice in a row; all of them linked into one program show a function
 # that lacks `inline` as a duplicate symbol.
+#
+# A source has a chain of headers, each of which includes those before it, directly or by others of ours. What a header
+# lacks is not hidden by what comes before it in its chain, since it includes that anyway. Some 300 headers make half as
+# many chains.
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/include"
      "${PROJECT_SOURCE_DIR}/include/CGAL/*.h")
 
-# Compiled once for many headers: the last of these that a header includes anyway, itself or by our others, so that
-# nothing that it lacks is hidden. They are compiled alone as well, as every header is.
+# Each is compiled once for all chains whose first header includes it, which hides nothing either: of these, the last
+# that it includes. Every header is in a chain, these as well.
 set(precompiled_headers Descriptors.h internal/surface/Indexed_mesh.h internal/numbers/Integer.h internal/unfolding/Exact_sign.h
-                        metrics.h internal/triangulation/Point_insertion.h internal/surface/Soup_mesh.h)
+                        metrics.h internal/triangulation/Point_insertion.h)
 list(TRANSFORM precompiled_headers PREPEND "CGAL/Flip_geodesics/")
 
-# Sets `result` to everything in <> that `header` includes, itself or by our others.
+# Sets `result` to those of our headers that `header` includes, directly or by others of ours, before any condition.
 function(flip_geodesics_includes_of header result)
   get_property(known GLOBAL PROPERTY "flip_geodesics_includes_of_${header}" SET)
   if(NOT known)
     file(READ "${PROJECT_SOURCE_DIR}/include/${header}" text)
-    string(REGEX MATCHALL "\n#include <[^>]+>" includes "${text}")
-    list(TRANSFORM includes REPLACE "\n#include " "")
-    foreach(include IN LISTS includes)
-      string(REGEX REPLACE "[<>]" "" path "${include}")
-      if(path IN_LIST headers)
-        flip_geodesics_includes_of("${path}" of_ours)
-        list(APPEND includes ${of_ours})
-      endif()
+    string(REGEX REPLACE "^.*\n#define [A-Z0-9_]+_H\n" "" text "${text}")
+    string(REGEX REPLACE "\n#if.*$" "" text "${text}")
+    string(REGEX MATCHALL "#include <CGAL/Flip_geodesics[^>]*>" named "${text}")
+    list(TRANSFORM named REPLACE "#include <(.*)>" "\\1")
+    set(includes ${named})
+    foreach(include IN LISTS named)
+      flip_geodesics_includes_of("${include}" more)
+      list(APPEND includes ${more})
     endforeach()
     list(REMOVE_DUPLICATES includes)
     set_property(GLOBAL PROPERTY "flip_geodesics_includes_of_${header}" "${includes}")
@@ -33,12 +37,26 @@ function(flip_geodesics_includes_of header result)
   set(${result} "${includes}" PARENT_SCOPE)
 endfunction()
 
+# Sorts the list of headers named `list` by how many they include: each comes after those that it includes.
+function(flip_geodesics_sort_headers list)
+  set(keys "")
+  foreach(header IN LISTS ${list})
+    flip_geodesics_includes_of("${header}" includes)
+    list(LENGTH includes number)
+    math(EXPR number "1000 + ${number}")
+    list(APPEND keys "${number} ${header}")
+  endforeach()
+  list(SORT keys)
+  list(TRANSFORM keys REPLACE "^[0-9]+ " "")
+  set(${list} "${keys}" PARENT_SCOPE)
+endfunction()
+
 # Sets `result` to what is precompiled for `header`, or to nothing.
 function(flip_geodesics_precompiled_for header result)
   flip_geodesics_includes_of("${header}" includes)
   set(${result} nothing PARENT_SCOPE)
   foreach(precompiled IN LISTS precompiled_headers)
-    if("<${precompiled}>" IN_LIST includes)
+    if(precompiled IN_LIST includes)
       set(${result} "${precompiled}" PARENT_SCOPE)
     endif()
   endforeach()
@@ -59,22 +77,43 @@ set(number_of_headers 0)
 foreach(group nothing ${precompiled_headers})
   set("sources_with_${group}" "")
 endforeach()
+
 # Adds a source with these lines to those of `group`.
 macro(flip_geodesics_add_header_source name group lines)
   file(CONFIGURE OUTPUT "${header_folder}/${name}.cpp" CONTENT "${lines}")
   list(APPEND "sources_with_${group}" "${header_folder}/${name}.cpp")
-  math(EXPR number_of_headers "${number_of_headers} + 1")
 endmacro()
 
+# Each header is appended to one of the chains that end with a header that it includes, the one that includes most, or
+# begins a chain.
+flip_geodesics_sort_headers(headers)
+set(lasts "") # of the chains, in the order of the headers
 foreach(header IN LISTS headers)
   file(READ "${PROJECT_SOURCE_DIR}/include/${header}" text)
   if(text MATCHES "<Eigen/" AND NOT TARGET CGAL::Eigen3_support)
     continue() # such headers are not in Flip_geodesics.h
   endif()
+  math(EXPR number_of_headers "${number_of_headers} + 1")
+  flip_geodesics_includes_of("${header}" includes)
   flip_geodesics_precompiled_for("${header}" group)
-  string(MAKE_C_IDENTIFIER "${header}" name)
-  flip_geodesics_add_header_source(${name} ${group} "#include <${header}>\n#include <${header}>\n")
+  set(chain_to_${header} "#include <${header}>\n#include <${header}>\n")
+  set(group_of_${header} ${group})
+  list(REVERSE lasts)
+  foreach(last IN LISTS lasts)
+    if(last IN_LIST includes AND group STREQUAL group_of_${last})
+      string(PREPEND chain_to_${header} "${chain_to_${last}}")
+      list(REMOVE_ITEM lasts ${last})
+      break()
+    endif()
+  endforeach()
+  list(REVERSE lasts)
+  list(APPEND lasts ${header})
 endforeach()
+foreach(last IN LISTS lasts)
+  string(MAKE_C_IDENTIFIER "${last}" name)
+  flip_geodesics_add_header_source(${name} ${group_of_${last}} "${chain_to_${last}}")
+endforeach()
+
 # What CMake makes of the page of the program, as large as a compiler bears.
 if(TARGET flip_geodesics)
   flip_geodesics_add_header_source(
