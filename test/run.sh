@@ -4,9 +4,10 @@
 # Builds and runs the tests, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
 #   bash test/run.sh           every test, every header alone and every example with clang++, in which tests share
-#                              instances of templates; smoke tests and two examples with g++; smoke tests under sanitizers
+#                              instances of templates; smoke tests and two examples with g++; smoke tests under
+#                              sanitizers: a quarter of an hour with two processors
 #   bash test/run.sh --full    in addition every test and every example with g++, optimized with clang++, and under
-#                              sanitizers with checked iterators; OpenMesh and MPI installed as well
+#                              sanitizers with checked iterators; OpenMesh and MPI installed as well: hours
 #   bash test/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
 # A run that was interrupted continues where it stopped. Environment: BUILD_DIR (default: build/run-tests in the
@@ -21,8 +22,8 @@ smoke_tests=(test_checker test_entry_points)
 # The first programs of a user, with g++.
 examples_with_gcc=(geodesic_path_example readme_example)
 
-# libclang-rt-dev has the sanitizers of clang++.
-packages=(g++ clang libclang-rt-dev cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev
+# libclang-rt-dev has the sanitizers of clang++, and lld links in a quarter of the time.
+packages=(g++ clang libclang-rt-dev lld cmake ninja-build ccache libcgal-dev libgmp-dev libmpfr-dev libboost-test-dev
           libeigen3-dev libtbb-dev libcli11-dev zlib1g-dev python3 doxygen)
 # Some 250 packages come along with the first and 50 with MPI, therefore not for everybody.
 full_packages=(libopenmesh-dev libboost-mpi-dev openmpi-bin)
@@ -113,6 +114,9 @@ number_of_smoke_tests=$((${#smoke_tests[@]} + 1)) # on top of them: complete
 smoke=(-D "FLIP_GEODESICS_TESTS=$(list "${smoke_tests[@]}")")
 all_examples=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D FLIP_GEODESICS_EXAMPLES=all)
 with_gcc=(-D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D "FLIP_GEODESICS_EXAMPLES=$(list "${examples_with_gcc[@]}")")
+# Nothing is precompiled for so few, and nothing optimized: that is for --full.
+smoke_with_gcc=("${smoke[@]}" "${with_gcc[@]}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
+                -D FLIP_GEODESICS_PRECOMPILE_HEADERS=OFF -D CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O0)
 # What compiles is known when sanitizers run: the headers need none.
 no_examples=(-D FLIP_GEODESICS_BUILD_EXAMPLES=OFF -D FLIP_GEODESICS_TEST_HEADERS=OFF)
 
@@ -130,8 +134,7 @@ if [ $full -eq 1 ]; then
   run_stage asan-ubsan "${sanitizers[@]}"
   run_stage checked $((number_of_tests - 1)) "${tests[@]}" "${all_examples[@]}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
 else
-  run_stage gcc $((number_of_smoke_tests + ${#examples_with_gcc[@]})) "${smoke[@]}" "${with_gcc[@]}" \
-    -D FLIP_GEODESICS_TEST_HEADERS=OFF
+  run_stage gcc $((number_of_smoke_tests + ${#examples_with_gcc[@]})) "${smoke_with_gcc[@]}"
   run_stage asan-ubsan "${sanitizers[@]}"
 fi
 
