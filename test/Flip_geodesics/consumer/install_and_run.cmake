@@ -2,7 +2,8 @@
 #
 # Installs the package into an empty prefix, then configures, builds and runs the project of this folder against it.
 # Arguments: build_dir and source_dir of the package, its version, whether it has_compiled the library, the
-# object_extension, and the generator, make_program, compiler, launcher, flags and cgal_dir that it was configured with.
+# object_extension, and the generator, make_program, compiler, launcher, flags, build_flags (those of its build type) and
+# cgal_dir that it was configured with.
 
 cmake_minimum_required(VERSION 3.16)
 
@@ -41,8 +42,8 @@ file(COPY "${CMAKE_CURRENT_LIST_DIR}/CMakeLists.txt" "${CMAKE_CURRENT_LIST_DIR}/
      "${CMAKE_CURRENT_LIST_DIR}/one_topic.cpp"
      DESTINATION "${work_dir}/source")
 set(options -G "${generator}" -D "CMAKE_MAKE_PROGRAM=${make_program}" -D "CMAKE_CXX_COMPILER=${compiler}"
-            -D "CMAKE_CXX_COMPILER_LAUNCHER=${launcher}" -D "CMAKE_CXX_FLAGS=${flags}" -D CMAKE_BUILD_TYPE=Release
-            -D CMAKE_CXX_FLAGS_RELEASE=-O0 -D "CGAL_DIR=${cgal_dir}" -D "CMAKE_PREFIX_PATH=${prefix}")
+            -D "CMAKE_CXX_COMPILER_LAUNCHER=${launcher}" -D "CMAKE_CXX_FLAGS=${flags}" -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS_RELEASE=${build_flags} -DNDEBUG"
+            -D "CGAL_DIR=${cgal_dir}" -D "CMAKE_PREFIX_PATH=${prefix}")
 run("configure" "${CMAKE_COMMAND}" -S "${work_dir}/source" -B "${work_dir}/build" ${options})
 
 load_cache("${work_dir}/build" READ_WITH_PREFIX consumer_ Flip_geodesics_DIR)
