@@ -186,6 +186,28 @@ BOOST_AUTO_TEST_CASE(a_node_stays_fixed_when_a_spike_is_removed)
   }
 }
 
+// A loop of one segment is lengthened first, and its length is summed up along the way.
+BOOST_AUTO_TEST_CASE(a_shortener_knows_the_length_of_loops_of_one_segment)
+{
+  int shortened = 0;
+  for(const Mesh_soup& soup : {shaken(octahedron(1), 0.3, 2), shaken(torus(4, 3, 2, 1), 0.2, 3)})
+    for(unsigned seed = 0; seed < 200; ++seed) {
+      Random_numbers random(seed);
+      Curve_setting setting(soup);
+      flip_at_random(setting.triangulation, random.below(60), random);
+      const Halfedge_sequence loop = random_loop_edge(setting.triangulation, random);
+      if(loop.empty())
+        continue;
+      setting.network.add_curve(loop, true);
+      const double before = setting.network.length(0_c);
+      FG::Shortener<Curve_setting::Network> shortener(setting.network);
+      shortener.run();
+      BOOST_TEST(std::abs(shortener.length(0_c) - setting.network.length(0_c)) < rounding * before);
+      shortened += shortener.number_of_steps() > 0 ? 1 : 0;
+    }
+  BOOST_TEST(shortened > 20);
+}
+
 // ---------------------------------------------------------------- small regions
 
 // A limit on the total length lets a speck vanish; a limit on each curve keeps it.
