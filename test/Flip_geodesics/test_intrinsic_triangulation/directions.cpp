@@ -5,6 +5,7 @@
 #include "test_intrinsic_triangulation/inserted_vertices.h"
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 
@@ -160,6 +161,41 @@ BOOST_AUTO_TEST_CASE(relative_errors_do_not_depend_on_the_size_of_the_mesh)
   BOOST_TEST(errors[0].size() > 20u);
   BOOST_TEST(errors[1] == errors[0], boost::test_tools::per_element());
   BOOST_TEST(errors[2] == errors[0], boost::test_tools::per_element());
+}
+
+// From each halfedge of a vertex the border halfedge of its umbrella is found.
+BOOST_AUTO_TEST_CASE(umbrellas_end_at_the_border)
+{
+  const Mesh mesh = to_mesh<Mesh>(flat_grid(3, 3, Diagonal_rule::RISING));
+  const Triangulation t(mesh);
+  const auto& input = t.input();
+  std::map<FG::Vertex_index, FG::Input_halfedge_index> borders;
+  for(FG::Input_halfedge_index h : descriptors<FG::Input_halfedge_index>(input.number_of_halfedges()))
+    if(input.is_border(h))
+      borders[input.tail(h)] = h;
+  BOOST_TEST(borders.size() == 12u);
+  for(FG::Input_halfedge_index h : descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
+    const auto border = borders.find(input.tail(h));
+    const FG::Input_halfedge_index found = FG::internal::border_of_umbrella(input, h);
+    BOOST_TEST((found == (border == borders.end() ? FG::Input_halfedge_index(FG::null_index) : border->second)));
+    if(border != borders.end())
+      BOOST_TEST((FG::internal::next_umbrella(input, found) == found)); // there is one only
+  }
+}
+
+// Each split of an edge is recorded, with a word for each half.
+BOOST_AUTO_TEST_CASE(the_memory_of_words_of_split_edges_is_counted)
+{
+  Random_numbers random(20);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 10));
+  Triangulation t(mesh);
+  const std::size_t before = t.memory_of_records(), splits = 8;
+  for(std::size_t i = 0; i < splits; ++i)
+    t.insert({FG::Input_halfedge_index(random.below(t.input().number_of_halfedges())), {{1, random.uniform(1, 3), 0}}});
+  const std::size_t log = t.log_position() * sizeof(t.flip_record(0)), points = splits * sizeof(FG::Surface_location);
+  BOOST_TEST(t.memory_of_records() >= before + log + points + 2 * splits * sizeof(FG::Crossing_word));
+  t.rollback();
+  BOOST_TEST(t.memory_of_records() <= before + log + points);
 }
 
 // Centers of the faces that an edge passes, on either side of it.
