@@ -392,7 +392,7 @@ class Compiler:
             arguments += ["-I", program, f'-DFLIP_GEODESICS_CORPUS="{os.path.join(TESTS, "fuzz", "corpus")}"']
         if "EIGEN3_ENABLED" in text or "<Eigen/" in text:
             eigen = ["-isystem", "/usr/include/eigen3", "-DCGAL_EIGEN3_ENABLED", "-DEIGEN_MAX_ALIGN_BYTES=16"]
-            return arguments + switch + ["-O1"] + eigen, libraries
+            return arguments + switch + ["-O0"] + eigen, libraries
         if "LINKED_WITH_TBB" in text or "Parallel_tag" in text:
             return arguments + switch + ["-O1", "-DCGAL_LINKED_WITH_TBB", "-pthread"], libraries + ["-ltbb", "-pthread"]
         if test in own_instances:

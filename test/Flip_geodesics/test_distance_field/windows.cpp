@@ -28,6 +28,31 @@ BOOST_AUTO_TEST_CASE(windows_of_an_edge_are_ordered)
   }
 }
 
+// On a mesh that is larger by a power of two there are as many windows, and distances are larger by the same factor.
+BOOST_AUTO_TEST_CASE(windows_do_not_depend_on_the_size_of_the_mesh)
+{
+  for(const Mesh_soup& soup : {bumpy_sphere(5, 0.3, 1), saddle_disk(6, 4, 3 * pi), cube(4)}) {
+    std::vector<std::size_t> windows;
+    std::vector<std::vector<double>> distances;
+    for(const double size : {1., 0x1p40, 0x1p-40}) {
+      const Asked_surface s(mapped(soup, [=](const Coordinates& p) {
+        return Coordinates{p[0] * size, p[1] * size, p[2] * size};
+      }));
+      FG::internal::Window_propagation<Triangulation> propagation(s.triangulation, true);
+      propagation.add_vertex(Vertex_index(0), 0, 0);
+      propagation.run(infinity, 1000000);
+      windows.push_back(propagation.number_of_windows());
+      distances.emplace_back();
+      for(FG::Index v = 0; v < s.triangulation.number_of_vertices(); ++v)
+        distances.back().push_back(propagation.vertex(Vertex_index(v)).distance / size);
+    }
+    for(std::size_t i = 1; i < 3; ++i) {
+      BOOST_TEST(windows[i] == windows[0]);
+      BOOST_TEST(distances[i] == distances[0], boost::test_tools::per_element());
+    }
+  }
+}
+
 // What a window says of its rays, against the same told another way.
 BOOST_AUTO_TEST_CASE(formulas_of_windows)
 {
