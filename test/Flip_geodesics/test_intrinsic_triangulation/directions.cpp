@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(umbrellas_end_at_the_border)
   }
 }
 
-// Each split of an edge is recorded, with a word for each half.
+// Each split of an edge is recorded, with the words of the edges that end at the point, three at least.
 BOOST_AUTO_TEST_CASE(the_memory_of_words_of_split_edges_is_counted)
 {
   Random_numbers random(20);
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(the_memory_of_words_of_split_edges_is_counted)
   for(std::size_t i = 0; i < splits; ++i)
     t.insert({FG::Input_halfedge_index(random.below(t.input().number_of_halfedges())), {{1, random.uniform(1, 3), 0}}});
   const std::size_t log = t.log_position() * sizeof(t.flip_record(0)), points = splits * sizeof(FG::Surface_location);
-  BOOST_TEST(t.memory_of_records() >= before + log + points + 2 * splits * sizeof(FG::Crossing_word));
+  BOOST_TEST(t.memory_of_records() >= before + log + points + 3 * splits * sizeof(FG::Crossing_word));
   t.rollback();
   BOOST_TEST(t.memory_of_records() <= before + log + points);
 }
