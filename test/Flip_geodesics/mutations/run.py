@@ -15,8 +15,9 @@ becomes if(::mutation::is_active(17)) {} else S, and an environment variable sel
 precompiled, with the instances that tests share; mutants that do not compile there are replaced by the next of the
 sample, and dropped if a test finds this. Then the tests are compiled and run one after the other, in the order of
 --tests, each with the mutants that none before has killed. A first run of a program without any mutant records which
-test cases reach which mutants and how long they take. A mutant is then run in the cases that reach it, the fastest first as
-long as there is time for, until a check fails, the program crashes or it takes three times as long: it is killed.
+test cases reach which mutants and how long they take. A mutant is then run in the cases that reach it, the fastest
+first as long as there is time for, until a check fails, the program crashes or it takes three times as long: it is
+killed.
 
 Results are appended to DIR/results.csv; a further run continues where the last one ended, and ends with a table of the
 modules and the mutants that survive. These run again in tests that have changed. explanations.txt states why
@@ -632,7 +633,8 @@ def print_table(entries, results, explanations):
         print(f"\n[{e.mutant.header}]\n{e.mutant.function}\n- {squeezed(e.mutant.original)}")
         if e.mutant.replacement:
             print(f"+ {squeezed(e.mutant.replacement)}")
-        print(f"  {e.number} survived {' '.join(sorted({t.split('@')[0] for t in result[2].split()}))}" if result else f"  {e.number} not reached by the tests that ran")
+        tests = sorted({t.split("@")[0] for t in result[2].split()}) if result else []
+        print(f"  {e.number} survived {' '.join(tests)}" if result else f"  {e.number} not reached by the tests that ran")
 
 
 def arguments():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Containers of the library against those of the standard one: stacks in blocks, values with versions, queues, and records.
+// Containers of the library against those of the standard one: stacks in blocks, values with versions, queues, and
+// records.
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>

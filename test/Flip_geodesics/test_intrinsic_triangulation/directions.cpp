@@ -140,7 +140,8 @@ BOOST_AUTO_TEST_CASE(strips_without_length_have_no_relative_error)
   BOOST_TEST(closed > 20);
 }
 
-// A power of two changes neither flips nor relative errors, be the ends of a strip vertices of the input or inserted ones.
+// A power of two changes neither flips nor relative errors, be the ends of a strip vertices of the input or inserted
+// ones.
 BOOST_AUTO_TEST_CASE(relative_errors_do_not_depend_on_the_size_of_the_mesh)
 {
   std::vector<std::vector<double>> errors;
