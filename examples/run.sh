@@ -3,7 +3,7 @@
 #
 # Builds flip_geodesics and runs it on real meshes and a generated one, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
-#   bash examples/run.sh
+#   bash examples/run.sh                with two processors, the first geodesic takes about a minute, everything three
 #   bash examples/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
 # Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
@@ -19,7 +19,7 @@ for option in "$@"; do
   esac
 done
 
-packages=(g++ cmake make libcgal-dev libgmp-dev libmpfr-dev libtbb-dev libcli11-dev zlib1g-dev libcgal-demo)
+packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libtbb-dev libcli11-dev zlib1g-dev libcgal-demo)
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/package_info/install_packages.sh"
@@ -29,25 +29,40 @@ build_dir=$(cd "$build_dir" && pwd)
 work=$build_dir/examples
 data=$work/data
 results=$work/results
+first=$work/first # a build folder of its own for the program of README.md, which does not wait for the others
 program=$work/examples/Flip_geodesics_program/flip_geodesics
 checker=$work/benchmark/Flip_geodesics/check_polylines
 jobs=${JOBS:-$(nproc 2>/dev/null || echo 2)}
 
 fail() { echo "examples/run.sh: $*" >&2; exit 1; }
 
-# build(targets...)
+# -O2 takes less time to compile than -O3, and so does g++ with more memory.
+optimized="-O2 -DNDEBUG --param=ggc-min-heapsize=500000"
+
+# build(folder, jobs, options of cmake... -- targets...): configures and builds. Sources of a program that instantiate the
+# same templates are compiled as one.
 build() {
-  echo "== building $* (log in $work/build.log)"
-  cmake --build "$work" -j "$jobs" --target "$@" >> "$work/build.log" 2>&1 ||
-    { tail -n 40 "$work/build.log" >&2; fail "building failed, see $work/build.log"; }
+  local dir=$1 jobs=$2 options=()
+  shift 2
+  while [ "$1" != -- ]; do
+    options+=("$1")
+    shift
+  done
+  shift
+  # A build folder keeps the generator that it was made with.
+  if command -v ninja > /dev/null && ! [ -f "$dir/Makefile" ]; then
+    options+=(-G Ninja)
+  fi
+  mkdir -p "$dir"
+  cmake -S "$root" -B "$dir" -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS_RELEASE=$optimized" \
+    -D FLIP_GEODESICS_UNITE_SOURCES=ON -D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D FLIP_GEODESICS_BUILD_TESTS=OFF \
+    -D FLIP_GEODESICS_BUILD_BENCHMARKS=OFF ${options[@]+"${options[@]}"} > "$dir/build.log" 2>&1 ||
+    { tail -n 40 "$dir/build.log" >&2; fail "configuring failed, see $dir/build.log"; }
+  cmake --build "$dir" -j "$jobs" --target "$@" >> "$dir/build.log" 2>&1 ||
+    { tail -n 40 "$dir/build.log" >&2; fail "building $* failed, see $dir/build.log"; }
 }
 
-configure() {
-  mkdir -p "$work"
-  cmake -S "$root" -B "$work" -D CMAKE_BUILD_TYPE=Release -D FLIP_GEODESICS_BUILD_EXAMPLES=ON \
-    -D FLIP_GEODESICS_BUILD_TESTS=OFF -D FLIP_GEODESICS_BUILD_BENCHMARKS=OFF > "$work/build.log" 2>&1 ||
-    { tail -n 40 "$work/build.log" >&2; fail "configuring failed, see $work/build.log"; }
-}
+build_program() { build "$work" "$jobs" -- flip_geodesics check_polylines generate_torus; }
 
 # CGAL's data set is an archive among the documentation of libcgal-demo. Systems that are installed without
 # documentation lack the file although they have the package: then it is taken out of the package.
@@ -116,12 +131,25 @@ run() { # title, file name of the results, format of the viewable file, mesh, op
 
 install_packages ${install_options[@]+"${install_options[@]}"} "${packages[@]}"
 unpack_data
-configure
 scan=$(find_mesh bunny00.off refined_elephant.off armadillo.off)
-build readme_example
+echo "== building the program of README.md and flip_geodesics (logs in $first/build.log and $work/build.log)"
+if [ "$jobs" -gt 1 ]; then
+  set -m # a process group of its own, that ends with this script
+  build_program &
+  building=$!
+  set +m
+  trap 'kill -- "-$building" 2> /dev/null || true' EXIT
+fi
+build "$first" 1 -D FLIP_GEODESICS_EXAMPLES=readme_example -- readme_example
 echo "== the program of README.md: one geodesic on $(basename "$scan")"
-"$work/examples/Flip_geodesics/readme_example" "$scan"
-build flip_geodesics generate_torus check_polylines
+"$first/examples/Flip_geodesics/readme_example" "$scan"
+if [ "$jobs" -gt 1 ]; then
+  echo "== waiting for flip_geodesics"
+  wait "$building"
+  trap - EXIT
+else
+  build_program
+fi
 rm -rf "$results"
 mkdir -p "$results"
 
