@@ -11,9 +11,10 @@ if(FLIP_GEODESICS_LLD)
   add_link_options(-fuse-ld=lld)
 endif()
 
-# flip_geodesics_add_shared_instances(name level [DEFINITIONS macro...] [LIBRARIES target...] [HEADERS file...]): instances
-# with these macros and libraries, which the programs get as well, and code of this level of optimization, which is not
-# theirs. The headers are precompiled together with the instances.
+# flip_geodesics_add_shared_instances(name level [DEFINITIONS macro...] [LIBRARIES target...] [HEADERS file...])
+#
+# Adds instances with these macros and libraries, and code of this level of optimization. The programs get the libraries
+# as well, but not that level. The headers are precompiled together with the instances.
 function(flip_geodesics_add_shared_instances name level)
   cmake_parse_arguments(arg "" "" "DEFINITIONS;LIBRARIES;HEADERS" ${ARGN})
   set(dir "${PROJECT_BINARY_DIR}/${name}")
