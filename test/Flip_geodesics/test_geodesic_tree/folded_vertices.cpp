@@ -7,6 +7,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Hindered_joints.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <boost/test/unit_test.hpp>
@@ -62,6 +63,7 @@ std::map<std::string, int> statuses(FG::Zero_length_edges zero_length_edges)
       FG::Geodesic_tree<Triangulation_by_lengths<Traits>> tree(triangulation);
       ++result[FG::to_string(tree.grow(source).status)];
       BOOST_TEST(tree.is_valid());
+      BOOST_TEST(tree.report().flip_outs < 1000u); // a joint is flipped out in vain once
       const FG::Shortest_tree_report report = FG::make_shortest(tree, FG::Window_limit(2000));
       BOOST_TEST(tree.is_valid());
       BOOST_TEST((report.status == tree.report().status));
@@ -91,6 +93,28 @@ BOOST_AUTO_TEST_CASE(trees_where_folded_vertices_are_contracted)
 {
   BOOST_TEST(statuses<Certified>(FG::Zero_length_edges::CONTRACT).size() == 1u);
   BOOST_TEST(statuses<Plain>(FG::Zero_length_edges::CONTRACT).at("LOCALLY_SHORTEST") > 100);
+}
+
+// Joints where flips are of no use are known in either order, until their edges are replaced or a tree is grown anew.
+BOOST_AUTO_TEST_CASE(hindered_joints_are_found_in_either_order_until_they_are_cleared)
+{
+  const Curve_setting setting(flat_grid(2, 2, Diagonal_rule::RISING));
+  const Halfedge_index a(2), c(7), d(9);
+  for(const bool is_reversed : {false, true}) {
+    FG::internal::Hindered_joints joints;
+    is_reversed ? joints.add(c, a) : joints.add(a, c);
+    BOOST_TEST(joints.has(a, c));
+    BOOST_TEST(joints.has(c, a));
+    for(const Halfedge_index h : {a, c})
+      BOOST_TEST((!joints.has(h, h) && !joints.has(h, d) && !joints.has(d, h)));
+    joints.forget(setting.triangulation, d);
+    BOOST_TEST(joints.has(a, c));
+    joints.forget(setting.triangulation, is_reversed ? setting.triangulation.twin(a) : c);
+    BOOST_TEST(!joints.has(a, c));
+    joints.add(a, d);
+    joints.clear();
+    BOOST_TEST(!joints.has(a, d));
+  }
 }
 
 // In doubles as well, an edge of length zero is not flipped, and the faces beside it are laid out as they are.

@@ -7,6 +7,7 @@
 #include "trees.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
@@ -127,6 +128,26 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once_where_angles_have_drifted)
   for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), saddle_disk(12, 5, 9)})
     for_each_fan(soup, compare);
   BOOST_TEST(together > 0.2 * all);
+}
+
+// Up to this margin, each edge is found where it is looked for, without its word.
+BOOST_AUTO_TEST_CASE(edges_are_found_within_a_margin_of_their_directions)
+{
+  constexpr double drift = 0.75 * FG::internal::near_leg_angle;
+  int found = 0;
+  const auto compare = [&](const Measured_fan& fan) {
+    FG::internal::Spoke_place arrival = fan.arrival;
+    arrival.angle += drift;
+    const std::vector<FG::internal::Fan_leg> drifted = fan.straightness.legs(fan.around, fan.directions, arrival);
+    BOOST_REQUIRE(drifted.size() == fan.legs.size());
+    for(std::size_t i = 0; i < fan.legs.size(); ++i) {
+      BOOST_TEST(drifted[i].is_found == fan.legs[i].is_found);
+      found += drifted[i].is_found && !drifted[i].arrival.is_along ? 1 : 0;
+    }
+  };
+  for(const Mesh_soup& soup : {bumpy_sphere(8, 0.3, 1), torus(24, 12, 3, 1), saddle_disk(12, 5, 9)})
+    for_each_fan(soup, compare);
+  BOOST_TEST(found > 100);
 }
 
 namespace {

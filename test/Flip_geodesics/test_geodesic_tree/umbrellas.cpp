@@ -122,6 +122,34 @@ BOOST_AUTO_TEST_CASE(distances_through_non_manifold_vertices_agree)
   BOOST_TEST(sheets > 12);
 }
 
+// In doubles, paths are measured in the umbrella in which they go on, whichever is the first one of the vertex.
+BOOST_AUTO_TEST_CASE(paths_in_doubles_are_measured_in_each_umbrella)
+{
+  int passed = 0;
+  for(unsigned seed = 0; seed < 12; ++seed) {
+    Double_tree_setting setting(sheet_with_holes(seed));
+    const Surface& mesh = setting.mesh;
+    const auto source = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                      [&](auto v) { return !mesh.is_isolated(v) && !is_non_manifold(mesh, v); });
+    std::vector<double> distances(num_vertices(mesh));
+    FG::geodesic_distances(mesh, source,
+                           boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh)));
+    setting.tree.grow(Vertex_index(static_cast<Index>(source)));
+    BOOST_TEST(FG::make_shortest(setting.tree).is_confirmed);
+    for(const auto v : mesh.vertices()) {
+      const Vertex_index w(static_cast<Index>(v));
+      BOOST_TEST(is_same(distances[v], setting.tree.distance(w)));
+      const Halfedge_index last = setting.tree.incoming(w);
+      if(last != FG::null_index)
+        passed +=
+            is_non_manifold(mesh, Surface::Vertex_index(static_cast<unsigned>(setting.triangulation.tail(last).idx())))
+                ? 1
+                : 0;
+    }
+  }
+  BOOST_TEST(passed > 10);
+}
+
 // Each halfedge is one of the vertex at which it starts, also beside points that are inserted on the border.
 BOOST_AUTO_TEST_CASE(spokes_are_those_of_all_umbrellas)
 {
