@@ -7,6 +7,9 @@
 
 #include "test_shortest_paths_by_class/world.h"
 
+#include <CGAL/Flip_geodesics/internal/topology/Covering_search.h>
+#include <CGAL/Flip_geodesics/internal/topology/Distance_bounds.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -536,6 +539,156 @@ BOOST_AUTO_TEST_CASE(between_ends_in_one_place_are_a_point_and_loops)
     const double expected = (i == 0 ? 0 : (i < 3 ? 1 : 2)) * ring;
     BOOST_TEST(std::abs(result.length(i) - expected) < 1e-12);
     BOOST_TEST(result.report.paths[i].is_confirmed());
+  }
+}
+
+namespace {
+
+using Triangulation = FG::Intrinsic_triangulation<Surface>;
+using Search = FG::internal::Covering_search<Triangulation>;
+
+// Calls visit(lift, neighbor, h) for the edges from all settled lifts.
+template <class Visit>
+void for_each_edge(const Triangulation& triangulation, const Search& search, const Visit& visit)
+{
+  const auto& input = triangulation.input();
+  for(FG::Index lift = 0; lift < static_cast<FG::Index>(search.number_of_lifts()); ++lift) {
+    if(!search.is_settled(lift))
+      continue;
+    const FG::Input_halfedge_index first = input.outgoing(search.vertex(lift));
+    FG::Input_halfedge_index h = first;
+    for(std::size_t i = 0; i == 0 || h != first; ++i) {
+      visit(lift, search.neighbor(lift, i), h);
+      h = input.next(twin_index(h));
+    }
+  }
+}
+
+// No edge shortens the path to a settled lift, and the path has the length that is returned. Counts the edges.
+int check_shortest_paths(const Triangulation& triangulation, const Search& search)
+{
+  const auto length = [&](FG::Input_halfedge_index h) {
+    return triangulation.metric().length(triangulation.input(), h);
+  };
+  int edges = 0;
+  for_each_edge(triangulation, search, [&](FG::Index lift, FG::Index neighbor, FG::Input_halfedge_index h) {
+    if(!search.is_settled(neighbor))
+      return;
+    BOOST_TEST(search.distance(neighbor) <= (search.distance(lift) + length(h)) * (1 + 1e-14));
+    double sum = 0;
+    for(FG::Input_halfedge_index g : search.path(neighbor))
+      sum += length(g);
+    BOOST_TEST(std::abs(sum - search.distance(neighbor)) <= 1e-14 * sum);
+    ++edges;
+  });
+  return edges;
+}
+
+} // namespace
+
+// Bellman's conditions in the covering: once lifts were settled by distance, and again once some were not.
+BOOST_AUTO_TEST_CASE(paths_to_settled_lifts_are_shortest_edge_paths)
+{
+  for(unsigned seed : {1u, 2u, 3u}) {
+    std::mt19937 random(seed);
+    const Surface mesh = to_mesh<Surface>(mapped(torus(9, 7, 3, 1), [&](const Coordinates& p) {
+      const auto moved = [&](double x) { return x + static_cast<double>(random() % 1000) / 2000; };
+      return Coordinates{moved(p[0]), moved(p[1]), moved(p[2])};
+    }));
+    const Triangulation triangulation(mesh);
+    FG::Default_shortening_visitor visitor;
+    FG::internal::Interruption never(visitor);
+    Search search(triangulation, FG::Vertex_index(0), FG::Vertex_index(31), never);
+    search.run_to_targets(12, 100000);
+    BOOST_TEST(search.targets().size() == 12u);
+    const int edges = check_shortest_paths(triangulation, search);
+    BOOST_TEST(edges > 200);
+    std::vector<FG::internal::Open_lift> open;
+    for_each_edge(triangulation, search, [&](FG::Index, FG::Index lift, FG::Input_halfedge_index) {
+      if(!search.is_settled(lift))
+        open.push_back({lift, search.distance(lift), search.distance(lift)});
+    });
+    // Estimates that are not consistent: the outer ring is searched first, all around, and then what shortens its paths.
+    const auto estimate = [](FG::Vertex_index v) { return v.idx() < 9 ? 0. : 30.; };
+    search.run_from(open, estimate, 100, 100000);
+    search.shorten_paths();
+    BOOST_TEST(check_shortest_paths(triangulation, search) > edges + 100);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(least_sum_of_windows_is_a_lower_bound_of_paths_through_both)
+{
+  FG::internal::Ray_window window = {}, other = {};
+  window.to = other.to = 4;
+  window.x = 1, window.y = 2, window.sigma = 3;
+  other.x = 3, other.y = 1, other.sigma = 5;
+  const double length = 8 + std::hypot(2, 3), ulp = std::numeric_limits<double>::epsilon(); // straight through (7/3, 0)
+  const double exact = FG::internal::least_sum(window, other);
+  BOOST_TEST(exact < length); // what rounding can take off
+  BOOST_TEST(exact > length * (1 - 100 * ulp));
+  window.radius = 0.25; // of what the windows' places are known
+  other.radius = 0.5;
+  BOOST_TEST(std::abs(FG::internal::least_sum(window, other) - (exact - 0.75)) < 100 * ulp);
+  other.from = 3; // past the straight line
+  BOOST_TEST(std::abs(FG::internal::least_sum(window, other) - (8 + std::hypot(2, 2) + 1 - 0.75)) < 100 * ulp);
+  window.to = 2; // no place in common
+  BOOST_TEST(FG::internal::least_sum(window, other) == std::numeric_limits<double>::infinity());
+}
+
+namespace {
+
+// A part of a surface with the same vertices, as a part of the covering lies over it.
+struct Part
+{
+  FG::Vertex_index tail(FG::Input_halfedge_index h) const { return part.input().tail(h); }
+  const FG::internal::Indexed_mesh<Surface>& below() const { return whole.input(); }
+  FG::Input_halfedge_index below(FG::Input_halfedge_index h) const
+  {
+    for(FG::Input_halfedge_index g :
+        FG::internal::descriptors<FG::Input_halfedge_index>(whole.input().number_of_halfedges()))
+      if(whole.input().tail(g) == tail(h) && whole.input().tail(twin_index(g)) == tail(twin_index(h)))
+        return g;
+    return FG::null_index;
+  }
+
+  const Triangulation &part, &whole;
+};
+
+} // namespace
+
+// An edge (0, 1) of length 10 is lit from two sides, since a triangle (4, 5, 6) is missing between it and the source:
+// up to its middle, paths come around one corner, and beyond it around the other one.
+BOOST_AUTO_TEST_CASE(bounds_beyond_an_edge_are_by_both_of_its_cones)
+{
+  for(double x : {4., 6.}) {
+    Mesh_soup soup = {
+        {{0, 0, 0}, {10, 0, 0}, {-3, -4, 0}, {13, -4, 0}, {-1, -4, 0}, {11, -4, 0}, {5, -6, 0}, {5, -8, 0}},
+        {{0, 4, 5}, {0, 5, 1}, {0, 2, 4}, {2, 7, 4}, {7, 6, 4}, {1, 5, 3}, {5, 7, 3}, {7, 5, 6}}};
+    const Surface part = to_mesh<Surface>(soup);
+    soup.points.push_back({x, 3, 0});
+    soup.triangles.push_back({0, 1, 8});
+    const Surface whole = to_mesh<Surface>(soup);
+    const Triangulation part_triangulation(part), whole_triangulation(whole);
+    const FG::Vertex_index source(7), goal(8);
+    FG::Default_shortening_visitor visitor;
+    FG::internal::Interruption never(visitor);
+    FG::internal::Distance_bounds<Triangulation> from_source(part_triangulation, source, FG::Vertex_index(1), 100),
+        from_goal(whole_triangulation, goal, source, 100);
+    BOOST_TEST(from_source.sweep(never));
+    BOOST_TEST(from_goal.sweep(never));
+    const Part surface = {part_triangulation, whole_triangulation};
+    const auto& input = part_triangulation.input();
+    const double length = std::hypot(6, 4) + std::hypot(5, 7);
+    int borders = 0;
+    for(FG::Input_halfedge_index h : FG::internal::descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
+      if(!input.is_border(h) || input.tail(h).idx() + input.tail(twin_index(h)).idx() != 1)
+        continue;
+      const double bound = from_source.beyond(surface, h, from_goal);
+      BOOST_TEST(bound <= length);
+      BOOST_TEST(bound > 0.99 * length);
+      ++borders;
+    }
+    BOOST_TEST(borders == 1);
   }
 }
 
