@@ -208,6 +208,37 @@ BOOST_AUTO_TEST_CASE(least_stretch_of_linear_maps)
   BOOST_TEST(used > 500);
 }
 
+namespace {
+
+// A triangle and a border of three edges, with a length for each halfedge.
+struct One_face
+{
+  FG::Index number_of_halfedges() const { return 6; }
+  bool is_border(FG::Input_halfedge_index h) const { return h.idx() >= 3; }
+  FG::Input_halfedge_index next(FG::Input_halfedge_index h) const
+  {
+    return FG::Input_halfedge_index(h.idx() % 3 == 2 ? h.idx() - 2 : h.idx() + 1);
+  }
+};
+
+struct Scaled_lengths
+{
+  double weight(const One_face&, FG::Input_halfedge_index h) const { return scale * lengths[h.idx()]; }
+
+  double scale;
+  std::array<double, 6> lengths = {{3, 4, 5, 1, 1, 9}};
+};
+
+} // namespace
+
+// Edges that follow each other on the border make no triangle.
+BOOST_AUTO_TEST_CASE(least_stretch_of_faces_passes_over_the_border)
+{
+  const double stretch = FG::internal::least_stretch_of_faces(Scaled_lengths{1}, Scaled_lengths{2}, One_face());
+  BOOST_TEST(stretch <= 2);
+  BOOST_TEST(stretch > 2 - 1e-5);
+}
+
 BOOST_AUTO_TEST_CASE(least_stretch_of_what_is_no_triangle)
 {
   using FG::internal::least_stretch;
