@@ -252,6 +252,7 @@ BOOST_AUTO_TEST_CASE(links_of_a_slit_mesh)
     borders += face(h, mesh) == Surface::null_face() ? 1 : 0;
   }
   BOOST_TEST(borders > 20u);
+  BOOST_TEST(FG::internal::Indexed_mesh<Slit>(mesh).number_of_faces() == static_cast<FG::Index>(num_faces(mesh)));
   BOOST_TEST(CGAL::is_valid_halfedge_graph(mesh));
   BOOST_TEST(CGAL::is_valid_face_graph(mesh));
   BOOST_TEST(CGAL::is_valid_polygon_mesh(mesh));
@@ -608,7 +609,7 @@ BOOST_AUTO_TEST_CASE(paths_to_settled_lifts_are_shortest_edge_paths)
       if(!search.is_settled(lift))
         open.push_back({lift, search.distance(lift), search.distance(lift)});
     });
-    // Estimates that are not consistent: the outer ring is searched first, all around, and then what shortens its paths.
+    // Inconsistent estimates: the outer ring is searched first, all around, and then what shortens its paths.
     const auto estimate = [](FG::Vertex_index v) { return v.idx() < 9 ? 0. : 30.; };
     search.run_from(open, estimate, 100, 100000);
     search.shorten_paths();
@@ -706,4 +707,13 @@ BOOST_AUTO_TEST_CASE(bad_input)
   const World touching(flat_grid(4, 4, Diagonal_rule::RISING), [](std::size_t f) { return f / 2 == 5 || f / 2 == 10; });
   BOOST_CHECK_THROW(touching.paths(0, 4, 2, out), FG::Invalid_mesh_error);
   BOOST_TEST(out.size() == 1u); // what throws writes nothing
+  Mesh_soup bow_tie = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+  std::vector<std::vector<Point>> points;
+  for(bool is_apart : {false, true}) { // all components are checked
+    const auto mesh =
+        to_mesh<Surface>(is_apart ? disjoint_union(flat_grid(2, 2, Diagonal_rule::RISING), bow_tie) : bow_tie);
+    BOOST_CHECK_THROW(FG::shortest_paths_by_class(mesh, Vertex(1), Vertex(2), 1, std::back_inserter(points)),
+                      FG::Invalid_mesh_error);
+  }
+  BOOST_TEST(points.empty());
 }
