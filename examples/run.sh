@@ -3,7 +3,7 @@
 #
 # Builds flip_geodesics and runs it on real meshes and a generated one, from nothing, on Debian 12, Ubuntu 24.04 or newer.
 #
-#   bash examples/run.sh                with two processors, the first geodesic takes about a minute, everything three
+#   bash examples/run.sh                with two processors, the first geodesic takes about a minute, everything some four
 #   bash examples/run.sh --no-install   installs nothing; prints the command that installs what is missing
 #
 # Environment: BUILD_DIR (default: build/ in the repository) takes everything that is written, JOBS is the number of
@@ -34,6 +34,8 @@ program=$work/examples/Flip_geodesics_program/flip_geodesics
 checker=$work/benchmark/Flip_geodesics/check_polylines
 jobs=${JOBS:-$(nproc 2>/dev/null || echo 2)}
 
+patience="" # a command before builds that can wait
+
 fail() { echo "examples/run.sh: $*" >&2; exit 1; }
 
 # -O2 takes less time to compile than -O3, and so does g++ with more memory.
@@ -58,7 +60,7 @@ build() {
     -D FLIP_GEODESICS_UNITE_SOURCES=ON -D FLIP_GEODESICS_BUILD_EXAMPLES=ON -D FLIP_GEODESICS_BUILD_TESTS=OFF \
     -D FLIP_GEODESICS_BUILD_BENCHMARKS=OFF ${options[@]+"${options[@]}"} > "$dir/build.log" 2>&1 ||
     { tail -n 40 "$dir/build.log" >&2; fail "configuring failed, see $dir/build.log"; }
-  cmake --build "$dir" -j "$jobs" --target "$@" >> "$dir/build.log" 2>&1 ||
+  $patience cmake --build "$dir" -j "$jobs" --target "$@" >> "$dir/build.log" 2>&1 ||
     { tail -n 40 "$dir/build.log" >&2; fail "building $* failed, see $dir/build.log"; }
 }
 
@@ -135,7 +137,7 @@ scan=$(find_mesh bunny00.off refined_elephant.off armadillo.off)
 echo "== building the program of README.md and flip_geodesics (logs in $first/build.log and $work/build.log)"
 if [ "$jobs" -gt 1 ]; then
   set -m # a process group of its own, that ends with this script
-  build_program &
+  patience="nice -n 10" build_program & # leaves a processor to the program of README.md
   building=$!
   set +m
   trap 'kill -- "-$building" 2> /dev/null || true' EXIT

@@ -5,7 +5,7 @@
 #
 #   bash test/run.sh           every test, every header alone and every example with clang++, in which tests share
 #                              instances of templates; smoke tests and two examples with g++; smoke tests under
-#                              sanitizers: a quarter of an hour with two processors
+#                              sanitizers: some twenty minutes with two processors
 #   bash test/run.sh --full    in addition every test and every example with g++, optimized with clang++, and under
 #                              sanitizers with checked iterators; OpenMesh and MPI installed as well: hours
 #   bash test/run.sh --no-install   installs nothing; prints the command that installs what is missing
