@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
 # cmake -P check_sources.cmake: reports whether viewer_page.html and live_page.html are older than their sources. The
-# pages are built for a release only, so this is no error in between: what a page computes is compared with the program
+# pages are built for a release only, so this is not an error in between: what a page computes is compared with the program
 # by other tests. With -D STRICT=ON it is an error, as it has to be before a release.
 
 # The sources of a page with their hashes, which the page lists.

@@ -20,8 +20,8 @@ struct Decision_statistics
   std::size_t zeros_by_plane = 0; ///< of `by_plane`: exactly straight
   std::size_t zeros_by_roots = 0; ///< of `by_roots`: exactly straight
   /// Taken for exactly straight, since a residue modulo a large prime is zero: more than 12 independent roots, and
-  /// no proof found. Of all primes of that size less than one in \f$2^{100}\f$ would mislead. The prime is the same in
-  /// each run, so that this is no probability for an input that was made to mislead it.
+  /// no proof found. Fewer than one in \f$2^{100}\f$ of the primes of that size would give a wrong result. The prime is
+  /// fixed, however, so this is not a probability for adversarial input.
   std::size_t unproven_zeros = 0;
   std::size_t most_roots = 0; ///< the largest number of independent roots that took part
 };

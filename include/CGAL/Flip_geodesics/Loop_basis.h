@@ -223,7 +223,7 @@ private:
   void make(const VertexRange& base_points, internal::Interruption* interruption)
   {
     static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                  "the base points are no range of vertices of the triangulation, Vertex_index");
+                  "the base points are not a range of vertices of the triangulation, Vertex_index");
     const auto& input = checked_input(*m_triangulation);
     const auto length = weight(*m_triangulation);
     m_forest = internal::Edge_forest(input, base_points, length, interruption);
@@ -270,7 +270,7 @@ private:
   void check_closed_chain(const HalfedgeRange& halfedges) const
   {
     static_assert(internal::is_range_of<HalfedgeRange, Input_halfedge_index>,
-                  "the curve is no range of halfedges of the input, Input_halfedge_index");
+                  "the curve is not a range of halfedges of the input, Input_halfedge_index");
     const auto& input = m_triangulation->input();
     Vertex_index start = null_index, end = null_index;
     std::size_t position = 0;

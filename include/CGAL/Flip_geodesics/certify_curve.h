@@ -296,7 +296,7 @@ Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, co
 {
   using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   static_assert(internal::is_range_of<PlaceRange, Given_place<TriangleMesh>>,
-                "the curve is no range of vertices, or of Given_place of the mesh");
+                "the curve is not a range of vertices, or of Given_place of the mesh");
   const Triangulation triangulation = internal::make_triangulation(mesh, np);
   const std::vector<Given_place<TriangleMesh>> places(std::begin(curve), std::end(curve));
   internal::Given_curve<Triangulation> given(triangulation, mesh);

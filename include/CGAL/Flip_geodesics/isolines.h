@@ -100,7 +100,7 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
                         const Tolerance& tolerance, const NamedParameters& np = parameters::default_values())
 {
   static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
-  static_assert(internal::is_range_of<LevelRange, double>, "the levels are no range of numbers");
+  static_assert(internal::is_range_of<LevelRange, double>, "the levels are not a range of numbers");
   const std::vector<double> wanted(std::begin(levels), std::end(levels));
   const std::vector<double> sorted = internal::sorted_levels(wanted);
   internal::check_tolerance(tolerance);

@@ -37,7 +37,7 @@ std::vector<Halfedge_index> halfedges_through(const Triangulation& triangulation
                                               bool is_closed)
 {
   static_assert(internal::is_range_of<VertexRange, Vertex_index>,
-                "the vertices are no range of vertices of the triangulation, Vertex_index");
+                "the vertices are not a range of vertices of the triangulation, Vertex_index");
   std::vector<Vertex_index> v;
   for(Vertex_index vertex : vertices) {
     internal::check_vertex(vertex, triangulation.number_of_vertices(), v.size());

@@ -4,9 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPILED_H
 
 /*
- * CGAL_FLIP_GEODESICS_COMPILED is defined by linking to CGAL::Flip_geodesics_compiled. Then headers of one-call functions
- * declare what these call and do not define it, which costs a third of the time of a compiler. The library has the
- * instances that most programs need. For others a source defines CGAL_FLIP_GEODESICS_HEADER_ONLY, and makes them itself.
+ * Linking to CGAL::Flip_geodesics_compiled defines CGAL_FLIP_GEODESICS_COMPILED. Headers then declare the computations
+ * behind their free functions without defining them, which saves more than half of the compilation time. The library
+ * contains the most common instances; a source that needs others defines CGAL_FLIP_GEODESICS_HEADER_ONLY.
  */
 #if defined(CGAL_FLIP_GEODESICS_COMPILED) && !defined(CGAL_FLIP_GEODESICS_HEADER_ONLY)
 #define CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY

@@ -37,7 +37,7 @@ using Vertices_of = std::vector<Vertex_in<TriangleMesh>>;
 template <class TriangleMesh, class VertexRange>
 Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRange& vertices)
 {
-  static_assert(is_range_of<VertexRange, Vertex_in<TriangleMesh>>, "the curve is no range of vertices of the mesh");
+  static_assert(is_range_of<VertexRange, Vertex_in<TriangleMesh>>, "the curve is not a range of vertices of the mesh");
   Vertices_of<TriangleMesh> result;
   for(const auto& v : vertices)
     result.push_back(v);

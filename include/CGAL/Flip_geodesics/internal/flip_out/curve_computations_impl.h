@@ -43,8 +43,8 @@ struct compiled::Definitions
 {
 };
 
-/* Returns the error for a pair of ends that become disconnected when degenerate edges are contracted, by the error that
- * was thrown before. */
+/* Returns the error for a pair of end points that become disconnected when degenerate edges are contracted, made from the
+ * error that was thrown before the contraction. */
 inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& error)
 {
   if(error.remedy() != Degeneracy_remedy::CONTRACT)
@@ -55,8 +55,8 @@ inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& err
 }
 
 /*
- * Calls `compute(triangulation)` over a mesh; and if that meets an edge of length zero, again over the surface that is
- * left when such edges are contracted. Where that does not help either, what was wrong first is thrown.
+ * Calls `compute(triangulation)` for the mesh. If it meets a zero-length edge, calls it again for the surface with these
+ * edges contracted. Throws the first error if the contraction does not help.
  */
 template <class TriangleMesh, class NamedParameters, class Compute>
 auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, const Compute& compute)
@@ -70,7 +70,7 @@ auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, con
       throw;
     try {
       return compute(triangulation);
-    } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
+    } catch(const Disconnected_endpoints_error&) { // joined by degenerate faces or a single point only
       throw contracted_in_vain(error);
     }
   }
@@ -141,7 +141,7 @@ std::vector<Form> curve_forms(const Network& network, const TriangleMesh& mesh, 
   return result;
 }
 
-/* A path of length zero, between vertices in one place: its two ends. */
+/* Returns the path of length zero between coincident vertices: its two end points. */
 template <class Form, class Triangulation, class TriangleMesh>
 Computed_output<Form> path_in_one_place(const Triangulation& triangulation, const TriangleMesh& mesh, Vertex_index v)
 {

@@ -122,8 +122,8 @@ inline bool is_prime(const Integer& n, std::mt19937& random)
   return true;
 }
 
-/* The prime p = 3 mod 4 that is used for a number of bits, more than six: that which a generator with this seed finds
- * first. So results are the same each time. Whoever chose an input for this prime could make a residue zero. */
+/* Returns the prime p = 3 mod 4 used for a number of bits, which must exceed six: the first one that a generator with a
+ * fixed seed finds, so that results are deterministic. Adversarial input could make a residue modulo this prime vanish. */
 inline Integer fixed_prime(unsigned bits)
 {
   std::mt19937 random(bits);
