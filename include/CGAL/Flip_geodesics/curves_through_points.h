@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/located_place.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
@@ -247,7 +248,7 @@ Computed_output<Form> compute_path_through(const TriangleMesh& mesh,
                 "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   std::vector<Surface_location> given;
-  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
     auto visitor = make_visitor(np);
     Free_legs path = geodesics_through(triangulation, points, stop, visitor.get());
@@ -388,8 +389,8 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
     internal::note_contraction(triangulation, result.report);
     return result;
   };
-  return internal::write_computed<Geodesic_result<OutputIterator>>(internal::compute_on_surface(mesh, np, compute),
-                                                                   out);
+  return internal::write_computed<Geodesic_result<OutputIterator>>(
+      internal::compute_on_surface(internal::Mesh_surfaces(mesh, np), compute), out);
 }
 
 #ifdef CGAL_FLIP_GEODESICS_COMPILED

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
@@ -346,7 +347,7 @@ Computed_values<double> compute_distances(const TriangleMesh& mesh,
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   auto visitor = make_visitor(np);
-  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     std::vector<Vertex_index> indices;
     for(const auto& v : sources)
       indices.push_back(triangulation.index(v));
@@ -366,7 +367,7 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   auto visitor = make_visitor(np);
-  return compute_on_surface(mesh, np, [&](Triangulation& triangulation) {
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     const Vertex_index s = triangulation.index(source);
     Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
     auto result = field_coordinates(field, triangulation, mesh, s, limit, visitor.get());

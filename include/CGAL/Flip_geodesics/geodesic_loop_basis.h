@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Interrupting_visitor.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/surface/make_visitor.h>
 
@@ -75,8 +76,8 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
     internal::note_contraction(triangulation, result.report);
     return result;
   };
-  return internal::write_computed<Geodesics_result<OutputIterator>>(internal::compute_on_surface(mesh, np, compute),
-                                                                    out);
+  return internal::write_computed<Geodesics_result<OutputIterator>>(
+      internal::compute_on_surface(internal::Mesh_surfaces(mesh, np), compute), out);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
@@ -22,6 +23,7 @@
 #include <exception>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -55,6 +57,7 @@ class Path_workspace
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   using Triangulation = typename Types::Triangulation;
   using Network = typename Types::Network;
+  using Search = Shortest_edge_path<Triangulation>;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
 public:
@@ -69,41 +72,36 @@ public:
   {
   }
 
-  /* Where edges of length zero are met, over the surface that is left when they are contracted. */
   Result operator()(Vertex source, Vertex target)
   {
+    Result result;
     try {
-      return is_to_go_on() ? compute(m_state, Zero_length_edges::REFUSE, source, target) : stopped();
-    } catch(const Degenerate_face_error& error) {
-      try {
-        return compute(m_contracted_state, Zero_length_edges::CONTRACT, source, target);
-      } catch(const Disconnected_endpoints_error&) { // only by faces without area, or in a point
-        Result refused;
-        refused.error = std::make_exception_ptr(contracted_in_vain(error));
-        return refused;
-      } catch(...) {
-        return failed();
+      if(!is_to_go_on()) {
+        result.report.status = Shortening_status::STOPPED_BY_VISITOR;
+        return result;
       }
+      if(!m_memory)
+        m_memory.emplace(m_mesh, m_np);
+      return compute_on_surface(m_memory->surfaces,
+                                [&](Triangulation& triangulation) { return compute(triangulation, source, target); });
     } catch(...) {
-      return failed();
+      m_memory.reset(); // whatever state the failure left
+      result.error = std::current_exception();
+      return result;
     }
   }
 
 private:
-  using Search = Shortest_edge_path<Triangulation>;
-
-  struct State
+  // Triangulations and searches over them, as it is and contracted, that serve one path after the other.
+  struct Memory
   {
-    Triangulation triangulation;
-    Search search;
-
-    State(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np,
-          Zero_length_edges zero_length_edges)
-      : triangulation(make_triangulation(mesh, np, zero_length_edges))
-      , search(landmarks == nullptr ? Search(triangulation, Search_method::LOOK_BACK)
-                                    : Search(triangulation, *landmarks))
+    Memory(const TriangleMesh& mesh, const NamedParameters& np)
+      : surfaces(mesh, np)
     {
     }
+
+    Mesh_surfaces<TriangleMesh, NamedParameters> surfaces;
+    std::optional<Search> search, contracted_search;
   };
 
   bool is_to_go_on() const
@@ -112,40 +110,23 @@ private:
     return visitor.get().go_further();
   }
 
-  // Of a pair that the visitor does not want to be computed.
-  static Result stopped()
+  Search& search_over(const Triangulation& triangulation)
   {
-    Result result;
-    result.report.status = Shortening_status::STOPPED_BY_VISITOR;
-    return result;
+    std::optional<Search>& search =
+        triangulation.input().is_contracted() ? m_memory->contracted_search : m_memory->search;
+    if(!search && m_landmarks == nullptr)
+      search.emplace(triangulation, Search_method::LOOK_BACK);
+    else if(!search)
+      search.emplace(triangulation, *m_landmarks);
+    return *search;
   }
 
-  // What is being thrown.
-  static Result failed()
+  Result compute(Triangulation& triangulation, Vertex source, Vertex target)
   {
-    Result result;
-    result.error = std::current_exception();
-    return result;
-  }
-
-  Result compute(std::unique_ptr<State>& state, Zero_length_edges zero_length_edges, Vertex source, Vertex target) const
-  {
-    try {
-      if(!state)
-        state = std::make_unique<State>(m_mesh, m_landmarks, m_np, zero_length_edges);
-      Result result = compute(*state, source, target);
-      state->triangulation.rollback();
-      return result;
-    } catch(...) {
-      state.reset(); // whatever state the failure left
-      throw;
-    }
-  }
-
-  Result compute(State& state, Vertex source, Vertex target) const
-  {
-    Network network(state.triangulation);
-    auto path = geodesic_between<Form>(network, state.search, m_mesh, source, target, m_np, restarted(m_stop));
+    triangulation.rollback(); // the flips of the path before
+    Network network(triangulation);
+    auto path =
+        geodesic_between<Form>(network, search_over(triangulation), m_mesh, source, target, m_np, restarted(m_stop));
     return {std::move(path.values), path.report.curves.front(), nullptr};
   }
 
@@ -153,7 +134,7 @@ private:
   const Landmark_distances* m_landmarks; // null if there are none
   const NamedParameters& m_np;
   const StopPredicate& m_stop;
-  std::unique_ptr<State> m_state, m_contracted_state;
+  std::optional<Memory> m_memory;
 };
 
 template <class Workspace, class Pairs, class MakeWorkspace>

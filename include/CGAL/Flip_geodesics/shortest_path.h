@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Flipped_start.h>
@@ -367,7 +368,7 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   using Computed = Computed_output<Form, Shortest_path_report>;
-  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
     const Vertex_index s = triangulation.index(source), t = triangulation.index(target);
     if(s == t) {
       auto point = path_in_one_place<Form>(triangulation, mesh, s);

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/topology/Class_paths.h>
@@ -324,7 +325,7 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
     }
   };
   return internal::write_computed<Paths_by_class_result<TriangleMesh, OutputIterator>>(
-      internal::compute_on_surface(mesh, np, compute), out);
+      internal::compute_on_surface(internal::Mesh_surfaces(mesh, np), compute), out);
 }
 
 /// \ingroup PkgFlipGeodesicsFunctions

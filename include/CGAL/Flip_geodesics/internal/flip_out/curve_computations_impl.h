@@ -15,6 +15,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Interrupting_visitor.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/surface/make_visitor.h>
@@ -42,39 +43,6 @@ template <class TriangleMesh>
 struct compiled::Definitions
 {
 };
-
-/* Returns the error for a pair of end points that become disconnected when degenerate edges are contracted, made from the
- * error that was thrown before the contraction. */
-inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& error)
-{
-  if(error.remedy() != Degeneracy_remedy::CONTRACT)
-    return error;
-  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since faces "
-                            "without area are gone",
-          error.elements(), Degeneracy_remedy::MOLLIFY};
-}
-
-/*
- * Calls `compute(triangulation)` for the mesh. If it meets a zero-length edge, calls it again for the surface with these
- * edges contracted. Throws the first error if the contraction does not help.
- */
-template <class TriangleMesh, class NamedParameters, class Compute>
-auto compute_on_surface(const TriangleMesh& mesh, const NamedParameters& np, const Compute& compute)
-{
-  try {
-    auto triangulation = make_triangulation(mesh, np);
-    return compute(triangulation);
-  } catch(const Degenerate_face_error& error) {
-    auto triangulation = make_triangulation(mesh, np, Zero_length_edges::CONTRACT);
-    if(!triangulation.input().is_contracted())
-      throw;
-    try {
-      return compute(triangulation);
-    } catch(const Disconnected_endpoints_error&) { // joined by degenerate faces or a single point only
-      throw contracted_in_vain(error);
-    }
-  }
-}
 
 /* Shortens with the visitor of the named parameters, if there is one. */
 template <class Network, class NamedParameters, class StopPredicate>
@@ -223,7 +191,7 @@ Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleM
                                    Vertex_in<TriangleMesh> target, const StopPredicate& stop, const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
-  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
     Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
     typename Types::Network network(triangulation);
     return geodesic_between<Form>(network, search, mesh, source, target, np, stop);
@@ -236,7 +204,7 @@ Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<T
                                    const StopPredicate& stop, const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
-  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
     typename Types::Network network(triangulation);
     std::vector<Vertex_index> loop = mesh_indices(triangulation, vertices);
     if(loop.size() > 1 && loop.front() == loop.back())
@@ -261,7 +229,7 @@ Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
                                                    const StopPredicate& stop, const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
-  return compute_on_surface(mesh, np, [&](typename Types::Triangulation& triangulation) {
+  return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
     typename Types::Network network(triangulation);
     const std::vector<bool> has_length = add_vertex_curves(network, curves);
     order_overlapping_curves(network);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPUTE_ON_SURFACE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPUTE_ON_SURFACE_H
+
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Triangulations of a mesh as it is, and of what is left of it when edges of length zero are contracted. Each is made
+ * when it is first used. */
+template <class TriangleMesh, class NamedParameters>
+class Mesh_surfaces
+{
+public:
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+
+  Mesh_surfaces(const TriangleMesh& mesh, const NamedParameters& np)
+    : m_mesh(mesh)
+    , m_np(np)
+  {
+  }
+
+  Triangulation& as_is() { return get(m_as_is, Zero_length_edges::REFUSE); }
+  Triangulation& contracted() { return get(m_contracted, Zero_length_edges::CONTRACT); }
+
+private:
+  // Constructs a triangulation in place.
+  struct Surface
+  {
+    Surface(const TriangleMesh& mesh, const NamedParameters& np, Zero_length_edges zero_length_edges)
+      : triangulation(make_triangulation(mesh, np, zero_length_edges))
+    {
+    }
+
+    Triangulation triangulation;
+  };
+
+  Triangulation& get(std::optional<Surface>& surface, Zero_length_edges zero_length_edges) const
+  {
+    if(!surface)
+      surface.emplace(m_mesh, m_np, zero_length_edges);
+    return surface->triangulation;
+  }
+
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  std::optional<Surface> m_as_is, m_contracted;
+};
+
+/* Returns the error for a pair of end points that become disconnected when degenerate edges are contracted, made from the
+ * error that was thrown before the contraction. */
+inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& error)
+{
+  if(error.remedy() != Degeneracy_remedy::CONTRACT)
+    return error;
+  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since faces "
+                            "without area are gone",
+          error.elements(), Degeneracy_remedy::MOLLIFY};
+}
+
+/*
+ * Decides for a computation whether edges of length zero have to be contracted; all functions that take a mesh decide
+ * here. Returns `compute(triangulation)` for the mesh as it is, or, where that meets such an edge, for the surface that
+ * is left.
+ *
+ * To compare the ends of all edges beforehand would take two thirds of the time of a path: on a mesh of 50 000 vertices
+ * 0.33 ms, where a path takes 0.48 ms in the median, and its triangulation 5 us.
+ *
+ * \throws Degenerate_face_error the first one if the contraction does not help
+ */
+template <class Surfaces, class Compute>
+auto compute_on_surface(Surfaces&& surfaces, const Compute& compute)
+{
+  try {
+    return compute(surfaces.as_is());
+  } catch(const Degenerate_face_error& error) {
+    auto& contracted = surfaces.contracted();
+    if(!contracted.input().is_contracted())
+      throw;
+    try {
+      return compute(contracted);
+    } catch(const Disconnected_endpoints_error&) { // joined by degenerate faces or a single point only
+      throw contracted_in_vain(error);
+    }
+  }
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_COMPUTE_ON_SURFACE_H
