@@ -35,9 +35,6 @@ public:
   {
   }
 
-  /* Prepares for most edges to have some. */
-  void populate() const { m_lists.populate(); }
-
   /* Those of an edge, along it. */
   CGAL::Iterator_range<Window*> on_edge(Index edge)
   {

@@ -57,9 +57,6 @@ public:
       m_states = std::vector<std::atomic<State>>(m_sides.size());
   }
 
-  /* Prepares for most faces to be asked for. */
-  void populate() const { m_sides.populate(); }
-
   /* Computes the sides of a face that has not been asked for. Is it so flat that rays can be lost in it? After `share()`
    * several threads can do so at once, and one waits while another computes the same face. */
   bool make_known(Input_halfedge_index h)

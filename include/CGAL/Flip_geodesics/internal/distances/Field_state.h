@@ -67,16 +67,6 @@ struct Field_state
     *noted.last++ = {due, e, record.tag};
   }
 
-  /* Asks for memory for all the mesh. */
-  void populate() const
-  {
-    sides.populate();
-    windows.populate();
-    edges.populate();
-    left.populate();
-    vertices.populate();
-  }
-
   const Triangulation& triangulation;
   Face_sides<Triangulation> sides;
   Edge_windows windows;

@@ -98,19 +98,19 @@ private:
       return;
     m_round = round;
     m_most_entries = 0;
-    m_starting.give_up_all();
-    m_leaving.give_up_all();
-    m_openings.give_up_all();
-    m_paths.give_up_all();
-    m_windows.give_up_all();
-    m_noted.give_up_all();
+    m_starting.release();
+    m_leaving.release();
+    m_openings.release();
+    m_paths.release();
+    m_windows.release();
+    m_noted.release();
   }
 
   void leave_vertex(std::size_t place)
   {
     Round_item& item = m_items[place];
     const Vertex_index v(item.due.id);
-    Starting& s = *m_starting.take(1);
+    Starting& s = *m_starting.allocate(1);
     s = Starting();
     if(m_state.vertices[v].distance == item.due.key && m_state.triangulation.input().outgoing(v) != null_index) {
       make_faces_known(v);
@@ -125,8 +125,8 @@ private:
     const Vertex_index v(item.due.id);
     s.is_source = m_state.vertices[v].is_source;
     const std::vector<Vertex_opening>& openings = m_fan.openings(m_state.sides, v, m_state.vertices[v]);
-    s.openings.first = s.openings.last = m_openings.take(openings.size());
-    s.paths.first = s.paths.last = m_paths.take(openings.size());
+    s.openings.first = s.openings.last = m_openings.allocate(openings.size());
+    s.paths.first = s.paths.last = m_paths.allocate(openings.size());
     for(const Vertex_opening& o : openings) {
       if(o.opposite != null_index)
         *s.openings.last++ = o;
@@ -142,7 +142,7 @@ private:
   {
     Round_item& item = m_items[place];
     Edge_record& record = m_state.edge(item.due.id);
-    Leaving& l = *m_leaving.take(1);
+    Leaving& l = *m_leaving.allocate(1);
     l.length = 0;
     l.passed = infinity;
     l.noted = {};
@@ -165,7 +165,7 @@ private:
   void cross(Leaving& l, Input_halfedge_index h)
   {
     const auto windows = m_state.windows.on_edge(m_state.edge_of(h));
-    Crossing_window *const first = m_windows.take(windows.size()), *const last = first + windows.size();
+    Crossing_window *const first = m_windows.allocate(windows.size()), *const last = first + windows.size();
     Crossing_window *to = first, *from = last;
     for(Window& w : windows)
       if(w.state != Window_state::DONE) {
@@ -207,14 +207,14 @@ private:
 
   void enter(Starting& s, const Round_item& item)
   {
-    s.noted.first = s.noted.last = m_noted.take(static_cast<std::size_t>(s.openings.size()));
+    s.noted.first = s.noted.last = m_noted.allocate(static_cast<std::size_t>(s.openings.size()));
     for(Vertex_opening& o : s.openings)
       enter(o.opposite, Arrival::from_vertex(item, o), s.noted);
   }
 
   void enter(Leaving& l, const Round_item& item)
   {
-    l.noted.first = l.noted.last = m_noted.take(4);
+    l.noted.first = l.noted.last = m_noted.allocate(4);
     for(const Face_crossing& c : l.crossings)
       if(c.first != c.last) {
         enter(c.previous, Arrival::from_side(item, c, true), l.noted);

@@ -14,7 +14,8 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Room for small arrays, which stay where they are until all are given up at once; then it is used again.
+ * A memory arena for small arrays, which are all released at once and stay in their places until then. As
+ * `std::pmr::monotonic_buffer_resource`, which libc++ has only since its version 16.
  */
 template <class T>
 class Scratch
@@ -22,17 +23,17 @@ class Scratch
   static_assert(std::is_trivially_copyable<T>::value, "elements are not destroyed");
 
 public:
-  /* Room for some elements, whose values are open. */
-  T* take(std::size_t size)
+  /* Returns memory for some elements, which have no defined values. */
+  T* allocate(std::size_t size)
   {
     while(m_at == m_blocks.size() || m_blocks[m_at].size - m_used < size)
-      go_on(size);
+      enter_next_block(size);
     T* const result = m_blocks[m_at].first.get() + m_used;
     m_used += size;
     return result;
   }
 
-  void give_up_all() { m_at = m_used = 0; }
+  void release() { m_at = m_used = 0; }
 
 private:
   static constexpr std::size_t least = 256;
@@ -43,7 +44,7 @@ private:
     std::size_t size;
   };
 
-  void go_on(std::size_t size)
+  void enter_next_block(std::size_t size)
   {
     if(m_at == m_blocks.size()) {
       const std::size_t larger = m_blocks.empty() ? least : 2 * m_blocks.back().size;

@@ -96,18 +96,12 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   void run(double bound, std::size_t most_windows, Interruption* interruption = nullptr)
   {
-    Team<Sequential_tag> alone;
     Team<ConcurrencyTag> team;
     make_workers(team.most_members());
     if(m_workers.size() > 1)
       m_state->sides.share();
-    while(!is_given_up(most_windows) && reach() < bound && !is_interrupted_before_part(interruption)) {
-      if(m_is_populated)
-        take_round(team, bound);
-      else
-        take_round(alone, bound); // threads that ask for memory disturb each other
-      populate();
-    }
+    while(!is_given_up(most_windows) && reach() < bound && !is_interrupted_before_part(interruption))
+      take_round(team, bound);
   }
 
   /* All paths that are shorter than this are known. */
@@ -180,7 +174,6 @@ private:
   void accept(Vertex_index v, const Vertex_record& record, std::uint32_t bearing)
   {
     m_vertex_queue.push({record.distance, v.idx(), bearing});
-    m_number_reached += is_reached(v) ? 0 : 1;
     m_state->vertices[v] = record;
   }
 
@@ -352,16 +345,6 @@ private:
     m_passing.take(last, clear);
   }
 
-  // Asks for memory for all the mesh, once a part of it has been reached.
-  void populate()
-  {
-    constexpr std::size_t part = 32;
-    if(m_is_populated || m_number_reached < m_state->vertices.size() / part)
-      return;
-    m_is_populated = true;
-    m_state->populate();
-  }
-
   const Triangulation& m_triangulation;
   bool m_keeps_windows;
   std::unique_ptr<State> m_state;
@@ -370,9 +353,7 @@ private:
   Round_queue m_vertex_queue, m_edge_queue; // by their distances, and by when the nearest window is due
   Round_queue m_passing;                    // edges, by when the front has passed them
   std::vector<std::unique_ptr<Worker>> m_workers;
-  std::size_t m_number_reached = 0; // vertices
-  bool m_is_populated = false;      // has memory been asked for for all the mesh?
-  double m_longest_edge = 0;        // of those that windows have crossed
+  double m_longest_edge = 0; // of those that windows have crossed
   bool m_has_inaccurate_distance = false;
   // Of the round:
   double m_step = 0; // how much later than the first what is due is taken, too
