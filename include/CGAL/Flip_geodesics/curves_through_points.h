@@ -303,9 +303,8 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
                                                       OutputIterator out,
                                                       const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return Flip_geodesics::geodesic_path_through(mesh, locations, out, stop, np);
-  });
+  return Flip_geodesics::geodesic_path_through(mesh, locations, out, internal::stop_predicate_in(options),
+                                               internal::named_parameters_in(options));
 }
 
 /*!
@@ -339,9 +338,8 @@ template <
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
                                               OutputIterator out, const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return Flip_geodesics::geodesic_path(mesh, source, target, out, stop, np);
-  });
+  return Flip_geodesics::geodesic_path(mesh, source, target, out, internal::stop_predicate_in(options),
+                                       internal::named_parameters_in(options));
 }
 
 /*!

@@ -111,9 +111,8 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
                                               Mesh_vertex<TriangleMesh> target, OutputIterator out,
                                               const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return Flip_geodesics::geodesic_path(mesh, source, target, out, stop, np);
-  });
+  return Flip_geodesics::geodesic_path(mesh, source, target, out, internal::stop_predicate_in(options),
+                                       internal::named_parameters_in(options));
 }
 
 /*!
@@ -150,9 +149,8 @@ template <class TriangleMesh, class VertexRange, class OutputIterator,
 Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const VertexRange& vertices, OutputIterator out,
                                               const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return Flip_geodesics::geodesic_loop(mesh, vertices, out, stop, np);
-  });
+  return Flip_geodesics::geodesic_loop(mesh, vertices, out, internal::stop_predicate_in(options),
+                                       internal::named_parameters_in(options));
 }
 
 /*!
@@ -193,9 +191,8 @@ template <class TriangleMesh, class CurveRange, class OutputIterator,
 Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const CurveRange& curves, OutputIterator out,
                                             const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return Flip_geodesics::straighten(mesh, curves, out, stop, np);
-  });
+  return Flip_geodesics::straighten(mesh, curves, out, internal::stop_predicate_in(options),
+                                    internal::named_parameters_in(options));
 }
 
 } // namespace Flip_geodesics

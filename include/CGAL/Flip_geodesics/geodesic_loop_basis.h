@@ -86,9 +86,8 @@ template <class TriangleMesh, class OutputIterator, class Options = parameters::
 Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, OutputIterator out,
                                                      const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return Flip_geodesics::geodesic_loop_basis(mesh, out, stop, np);
-  });
+  return Flip_geodesics::geodesic_loop_basis(mesh, out, internal::stop_predicate_in(options),
+                                             internal::named_parameters_in(options));
 }
 
 } // namespace Flip_geodesics

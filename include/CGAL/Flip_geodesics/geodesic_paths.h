@@ -229,9 +229,8 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairR
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
                               const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, stop, np);
-  });
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, internal::stop_predicate_in(options),
+                                                  internal::named_parameters_in(options));
 }
 
 /*!
@@ -262,9 +261,8 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairR
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances& landmarks, const PairRange& pairs,
                               OutputIterator out, const Options& options = parameters::default_values())
 {
-  return internal::with_options(options, [&](const auto& stop, const auto& np) {
-    return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, stop, np);
-  });
+  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, internal::stop_predicate_in(options),
+                                                  internal::named_parameters_in(options));
 }
 
 } // namespace Flip_geodesics

@@ -93,14 +93,23 @@ template <class TriangleMesh, class NamedParameters, class Output, template <cla
 using Form_by_name = typename Curve_form_of<Curve_forms_of<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>,
                                             Output, Container>::type;
 
-/* Calls `function(stop, np)` with what a caller has given last: named parameters, or a stop predicate alone. */
-template <class Options, class Function>
-auto with_options(const Options& options, const Function& function)
+/* The stop predicate and the named parameters in the last argument of a function, which is one of the two. */
+template <class Options>
+decltype(auto) stop_predicate_in(const Options& options)
 {
   if constexpr(Is_named_parameters<Options>::value)
-    return function(Never_stop_predicate(), options);
+    return Never_stop_predicate();
   else
-    return function(options, parameters::default_values());
+    return options;
+}
+
+template <class Options>
+decltype(auto) named_parameters_in(const Options& options)
+{
+  if constexpr(Is_named_parameters<Options>::value)
+    return options;
+  else
+    return parameters::default_values();
 }
 
 /* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
