@@ -39,7 +39,7 @@ public:
 
   void flip(CGAL::Flip_geodesics::Halfedge_index h)
   {
-    require(this->label(Triangulation::edge(h)) == 0, "an edge under a curve is flipped");
+    require(this->holds(Triangulation::edge(h)) == 0, "an edge under a curve is flipped");
     require(this->is_flippable(h), "an edge is flipped that cannot be");
     Triangulation::flip(h);
   }

@@ -80,11 +80,10 @@ public:
       return at(m_triangulation->extend_turn_clockwise(turn, m_halfedge));
     }
 
-    Index label() const { return m_triangulation->label(Plain_triangulation::edge(m_halfedge)); }
-    void set_label(Index label) const
-    {
-      m_triangulation->m_labels[static_cast<std::size_t>(Plain_triangulation::edge(m_halfedge).idx())] = label;
-    }
+    std::size_t edge_place() const { return static_cast<std::size_t>(Plain_triangulation::edge(m_halfedge).idx()); }
+    bool is_held() const { return m_triangulation->m_holds[edge_place()] > 0; }
+    void hold() const { m_triangulation->change_holds(edge_place(), 1); }
+    void release() const { m_triangulation->change_holds(edge_place(), -1); }
 
   private:
     Walker at(Halfedge_index h) const { return Walker(*m_triangulation, h); }
@@ -97,7 +96,7 @@ public:
   explicit Plain_triangulation(const CGAL::Surface_mesh<Point>& mesh, const Traits& traits = Traits())
     : m_traits(traits)
     , m_halfedges(mesh.number_of_halfedges())
-    , m_labels(mesh.number_of_edges(), 0)
+    , m_holds(mesh.number_of_edges(), 0)
     , m_outgoing(mesh.number_of_vertices())
   {
     const auto index = [](auto d) { return static_cast<Index>(d); };
@@ -123,7 +122,7 @@ public:
 
   Index number_of_vertices() const { return static_cast<Index>(m_outgoing.size()); }
   Index number_of_halfedges() const { return static_cast<Index>(m_halfedges.size()); }
-  Index number_of_edges() const { return static_cast<Index>(m_labels.size()); }
+  Index number_of_edges() const { return static_cast<Index>(m_holds.size()); }
 
   static Halfedge_index twin(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
   static Edge_index edge(Halfedge_index h) { return Edge_index(h); }
@@ -172,8 +171,8 @@ public:
   bool is_flippable(Halfedge_index h) const
   {
     const Halfedge_index t = twin(h);
-    return !is_border(h) && !is_border(t) && next(h) != t && next(t) != h && !is_reflex_at_head(walker(h)) &&
-           !is_reflex_at_head(walker(t));
+    return !is_border(h) && !is_border(t) && next(h) != t && next(t) != h && holds(edge(h)) == 0 &&
+           !is_reflex_at_head(walker(h)) && !is_reflex_at_head(walker(t));
   }
 
   void flip(Halfedge_index h)
@@ -210,9 +209,11 @@ public:
 
   std::size_t memory_of_records() const { return m_log.size() * sizeof(Flip); }
 
-  Index label(Edge_index e) const { return m_labels[static_cast<std::size_t>(e.idx())]; }
-  void set_label(Edge_index e, Index label) { m_labels[static_cast<std::size_t>(e.idx())] = label; }
-  CGAL::Flip_geodesics::Network_place& network_place() { return m_network_place; }
+  Index holds(Edge_index e) const { return m_holds[static_cast<std::size_t>(e.idx())]; }
+  void hold(Edge_index e) { change_holds(static_cast<std::size_t>(e.idx()), 1); }
+  void release(Edge_index e) { change_holds(static_cast<std::size_t>(e.idx()), -1); }
+  std::size_t number_of_holds() const { return m_number_of_holds; }
+  std::size_t number_of_edge_places() const { return m_holds.size(); }
 
   Walker walker(Halfedge_index h) const { return Walker(*this, h); }
   Walker walker(Halfedge_index, Halfedge_index h) const { return Walker(*this, h); }
@@ -230,16 +231,22 @@ private:
   Halfedge& at(Halfedge_index h) { return m_halfedges[static_cast<std::size_t>(h.idx())]; }
   const Halfedge& at(Halfedge_index h) const { return m_halfedges[static_cast<std::size_t>(h.idx())]; }
 
+  void change_holds(std::size_t edge, Index change) const
+  {
+    m_holds[edge] += change;
+    m_number_of_holds += static_cast<std::size_t>(change);
+  }
+
   // The corner from h to next(h).
   void extend_turn_at_head(Turn& turn, Halfedge_index h) const
   {
     m_traits.extend_turn_object()(turn, at(h).geometry, at(next(h)).geometry, at(previous(h)).geometry);
   }
 
-  CGAL::Flip_geodesics::Network_place m_network_place;
   Traits m_traits;
   std::vector<Halfedge> m_halfedges;
-  mutable std::vector<Index> m_labels; // a walker writes them
+  mutable std::vector<Index> m_holds; // a walker changes them
+  mutable std::size_t m_number_of_holds = 0;
   std::vector<Halfedge_index> m_outgoing;
   std::vector<Flip> m_log;
 };

@@ -58,8 +58,10 @@ public:
     void prefetch_face() const { m_walker.prefetch_face(); }
     Walker extend_turn_clockwise(Turn& turn) const { return Walker(m_walker.extend_turn_clockwise(turn)); }
 
-    Index label() const { return m_walker.label(); }
-    void set_label(Index label) const { m_walker.set_label(label); }
+    std::size_t edge_place() const { return m_walker.edge_place(); }
+    bool is_held() const { return m_walker.is_held(); }
+    void hold() const { m_walker.hold(); }
+    void release() const { m_walker.release(); }
 
   private:
     friend class Triangulation_of_mesh_archetype;
@@ -137,9 +139,11 @@ public:
   void rollback(Log_position position) { m_model.rollback(position); }
   std::size_t memory_of_records() const { return m_model.memory_of_records(); }
 
-  Index label(Edge_index e) const { return m_model.label(e); }
-  void set_label(Edge_index e, Index label) { m_model.set_label(e, label); }
-  CGAL::Flip_geodesics::Network_place& network_place() { return m_model.network_place(); }
+  Index holds(Edge_index e) const { return m_model.holds(e); }
+  void hold(Edge_index e) { m_model.hold(e); }
+  void release(Edge_index e) { m_model.release(e); }
+  std::size_t number_of_holds() const { return m_model.number_of_holds(); }
+  std::size_t number_of_edge_places() const { return m_model.number_of_edge_places(); }
 
   Walker walker(Halfedge_index h) const { return Walker(m_model.walker(h)); }
   Walker walker(typename Walker::Place place, Halfedge_index h) const { return Walker(m_model.walker(place, h)); }

@@ -495,7 +495,7 @@ BOOST_AUTO_TEST_CASE(descriptors_are_not_taken_for_one_another)
 {
   const auto tail = [](auto h) -> decltype(std::declval<const Triangulation&>().tail(h)) { return {}; };
   const auto outgoing = [](auto v) -> decltype(std::declval<const Triangulation&>().outgoing(v)) { return {}; };
-  const auto label = [](auto e) -> decltype(std::declval<const Triangulation&>().label(e)) { return {}; };
+  const auto holds = [](auto e) -> decltype(std::declval<const Triangulation&>().holds(e)) { return {}; };
   const auto on_input = [](auto h) -> decltype(std::declval<const Triangulation&>().input().tail(h)) { return {}; };
   const auto length = [](auto c) -> decltype(std::declval<const Network&>().length(c)) { return {}; };
   const auto halfedge = [](auto s) -> decltype(std::declval<const Network&>().halfedge(s)) { return {}; };
@@ -513,8 +513,8 @@ BOOST_AUTO_TEST_CASE(descriptors_are_not_taken_for_one_another)
                 takes_none<decltype(tail), V, E, I, S, C, int, Surface::Halfedge_index>);
   static_assert(std::is_invocable_v<decltype(outgoing), V> &&
                 takes_none<decltype(outgoing), H, E, I, S, C, int, Surface::Vertex_index>);
-  static_assert(std::is_invocable_v<decltype(label), E> &&
-                takes_none<decltype(label), V, H, I, S, C, int, Surface::Edge_index>);
+  static_assert(std::is_invocable_v<decltype(holds), E> &&
+                takes_none<decltype(holds), V, H, I, S, C, int, Surface::Edge_index>);
   static_assert(std::is_invocable_v<decltype(on_input), I> && takes_none<decltype(on_input), V, H, E, S, C, int>);
   static_assert(std::is_invocable_v<decltype(length), C> && takes_none<decltype(length), V, H, E, I, S, int>);
   static_assert(std::is_invocable_v<decltype(halfedge), S> && takes_none<decltype(halfedge), V, H, E, I, C, int>);

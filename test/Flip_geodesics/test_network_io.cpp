@@ -689,7 +689,7 @@ BOOST_AUTO_TEST_CASE(forged_states)
     forgeries[i](forged);
     BOOST_TEST(!setting.network.restore(forged), "forgery " << i);
     BOOST_TEST(setting.network.number_of_curves() == 0);
-    BOOST_TEST(!setting.triangulation.has_curves());
+    BOOST_TEST(setting.triangulation.number_of_holds() == 0u);
     for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
       BOOST_REQUIRE(setting.network.stack(e).empty());
   }

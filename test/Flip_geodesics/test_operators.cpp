@@ -282,7 +282,7 @@ std::vector<double> solutions(const Mesh& mesh)
   network.add_curve(FG::halfedges_through(triangulation, std::vector<FG::Vertex_index>{3_v, 10_v, 17_v}, false), false);
   for(int round = 0; round < 20; ++round)
     for(FG::Halfedge_index g : FG::internal::descriptors<FG::Halfedge_index>(triangulation.number_of_halfedges()))
-      if(triangulation.label(Archetype::edge(g)) == 0 && !triangulation.is_locally_delaunay(g) &&
+      if(triangulation.holds(Archetype::edge(g)) == 0 && !triangulation.is_locally_delaunay(g) &&
          triangulation.is_flippable(g))
         triangulation.flip(g);
   BOOST_TEST(triangulation.log_position() >= 3u);

@@ -166,10 +166,18 @@ BOOST_AUTO_TEST_CASE(the_same_edges_are_delaunay)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_second_network_is_refused)
+BOOST_AUTO_TEST_CASE(several_networks_hold_edges)
 {
   const Surface mesh = to_mesh<Surface>(cube(1));
   Plain plain(mesh);
-  const FG::Edge_path_network<Plain> network(plain);
-  BOOST_CHECK_THROW(FG::Edge_path_network<Plain>{plain}, FG::Occupied_triangulation_error);
+  FG::Edge_path_network<Plain> one(plain), other(plain);
+  const std::vector<FG::Halfedge_index> edge = {0_h};
+  one.add_curve(edge, false);
+  other.add_curve(edge, false);
+  BOOST_TEST(plain.holds(0_e) == 2);
+  one.clear();
+  BOOST_TEST(plain.holds(0_e) == 1);
+  BOOST_TEST(!plain.is_flippable(0_h));
+  BOOST_TEST(other.is_occupied(0_h));
+  BOOST_TEST(!one.is_occupied(0_h));
 }

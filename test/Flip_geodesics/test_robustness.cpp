@@ -313,7 +313,7 @@ BOOST_AUTO_TEST_CASE(a_bad_face_in_the_way)
   setting.network.clear();
   setting.triangulation.rollback();
   for(FG::Edge_index e : descriptors<FG::Edge_index>(setting.triangulation.number_of_edges()))
-    BOOST_TEST(setting.triangulation.label(e) == 0);
+    BOOST_TEST(setting.triangulation.holds(e) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_curve_along_a_bad_face_is_not_added)

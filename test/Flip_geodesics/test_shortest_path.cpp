@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
     BOOST_TEST(tree.is_valid(tolerance));
     BOOST_TEST(setting.triangulation.is_valid());
     for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
-      BOOST_TEST(setting.triangulation.label(e) == 0);
+      BOOST_TEST(setting.triangulation.holds(e) == 0);
     Distances distances;
     for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
       distances.push_back(tree.distance(v));

@@ -157,7 +157,7 @@ void check_curves(const Setting& s)
 void check_delaunay(const Setting& s)
 {
   Plane(s.triangulation, s.mesh).for_each_inner_edge([&](FG::Edge_index e, int side) {
-    BOOST_TEST((side <= 0 || s.triangulation.label(e) != 0));
+    BOOST_TEST((side <= 0 || s.triangulation.holds(e) != 0));
     BOOST_TEST((side <= 0) == s.triangulation.is_locally_delaunay(FG::internal::first_side(e)));
   });
 }

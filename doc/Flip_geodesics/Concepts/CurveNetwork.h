@@ -91,7 +91,7 @@ public:
   std::pair<Strand_end, Strand_end> ends(const Joint& joint) const;
 
   /// The next end of a segment clockwise about the same vertex, maybe after a whole turn the end itself. It is
-  /// `Strand_end::is_none()` if the border of the surface comes first.
+  /// `Strand_end::is_none()` if the border of the surface, or an edge that only other networks hold, comes first.
   Strand_end next_clockwise(const Strand_end& end) const;
 
   /// Do the two ends lie side by side on one edge, with no face between them on the joint's side? The wedge of such a

@@ -8,7 +8,7 @@
  * moved.
  *
  * A model never gives the index of a segment a second time, since indices wait in a queue while segments come and go.
- * It sets the label of an edge in the triangulation to another number than 0 if and only if a segment lies there.
+ * It holds an edge of the triangulation, once, if and only if a segment lies there.
  *
  * The angle in a wedge does not change while its joint lives, since `shorten()` flips no occupied edge. But other ends
  * can come into the wedge, or leave it. Therefore `shorten()` queues each free wedge once, by its angle, and when its
@@ -55,9 +55,10 @@ public:
   /// \pre `next(joint.incoming)` is a segment
   /// @{
 
-  /// What stands in the wedge of a joint. `Wedge_state::FREE` if and only if the joint is not fixed, and two things
-  /// hold of its ends. The second is the next one clockwise after the first, without a border in between. And the angle
-  /// from the first to the second is below \f$\pi\f$. No corner need be looked at beyond that angle.
+  /// What stands in the wedge of a joint. `Wedge_state::FREE` if and only if the joint is not fixed, and two conditions
+  /// are met by its ends. The second is `next_clockwise()` of the first; so neither a border nor an edge that another
+  /// network holds lies in between. And the angle from the first to the second is below \f$\pi\f$. No corner need be
+  /// looked at beyond that angle.
   Wedge wedge(const Joint& joint) const;
 
   /// @}
@@ -78,7 +79,7 @@ public:
   /// The other is the other side where the arc begins or ends, if the angle was so large before, since it has grown.
   ///
   /// \return the first new segment in the direction of the curve, `null_index` if there is none
-  /// \pre the two segments differ, no end stands in the wedge, and the arc bounds its faces; no angle on its right is
+  /// \pre the two segments differ, no edge in the wedge is held, and the arc bounds its faces; no angle on its right is
   ///      below \f$\pi\f$
   Segment_index replace_joint(const Joint& joint, const std::vector<Halfedge_index>& arc, std::vector<Joint>& affected);
 

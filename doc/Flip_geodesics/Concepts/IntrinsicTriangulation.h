@@ -98,7 +98,8 @@ public:
   /// \name Flips
   /// @{
 
-  /// Can the edge of `h` be flipped: not on the border, in a convex quad, and the only edge at neither of its ends?
+  /// Can the edge of `h` be flipped: not on the border, not held, in a convex quad, and the only edge at neither of its
+  /// ends?
   bool is_flippable(Halfedge_index h) const;
   /// Flips the edge of `h`. With the faces `(h, hn, hp)` and `(t, tn, tp)` on its two sides, the new faces are
   /// `(h, hp, tn)` and `(t, tp, hn)`. \pre `is_flippable(h)`
@@ -111,16 +112,21 @@ public:
   std::size_t memory_of_records() const;
 
   /// @}
-  /// \name What a network keeps
+  /// \name Held edges
+  /// Each network holds the edges on which it has segments, once each. What flips edges, as `shorten()` of another network
+  /// and `flip_to_delaunay()`, leaves edges alone that are held.
   /// @{
 
-  /// An integer per edge, 0 at first: not 0 if and only if a curve lies on the edge. What flips edges by itself, as
-  /// `flip_to_delaunay()`, leaves such edges alone.
-  Index label(Edge_index e) const;
-  /// Sets it.
-  void set_label(Edge_index e, Index label);
-  /// An object of type `CGAL::Flip_geodesics::Network_place`, default constructed at first; the triangulation owns it.
-  Network_place& network_place();
+  /// The number of holds on an edge, 0 at first.
+  Index holds(Edge_index e) const;
+  /// Adds a hold.
+  void hold(Edge_index e);
+  /// Takes a hold back. \pre `holds(e) > 0`
+  void release(Edge_index e);
+  /// The number of holds on all edges together.
+  std::size_t number_of_holds() const;
+  /// An upper bound of `Walker::edge_place()` for all edges at which a walker has stood.
+  std::size_t number_of_edge_places() const;
 
   /// @}
   /// \name Walkers
@@ -176,8 +182,13 @@ public:
   /// Adds the corner on the right at the tail, and goes clockwise; where that leads nowhere, nothing is added.
   IntrinsicTriangulationWalker extend_turn_clockwise(Turn& turn) const;
 
-  /// The label of the edge.
-  Index label() const;
-  /// Sets it.
-  void set_label(Index label) const;
+  /// A number of the edge, that of no other edge, which never changes: an index of arrays by edges. It is the number of
+  /// the edge, or one that is small for edges that were touched early, so that such arrays are short.
+  std::size_t edge_place() const;
+  /// Has the edge holds?
+  bool is_held() const;
+  /// Adds a hold to the edge.
+  void hold() const;
+  /// Takes a hold of the edge back.
+  void release() const;
 };

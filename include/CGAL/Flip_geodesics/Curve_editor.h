@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_mover.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/assertions.h>
@@ -82,7 +83,7 @@ public:
     , m_is_closed(is_closed)
   {
     CGAL_precondition(triangulation.log_position() == 0);
-    check_vacant();
+    internal::check_has_no_curves(m_triangulation, "a curve cannot be edited");
     if(points.size() < 2)
       throw Invalid_curve_error("a curve to be edited needs two points");
     for(const Surface_location& p : points)
@@ -211,7 +212,7 @@ private:
   template <class MakeWay>
   Move_report move(std::size_t i, const Surface_location& to, const MakeWay& make_way)
   {
-    check_vacant();
+    internal::check_has_no_curves(m_triangulation, "a curve cannot be edited");
     const std::size_t n = m_points.size();
     const bool has_next = m_is_closed || i + 1 < n, has_previous = m_is_closed || i > 0;
     const Way way = make_way();
@@ -238,12 +239,6 @@ private:
   Certificate_verdict verdict(const Leg& leg) const
   {
     return internal::is_input_rounded(m_triangulation) ? Certificate_verdict::NOT_CERTIFIED : leg.verdict;
-  }
-
-  void check_vacant() const
-  {
-    if(m_triangulation.network_place().has_curves())
-      m_triangulation.network_place().check_vacant("used to edit a curve beside the others");
   }
 
   // Canonical, and a vertex by the same halfedge always.

@@ -12,7 +12,6 @@
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/network/check_chain.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Network_place.h>
 
 #include <CGAL/assertions.h>
 
@@ -24,11 +23,6 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-/// \ingroup PkgFlipGeodesicsCurves
-/// The place for a network in a triangulation, which has one: a model of `IntrinsicTriangulation` has a member of this
-/// type. It refuses to be moved while it is taken; `has_curves()` tells whether its network has any.
-using Network_place = internal::Network_place;
 
 /*!
  * \ingroup PkgFlipGeodesicsCurves
@@ -47,9 +41,15 @@ using Network_place = internal::Network_place;
  *
  * Segment ids are given once and never again, so that an id in a queue cannot come to mean something else.
  *
- * A triangulation serves one network at a time: the network keeps the head of each stack in the edges' labels, and
- * takes them out again in its destructor. The triangulation must outlive the network, of which nothing but the
- * destructor may be called afterwards.
+ * Several networks can have curves in one triangulation. A network holds the edges under its curves, and an edge that is
+ * held is not flipped. Hence curves of other networks are obstacles: they do not move, and where one of their edges is in
+ * a wedge, the wedge is `Wedge_state::BLOCKED`. Curves of different networks may overlap along edges; there they have no
+ * order, and each of them can leave such an edge to either side. What is to hold between curves, as that they do not
+ * cross, requires that they are in one network.
+ *
+ * The network refers to its triangulation, which must neither be destroyed nor moved while the network has curves. If
+ * both are moved, the constructor from a network and a triangulation keeps them together. A network that was moved from
+ * can be cleared, assigned to and destroyed.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulation`; to insert points and to divide segments, one of
  *         `IntrinsicTriangulationOfMesh`
@@ -70,38 +70,39 @@ public:
     Turn turn;         ///< over the corners up to the next strand; to be compared only if `state` is `FREE`
   };
 
-  /// An empty network in a triangulation.
-  /// \throws Occupied_triangulation_error if another network lives there; nothing is changed then
+  /// An empty network in a triangulation. Constant time.
   explicit Edge_path_network(Triangulation& triangulation)
-    : m_claim(triangulation.network_place())
-    , m_triangulation(&triangulation)
+    : m_triangulation(&triangulation)
     , m_segments(triangulation)
   {
   }
 
-  /// The same beside another one that has no curves, and is not used meanwhile. For the library's own use.
-  Edge_path_network(Triangulation& triangulation, internal::Beside_empty_network place)
-    : m_claim(triangulation.network_place(), place)
-    , m_triangulation(&triangulation)
-    , m_segments(triangulation)
+  /// Moves a network, whose curves and segments keep their numbers.
+  Edge_path_network(Edge_path_network&&) noexcept = default;
+
+  /// Moves a network whose triangulation has been moved to `moved_to`. Numbers are kept, as above.
+  Edge_path_network(Edge_path_network&& other, Triangulation& moved_to) noexcept
+    : Edge_path_network(std::move(other))
   {
+    m_triangulation = &moved_to;
+    m_segments.set_triangulation(moved_to);
   }
 
-  /// The same beside another one whose labels are zero meanwhile. For the library's own use.
-  Edge_path_network(Triangulation& triangulation, internal::Beside_lifted_network place)
-    : m_claim(triangulation.network_place(), place)
-    , m_triangulation(&triangulation)
-    , m_segments(triangulation)
+  /// Removes all curves, and moves a network as the constructor does.
+  Edge_path_network& operator=(Edge_path_network&& other) noexcept
   {
+    if(this != &other) {
+      m_segments.release_edges();
+      m_triangulation = other.m_triangulation;
+      m_segments = std::move(other.m_segments);
+    }
+    return *this;
   }
 
   Edge_path_network(const Edge_path_network&) = delete;
   Edge_path_network& operator=(const Edge_path_network&) = delete;
-  ~Edge_path_network()
-  {
-    if(!m_claim.has_lapsed())
-      clear();
-  }
+  /// Removes all curves. \pre if there are any, the triangulation is where it was
+  ~Edge_path_network() { m_segments.release_edges(); }
 
   /// The triangulation that the curves lie in.
   Triangulation& triangulation() const { return *m_triangulation; }
@@ -122,7 +123,6 @@ public:
   {
     internal::check_chain(*m_triangulation, halfedges, is_closed);
     const Curve_index curve = m_segments.add_curve(halfedges, is_closed);
-    m_claim.set_has_curves(true);
     reset_initial_length(curve);
     return curve;
   }
@@ -200,11 +200,7 @@ public:
   }
 
   /// Removes all curves. Linear in the segments.
-  void clear()
-  {
-    m_segments.clear();
-    m_claim.set_has_curves(false);
-  }
+  void clear() { m_segments.clear(); }
 
   /// @}
   /// \name Curves
@@ -270,8 +266,8 @@ public:
   /// Is the node at the head of `s` fixed? So is the end of a path.
   bool is_head_fixed(Segment_index s) const { return m_segments.is_head_fixed(s); }
 
-  /// Does any segment lie on the edge of `h`?
-  bool is_occupied(Halfedge_index h) const { return m_triangulation->label(Triangulation::edge(h)) != 0; }
+  /// Does any segment of this network lie on the edge of `h`?
+  bool is_occupied(Halfedge_index h) const { return m_segments.is_occupied(h); }
 
   /// The segments on edge `e`, from left to right as seen along halfedge `2e`.
   std::vector<Segment_index> stack(Edge_index e) const { return m_segments.stack(e); }
@@ -291,34 +287,25 @@ public:
     return joint.side == Side::LEFT ? std::make_pair(at_x, at_y) : std::make_pair(at_y, at_x);
   }
 
-  /// The next end clockwise about the node; none if the border intervenes. Linear in the spokes passed.
+  /// The next end clockwise about the node; none if the border, or an edge that only other networks hold, comes first.
+  /// Linear in the incident edges passed.
   Strand_end next_clockwise(const Strand_end& end) const
   {
-    const Segment_index inner = m_segments.neighbor(end.segment, end.halfedge, Side::RIGHT);
-    if(inner != null_index)
-      return {end.halfedge, inner};
-    Walker h = m_segments.placed(end.segment, end.halfedge);
-    do {
-      h = h.clockwise();
-      if(h.is_none())
-        return {};
-    } while(h.label() == 0);
-    return {h.index(), m_segments.outermost(h.index(), Segment_index(h.label()), Side::LEFT)};
+    return next_end(end, Side::RIGHT, [](const Walker& h) { return h.is_held(); });
   }
 
-  /// The next end counterclockwise about the node; none if the border intervenes. Linear in the spokes passed.
+  /// The next end counterclockwise about the node; none if the border, or an edge that only other networks hold, comes
+  /// first. Linear in the incident edges passed.
   Strand_end next_counterclockwise(const Strand_end& end) const
   {
-    const Segment_index inner = m_segments.neighbor(end.segment, end.halfedge, Side::LEFT);
-    if(inner != null_index)
-      return {end.halfedge, inner};
-    Walker h = m_segments.placed(end.segment, end.halfedge);
-    do {
-      h = h.counterclockwise();
-      if(h.is_none())
-        return {};
-    } while(h.label() == 0);
-    return {h.index(), m_segments.outermost(h.index(), Segment_index(h.label()), Side::RIGHT)};
+    return next_end(end, Side::LEFT, [](const Walker& h) { return h.is_held(); });
+  }
+
+  /// The next end of this network about the node, clockwise if `side` is `Side::RIGHT`, otherwise counterclockwise,
+  /// whatever other networks hold in between; none if the border comes first. Linear in the incident edges passed.
+  Strand_end next_beyond_others(const Strand_end& end, Side side) const
+  {
+    return next_end(end, side, [this](const Walker& h) { return h.is_held() && m_segments.leftmost(h) != no_segment; });
   }
 
   /// Looks into the wedge of a joint, no further than to \f$\pi\f$.
@@ -386,7 +373,6 @@ public:
   {
     CGAL_precondition(number_of_curves() == 0);
     const bool is_restored = m_segments.restore(state);
-    m_claim.set_has_curves(number_of_curves() > 0);
     if(!is_restored)
       clear();
     return is_restored;
@@ -410,6 +396,31 @@ private:
   using Walker = typename Triangulation::Walker;
   using Division = internal::Segment_division<Triangulation>;
 
+  static constexpr Segment_index no_segment{0};
+
+  // The outermost segment on the first edge at which `is_end(h)` holds; none if only other networks hold that edge.
+  template <class IsEnd>
+  Strand_end next_end(const Strand_end& end, Side side, const IsEnd& is_end) const
+  {
+    const Segment_index inner = m_segments.neighbor(end.segment, end.halfedge, side);
+    if(inner != null_index)
+      return {end.halfedge, inner};
+    Walker h = m_segments.placed(end.segment, end.halfedge);
+    do {
+      h = side == Side::RIGHT ? h.clockwise() : h.counterclockwise();
+      if(h.is_none())
+        return {};
+    } while(!is_end(h));
+    return end_on(h, opposite_side(side));
+  }
+
+  // The outermost segment on an edge, on the side given as seen from the node; none if only other networks hold it.
+  Strand_end end_on(const Walker& h, Side side) const
+  {
+    const Segment_index first = m_segments.leftmost(h);
+    return first == no_segment ? Strand_end{} : Strand_end{h.index(), m_segments.outermost(h.index(), first, side)};
+  }
+
   Wedge look_into_wedge(const Joint& joint) const
   {
     if(is_head_fixed(joint.incoming))
@@ -426,12 +437,10 @@ private:
         return {Wedge_state::BORDER, {}};
       if(m_triangulation->is_straight(turn, a.halfedge, h.index()))
         return {Wedge_state::STRAIGHT, {}};
-    } while(h.label() == 0);
-    const Strand_end end = {h.index(), m_segments.outermost(h.index(), Segment_index(h.label()), Side::LEFT)};
-    return {b == end ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
+    } while(!h.is_held());
+    return {b == end_on(h, Side::LEFT) ? Wedge_state::FREE : Wedge_state::BLOCKED, turn};
   }
 
-  internal::Network_claim m_claim;
   Triangulation* m_triangulation;
   internal::Segment_store<Triangulation> m_segments;
 };

@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <CGAL/assertions.h>
@@ -96,8 +97,7 @@ public:
                             Visitor&& visitor = Visitor())
   {
     internal::check_vertex(source, m_triangulation->number_of_vertices());
-    if(m_triangulation->network_place().has_curves())
-      throw Occupied_triangulation_error("a tree cannot be grown in a triangulation that has curves");
+    internal::check_has_no_curves(*m_triangulation, "a tree cannot be grown");
     start(source, max_distance);
     return run_to_the_end(visitor);
   }

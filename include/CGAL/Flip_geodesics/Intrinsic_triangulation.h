@@ -106,7 +106,7 @@ public:
   /// A position in the flip log, to roll back to.
   using Log_position = std::size_t;
 
-  using Elements::edge, Elements::geometry, Elements::input, Elements::is_border, Elements::label, Elements::next,
+  using Elements::edge, Elements::geometry, Elements::holds, Elements::input, Elements::is_border, Elements::next,
       Elements::traits, Elements::twin, Elements::walker;
 
   /// \name Construction
@@ -142,10 +142,14 @@ public:
   {
   }
 
-  /// Moves a triangulation. \throws Occupied_triangulation_error if a network lives in it; nothing is changed then
-  Intrinsic_triangulation(Intrinsic_triangulation&&) = default;
-  /// Moves a triangulation. \throws Occupied_triangulation_error if a network lives in one of the two, as above
-  Intrinsic_triangulation& operator=(Intrinsic_triangulation&&) = default;
+  /*!
+   * Moves a triangulation, without copying anything of its size. What refers to `other`, such as networks, walkers, trees
+   * and shorteners, still does so, and can only be destroyed; networks with curves not even that. An
+   * `Edge_path_network` can be moved along, see its constructors. `other` can be assigned to and destroyed.
+   */
+  Intrinsic_triangulation(Intrinsic_triangulation&& other) noexcept = default;
+  /// Moves a triangulation, as the constructor does. \pre no network has curves in the one that is assigned to
+  Intrinsic_triangulation& operator=(Intrinsic_triangulation&& other) noexcept = default;
 
   /// @}
   /// \name Geometry
@@ -229,11 +233,12 @@ public:
   /// \name Flips
   /// @{
 
-  /// Can the edge of `h` be flipped [SC20, section 3.1.3]: inside, in a convex quad, both ends of degree above 1?
+  /// Can the edge of `h` be flipped [SC20, section 3.1.3]: inside, in a convex quad, both ends of degree above 1, and
+  /// not held?
   bool is_flippable(Halfedge_index h) const
   {
     const Halfedge_index t = twin(h);
-    if(is_border(h) || is_border(t) || next(h) == t || next(t) == h)
+    if(is_border(h) || is_border(t) || next(h) == t || next(t) == h || holds(edge(h)) > 0)
       return false;
     return !is_reflex_at_head(h) && !is_reflex_at_head(t);
   }
@@ -242,7 +247,7 @@ public:
    * Flips the edge of `h`: `h` leads from the apex of its twin's face to the apex of its own afterwards. Four flips of
    * one halfedge restore the connectivity. Constant time. If anything is thrown, `std::bad_alloc` above all, nothing
    * has changed.
-   * \pre `is_flippable(h)`, and no curve lies on the edge
+   * \pre `is_flippable(h)`
    */
   void flip(Halfedge_index h) { refresh_inaccurate(m_log.flip(store(), h)); }
 
@@ -262,7 +267,8 @@ public:
   }
 
   /// Takes flips and insertions back, the last first, until the log has `position` entries; bit for bit. Linear in what
-  /// is undone. \pre no curve lies on an edge that goes, or is removed before anything is asked of it
+  /// is undone. \pre no curve of any network lies on an edge that goes, or all such curves are removed before they are
+  /// used
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)
@@ -322,7 +328,7 @@ public:
   Vertex_index insert(const Surface_location& location)
   {
     return insert(location, [this](const internal::Edge_halves& halves) {
-      if(label(edge(halves.first)) != 0)
+      if(holds(edge(halves.first)) > 0)
         throw Occupied_triangulation_error("a curve lies on the edge that a point is to be inserted on");
     });
   }

@@ -9,10 +9,11 @@
 #include <CGAL/Flip_geodesics/internal/surface/is_valid_halfedge.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Network_place.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Placed_halfedge.h>
 
 #include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -20,8 +21,8 @@ namespace Flip_geodesics {
 /*!
  * \ingroup PkgFlipGeodesicsCurves
  *
- * The elements of an intrinsic triangulation: how they hang together, how long they are, and what a network keeps of
- * them. This is the base of `Intrinsic_triangulation`, which flips edges and inserts points.
+ * The elements of an intrinsic triangulation: how they are connected, how long they are, and which edges networks hold.
+ * This is the base of `Intrinsic_triangulation`, which flips edges and inserts points.
  *
  * Template parameters are those of `Intrinsic_triangulation`.
  */
@@ -159,19 +160,21 @@ public:
   void extend_turn(Turn& turn, Halfedge_index h) const { walker(h).extend_turn(turn); }
 
   /// @}
-  /// \name Labels
-  /// An integer per edge at the disposal of the one curve network that lives in the triangulation; 0 at first.
+  /// \name Held edges
+  /// An edge that is held is not flipped. A network holds each edge on which it has a segment once. Constant time.
   /// @{
 
-  /// The label of edge `e`.
-  Index label(Edge_index e) const { return m_halfedges.label(m_halfedges.slot(internal::first_side(e))); }
-  /// Sets the label of edge `e`.
-  void set_label(Edge_index e, Index label) { m_halfedges.label(m_halfedges.taken(internal::first_side(e))) = label; }
+  /// The number of holds on edge `e`: of networks that have a segment there, 0 at first.
+  Index holds(Edge_index e) const { return m_halfedges.holds(m_halfedges.slot(internal::first_side(e))); }
+  /// Holds edge `e` once more.
+  void hold(Edge_index e) { m_halfedges.hold(m_halfedges.taken(internal::first_side(e))); }
+  /// Takes one hold on edge `e` back. \pre `holds(e) > 0`
+  void release(Edge_index e) { m_halfedges.release(m_halfedges.slot(internal::first_side(e))); }
+  /// The number of holds on all edges; 0 if and only if no network has a segment in the triangulation.
+  std::size_t number_of_holds() const { return m_halfedges.number_of_holds(); }
 
-  /// Where the network claims its place.
-  internal::Network_place& network_place() { return m_network_place; }
-  /// Does a network live in the triangulation that has curves?
-  bool has_curves() const { return m_network_place.has_curves(); }
+  /// An upper bound of `Walker::edge_place()`. It grows with the number of edges that have been touched.
+  std::size_t number_of_edge_places() const { return m_halfedges.number_of_edge_places(); }
 
   /// @}
 
@@ -198,10 +201,10 @@ protected:
   {
   }
 
-  /// Moves the elements. \throws Occupied_triangulation_error while a network lives in the triangulation
-  Intrinsic_triangulation_elements(Intrinsic_triangulation_elements&&) = default;
-  /// As above.
-  Intrinsic_triangulation_elements& operator=(Intrinsic_triangulation_elements&&) = default;
+  /// Moves the elements.
+  Intrinsic_triangulation_elements(Intrinsic_triangulation_elements&&) noexcept = default;
+  /// Moves the elements.
+  Intrinsic_triangulation_elements& operator=(Intrinsic_triangulation_elements&&) noexcept = default;
 
   /// Where the elements are kept, for what changes them: faces of the input are copied when they are first read.
   Store& store() const { return m_halfedges; }
@@ -212,7 +215,6 @@ private:
   // Of a face that is known from here on.
   const Record& record(Halfedge_index h) const { return m_halfedges.known(h); }
 
-  internal::Network_place m_network_place; // first, so that it can refuse to be moved before anything is
   mutable Store m_halfedges;
 };
 

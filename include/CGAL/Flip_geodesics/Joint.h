@@ -44,7 +44,7 @@ struct Strand_end
 enum class Wedge_state {
   FREE,     ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
   STRAIGHT, ///< the angle is \f$\pi\f$ or more
-  BLOCKED,  ///< another strand is in the wedge, whose angle up to there is below \f$\pi\f$
+  BLOCKED,  ///< another strand, or an edge that another network holds, is in the wedge, at an angle below \f$\pi\f$
   BORDER,   ///< the border of the surface is in the wedge, whose angle is infinite
   FIXED     ///< the node is fixed: the wedge is not looked at
 };

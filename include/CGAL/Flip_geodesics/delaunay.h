@@ -49,7 +49,7 @@ inline std::size_t default_maximum_of_flips(Index number_of_edges)
  * guard. How many flips are needed depends on the shapes of faces: about one an edge on ordinary meshes, as many as the
  * aspect ratio where a long thin cylinder is twisted.
  *
- * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of its network are constrained, and stay
+ * \param triangulation a model of `IntrinsicTriangulation`; edges under curves of networks are constrained, and stay
  * \param edges a range of edge indices
  * \param maximum_flips ends the process early; `Delaunay_report::is_complete()` tells
  * \param visitor a model of `FlipOutVisitor`: `go_further()` is asked before each edge, and `on_flip()` called after each
@@ -70,7 +70,7 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
   report.is_stopped = lawson.is_stopped();
   for(Edge_index e : edges)
     if(!triangulation.is_locally_delaunay(internal::first_side(e)))
-      ++(triangulation.label(e) != 0 ? report.constrained : report.remaining);
+      ++(triangulation.holds(e) != 0 ? report.constrained : report.remaining);
   return report;
 }
 
@@ -85,8 +85,8 @@ Delaunay_report flip_to_delaunay(Triangulation& triangulation, const EdgeRange& 
 /*!
  * \ingroup PkgFlipGeodesicsDelaunay
  *
- * The same for all edges: the result is the intrinsic Delaunay triangulation. If a network lives in the triangulation,
- * it is the intrinsic constrained Delaunay triangulation of its curves, the iCDT [SC20, section 6.3]. Throws as the
+ * The same for all edges: the result is the intrinsic Delaunay triangulation. If networks have curves in the
+ * triangulation, it is the intrinsic constrained Delaunay triangulation of all these curves, the iCDT [SC20, section 6.3]. Throws as the
  * first overload. Complexity: linear in the mesh and the flips.
  */
 template <class Triangulation, class Visitor = Default_shortening_visitor>
@@ -147,7 +147,7 @@ template <class Triangulation>
 bool is_delaunay(const Triangulation& triangulation)
 {
   for(Edge_index e : internal::descriptors<Edge_index>(triangulation.number_of_edges()))
-    if(triangulation.label(e) == 0 && !triangulation.is_locally_delaunay(internal::first_side(e)))
+    if(triangulation.holds(e) == 0 && !triangulation.is_locally_delaunay(internal::first_side(e)))
       return false;
   return true;
 }

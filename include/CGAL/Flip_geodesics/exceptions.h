@@ -178,8 +178,8 @@ public:
 };
 
 /// \ingroup PkgFlipGeodesicsErrors
-/// A network lives in a triangulation, which therefore can neither be given another one nor be moved, nor flipped by
-/// what takes no notice of the network's curves.
+/// An edge would have to be flipped or split that lies under a curve of a network, or of another network than the one
+/// that is changed. Nothing is changed then.
 class Occupied_triangulation_error : public Error
 {
 public:

@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/shortest/last_leg_of_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
 #include <CGAL/assertions.h>
@@ -277,8 +278,7 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
     throw Vertex_out_of_range_error("shortest paths are searched from a vertex of the input mesh, and vertex " +
                                         std::to_string(tree.source().idx()) + " was inserted",
                                     {static_cast<std::size_t>(tree.source().idx())});
-  if(tree.triangulation().network_place().has_curves())
-    throw Occupied_triangulation_error("the paths of a tree cannot be replaced in a triangulation that has curves");
+  internal::check_has_no_curves(tree.triangulation(), "the paths of a tree cannot be replaced");
   const std::size_t most_windows = limit(static_cast<std::size_t>(tree.triangulation().number_of_vertices()));
   internal::Interruption interruption(visitor);
   internal::Window_propagation<Triangulation> field(tree.triangulation(), false);

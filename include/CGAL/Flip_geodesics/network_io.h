@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Network_state.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 
@@ -447,6 +448,7 @@ std::ostream& write_network(std::ostream& out, const Network& network)
  * \throws File_format_error if the text is no saved network of a known version, was damaged, or was written with traits
  *         that compute otherwise; if it has version 1 and inserted vertices; or if nothing can be read from the stream
  * \throws Input_mismatch_error if it was saved for another mesh, or another metric
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation
  *
  * Complexity: linear in the mesh, for its fingerprint, in the flips, and in the segments.
  */
@@ -455,6 +457,7 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
 {
   Triangulation& triangulation = network.triangulation();
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  internal::check_has_no_curves(triangulation, "a network cannot be restored");
   const std::string text = internal::checked_text(in);
   internal::Network_reader words(text);
   words.keyword(internal::network_magic);

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Is_curve_network.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/edges_under_curves.h>
 
 #include <CGAL/assertions.h>
 
@@ -180,6 +181,7 @@ Refinement_report refine(Triangulation& triangulation, Splitter& splitter, const
  *        an exception that it throws, the triangulation and its curves are valid, and the curves as long as before
  * \return what was reached, measured on the result
  * \throws Invalid_parameter_error for bounds that make no sense; what is thrown when faces are first touched
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
  *
  * Complexity: about linear in the flips and insertions, with a logarithm for the queue, and in the crossings of the
  * faces that are refined: how many points an input face has got does not slow further ones down.
@@ -189,6 +191,8 @@ template <class Network, class Visitor = Default_shortening_visitor,
 Refinement_report refine(Network& network, const Refinement_options& options = Refinement_options(),
                          Visitor&& visitor = Visitor())
 {
+  if(network.triangulation().number_of_holds() != internal::edges_under_curves(network).size())
+    throw Occupied_triangulation_error("a triangulation in which several networks have curves cannot be refined");
   return internal::refine(network.triangulation(), network, options, visitor);
 }
 
@@ -199,7 +203,7 @@ template <class Triangulation, class Visitor = Default_shortening_visitor,
 Refinement_report refine(Triangulation& triangulation, const Refinement_options& options = Refinement_options(),
                          Visitor&& visitor = Visitor())
 {
-  if(triangulation.network_place().has_curves())
+  if(triangulation.number_of_holds() > 0)
     throw Occupied_triangulation_error("a triangulation that has curves is refined by way of their network");
   internal::Triangulation_splitter<Triangulation> splitter = {triangulation};
   return internal::refine(triangulation, splitter, options, visitor);

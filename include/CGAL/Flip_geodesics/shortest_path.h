@@ -20,6 +20,7 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -219,6 +220,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
   if(landmarks != nullptr)
     landmarks->check_input(triangulation);
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  check_has_no_curves(triangulation, "a shortest path cannot be inserted");
   Taken_back_on_failure<Network> guard(network);
   const std::vector<Vertex_index> ends = {source, target};
   const std::vector<Halfedge_index> edge_path = edge_path_between(search, ends, visitor);
@@ -328,6 +330,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * \return what is known; the path is the network's only curve, if there is one
  * \throws Invalid_curve_error for equal vertices; otherwise as `geodesic_path()`; the network is empty then, and
  *         nothing is flipped, also if the visitor throws
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
  */
 template <class Network, class Search, class Visitor = Default_shortening_visitor>
 Shortest_path_report add_shortest_path(Network& network, Search& search, Vertex_index source, Vertex_index target,

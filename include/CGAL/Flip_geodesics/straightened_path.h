@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Strip_straightener.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 
 #include <CGAL/assertions.h>
 
@@ -108,6 +109,7 @@ private:
  *
  * \throws Degenerate_face_error, Invalid_coordinate_error as `Edge_path_network::add_curve()` for the path; the network
  *         is empty then, and nothing is flipped
+ * \throws Occupied_triangulation_error if another network has curves in the triangulation; nothing is changed then
  *
  * Complexity: that of some rounds over the strip, of which there are about as many as rows of vertices between the path
  * and the geodesic. The flips are linear in the edges that the geodesic crosses.
@@ -119,6 +121,7 @@ std::size_t add_straightened_path(Network& network, const std::vector<Halfedge_i
   using Triangulation = typename Network::Triangulation;
   Triangulation& triangulation = network.triangulation();
   CGAL_precondition(network.number_of_curves() == 0 && triangulation.log_position() == 0);
+  internal::check_has_no_curves(triangulation, "a path cannot be straightened");
   internal::Taken_back_on_failure<Network> guard(network);
   internal::Strip_straightener<Triangulation> straightener(triangulation);
   std::size_t flips = 0;

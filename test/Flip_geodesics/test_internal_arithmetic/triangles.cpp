@@ -26,7 +26,7 @@ struct Single_face
 
   static FG::Halfedge_index twin(FG::Halfedge_index h) { return FI::twin_index(h); }
   static FG::Edge_index edge(FG::Halfedge_index h) { return FG::Edge_index(h); }
-  FG::Index label(FG::Edge_index) const { return 0; }
+  FG::Index holds(FG::Edge_index) const { return 0; }
   bool is_border(FG::Halfedge_index) const { return false; }
   FG::Halfedge_index next(FG::Halfedge_index h) const
   {

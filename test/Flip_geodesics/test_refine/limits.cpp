@@ -80,7 +80,7 @@ struct Counting_triangulation
   static FG::Edge_index edge(Halfedge_index h) { return Triangulation::edge(h); }
   static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
   Halfedge_index next(Halfedge_index h) const { return triangulation.next(h); }
-  FG::Index label(FG::Edge_index e) const { return triangulation.label(e); }
+  FG::Index holds(FG::Edge_index e) const { return triangulation.holds(e); }
   FG::Index version(FG::Edge_index e) const { return triangulation.version(e); }
   bool is_border(Halfedge_index h) const { return triangulation.is_border(h); }
   double length(Halfedge_index h) const { return triangulation.length(h); }

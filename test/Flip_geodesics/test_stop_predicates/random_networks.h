@@ -119,7 +119,7 @@ struct Counting_visitor : FG::Default_shortening_visitor
   void on_flip(const Triangulation& triangulation, FG::Halfedge_index h)
   {
     ++flips;
-    BOOST_TEST(triangulation.label(triangulation.edge(h)) == 0);
+    BOOST_TEST(triangulation.holds(triangulation.edge(h)) == 0);
   }
 
   template <class Network>

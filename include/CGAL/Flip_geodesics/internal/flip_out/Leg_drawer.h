@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Followed_arcs.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Network_place.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/edges_under_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>
@@ -21,38 +21,32 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Lifts the curves of a network from the edges' labels, for as long as it lives. The network is not used meanwhile. */
+/* Releases the edges under the curves of a network, for as long as it lives. The network is not used meanwhile, and the
+ * edges are there again at the end. */
 template <class Network>
-class Lifted_labels
+class Released_edges
 {
   using Triangulation = typename Network::Triangulation;
 
 public:
-  explicit Lifted_labels(Network& network)
+  explicit Released_edges(Network& network)
     : m_triangulation(network.triangulation())
+    , m_edges(edges_under_curves(network))
   {
-    for(Curve_index c : network.curves())
-      network.for_each_segment(c, [&](Segment_index s) { lift(Triangulation::edge(network.halfedge(s))); });
+    for(Edge_index e : m_edges)
+      m_triangulation.release(e);
   }
-  Lifted_labels(const Lifted_labels&) = delete;
-  Lifted_labels& operator=(const Lifted_labels&) = delete;
-  ~Lifted_labels()
+  Released_edges(const Released_edges&) = delete;
+  Released_edges& operator=(const Released_edges&) = delete;
+  ~Released_edges()
   {
-    for(const auto& [e, label] : m_labels)
-      m_triangulation.set_label(e, label);
+    for(Edge_index e : m_edges)
+      m_triangulation.hold(e);
   }
 
 private:
-  void lift(Edge_index e)
-  {
-    if(m_triangulation.label(e) == 0)
-      return;
-    m_labels.push_back({e, m_triangulation.label(e)});
-    m_triangulation.set_label(e, 0);
-  }
-
   Triangulation& m_triangulation;
-  std::vector<std::pair<Edge_index, Index>> m_labels;
+  std::vector<Edge_index> m_edges;
 };
 
 /*
@@ -93,7 +87,7 @@ private:
     const auto before = m_triangulation.log_position();
     Followed_arcs<Triangulation> arcs(m_triangulation);
     {
-      const Lifted_labels<Network> lifted(m_network);
+      const Released_edges<Network> released(m_network);
       try {
         for(Halfedge_index h : pulled_tight(path))
           arcs.add({h, {}});
@@ -116,7 +110,7 @@ private:
 
   Chain pulled_tight(const Chain& path)
   {
-    Edge_path_network<Triangulation> network(m_triangulation, Beside_lifted_network());
+    Edge_path_network<Triangulation> network(m_triangulation);
     const Curve_index curve = network.add_curve(path, false);
     shorten(network);
     return network.halfedges(curve);
@@ -129,7 +123,7 @@ private:
 
   bool is_occupied(Halfedge_index h) const
   {
-    return m_network.is_occupied(h) || m_drawn.count(Triangulation::edge(h)) != 0;
+    return m_triangulation.holds(Triangulation::edge(h)) > 0 || m_drawn.count(Triangulation::edge(h)) != 0;
   }
 
   // Arcs of a geodesic are straight, and the strip that is crossed holds the segment.

@@ -12,6 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/surface/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
@@ -103,10 +104,11 @@ private:
   Surface_polyline pull(const Surface_location& p, const Surface_location& q, const MakePath& make_path,
                         const Tighten& tighten)
   {
+    check_has_no_curves(m_triangulation, "a geodesic between points cannot be found");
     const auto before = m_triangulation.log_position();
     Surface_polyline result;
     try {
-      Network network(m_triangulation, Beside_empty_network());
+      Network network(m_triangulation);
       const Vertex_index v = network.insert(p), w = network.insert(q);
       const std::vector<Halfedge_index> path = make_path(network, v, w);
       if(path.empty()) {

@@ -180,7 +180,7 @@ private:
 
   void check_is_free(Halfedge_index h) const
   {
-    if(!m_network.is_occupied(h) && m_drawn.count(Triangulation::edge(h)) == 0)
+    if(m_triangulation.holds(Triangulation::edge(h)) == 0 && m_drawn.count(Triangulation::edge(h)) == 0)
       return;
     const Vertex_index v = m_triangulation.tail(h), w = m_triangulation.head(h);
     throw Crossing_curves_error("a segment of a polyline crosses a curve between vertex " + std::to_string(v.idx()) +

@@ -24,10 +24,11 @@ struct Stack_place
 
 /*
  * Segments on halfedges of a triangulation, and what lies on each edge, its stack, from left to right as seen along its
- * first halfedge. The label of the edge is the leftmost one, 0 if there is none.
+ * first halfedge. The leftmost segment of each stack is kept by the place of the edge. The triangulation knows only that
+ * the edge is held.
  *
- * The invariant: a stack has segments on its edge only, each once. All that are alive are in one, but those between
- * `create()` and their being linked. Each has a payload, which means nothing here.
+ * The invariant: a stack has segments on its edge only, each once, and an edge is held once if and only if its stack has
+ * segments. All that are alive are in one, but those between `create()` and their being linked. Each has a payload, which means nothing here.
  *
  * Ids are given once and never again. In which direction of its edge a halfedge points is as good as random, so that
  * what depends on it is chosen without a branch.
@@ -40,9 +41,17 @@ public:
 
   explicit Edge_stacks(Triangulation& triangulation)
     : m_triangulation(&triangulation)
-    , m_segments(1) // id 0 is no segment, as label 0 is no stack
+    , m_segments(1) // id 0 is no segment
   {
   }
+
+  Edge_stacks(Edge_stacks&&) noexcept = default;
+  Edge_stacks& operator=(Edge_stacks&&) noexcept = default;
+
+  Triangulation& triangulation() const { return *m_triangulation; }
+
+  /* Says where the triangulation has been moved to. */
+  void set_triangulation(Triangulation& triangulation) { m_triangulation = &triangulation; }
 
   Payload& operator[](Segment_index s) { return m_segments[s].payload; }
   const Payload& operator[](Segment_index s) const { return m_segments[s].payload; }
@@ -54,6 +63,14 @@ public:
   /* A side of the edge of s. */
   Walker placed(Segment_index s, Halfedge_index h) const { return m_triangulation->walker(m_segments[s].place, h); }
 
+  /* The leftmost segment on the edge at which a walker stands, along the edge's first halfedge; none with id 0. */
+  Segment_index leftmost(const Walker& place) const
+  {
+    return place.edge_place() < m_leftmost.size() ? m_leftmost[place.edge_place()] : no_segment;
+  }
+
+  bool is_occupied(Halfedge_index h) const { return leftmost_on(h) != no_segment; }
+
   /* The neighbour of s in its stack as seen along h, null_index if s is outermost. */
   Segment_index neighbor(Segment_index s, Halfedge_index h, Side side) const
   {
@@ -61,13 +78,13 @@ public:
     const Segment_index found = m_segments[s].beside[i];
     if(found == s) // alone, as nearly always
       return null_index;
-    return chosen(i, s, found).idx() == placed(s, h).label() ? null_index : found; // the circle closes at the leftmost
+    return chosen(i, s, found) == leftmost(placed(s, h)) ? null_index : found; // the circle closes at the leftmost
   }
 
   /* The outermost segment on a side of the edge of h, as seen along h. \pre there is one */
-  Segment_index outermost(Halfedge_index h, Side side) const { return outermost(h, leftmost(h), side); }
+  Segment_index outermost(Halfedge_index h, Side side) const { return outermost(h, leftmost_on(h), side); }
 
-  /* The same, with the label of the edge. */
+  /* The same, with the leftmost segment on the edge. */
   Segment_index outermost(Halfedge_index h, Segment_index first, Side side) const
   {
     return chosen(side_along_first_halfedge(h, side), first, m_segments[first].beside[0]);
@@ -77,7 +94,7 @@ public:
   std::vector<Segment_index> stack(Edge_index e) const
   {
     std::vector<Segment_index> result;
-    const Segment_index first = leftmost(first_side(e));
+    const Segment_index first = leftmost_on(first_side(e));
     if(first == no_segment)
       return result;
     Segment_index s = first;
@@ -103,10 +120,11 @@ public:
     return {halfedge(s), neighbor(s, first, Side::LEFT), neighbor(s, first, Side::RIGHT)};
   }
 
-  /* Makes room for so many segments and one more: so one can always be created without memory being asked for, to take
-   * back what failed. */
+  /* Makes room for so many segments and one more, on edges that were touched: so one can always be created without
+   * memory being asked for, to take back what failed. */
   void make_room(std::size_t number)
   {
+    make_room_for_edges(m_triangulation->number_of_edge_places());
     if(m_segments.capacity() - m_segments.size() <= number)
       m_segments.reserve((std::max)(2 * m_segments.capacity(), m_segments.size() + number + 1));
   }
@@ -123,19 +141,27 @@ public:
   /* The same with an id that was given before. \pre it is not alive */
   void revive(Segment_index s, Halfedge_index h)
   {
+    const Walker place = m_triangulation->walker(h);
+    make_room_for_edges(place.edge_place() + 1);
     m_segments[s].halfedge = h;
-    m_segments[s].place = m_triangulation->walker(h).place();
+    m_segments[s].place = place.place();
   }
 
   /* Ids up to here are given, to no segment that is alive. \pre there are none */
   void set_end_of_ids(Index end) { m_segments.resize(static_cast<std::size_t>(end)); }
 
-  /* All segments and ids go. */
-  void clear()
+  /* All segments go, and no edge is held any more. Nothing else may be done then but `clear()`. */
+  void release_edges()
   {
     for(Segment_index s(1); s.idx() < end_of_ids(); ++s)
       if(is_alive(s))
-        m_triangulation->set_label(Triangulation::edge(halfedge(s)), 0);
+        release_edge(placed(s, halfedge(s)));
+  }
+
+  /* All segments and ids go. */
+  void clear()
+  {
+    release_edges();
     m_segments.resize(1);
   }
 
@@ -143,15 +169,16 @@ public:
   void link_outermost(Segment_index s, Halfedge_index h)
   {
     const Walker place = placed(s, h);
-    const Segment_index first(place.label());
+    Segment_index& first = m_leftmost[place.edge_place()];
     if(first == no_segment) {
       m_segments[s].beside = {{s, s}};
-      place.set_label(s.idx());
+      first = s;
+      place.hold();
       return;
     }
     link_right_of(s, m_segments[first].beside[0]);
     if(!is_first_side(h))
-      place.set_label(s.idx());
+      first = s;
   }
 
   /* Puts s next to another one on its edge, right of it as seen along the first halfedge. \pre s is in no stack */
@@ -170,8 +197,10 @@ public:
     const auto [left, right] = m_segments[s].beside;
     m_segments[left].beside[1] = right;
     m_segments[right].beside[0] = left;
-    if(place.label() == s.idx())
-      place.set_label(right == s ? no_segment.idx() : right.idx());
+    if(right == s)
+      release_edge(place);
+    else if(Segment_index& first = m_leftmost[place.edge_place()]; first == s)
+      first = right;
   }
 
   /* \pre s is in no stack */
@@ -188,9 +217,26 @@ private:
     Payload payload;
   };
 
-  Segment_index leftmost(Halfedge_index h) const
+  // Also of an edge that was never touched.
+  Segment_index leftmost_on(Halfedge_index h) const
   {
-    return Segment_index(m_triangulation->label(Triangulation::edge(h)));
+    return m_triangulation->holds(Triangulation::edge(h)) > 0 ? leftmost(m_triangulation->walker(h)) : no_segment;
+  }
+
+  void make_room_for_edges(std::size_t number)
+  {
+    if(m_leftmost.size() < number)
+      m_leftmost.resize(number, no_segment);
+  }
+
+  // Of all its segments.
+  void release_edge(const Walker& place)
+  {
+    Segment_index& first = m_leftmost[place.edge_place()];
+    if(first == no_segment)
+      return;
+    first = no_segment;
+    place.release();
   }
 
   // What is a side along h, along the first halfedge of its edge: 0 left, 1 right.
@@ -206,6 +252,7 @@ private:
 
   Triangulation* m_triangulation;
   Indexed_by<Segment_index, std::vector<Segment>> m_segments;
+  std::vector<Segment_index> m_leftmost; // by the place of the edge; grows as edges are touched
 };
 
 } // namespace internal

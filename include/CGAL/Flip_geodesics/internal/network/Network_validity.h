@@ -52,7 +52,9 @@ public:
   {
     Strand_end start = end;
     bool has_border = false;
-    for(Strand_end e = m_network.next_counterclockwise(start); e != end; e = m_network.next_counterclockwise(start)) {
+    for(Strand_end e = m_network.next_beyond_others(start, Side::LEFT); e != end;
+        e = m_network.next_beyond_others(start, Side::LEFT))
+    {
       if(e.is_none()) {
         has_border = true;
         break;
@@ -125,7 +127,7 @@ private:
       } else {
         open.push_back(end);
       }
-      end = m_network.next_clockwise(end);
+      end = m_network.next_beyond_others(end, Side::RIGHT);
     } while(!end.is_none() && end != start);
     return open.empty();
   }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
@@ -31,17 +32,13 @@ public:
 
   Vertex_index insert(const Surface_location& location, Known_piece* close_by)
   {
-    const auto on_split = [this](const auto& halves) {
-      m_segments.divide_stack(halves.first, {{halves.first, halves.second}});
-    };
-    return m_triangulation.insert(location, on_split, close_by);
+    return m_triangulation.insert(
+        location, [this](const auto& halves) { this->divide_stack(halves); }, close_by);
   }
 
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
-    return m_triangulation.split_edge(h, location, gap, [this](const auto& halves) {
-      m_segments.divide_stack(halves.first, {{halves.first, halves.second}});
-    });
+    return m_triangulation.split_edge(h, location, gap, [this](const auto& halves) { this->divide_stack(halves); });
   }
 
   /*
@@ -77,9 +74,7 @@ public:
     finder.look_along(word, t);
     Segment_index half = null_index;
     m_triangulation.split_edge(h, word.along != null_index ? finder.result() : finder.result_inside(), finder.gap(),
-                               [&](const auto& halves) {
-                                 half = m_segments.divide_stack(halves.first, {{halves.first, halves.second}}, s);
-                               });
+                               [&](const auto& halves) { half = this->divide_stack(halves, s); });
     return half;
   }
 
@@ -92,6 +87,16 @@ private:
     Halfedge_index halfedge = null_index;
     double place = 0;
   };
+
+  // As Segment_store::divide_stack(); \throws Occupied_triangulation_error if another network holds the edge
+  template <class Edge_halves>
+  Segment_index divide_stack(const Edge_halves& halves, Segment_index watched = null_index)
+  {
+    const Index own_holds = m_segments.leftmost(m_triangulation.walker(halves.first)).idx() != 0 ? 1 : 0;
+    if(m_triangulation.holds(Triangulation::edge(halves.first)) > own_holds)
+      throw Occupied_triangulation_error("a curve of another network lies on the edge that is to be split");
+    return m_segments.divide_stack(halves.first, {{halves.first, halves.second}}, watched);
+  }
 
   Sliver sliver_beside(Halfedge_index h) const
   {

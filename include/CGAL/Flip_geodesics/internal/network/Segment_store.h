@@ -46,19 +46,26 @@ class Segment_store : private Edge_stacks<Triangulation, Segment_links>
 public:
   explicit Segment_store(Triangulation& triangulation)
     : Stacks(triangulation)
-    , m_triangulation(&triangulation)
   {
   }
+
+  Segment_store(Segment_store&&) noexcept = default;
+  Segment_store& operator=(Segment_store&&) noexcept = default;
 
   using Stacks::end_of_ids;
   using Stacks::halfedge;
   using Stacks::is_alive;
+  using Stacks::is_occupied;
+  using Stacks::leftmost;
   using Stacks::neighbor;
   using Stacks::outermost;
   using Stacks::placed;
+  using Stacks::release_edges;
   using Stacks::set_stack;
+  using Stacks::set_triangulation;
   using Stacks::stack;
   using Stacks::stack_place;
+  using Stacks::triangulation;
 
   // ---------------------------------------------------------------- curves
 
@@ -186,7 +193,7 @@ public:
    * halfedge or its twin. Returns the one that arrives at the old node. */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h)
   {
-    const Halfedge_index hn = m_triangulation->next(h), hp = m_triangulation->next(hn);
+    const Halfedge_index hn = triangulation().next(h), hp = triangulation().next(hn);
     const Curve_index curve = this->curve(s);
     const bool is_along = h == halfedge(s);
     make_room(2);
@@ -370,9 +377,9 @@ private:
     m_curves.push_back({null_index, null_index, curve.is_closed, curve.initial_length});
     for(const Network_state::Segment& s : curve.segments) {
       const bool is_free = s.id.idx() > 0 && s.id.idx() < end_of_ids() && !is_alive(s.id);
-      if(!is_free || !s.halfedge.is_valid() || s.halfedge.idx() >= m_triangulation->number_of_halfedges())
+      if(!is_free || !s.halfedge.is_valid() || s.halfedge.idx() >= triangulation().number_of_halfedges())
         return false;
-      if(last(c) != null_index && m_triangulation->head(halfedge(last(c))) != m_triangulation->tail(s.halfedge))
+      if(last(c) != null_index && triangulation().head(halfedge(last(c))) != triangulation().tail(s.halfedge))
         return false;
       Stacks::revive(s.id, s.halfedge);
       links(s.id).curve = c;
@@ -384,7 +391,7 @@ private:
 
   bool close(Curve_index curve)
   {
-    if(m_triangulation->head(halfedge(last(curve))) != m_triangulation->tail(halfedge(first(curve))))
+    if(triangulation().head(halfedge(last(curve))) != triangulation().tail(halfedge(first(curve))))
       return false;
     link(last(curve), first(curve));
     return true;
@@ -392,7 +399,7 @@ private:
 
   bool restore_stack(const Network_state::Stack& stack)
   {
-    if(!stack.edge.is_valid() || stack.edge.idx() >= m_triangulation->number_of_edges())
+    if(!stack.edge.is_valid() || stack.edge.idx() >= triangulation().number_of_edges())
       return false;
     std::vector<Segment_index> there = this->stack(stack.edge), wanted = stack.segments;
     std::sort(there.begin(), there.end());
@@ -403,7 +410,6 @@ private:
     return true;
   }
 
-  Triangulation* m_triangulation;
   Indexed_by<Curve_index, std::vector<Curve>> m_curves;
 };
 

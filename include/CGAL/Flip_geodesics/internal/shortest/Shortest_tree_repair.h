@@ -188,17 +188,19 @@ private:
   // Flips all edges that neither the tree nor a curve has.
   void flip_to_delaunay_beside_tree()
   {
-    std::vector<Edge_index> labeled;
-    for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.number_of_vertices())) {
-      const Halfedge_index h = m_tree.incoming(v);
-      if(h == null_index || m_triangulation.label(Triangulation::edge(h)) != 0)
-        continue;
-      labeled.push_back(Triangulation::edge(h));
-      m_triangulation.set_label(labeled.back(), 1);
+    const auto for_each_edge_of_tree = [this](auto function) {
+      for(Vertex_index v : descriptors<Vertex_index>(m_triangulation.number_of_vertices()))
+        if(m_tree.incoming(v) != null_index)
+          function(Triangulation::edge(m_tree.incoming(v)));
+    };
+    for_each_edge_of_tree([this](Edge_index e) { m_triangulation.hold(e); });
+    try {
+      m_flips += flip_to_delaunay(m_triangulation).flips;
+    } catch(...) {
+      for_each_edge_of_tree([this](Edge_index e) { m_triangulation.release(e); });
+      throw;
     }
-    m_flips += flip_to_delaunay(m_triangulation).flips;
-    for(Edge_index e : labeled)
-      m_triangulation.set_label(e, 0);
+    for_each_edge_of_tree([this](Edge_index e) { m_triangulation.release(e); });
   }
 
   /*

@@ -19,7 +19,7 @@ namespace internal {
 template <class Triangulation>
 bool is_constrained_edge(const Triangulation& triangulation, Halfedge_index h)
 {
-  return triangulation.label(Triangulation::edge(h)) != 0 || triangulation.is_border(h) ||
+  return triangulation.holds(Triangulation::edge(h)) != 0 || triangulation.is_border(h) ||
          triangulation.is_border(Triangulation::twin(h));
 }
 

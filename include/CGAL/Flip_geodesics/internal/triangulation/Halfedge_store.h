@@ -47,7 +47,7 @@ inline Slot side_slot(Slot s, Halfedge_index h)
 
 /*
  * What a triangulation keeps of a halfedge, and half of what it keeps of its edge: the first side has the crossings and
- * the version, the second the label and which edge it is. All zeros is a side of an input edge whose face is not known
+ * the version, the second how often it is held and which edge it is. All zeros is a side of an input edge whose face is not known
  * yet. With two doubles of geometry it takes 32 bytes, so that an edge is a cache line.
  */
 template <class Halfedge_geometry>
@@ -57,7 +57,7 @@ struct Halfedge_record
 
   Index encoded_next; // untouched, border, or the slot of the next halfedge
   Vertex_index tail;
-  Index of_edge[2]; // crossings, one more, and version; or label, and first halfedge, one more if a side is kept
+  Index of_edge[2]; // crossings, one more, and version; or holds, and first halfedge, one more if a side is kept
   Halfedge_geometry geometry;
 
   bool is_known() const { return encoded_next != untouched; }
@@ -100,6 +100,10 @@ public:
     m_records.resize(m_slots.number_of_slots());
     m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
   }
+
+  // The numbers of elements that are left of the other one do not matter.
+  Halfedge_store(Halfedge_store&&) noexcept = default;
+  Halfedge_store& operator=(Halfedge_store&&) noexcept = default;
 
   const Input_mesh& input() const { return m_input; }
   const Metric& metric() const { return m_metric; }
@@ -158,8 +162,27 @@ public:
   Index crossings_plus_one(Slot s) const { return first_side(s).of_edge[0]; }
   Index version(Slot s) const { return first_side(s).of_edge[1]; }
   Index crossings(Slot s) const { return crossings_plus_one(s) - 1; }
-  Index& label(Slot s) { return second_side(s).of_edge[0]; }
-  Index label(Slot s) const { return second_side(s).of_edge[0]; }
+
+  /* How many networks hold the edge of a slot, and all edges together. */
+  Index holds(Slot s) const { return second_side(s).of_edge[0]; }
+  std::size_t number_of_holds() const { return m_number_of_holds; }
+
+  void hold(Slot s)
+  {
+    ++second_side(s).of_edge[0];
+    ++m_number_of_holds;
+  }
+
+  /* \pre the edge is held */
+  void release(Slot s)
+  {
+    CGAL_precondition_msg(holds(s) > 0, "an edge is released that nothing holds");
+    --second_side(s).of_edge[0];
+    --m_number_of_holds;
+  }
+
+  /* The slots of an edge are two that follow each other: half the first one is a number of the edge. */
+  std::size_t number_of_edge_places() const { return m_slots.number_of_slots() / 2; }
 
   /* A halfedge that starts at v, null_index at an isolated vertex. */
   Halfedge_index outgoing(Vertex_index v)
@@ -315,6 +338,7 @@ private:
   Metric m_metric;
   Traits m_traits;
   Index m_number_of_vertices, m_number_of_halfedges;
+  std::size_t m_number_of_holds = 0;
   Halfedge_slots m_slots;
   Vertex_slots m_vertex_slots;
   std::vector<Record, boost::alignment::aligned_allocator<Record, 64>> m_records;

@@ -156,7 +156,7 @@ private:
   {
     while(m_triangulation.number_of_edges() > number_left) {
       const Edge_index e(m_triangulation.number_of_edges() - 1);
-      CGAL_precondition_msg(m_triangulation.label(e) == 0, "a curve lies on an edge that goes with its point");
+      CGAL_precondition_msg(m_triangulation.holds(e) == 0, "a curve lies on an edge that goes with its point");
       m_history.forget(e, m_triangulation.version(e));
       m_halfedges.remove_last_edge();
     }

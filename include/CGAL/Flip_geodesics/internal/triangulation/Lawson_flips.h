@@ -96,7 +96,7 @@ public:
       m_queue.pop_front();
       Edge& edge = m_edges.at(e);
       edge.is_queued = false;
-      if(m_triangulation.label(e) != 0 || m_triangulation.is_locally_delaunay(h) || !is_still_to_flip(edge, h))
+      if(m_triangulation.holds(e) != 0 || m_triangulation.is_locally_delaunay(h) || !is_still_to_flip(edge, h))
         continue;
       m_triangulation.flip(h);
       visitor.on_flip(m_triangulation, h);

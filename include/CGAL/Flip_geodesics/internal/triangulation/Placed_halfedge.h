@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -37,8 +38,10 @@ public:
   Place place() const { return m_slot; }
 
   Halfedge_index index() const { return store().halfedge(m_slot); }
-  Index label() const { return store().label(m_slot); }
-  void set_label(Index label) const { store().label(m_slot) = label; }
+  std::size_t edge_place() const { return static_cast<std::size_t>(m_slot) / 2; }
+  bool is_held() const { return store().holds(m_slot) != 0; }
+  void hold() const { store().hold(m_slot); }
+  void release() const { store().release(m_slot); }
 
   /* What clockwise() and counterclockwise() give where the border intervenes. */
   bool is_none() const { return m_slot == Slot::NONE; }

@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 
 #include <cstddef>
-#include <deque>
 #include <utility>
 
 namespace CGAL {
@@ -95,7 +94,7 @@ private:
   Index free_entry()
   {
     if(m_free == null_index) {
-      m_entries.emplace_back();
+      m_entries.push_back(Entry());
       return static_cast<Index>(m_entries.size()) - 1;
     }
     return std::exchange(m_free, entry(m_free).older);
@@ -128,8 +127,8 @@ private:
     (e.older == null_index ? m_oldest : entry(e.older).newer) = e.newer;
   }
 
-  Block_array<Index> m_slots;  // by position in the log: which entry is the version's
-  std::deque<Entry> m_entries; // whose values stay where they are
+  Block_array<Index> m_slots;   // by position in the log: which entry is the version's
+  Block_array<Entry> m_entries; // whose values stay where they are
   Index m_newest = null_index, m_oldest = null_index;
   Index m_free = null_index; // the first entry without a value; the others follow as older ones
   std::size_t m_bytes = 0;
