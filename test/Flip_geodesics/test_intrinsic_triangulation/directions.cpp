@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 using namespace Flip_geodesics_test;
 
@@ -46,6 +47,50 @@ BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
         }
       }
     }
+  }
+}
+
+// Clockwise and counterclockwise, by halfedges and by angles, with and without a border.
+BOOST_AUTO_TEST_CASE(fans_lead_from_angles_to_directions_and_back)
+{
+  const double tolerance = 1e-12;
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(3, 3, Diagonal_rule::RANDOM, 0.2, 1));
+  const Triangulation t(mesh);
+  const auto& input = t.input();
+  for(FG::Input_halfedge_index start : descriptors<FG::Input_halfedge_index>(t.number_of_halfedges())) {
+    const FG::internal::Vertex_fan fan = FG::internal::umbrella_of(t, start);
+    const auto& around = fan.halfedges();
+    const auto faces = static_cast<FG::Index>(around.size()) - (fan.has_border() ? 1 : 0);
+    BOOST_TEST(fan.has(start));
+    BOOST_TEST(fan.has_border() == (FG::internal::border_of_umbrella(input, start) != FG::null_index));
+    BOOST_TEST((fan.has_border() || around.front().halfedge == start));
+    double sum = 0;
+    for(FG::Index i = 0; i < static_cast<FG::Index>(around.size()); ++i) {
+      const auto& [h, angle, corner] = around[static_cast<std::size_t>(i)];
+      BOOST_TEST((input.tail(h) == input.tail(start)));
+      BOOST_TEST(std::abs(angle - sum) < tolerance);
+      BOOST_TEST(fan.angle_of(h, input.tail(h)) == angle);
+      BOOST_TEST(std::abs(FG::internal::sum_of_input_corners(t, h, i).value() - angle) < tolerance);
+      const FG::Index all_round = fan.has_border() ? -1 : faces;
+      const auto corners = [&](const auto& from, const auto& to) {
+        return FG::internal::number_of_corners_clockwise(input, from, to);
+      };
+      BOOST_TEST(corners(h, around.front().halfedge) == (i == 0 ? all_round : i));
+      BOOST_TEST(corners(around.front().halfedge, h) == (fan.has_border() ? -1 : faces - i));
+      sum += corner;
+      if(input.is_border(h))
+        continue;
+      const auto turn = fan.turn_at(angle + corner / 4);
+      BOOST_TEST((turn.halfedge == h));
+      BOOST_TEST(std::abs(turn.angle - corner / 4) < tolerance);
+      BOOST_TEST(turn.corner == corner);
+    }
+    BOOST_TEST(std::abs(fan.total() - sum) < tolerance);
+    BOOST_TEST((fan.turn_at(-tolerance).halfedge == around.front().halfedge));
+    const auto last = fan.turn_at(sum + tolerance);
+    BOOST_TEST((last.halfedge == around[static_cast<std::size_t>(faces - 1)].halfedge));
+    BOOST_TEST(last.angle > last.corner);
+    BOOST_CHECK_THROW(fan.angle_of(twin_index(start), input.tail(start)), FG::Invalid_mesh_error);
   }
 }
 

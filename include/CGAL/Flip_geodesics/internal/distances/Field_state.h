@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Edge_windows.h>
 #include <CGAL/Flip_geodesics/internal/distances/Face_sides.h>
 #include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_fan.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_openings.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/distances/Face_crossing.h>
 #include <CGAL/Flip_geodesics/internal/distances/Round_queue.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_fan.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_openings.h>
 
 #include <CGAL/assertions.h>
 

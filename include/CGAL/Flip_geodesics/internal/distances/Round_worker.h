@@ -7,7 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Field_state.h>
 #include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
 #include <CGAL/Flip_geodesics/internal/distances/Scratch.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_fan.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_openings.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,7 +38,7 @@ public:
     : m_state(state)
     , m_items(items)
     , m_keeps_windows(keeps_windows)
-    , m_fan(state.triangulation)
+    , m_vertex_openings(state.triangulation)
   {
   }
 
@@ -124,7 +124,7 @@ private:
   {
     const Vertex_index v(item.due.id);
     s.is_source = m_state.vertices[v].is_source;
-    const std::vector<Vertex_opening>& openings = m_fan.openings(m_state.sides, v, m_state.vertices[v]);
+    const std::vector<Vertex_opening>& openings = m_vertex_openings(m_state.sides, v, m_state.vertices[v]);
     s.openings.first = s.openings.last = m_openings.allocate(openings.size());
     s.paths.first = s.paths.last = m_paths.allocate(openings.size());
     for(const Vertex_opening& o : openings) {
@@ -305,7 +305,7 @@ private:
   Round_items& m_items;
   bool m_keeps_windows;
   Window_inserter m_inserter;
-  Vertex_fan<Triangulation> m_fan;
+  Vertex_openings<Triangulation> m_vertex_openings;
   bool m_has_flat_face = false;
   // Of the round:
   std::uint32_t m_round = 0;

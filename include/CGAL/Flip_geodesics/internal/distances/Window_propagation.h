@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_part.h>
 #include <CGAL/Flip_geodesics/internal/distances/Team.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_fan.h>
+#include <CGAL/Flip_geodesics/internal/distances/Vertex_openings.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 
@@ -115,7 +115,8 @@ public:
   {
     double angle = 0;
     const Vertex_record& record = vertex(v);
-    const Input_halfedge_index h = Vertex_fan<Triangulation>(m_triangulation).first_halfedge(sides(), v, record, angle);
+    const Input_halfedge_index h =
+        Vertex_openings<Triangulation>(m_triangulation).first_halfedge(sides(), v, record, angle);
     const Vertex_index from(record.root);
     if(record.along != null_index)
       return {from, h, 0, m_triangulation.metric().length(m_triangulation.input(), record.along)};

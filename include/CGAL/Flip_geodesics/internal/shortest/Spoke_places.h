@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <algorithm>
@@ -76,7 +77,7 @@ private:
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index t = twin_index(place.reference);
-    place.reference = input.is_border(t) ? Input_halfedge_index(null_index) : input.next(t);
+    place.reference = input.is_border(t) ? Input_halfedge_index(null_index) : clockwise_of(input, place.reference);
     if(place.reference != null_index)
       place.angle += input_corner(m_triangulation, input.next(input.next(place.reference)));
   }

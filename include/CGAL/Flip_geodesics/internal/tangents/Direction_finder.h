@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Ray.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -89,22 +90,16 @@ public:
   /* On from a vertex, at an angle counterclockwise from a halfedge that starts there. */
   Ray_start at_vertex(Input_halfedge_index h, double angle) const
   {
-    const Fan fan = fan_of(h);
-    double position = fan.start + angle;
-    if(!fan.has_border)
-      position -= fan.total * std::floor(position / fan.total);
-    const double allowed = direction_rounding * fan.total;
-    if(!(position >= -allowed && position <= fan.total + allowed))
-      return {{fan.first, {{1, 0, 0}}}, {0, 0}, true, position};
-    Input_halfedge_index spoke = fan.first;
-    for(;;) {
-      const double here = corner(spoke);
-      const Input_halfedge_index next = next_spoke(spoke);
-      if(position < here || next == fan.first || input().is_border(next))
-        return {{spoke, {{1, 0, 0}}}, inside_corner(spoke, position, here), false, 0};
-      position -= here;
-      spoke = next;
-    }
+    const Vertex_fan fan = fan_of(h);
+    const double total = fan.total();
+    double position = fan.angle_of(h, input().tail(h)) + angle;
+    if(!fan.has_border())
+      position -= total * std::floor(position / total);
+    const double allowed = direction_rounding * total;
+    if(!(position >= -allowed && position <= total + allowed))
+      return {{fan.halfedges().front().halfedge, {{1, 0, 0}}}, {0, 0}, true, position};
+    const Vertex_fan::Turn turn = fan.turn_at(position);
+    return {{turn.halfedge, {{1, 0, 0}}}, inside_corner(turn.halfedge, turn.angle, turn.corner), false, 0};
   }
 
   /* On from a vertex, at an angle from a side of a face that has it. */
@@ -126,41 +121,18 @@ public:
   /* The sum of the angles about the tail of a halfedge; infinite on the border. */
   double total_angle(Input_halfedge_index h) const
   {
-    const Fan fan = fan_of(h);
-    return fan.has_border ? std::numeric_limits<double>::infinity() : fan.total;
+    const Vertex_fan fan = fan_of(h);
+    return fan.has_border() ? std::numeric_limits<double>::infinity() : fan.total();
   }
 
 private:
-  // The faces about a vertex, counterclockwise from a spoke, which is the border's if there is one; all angles, and that
-  // from there on to a given spoke.
-  struct Fan
-  {
-    Input_halfedge_index first;
-    double start = 0, total = 0;
-    bool has_border = false;
-  };
-
   const auto& input() const { return m_triangulation.input(); }
-  Input_halfedge_index next_spoke(Input_halfedge_index h) const { return twin_index(input().next(input().next(h))); }
 
-  Fan fan_of(Input_halfedge_index given) const
+  // With the corners as they are in the frames in which directions are told.
+  Vertex_fan fan_of(Input_halfedge_index h) const
   {
-    Fan fan;
-    fan.first = given;
-    do { // clockwise up to the border, if there is one
-      const Input_halfedge_index t = twin_index(fan.first);
-      fan.has_border = input().is_border(t);
-      fan.first = fan.has_border ? fan.first : input().next(t);
-    } while(!fan.has_border && fan.first != given);
-    Input_halfedge_index h = fan.first;
-    do {
-      if(h == given)
-        fan.start = fan.total;
-      if(input().is_border(h))
-        break;
-      fan.total += corner(h);
-      h = next_spoke(h);
-    } while(h != fan.first);
+    Vertex_fan fan;
+    fan.collect_umbrella(input(), h, [this](Input_halfedge_index g) { return corner(g); });
     return fan;
   }
 

@@ -6,14 +6,13 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -41,9 +40,9 @@ std::complex<double> direction_of_side(const Triangulation& triangulation, Input
 }
 
 /*
- * The directions at a place as positions, in radians, counterclockwise over all faces that have it: at a vertex as
- * `Vertex_directions` tells them, else from the halfedge of the place on. At a non-manifold vertex they are those of one
- * umbrella.
+ * The directions at a place as positions, in radians, counterclockwise over all faces that have it: the angles
+ * of a `Vertex_fan`, which begin at the halfedge of the place unless that is a vertex. At a non-manifold vertex they are
+ * those of one umbrella.
  */
 template <class Triangulation>
 class Place_frame
@@ -56,8 +55,11 @@ public:
     : m_triangulation(triangulation)
     , m_place(place)
   {
-    if(kind(place) == Location_kind::VERTEX)
-      m_vertex.emplace(triangulation, triangulation.input().tail(place.halfedge));
+    if(is_vertex())
+      m_fan = umbrella_of(triangulation, input().outgoing(vertex()));
+    else
+      m_fan.set_flat(place.halfedge,
+                     kind(place) == Location_kind::EDGE && input().is_border(twin_index(place.halfedge)));
   }
 
   /* The same in the umbrella of a face that has the place. */
@@ -65,40 +67,35 @@ public:
     : Place_frame(triangulation, place)
   {
     if(!has(face))
-      m_vertex.emplace(triangulation, corner(face));
+      m_fan = umbrella_of(triangulation, corner(face));
   }
 
   /* Has it the directions of a face that has the place? */
-  bool has(Input_halfedge_index face) const { return !m_vertex || m_vertex->has(corner(face)); }
+  bool has(Input_halfedge_index face) const { return !is_vertex() || m_fan.has(corner(face)); }
 
-  /* The angle counterclockwise from one position to another; infinite if the border intervenes. \pre it is a vertex */
-  double counterclockwise(double from, double to) const { return m_vertex->counterclockwise(from, to); }
+  /* The angle counterclockwise from one position to another; infinite if the border intervenes. */
+  double counterclockwise(double from, double to) const { return m_fan.counterclockwise(from, to); }
 
-  bool has_border() const
-  {
-    if(m_vertex)
-      return m_vertex->has_border();
-    return kind(m_place) == Location_kind::EDGE && input().is_border(twin_index(m_place.halfedge));
-  }
+  bool has_border() const { return m_fan.has_border(); }
 
   /* Are directions that differ by all angles the same? A point of an edge has the other half of its plane. */
-  bool has_whole_turns() const { return !m_vertex || !has_border(); }
+  bool has_whole_turns() const { return !is_vertex() || !has_border(); }
 
   /* All angles at the place. */
-  double total() const
-  {
-    return m_vertex ? m_vertex->total() : (has_border() ? 1 : 2) * boost::math::constants::pi<double>();
-  }
+  double total() const { return m_fan.total(); }
 
   /* By how much positions are stretched, so that a whole turn is 2 pi; not on the border. */
-  double stretch() const { return m_vertex && !has_border() ? boost::math::constants::two_pi<double>() / total() : 1; }
+  double stretch() const
+  {
+    return is_vertex() && !has_border() ? boost::math::constants::two_pi<double>() / total() : 1;
+  }
 
   /* The position of a direction in a face that has the place, in the frame of the face's halfedge h. */
   double position(Input_halfedge_index h, const Vector& direction) const
   {
-    if(m_vertex) {
+    if(is_vertex()) {
       const Input_halfedge_index c = corner(h);
-      return m_vertex->of_input(c) + std::arg(direction / direction_of_side(m_triangulation, h, c));
+      return m_fan.angle_of(c, vertex()) + std::arg(direction / direction_of_side(m_triangulation, h, c));
     }
     if(face_name(input(), h) == face_name(input(), m_place.halfedge))
       return std::arg(direction / direction_of_side(m_triangulation, h, m_place.halfedge));
@@ -111,7 +108,7 @@ public:
   {
     if(!h.is_valid() || h.idx() >= input().number_of_halfedges())
       throw Invalid_parameter_error("a direction is told from a halfedge that the mesh does not have");
-    if(m_vertex)
+    if(is_vertex())
       return position_at_vertex(h);
     const bool is_in_face = !input().is_border(h);
     const Input_halfedge_index t = twin_index(m_place.halfedge);
@@ -148,7 +145,7 @@ public:
   /* The halfedge of the face of h that starts at the place. \pre it is a vertex */
   Input_halfedge_index corner(Input_halfedge_index h) const
   {
-    const Vertex_index v = input().tail(m_place.halfedge);
+    const Vertex_index v = vertex();
     for(int i = 0; i < 2 && input().tail(h) != v; ++i)
       h = input().next(h);
     return h;
@@ -156,6 +153,8 @@ public:
 
 private:
   const auto& input() const { return m_triangulation.input(); }
+  bool is_vertex() const { return kind(m_place) == Location_kind::VERTEX; }
+  Vertex_index vertex() const { return input().tail(m_place.halfedge); }
 
   [[noreturn]] static void throw_no_side(Input_halfedge_index h)
   {
@@ -165,16 +164,16 @@ private:
 
   double reduced(double angle) const
   {
-    const double turn = m_vertex ? total() : boost::math::constants::two_pi<double>();
+    const double turn = is_vertex() ? total() : boost::math::constants::two_pi<double>();
     const double result = angle - turn * std::floor(angle / turn);
     return result < turn ? result : 0;
   }
 
   double position_at_vertex(Input_halfedge_index h) const
   {
-    const Vertex_index v = input().tail(m_place.halfedge);
+    const Vertex_index v = vertex();
     if(input().tail(h) == v)
-      return m_vertex->of_input(h);
+      return m_fan.angle_of(h, v);
     if(input().is_border(h))
       throw_no_side(h);
     const Input_halfedge_index c = corner(h);
@@ -182,12 +181,12 @@ private:
       throw_no_side(h);
     // Clockwise about the face, as a `Direction_finder` goes: a whole turn more or less is another direction there.
     const double angle = std::arg(direction_of_side(m_triangulation, c, h));
-    return m_vertex->of_input(c) + angle - (h == input().next(c) ? boost::math::constants::two_pi<double>() : 0);
+    return m_fan.angle_of(c, v) + angle - (h == input().next(c) ? boost::math::constants::two_pi<double>() : 0);
   }
 
   const Triangulation& m_triangulation;
   Surface_location m_place;
-  std::optional<Vertex_directions<Triangulation>> m_vertex; // if it is one
+  Vertex_fan m_fan;
 };
 
 } // namespace internal

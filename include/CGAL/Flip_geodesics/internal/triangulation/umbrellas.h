@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_UMBRELLAS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -24,7 +25,7 @@ Input_halfedge_index border_of_umbrella(const Input_mesh& input, Input_halfedge_
   do {
     if(input.is_border(g))
       return g;
-    g = twin_index(input.next(input.next(g)));
+    g = counterclockwise_of(input, g);
   } while(g != h);
   return null_index;
 }
@@ -35,8 +36,8 @@ Input_halfedge_index next_umbrella(const Input_mesh& input, Input_halfedge_index
 {
   Input_halfedge_index h = border;
   while(!input.is_border(twin_index(h)))
-    h = input.next(twin_index(h));
-  return input.next(twin_index(h));
+    h = clockwise_of(input, h);
+  return clockwise_of(input, h);
 }
 
 /* The one before. */

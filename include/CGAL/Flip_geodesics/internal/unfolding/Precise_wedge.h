@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <CGAL/enum.h>
@@ -76,12 +77,8 @@ private:
   template <class Visit>
   void for_each_corner(const Visit& visit) const
   {
-    Input_halfedge_index spoke = m_from.tail_reference;
-    for(Index i = 0; i < m_corners; ++i) {
-      const Input_halfedge_index t = twin_index(spoke);
-      visit(precise_input_halfedge(*m_triangulation, t));
-      spoke = m_triangulation->input().next(t);
-    }
+    for_each_corner_clockwise(m_triangulation->input(), m_from.tail_reference, m_corners,
+                              [&](Input_halfedge_index t) { visit(precise_input_halfedge(*m_triangulation, t)); });
   }
 
   const Triangulation* m_triangulation;

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <CGAL/enum.h>
 
@@ -169,15 +169,12 @@ private:
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index first = input.outgoing(v);
+    const Index count = number_of_corners_clockwise(input, first, first);
+    if(count < 0)
+      return true;
     double sum = 0;
-    Index count = 0;
-    for(Input_halfedge_index h = first; count == 0 || h != first; ++count) {
-      const Input_halfedge_index t = twin_index(h);
-      if(input.is_border(t))
-        return true;
-      sum += input_corner(m_triangulation, t);
-      h = input.next(t);
-    }
+    for_each_corner_clockwise(input, first, count,
+                              [&](Input_halfedge_index t) { sum += input_corner(m_triangulation, t); });
     excess = sum - 2 * boost::math::constants::pi<double>();
     if(std::abs(excess) > (count + 4) * input_corner_error)
       return excess > 0;

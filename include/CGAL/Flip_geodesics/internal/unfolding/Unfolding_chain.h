@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <array>
 #include <cstddef>
@@ -139,11 +140,9 @@ public:
   Unfolding_chain corners(Input_halfedge_index h, Index count) const
   {
     Unfolding_chain result;
-    for(Index i = 0; i < count; ++i) {
-      const Input_halfedge_index t = twin_index(h);
+    for_each_corner_clockwise(m_triangulation.input(), h, count, [&](Input_halfedge_index t) {
       result.steps.push_back({Kind::CORNER, &face(t)}); // from next(t) to -t: -conj(q) up to a positive factor
-      h = next(t);
-    }
+    });
     return result;
   }
 

@@ -4,11 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_WEDGE_ANGLE_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/Taut_string.h>
-#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -38,63 +36,6 @@ struct Wedge_angle
     return value < pi ? SMALLER : LARGER;
   }
 };
-
-/* The input corner at the head of input halfedge h, as a complex number, in a face that is known. */
-template <class Triangulation>
-std::complex<double> input_corner_vector(const Triangulation& triangulation, Input_halfedge_index h)
-{
-  const auto face = known_input_face_geometry(triangulation, h);
-  return {-face[1].x, face[1].y}; // the layout puts h on the positive real axis
-}
-
-/* The input corner at the head of input halfedge h, in any face; it has to be a triangle. */
-template <class Triangulation>
-double input_corner(const Triangulation& triangulation, Input_halfedge_index h)
-{
-  check_triangle(triangulation.input(), h);
-  return std::arg(input_corner_vector(triangulation, h));
-}
-
-/* The sum of angles between 0 and pi, given as complex numbers: their product, and the half turns that it has lost. */
-class Angle_sum
-{
-public:
-  void add(const std::complex<double>& corner)
-  {
-    const double x = unfused(m_x * corner.real()) - unfused(m_y * corner.imag());
-    const double y = unfused(m_x * corner.imag()) + unfused(m_y * corner.real());
-    const double scale = 1 / (std::abs(x) + std::abs(y));
-    const bool is_past_straight = y < 0 || (y == 0 && x < 0);
-    m_half_turns += is_past_straight ? 1 : 0;
-    m_x = is_past_straight ? -x * scale : x * scale;
-    m_y = std::abs(y) * scale;
-  }
-
-  double value() const { return unfused(m_half_turns * boost::math::constants::pi<double>()) + std::atan2(m_y, m_x); }
-
-  /* The rotation by the sum, scaled. */
-  std::complex<double> rotation() const
-  {
-    return m_half_turns % 2 == 0 ? std::complex<double>(m_x, m_y) : std::complex<double>(-m_x, -m_y);
-  }
-
-private:
-  double m_x = 1, m_y = 0; // with an angle of at least 0 and below pi
-  int m_half_turns = 0;
-};
-
-/* The sum of so many input corners clockwise from input halfedge h about an input vertex. */
-template <class Triangulation>
-Angle_sum sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index steps)
-{
-  Angle_sum sum;
-  for(Index i = 0; i < steps; ++i) {
-    const Input_halfedge_index t = twin_index(h);
-    sum.add(input_corner_vector(triangulation, t));
-    h = triangulation.input().next(t);
-  }
-  return sum;
-}
 
 /* The angle of an edge from its reference halfedge: between 0 and pi, up to rounding, which can turn pi into -pi. */
 inline double angle_from_reference(const std::complex<double>& end)

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_comparison.h>
 
@@ -68,21 +69,16 @@ Comparison_result compare_clockwise(const Triangulation& triangulation, Decision
   const bool is_one_corner = a.reference == b.reference;
   if(is_one_corner && std::abs(a.angle - b.angle) <= 1.6 * (a.error + b.error))
     return SMALLER;
-  Angle_sum sum;
-  Index steps = 0;
-  if(!is_one_corner || a.angle < b.angle) {
-    Input_halfedge_index spoke = a.reference;
-    do {
-      const Input_halfedge_index t = twin_index(spoke);
-      if(input.is_border(t))
-        return LARGER;
-      check_triangle(input, t);
-      sum.add(input_corner_vector(triangulation, t));
-      ++steps;
-      spoke = input.next(t);
-    } while(spoke != b.reference);
-  }
+  const bool is_in_one_face = is_one_corner && !(a.angle < b.angle);
+  const Index steps = is_in_one_face ? 0 : number_of_corners_clockwise(input, a.reference, b.reference);
+  if(steps < 0)
+    return LARGER;
   const double error = 1.6 * (a.error + b.error) + static_cast<double>(steps + 4) * input_corner_error;
+  Angle_sum sum;
+  for_each_corner_clockwise(input, a.reference, steps, [&](Input_halfedge_index t) {
+    check_triangle(input, t);
+    sum.add(input_corner_vector(triangulation, t));
+  });
   const Comparison_result quick = Wedge_angle{a.angle - b.angle + sum.value(), error}.compare_with_straight();
   if(quick == EQUAL)
     return Wedge_comparison<Triangulation>(triangulation, statistics)(Wedge_words{from.seen(), to.seen(), steps});

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_FAN_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_FAN_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_OPENINGS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_OPENINGS_H
 
 #include <CGAL/Flip_geodesics/internal/distances/Face_sides.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -43,41 +44,37 @@ struct Vertex_opening
 };
 
 /*
- * The faces at a vertex, and where paths go on from it: vertices are sources themselves, for the directions in which
- * shortest paths can go on from them, at an angle of at least pi from where they came, on both sides. All the faces have
- * to be known to `Face_sides`.
+ * Finds where paths go on from a vertex: vertices are sources themselves, for the directions in which shortest paths can
+ * go on from them, at an angle of at least pi from where they came, on both sides. All the faces at the vertex have to be
+ * known to `Face_sides`. The angles of its `Vertex_fan` begin where the path to the vertex comes from.
  */
 template <class Triangulation>
-class Vertex_fan
+class Vertex_openings
 {
   using Vector = std::complex<double>;
   using Sides = Face_sides<Triangulation>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
 public:
-  explicit Vertex_fan(const Triangulation& triangulation)
+  explicit Vertex_openings(const Triangulation& triangulation)
     : m_triangulation(triangulation)
   {
   }
 
   /* Paths along the edges of a vertex, and windows on the edges opposite, at most two a halfedge that starts there. */
-  const std::vector<Vertex_opening>& openings(const Sides& sides, Vertex_index v, const Vertex_record& record)
+  const std::vector<Vertex_opening>& operator()(const Sides& sides, Vertex_index v, const Vertex_record& record)
   {
     m_openings.clear();
     double angle = 0;
     const Input_halfedge_index start = first_halfedge(sides, v, record, angle);
     const bool is_free = record.through == null_index && record.along == null_index;
-    const Input_halfedge_index border = walk_counterclockwise(sides, start, angle);
+    m_fan.collect(m_triangulation.input(), start, angle, [&](Input_halfedge_index h) { return corner(sides, h); });
     const double bend = is_free ? -infinity : boost::math::constants::pi<double>() - slack(sides);
-    const double total = m_fan.back().angle + m_fan.back().corner - angle;
-    const double most = border == null_index ? total - bend : infinity;
-    for(const Fan_face& face : m_fan)
-      open(sides, v, record, face, bend, most);
-    if(border == null_index)
-      return m_openings;
-    walk_clockwise(sides, start, angle, border);
-    for(const Fan_face& face : m_fan)
-      open(sides, v, record, face, -infinity, -bend);
+    const double most = m_fan.has_border() ? infinity : m_fan.total() - bend;
+    for(const Outgoing_halfedge& o : m_fan.halfedges())
+      open(sides, v, record, o, bend, most);
+    if(m_fan.has_border())
+      open_clockwise(sides, v, record, start, angle, -bend);
     return m_openings;
   }
 
@@ -97,12 +94,13 @@ public:
   }
 
 private:
-  // A face, counterclockwise of a halfedge that starts at the vertex.
-  struct Fan_face
+  using Outgoing_halfedge = Vertex_fan::Outgoing_halfedge;
+
+  static double corner(const Sides& sides, Input_halfedge_index h)
   {
-    Input_halfedge_index halfedge;
-    double angle, corner; // of the halfedge, from where the path to the vertex comes; and of the face
-  };
+    const Face_side& f = sides.known(h);
+    return std::atan2(f.sine, f.cosine);
+  }
 
   /*
    * Returns by how much less than pi the angle of a path at the vertex may be. The window of a ray that passes the
@@ -113,8 +111,8 @@ private:
   double slack(const Sides& sides) const
   {
     double shortest = infinity, longest = 0;
-    for(const Fan_face& face : m_fan) {
-      const Input_halfedge_index h = face.halfedge;
+    for(const Outgoing_halfedge& o : m_fan.halfedges()) {
+      const Input_halfedge_index h = o.halfedge;
       const double length = sides.known(m_triangulation.input().is_border(h) ? twin_index(h) : h).length;
       shortest = (std::min)(shortest, length);
       longest = (std::max)(longest, length);
@@ -122,55 +120,38 @@ private:
     return (std::max)(angle_sum_rounding, 2 * Window::place_error * (longest / shortest));
   }
 
-  // Up to the border, whose halfedge is returned, or all round.
-  Input_halfedge_index walk_counterclockwise(const Sides& sides, Input_halfedge_index start, double angle)
-  {
-    m_fan.clear();
-    Input_halfedge_index h = start;
-    do {
-      if(m_triangulation.input().is_border(h)) {
-        m_fan.push_back({h, angle, 0});
-        return h;
-      }
-      const Face_side& f = sides.known(h);
-      m_fan.push_back({h, angle, std::atan2(f.sine, f.cosine)});
-      angle += m_fan.back().corner;
-      h = twin_index(sides.known(f.next).next);
-    } while(h != start);
-    return null_index;
-  }
-
-  // From there on, also over the border, beyond which all directions are open.
-  void walk_clockwise(const Sides& sides, Input_halfedge_index start, double angle, Input_halfedge_index end)
+  // Clockwise from a halfedge up to the last one of the fan, over the border, beyond which all directions are open.
+  void open_clockwise(const Sides& sides, Vertex_index v, const Vertex_record& record, Input_halfedge_index start,
+                      double angle, double most)
   {
     const auto& input = m_triangulation.input();
-    m_fan.clear();
+    const Input_halfedge_index end = m_fan.halfedges().back().halfedge;
     for(Input_halfedge_index h = start;;) {
       angle = input.is_border(twin_index(h)) ? -beyond_all_angles : angle;
-      h = input.next(twin_index(h));
+      h = clockwise_of(input, h);
       if(h == end)
         return;
-      const double corner = input.is_border(h) ? 0 : std::atan2(sides.known(h).sine, sides.known(h).cosine);
-      angle -= corner;
-      m_fan.push_back({h, angle, corner});
+      const double whole = input.is_border(h) ? 0 : corner(sides, h);
+      angle -= whole;
+      open(sides, v, record, {h, angle, whole}, -infinity, most);
     }
   }
 
   // A path along the edge at which a face starts, and a window on the edge opposite, for angles in [least, most].
-  void open(const Sides& sides, Vertex_index v, const Vertex_record& record, const Fan_face& face, double least,
+  void open(const Sides& sides, Vertex_index v, const Vertex_record& record, const Outgoing_halfedge& o, double least,
             double most)
   {
-    const Input_halfedge_index h = face.halfedge;
+    const Input_halfedge_index h = o.halfedge;
     const bool is_border = m_triangulation.input().is_border(h);
     const double distance = record.distance + sides.known(is_border ? twin_index(h) : h).length;
     m_openings.push_back({h, null_index, m_triangulation.input().tail(twin_index(h)), distance, Window()});
-    if(is_border || face.angle > most || face.angle + face.corner < least)
+    if(is_border || o.angle > most || o.angle + o.corner < least)
       return;
     const Input_halfedge_index opposite = sides.known(h).next;
     const Face_side& f = sides.known(opposite);
     const bool is_thin = f.y < thin_face * f.length; // where a ray meets the side says nothing of its direction then
-    const double first = face.angle < least && !is_thin ? hit(f, least - face.angle) : 0;
-    const double last = face.angle + face.corner > most && !is_thin ? hit(f, most - face.angle) : f.length;
+    const double first = o.angle < least && !is_thin ? hit(f, least - o.angle) : 0;
+    const double last = o.angle + o.corner > most && !is_thin ? hit(f, most - o.angle) : f.length;
     if(!(first < last))
       return;
     m_openings.back().opposite = opposite;
@@ -187,7 +168,7 @@ private:
   }
 
   const Triangulation& m_triangulation;
-  std::vector<Fan_face> m_fan;
+  Vertex_fan m_fan;
   std::vector<Vertex_opening> m_openings;
 };
 
@@ -195,4 +176,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_FAN_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_OPENINGS_H

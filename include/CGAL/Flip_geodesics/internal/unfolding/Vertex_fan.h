@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_VERTEX_FAN_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_VERTEX_FAN_H
+
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The halfedge that follows h counterclockwise around its tail. \pre h is not on the border */
+template <class Input_mesh>
+Input_halfedge_index counterclockwise_of(const Input_mesh& input, Input_halfedge_index h)
+{
+  return twin_index(input.next(input.next(h)));
+}
+
+/* The halfedge that follows h clockwise around its tail. If the twin of h is on the border, it begins an umbrella. */
+template <class Input_mesh>
+Input_halfedge_index clockwise_of(const Input_mesh& input, Input_halfedge_index h)
+{
+  return input.next(twin_index(h));
+}
+
+/* The number of corners clockwise from one outgoing halfedge of a vertex to another, all of them if the two are the
+ * same; -1 if the border intervenes. */
+template <class Input_mesh>
+Index number_of_corners_clockwise(const Input_mesh& input, Input_halfedge_index from, Input_halfedge_index to)
+{
+  Index result = 0;
+  Input_halfedge_index h = from;
+  do {
+    if(input.is_border(twin_index(h)))
+      return -1;
+    h = clockwise_of(input, h);
+    ++result;
+  } while(h != to);
+  return result;
+}
+
+/* Calls visit(t) for `number` corners clockwise from outgoing halfedge h of a vertex; t is the halfedge of the corner's
+ * face that ends at the vertex. */
+template <class Input_mesh, class Visit>
+void for_each_corner_clockwise(const Input_mesh& input, Input_halfedge_index h, Index number, const Visit& visit)
+{
+  for(Index i = 0; i < number; ++i) {
+    visit(twin_index(h));
+    h = clockwise_of(input, h);
+  }
+}
+
+/* The input corner at the head of input halfedge h, as a complex number, in a face that is known. */
+template <class Triangulation>
+std::complex<double> input_corner_vector(const Triangulation& triangulation, Input_halfedge_index h)
+{
+  const auto face = known_input_face_geometry(triangulation, h);
+  return {-face[1].x, face[1].y}; // the layout puts h on the positive real axis
+}
+
+/* The input corner at the head of input halfedge h, in any face; it has to be a triangle. */
+template <class Triangulation>
+double input_corner(const Triangulation& triangulation, Input_halfedge_index h)
+{
+  check_triangle(triangulation.input(), h);
+  return std::arg(input_corner_vector(triangulation, h));
+}
+
+/* The sum of angles between 0 and pi, given as complex numbers: their product, and the half turns that it has lost. */
+class Angle_sum
+{
+public:
+  void add(const std::complex<double>& corner)
+  {
+    const double x = unfused(m_x * corner.real()) - unfused(m_y * corner.imag());
+    const double y = unfused(m_x * corner.imag()) + unfused(m_y * corner.real());
+    const double scale = 1 / (std::abs(x) + std::abs(y));
+    const bool is_past_straight = y < 0 || (y == 0 && x < 0);
+    m_half_turns += is_past_straight ? 1 : 0;
+    m_x = is_past_straight ? -x * scale : x * scale;
+    m_y = std::abs(y) * scale;
+  }
+
+  double value() const { return unfused(m_half_turns * boost::math::constants::pi<double>()) + std::atan2(m_y, m_x); }
+
+  /* The rotation by the sum, scaled. */
+  std::complex<double> rotation() const
+  {
+    return m_half_turns % 2 == 0 ? std::complex<double>(m_x, m_y) : std::complex<double>(-m_x, -m_y);
+  }
+
+private:
+  double m_x = 1, m_y = 0; // with an angle of at least 0 and below pi
+  int m_half_turns = 0;
+};
+
+/* The sum of so many input corners clockwise from input halfedge h about an input vertex. */
+template <class Triangulation>
+Angle_sum sum_of_input_corners(const Triangulation& triangulation, Input_halfedge_index h, Index number)
+{
+  Angle_sum sum;
+  for_each_corner_clockwise(triangulation.input(), h, number,
+                            [&](Input_halfedge_index t) { sum.add(input_corner_vector(triangulation, t)); });
+  return sum;
+}
+
+/*
+ * The outgoing halfedges of a vertex of the input, counterclockwise, with their angles, in radians. A direction at the
+ * vertex is an angle of this kind. The halfedges are those of one umbrella, from its border on if it has one; the last
+ * one is then on the border itself.
+ *
+ * The angle of a face at the vertex is whatever a function corner(h) returns for the outgoing halfedge h of the face,
+ * since clients keep shapes of faces in different frames.
+ */
+class Vertex_fan
+{
+public:
+  struct Outgoing_halfedge
+  {
+    Input_halfedge_index halfedge;
+    double angle;  // of the halfedge
+    double corner; // of the face on its left; zero on the border
+  };
+
+  /* A direction in a face: the angle counterclockwise from an outgoing halfedge, and the whole corner there. */
+  struct Turn
+  {
+    Input_halfedge_index halfedge;
+    double angle, corner;
+  };
+
+  /* Collects the umbrella of an outgoing halfedge h. The angles start at the border, or at h if there is none. */
+  template <class Input_mesh, class Corner>
+  void collect_umbrella(const Input_mesh& input, Input_halfedge_index h, const Corner& corner)
+  {
+    Input_halfedge_index first = h;
+    bool is_at_border = false;
+    do { // clockwise up to the border, if there is one
+      is_at_border = input.is_border(twin_index(first));
+      first = is_at_border ? first : clockwise_of(input, first);
+    } while(!is_at_border && first != h);
+    collect(input, first, 0, corner);
+  }
+
+  /* Collects the outgoing halfedges counterclockwise from a given one, which has a given angle, up to the border, or all
+   * the way around. */
+  template <class Input_mesh, class Corner>
+  void collect(const Input_mesh& input, Input_halfedge_index first, double angle, const Corner& corner)
+  {
+    m_halfedges.clear();
+    Input_halfedge_index h = first;
+    do {
+      m_has_border = input.is_border(h);
+      m_halfedges.push_back({h, angle, m_has_border ? 0 : corner(h)});
+      angle += m_halfedges.back().corner;
+      h = m_has_border ? first : counterclockwise_of(input, h);
+    } while(h != first);
+    m_end = angle;
+  }
+
+  /* Represents a point that is no vertex, on the edge of h or inside its face: directions start at that of h. */
+  void set_flat(Input_halfedge_index h, bool is_on_border)
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    m_halfedges = {{h, 0, pi}, {twin_index(h), pi, is_on_border ? 0 : pi}};
+    m_has_border = is_on_border;
+    m_end = is_on_border ? pi : 2 * pi;
+  }
+
+  const std::vector<Outgoing_halfedge>& halfedges() const { return m_halfedges; }
+  bool has_border() const { return m_has_border; }
+
+  /* The sum of the corners. */
+  double total() const { return m_halfedges.empty() ? 0 : m_end - m_halfedges.front().angle; }
+
+  /* Returns whether h is one of the halfedges. */
+  bool has(Input_halfedge_index h) const { return found(h) != m_halfedges.end(); }
+
+  /* The angle of an outgoing halfedge.
+   * \throws Invalid_mesh_error if the halfedge is in another umbrella of the vertex */
+  double angle_of(Input_halfedge_index h, Vertex_index vertex) const
+  {
+    const auto place = found(h);
+    if(place == m_halfedges.end())
+      throw Invalid_mesh_error("sheets of the surface meet in vertex " + std::to_string(vertex.idx()) +
+                                   " only, so that directions there have no angles between them",
+                               {static_cast<std::size_t>(vertex.idx())});
+    return place->angle;
+  }
+
+  /* The face of a direction that is given by its angle from the first halfedge on. An angle that is out of range by
+   * rounding is one in the first or last face. \pre there is a face */
+  Turn turn_at(double angle) const
+  {
+    const std::size_t last = m_halfedges.size() - (m_has_border ? 2 : 1);
+    std::size_t i = 0;
+    for(; i < last && !(angle < m_halfedges[i].corner); ++i)
+      angle -= m_halfedges[i].corner;
+    return {m_halfedges[i].halfedge, angle, m_halfedges[i].corner};
+  }
+
+  /* The smaller of the angles between two directions on their two sides; a side that holds the border is infinite. */
+  double smaller_wedge(double a, double b) const
+  {
+    const double wedge = a < b ? b - a : a - b;
+    return m_has_border ? wedge : (std::min)(wedge, total() - wedge);
+  }
+
+  /* The angle counterclockwise from one direction to another; infinite if the border intervenes. */
+  double counterclockwise(double from, double to) const
+  {
+    if(from <= to)
+      return to - from;
+    return m_has_border ? std::numeric_limits<double>::infinity() : to - from + total();
+  }
+
+private:
+  std::vector<Outgoing_halfedge>::const_iterator found(Input_halfedge_index h) const
+  {
+    return std::find_if(m_halfedges.begin(), m_halfedges.end(),
+                        [h](const Outgoing_halfedge& o) { return o.halfedge == h; });
+  }
+
+  std::vector<Outgoing_halfedge> m_halfedges;
+  double m_end = 0; // the angle behind the last corner
+  bool m_has_border = false;
+};
+
+/* The umbrella of an outgoing halfedge of a vertex of the input, with corners that are computed from the input.
+ * \throws Invalid_mesh_error if a face is not a triangle, and as the metric */
+template <class Triangulation>
+Vertex_fan umbrella_of(const Triangulation& triangulation, Input_halfedge_index h)
+{
+  const auto& input = triangulation.input();
+  Vertex_fan result;
+  result.collect_umbrella(
+      input, h, [&](Input_halfedge_index g) { return input_corner(triangulation, input.next(input.next(g))); });
+  return result;
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_VERTEX_FAN_H
