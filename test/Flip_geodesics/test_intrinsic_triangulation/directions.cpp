@@ -6,7 +6,9 @@
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
@@ -278,6 +280,93 @@ BOOST_AUTO_TEST_CASE(points_lie_beside_edges_as_in_the_plane)
   }
   BOOST_TEST(points[0] > 20);
   BOOST_TEST(points[1] > 20);
+}
+
+namespace {
+
+using Layout_in_double = FG::internal::Layout_in_double<Triangulation>;
+using Precise_layout = FG::internal::Layout_in_double_double<Triangulation>;
+
+std::complex<double> position(const Layout_in_double::Corner& corner) { return corner.position; }
+std::complex<double> position(const Precise_layout::Corner& corner)
+{
+  return {corner.position.x.high, corner.position.y.high};
+}
+
+// The face of h, with the tail of h at the origin and h along the real axis.
+FG::internal::Face_strip<Layout_in_double> first_face(const Layout_in_double& layout, FG::Input_halfedge_index h,
+                                                      double length)
+{
+  const auto sides = layout.sides(h, length);
+  return {layout, h, sides, layout.corners(sides, {{1, 0, 0}})};
+}
+
+FG::internal::Face_strip<Precise_layout> first_face(const Precise_layout& layout, FG::Input_halfedge_index h, double)
+{
+  const auto sides = layout.sides(h, {{{1, 0}, {}}, 0, {}, 0});
+  const Precise_layout::Corner tail = {{}, 0}, head = layout.step(tail, sides[0]);
+  return {layout, h, sides, {tail, head, layout.step(head, sides[1])}};
+}
+
+// Leaves faces over sides that are chosen at random, over the first one only in the first face; then crosses the same
+// edges in one go.
+template <class Layout>
+void check_unfolding(const Mesh& mesh, const Triangulation& t, FG::Input_halfedge_index start, Random_numbers& random)
+{
+  const double rounding = 1e-14; // of places in the plane
+  const auto& input = t.input();
+  const std::complex<double> origin = place(mesh, t, input.tail(start)),
+                             along = place(mesh, t, input.tail(twin_index(start))) - origin,
+                             unit = along / std::abs(along);
+  auto faces = first_face(Layout(t), start, t.metric().length(input, start));
+  auto again = faces;
+  std::vector<FG::Input_halfedge_index> crossed;
+  for(std::size_t number = 0; number < 40; ++number) {
+    BOOST_TEST(faces.entered() == number);
+    for(int i = 0; i < 3; ++i) {
+      const auto& corner = faces.corners()[i];
+      const FG::Input_halfedge_index side = faces.side(i);
+      const std::complex<double> expected = (place(mesh, t, input.tail(side)) - origin) * std::conj(unit);
+      BOOST_TEST(faces.number_of(side) == i);
+      BOOST_TEST(std::abs(position(corner) - expected) <= corner.error + rounding);
+      BOOST_TEST(corner.error < 1e-10);
+    }
+    const int side = number == 0 ? random.below(3) : 1 + random.below(2);
+    const FG::Input_halfedge_index entered = twin_index(faces.side(side));
+    if(input.is_border(entered))
+      break;
+    crossed.push_back(faces.side(side));
+    faces.leave_over(side);
+    faces.enter(entered);
+    BOOST_TEST((faces.halfedge() == entered));
+  }
+  if(crossed.empty())
+    return;
+  again.leave_over(again.number_of(crossed.front()));
+  std::size_t gates = 0;
+  again.cross(crossed,
+              [&](FG::Input_halfedge_index h, const auto&, const auto&) { BOOST_TEST((h == crossed[gates++])); });
+  BOOST_TEST(gates == crossed.size());
+  BOOST_TEST(again.entered() == crossed.size());
+  BOOST_TEST((again.halfedge() == twin_index(crossed.back())));
+  for(int i = 0; i < 3; ++i) {
+    BOOST_TEST((position(again.corners()[i]) == position(faces.corners()[i])));
+    BOOST_TEST(again.corners()[i].error == faces.corners()[i].error);
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(faces_are_unfolded_as_they_lie_in_the_plane)
+{
+  Random_numbers random(21);
+  const Mesh mesh = to_mesh<Mesh>(jittered_grid(6, 6, Diagonal_rule::RANDOM, 0.2, 11));
+  const Triangulation t(mesh);
+  for(FG::Input_halfedge_index h : descriptors<FG::Input_halfedge_index>(t.number_of_halfedges()))
+    if(!t.input().is_border(h)) {
+      check_unfolding<Layout_in_double>(mesh, t, h, random);
+      check_unfolding<Precise_layout>(mesh, t, h, random);
+    }
 }
 
 // A word is that of an edge only if it leads from its tail to its head.

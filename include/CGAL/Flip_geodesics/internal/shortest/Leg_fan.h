@@ -8,13 +8,14 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Spoke_places.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,7 +55,7 @@ template <class Triangulation>
 class Leg_fan
 {
   using Vector = std::complex<double>;
-  using Face = std::array<Vector, 3>;
+  using Face = decltype(input_face_geometry(std::declval<const Triangulation&>(), Input_halfedge_index()));
 
 public:
   explicit Leg_fan(const Triangulation& triangulation)
@@ -72,7 +73,7 @@ public:
     m_legs = first;
     const Input_halfedge_index h = first->reference;
     const Face& face = known_face(h);
-    const Vector right(face[0].real(), 0), gate = face[1], left = -face[2];
+    const Vector right(face[0].x, 0), gate(face[1].x, face[1].y), left(-face[2].x, -face[2].y);
     m_gates.push_back({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
     while(!m_gates.empty()) {
       Gate here = m_gates.back();
@@ -97,11 +98,8 @@ private:
   const Face& known_face(Input_halfedge_index h)
   {
     Face& face = m_faces[h];
-    if(face[0].real() == 0) {
-      const auto vectors = input_face_geometry(m_triangulation, h);
-      for(std::size_t i = 0; i < 3; ++i)
-        face[i] = Vector(vectors[i].x, vectors[i].y);
-    }
+    if(face[0].x == 0)
+      face = input_face_geometry(m_triangulation, h);
     return face;
   }
 
@@ -119,11 +117,9 @@ private:
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index entered = twin_index(here.crossed), to_apex = input.next(entered);
-    const Face& vectors = known_face(entered);
-    // Products of ratios of the face, as in `Strip`.
-    const Vector turn = here.across / vectors[0].real();
-    const Vector from_right = product(turn, vectors[1]);
-    const Vector to_left = product(turn, vectors[2]);
+    const Face_vectors sides = turned_along(known_face(entered), here.across);
+    const Vector& from_right = sides[1];
+    const Vector& to_left = sides[2];
     const bool is_near_right = std::norm(from_right) < std::norm(to_left);
     const Vector apex = is_near_right ? here.right + from_right : here.left - to_left;
     const double margin = near_leg_angle * std::sqrt(std::norm(apex));

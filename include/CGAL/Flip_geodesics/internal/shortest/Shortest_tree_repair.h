@@ -11,10 +11,10 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Spoke_places.h>
 #include <CGAL/Flip_geodesics/internal/shortest/last_leg_of_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -221,7 +221,7 @@ private:
     if(m_triangulation.is_border(spoke))
       return {};
     // In the frame of the line.
-    std::array<Vector, 3> face = face_along(spoke, std::polar(m_triangulation.length(spoke), -offset));
+    Face_vectors face = face_along(spoke, std::polar(m_triangulation.length(spoke), -offset));
     Vector right = face[0], left = -face[2], gate = -face[1];
     if(std::abs(std::arg(left)) <= straight_leg)
       return {Triangulation::twin(m_triangulation.previous(spoke))};
@@ -326,14 +326,13 @@ private:
   }
 
   // The vectors of h, next(h), previous(h) in the triangulation, turned so that h lies along the given vector.
-  std::array<Vector, 3> face_along(Halfedge_index h, const Vector& along) const
+  Face_vectors face_along(Halfedge_index h, const Vector& along) const
   {
     using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
     const Halfedge_index hn = m_triangulation.next(h), hp = m_triangulation.next(hn);
     const auto face = Double_traits().construct_face_from_lengths_object()(
         m_triangulation.length(h), m_triangulation.length(hn), m_triangulation.length(hp));
-    const Vector turn = along / face[0].x;
-    return {along, turn * Vector(face[1].x, face[1].y), turn * Vector(face[2].x, face[2].y)};
+    return turned_along(face, along);
   }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Ray.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 

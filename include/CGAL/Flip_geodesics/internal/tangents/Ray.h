@@ -9,10 +9,11 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Exact_ray_side.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/nearest_weights.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 
 #include <CGAL/enum.h>
 
@@ -34,11 +35,13 @@ namespace internal {
  * input define.
  *
  * The faces are unfolded into the plane of the first one, with the place at the origin and its halfedge along the
- * positive real axis. Errors are bounded as those of a `Strip` are.
+ * positive real axis.
  */
 template <class Triangulation>
 class Ray
 {
+  using Layout = Layout_in_double<Triangulation>;
+
 public:
   using Vector = std::complex<double>;
 
@@ -52,9 +55,9 @@ public:
     , m_direction(direction)
     , m_statistics(statistics)
     , m_exact_side(place, direction)
-    , m_halfedge(place.halfedge)
+    , m_faces(first_face(triangulation, place))
   {
-    lay_out_first_face();
+    lay_out_direction();
     for(int i = 0; i < 3; ++i)
       m_sides[i] = side_of_first_corner(i);
   }
@@ -77,7 +80,7 @@ public:
   bool reach_first_corner()
   {
     for(int i = 0; i < 3; ++i) // but not one in the place of the start, which is not ahead
-      if(m_sides[i] == ZERO && (std::conj(m_unit) * m_corners[i].position).real() > 0) {
+      if(m_sides[i] == ZERO && (std::conj(m_unit) * m_faces.corners()[i].position).real() > 0) {
         m_apex = i;
         return true;
       }
@@ -117,7 +120,7 @@ public:
       enter_face(twin_index(m_crossed.back()));
       sign = side_of_apex();
     }
-    m_exact_side.leave_corner(m_halfedge, m_crossed.size());
+    m_exact_side.leave_corner(halfedge(), m_crossed.size());
     if(sign == ZERO)
       return false;
     leave_over(1);
@@ -131,7 +134,7 @@ public:
   bool starts_on_gate() const
   {
     const Input_halfedge_index h = m_place.halfedge, g = m_crossed.front();
-    return m_crossed.size() == 1 && m_place.weights[g == h ? 2 : (g == next(h) ? 0 : 1)] == 0;
+    return m_crossed.size() == 1 && m_place.weights[g == h ? 2 : (g == m_triangulation.input().next(h) ? 0 : 1)] == 0;
   }
 
   /* How far the gate is, in the direction of the ray. */
@@ -139,25 +142,26 @@ public:
   {
     if(starts_on_gate())
       return 0;
-    const double whole = cross(m_unit, -m_gate);
-    return whole > 0 ? (std::max)(cross(m_right.position, -m_gate) / whole, 0.0) : 0.0;
+    const Vector to_left = -m_faces.gate();
+    const double whole = cross(m_unit, to_left);
+    return whole > 0 ? (std::max)(cross(m_faces.right().position, to_left) / whole, 0.0) : 0.0;
   }
 
   /* Where the ray passes the gate, from 0 at its right end to 1 at its left end. */
   double place_on_gate() const
   {
     if(starts_on_gate()) {
-      const int tail = number_of(gate());
+      const int tail = m_faces.number_of(gate());
       return m_place.weights[(tail + 1) % 3] / m_sum;
     }
-    const double right = (std::max)(-cross(m_unit, m_right.position), 0.0);
-    const double left = (std::max)(cross(m_unit, m_left.position), 0.0);
+    const double right = (std::max)(-cross(m_unit, m_faces.right().position), 0.0);
+    const double left = (std::max)(cross(m_unit, m_faces.left().position), 0.0);
     return right + left > 0 ? right / (right + left) : 0.5;
   }
 
   /* The corner that the ray runs into, by the halfedge of the last face that starts there; and how far it is. */
-  Input_halfedge_index corner() const { return side(m_apex); }
-  double distance_of_corner() const { return magnitude(m_corners[m_apex].position); }
+  Input_halfedge_index corner() const { return m_faces.side(m_apex); }
+  double distance_of_corner() const { return magnitude(m_faces.corners()[m_apex].position); }
 
   /*
    * Where the ray is at a distance, in the last face that it has entered. Between the places where it enters it and leaves
@@ -166,41 +170,38 @@ public:
    */
   Surface_location location_at(double distance, bool is_at_gate) const
   {
-    const double area = cross(m_vectors[0], m_vectors[1]);
-    const double longest = (std::max)({std::norm(m_vectors[0]), std::norm(m_vectors[1]), std::norm(m_vectors[2])});
+    const Face_vectors& sides = m_faces.sides();
+    const double area = cross(sides[0], sides[1]);
+    const double longest = (std::max)({std::norm(sides[0]), std::norm(sides[1]), std::norm(sides[2])});
     const double grazing = (std::min)(m_entry_sine, is_at_gate ? sine_at_gate() : 1.0);
     std::array<double, 3> weights =
         area > grazing * longest ? nearest_to(distance * m_unit) : between_ends(distance, is_at_gate);
     for(double& weight : weights)
       weight = weight > least_weight ? weight : 0;
-    return {m_halfedge, weights};
+    return {halfedge(), weights};
   }
 
   /* The last face, by the halfedge over which it was entered, or that of the place; and the angle from there on to the
    * ray, counterclockwise. */
-  Input_halfedge_index halfedge() const { return m_halfedge; }
-  double angle() const { return std::arg(product(m_unit, std::conj(m_vectors[0]))); }
+  Input_halfedge_index halfedge() const { return m_faces.halfedge(); }
+  double angle() const { return std::arg(product(m_unit, std::conj(m_faces.sides()[0]))); }
 
   /* The angle from corner() on to the ray's way back, counterclockwise. */
-  double angle_at_corner() const { return std::arg(product(-m_unit, std::conj(m_vectors[m_apex]))); }
+  double angle_at_corner() const { return std::arg(product(-m_unit, std::conj(m_faces.sides()[m_apex]))); }
 
 private:
-  struct Corner
-  {
-    Vector position;
-    double error;
-  };
-
-  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+  using Faces = Face_strip<Layout>;
 
   // The sine of the angle between the ray and the gate.
-  double sine_at_gate() const { return std::abs(cross(m_unit, m_gate)) / magnitude(m_gate); }
+  double sine_at_gate() const { return std::abs(cross(m_unit, m_faces.gate())) / magnitude(m_faces.gate()); }
 
   std::array<double, 3> nearest_to(const Vector& p) const
   {
     std::array<Place_in_space, 3> corners;
-    for(std::size_t i = 0; i < 3; ++i)
-      corners[i] = {{m_corners[i].position.real() - p.real(), m_corners[i].position.imag() - p.imag(), 0}};
+    for(std::size_t i = 0; i < 3; ++i) {
+      const Vector corner = m_faces.corners()[i].position - p;
+      corners[i] = {{corner.real(), corner.imag(), 0}};
+    }
     return nearest_weights(corners).weights;
   }
 
@@ -210,7 +211,7 @@ private:
     const double part = whole > 0 ? (std::min)((std::max)((distance - m_entry_distance) / whole, 0.0), 1.0) : 0.0;
     std::array<double, 3> result = {0, 0, 0};
     if(is_at_gate) {
-      const int right = number_of(gate());
+      const int right = m_faces.number_of(gate());
       const double place = place_on_gate();
       result[right] = 1 - place;
       result[(right + 1) % 3] = place;
@@ -221,65 +222,41 @@ private:
     return result;
   }
 
-  // A side of the last face.
-  Input_halfedge_index side(int i) const
+  static Faces first_face(const Triangulation& triangulation, const Surface_location& place)
   {
-    return i == 0 ? m_halfedge : (i == 1 ? next(m_halfedge) : next(next(m_halfedge)));
+    const auto& input = triangulation.input();
+    check_triangle(input, place.halfedge);
+    const Layout layout(triangulation);
+    const Face_vectors sides = layout.sides(place.halfedge, triangulation.metric().length(input, place.halfedge));
+    return Faces(layout, place.halfedge, sides, Layout::corners(sides, place.weights));
   }
 
-  // Which side of the last face.
-  int number_of(Input_halfedge_index h) const { return h == m_halfedge ? 0 : (h == next(m_halfedge) ? 1 : 2); }
-
-  // The vectors of a face, turned so that its halfedge lies along a vector.
-  void lay_out(Input_halfedge_index h, const Vector& along)
+  void lay_out_direction()
   {
-    const auto face = input_face_geometry(m_triangulation, h);
-    const Vector turn = along / face[0].x; // the layout puts h on the positive real axis
-    m_vectors = {along, product(turn, Vector(face[1].x, face[1].y)), product(turn, Vector(face[2].x, face[2].y))};
-  }
-
-  void lay_out_first_face()
-  {
-    lay_out(m_halfedge, m_triangulation.metric().length(m_triangulation.input(), m_halfedge));
     const std::array<double, 3>& w = m_place.weights;
     m_sum = w[0] + w[1] + w[2];
-    for(int i = 0; i < 3; ++i) { // from the corner's two sides
-      const int before = (i + 2) % 3;
-      const double b = w[(i + 1) % 3] / m_sum, c = w[before] / m_sum;
-      m_corners[i] = {c * m_vectors[before] - b * m_vectors[i],
-                      face_ratio_error * (b * magnitude(m_vectors[i]) + c * magnitude(m_vectors[before]))};
-    }
     for(int i = 0; i < 3; ++i)
       m_entry[i] = w[i] / m_sum;
-    const Vector direction = m_direction[0] * m_vectors[0] - m_direction[1] * m_vectors[2];
-    const double size =
-        std::abs(m_direction[0]) * magnitude(m_vectors[0]) + std::abs(m_direction[1]) * magnitude(m_vectors[2]);
+    const Face_vectors& sides = m_faces.sides();
+    const Vector direction = m_direction[0] * sides[0] - m_direction[1] * sides[2];
+    const double size = std::abs(m_direction[0]) * magnitude(sides[0]) + std::abs(m_direction[1]) * magnitude(sides[2]);
     m_unit = direction / magnitude(direction);
     m_unit_error = face_ratio_error * (1 + size / magnitude(direction));
   }
 
-  // Enters a face over the gate: from its left end to its right one, on to the apex, and back. The vectors are products
-  // of the corners' ratios, never differences of positions, which would magnify the error wherever a gate is short.
+  // Enters a face over the gate.
   void enter_face(Input_halfedge_index entered)
   {
-    lay_out(entered, m_gate);
-    m_halfedge = entered;
-    const double to_right = magnitude(m_vectors[1]), to_left = magnitude(m_vectors[2]);
-    const bool is_near_right = to_right < to_left;
-    const Vector apex = is_near_right ? m_right.position + m_vectors[1] : m_left.position - m_vectors[2];
-    const double turn_error = static_cast<double>(m_crossed.size() + 1) * face_ratio_error;
-    const double error = is_near_right ? m_right.error + turn_error * to_right : m_left.error + turn_error * to_left;
-    m_corners = {m_left, m_right, Corner{apex, error + face_ratio_error * magnitude(apex)}};
+    check_triangle(m_triangulation.input(), entered);
+    m_faces.enter(entered);
     m_apex = 2;
   }
 
   // The gate is a side of the last face now.
   void leave_over(int i)
   {
-    m_right = m_corners[i];
-    m_left = m_corners[(i + 1) % 3];
-    m_gate = -m_vectors[i];
-    m_crossed.push_back(side(i));
+    m_faces.leave_over(i);
+    m_crossed.push_back(m_faces.side(i));
   }
 
   /*
@@ -302,7 +279,7 @@ private:
 
   Sign side_of_apex()
   {
-    const Corner& apex = m_corners[2];
+    const auto& apex = m_faces.corners()[2];
     const double sine = cross(m_unit, apex.position), distance = magnitude(apex.position);
     const double bound = apex.error + (m_unit_error + product_sum_error) * distance;
     if(std::abs(sine) > bound)
@@ -320,15 +297,10 @@ private:
   double m_sum = 0, m_unit_error = 0;
   Vector m_unit = 0;
 
-  Input_halfedge_index m_halfedge; // of the last face, in which its vectors and corners are told from there
-  std::array<Vector, 3> m_vectors = {};
-  std::array<Corner, 3> m_corners = {};
-  std::array<double, 3> m_entry = {};            // the weights of the place where it is entered
+  Faces m_faces;
+  std::array<double, 3> m_entry = {};            // the weights of the place where the last face is entered
   double m_entry_distance = 0, m_entry_sine = 1; // and of the angle between ray and side there
   int m_apex = 2;                                // the corner that the ray runs into
-
-  Corner m_right = {0, 0}, m_left = {0, 0};
-  Vector m_gate = 0; // from left to right
   std::vector<Input_halfedge_index> m_crossed;
 };
 

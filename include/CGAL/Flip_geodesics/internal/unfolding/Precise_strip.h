@@ -6,11 +6,13 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_face.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -54,20 +56,84 @@ inline Precise_edge precise_input_edge(Input_halfedge_index h, const Precise_hal
 }
 
 /*
+ * Lays out input faces in numbers of about 106 bits, for a `Face_strip`. Positions err by little more than the number of
+ * faces times 2^-97 of the length of the way to them.
+ */
+template <class Triangulation>
+class Layout_in_double_double
+{
+public:
+  struct Side
+  {
+    Double_double_vector direction; // of length 1
+    double error;                   // of the direction
+    Double_double length;
+    double length_error; // relative
+  };
+
+  struct Corner
+  {
+    Double_double_vector position;
+    double error; // a bound
+  };
+
+  using Sides = std::array<Side, 3>;
+
+  explicit Layout_in_double_double(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
+
+  static Side opposite(const Side& side) { return {-side.direction, side.error, side.length, side.length_error}; }
+
+  /* The sides of the face of h in a plane in which h has a given direction. */
+  Sides sides(Input_halfedge_index h, const Side& along) const
+  {
+    Sides result;
+    Double_double_vector direction = along.direction;
+    double error = along.error;
+    for(Side& side : result) {
+      const Precise_halfedge& face = precise_input_halfedge(m_triangulation, h);
+      side = {direction, error, face.length, face.error};
+      direction = direction * face.next;
+      error = error + face.error + double_double_vector_error;
+      h = next(h);
+    }
+    return result;
+  }
+
+  /* Before the sum, the position is no farther than after it and the length of the side together. */
+  static Corner step(const Corner& from, const Side& side)
+  {
+    const Double_double_vector position = from.position + side.length * side.direction;
+    const double way = side.length.high * (side.error + side.length_error + 3 * double_double_vector_error);
+    return {position, (from.error + way + length(position) * double_double_vector_error) * (1 + bound_rounding)};
+  }
+
+  /* The third corner of a face, by the shorter one of the sides that lead to it. */
+  static Corner apex(const Sides& sides, const Corner& right, const Corner& left, std::size_t)
+  {
+    return sides[1].length.high < sides[2].length.high ? step(right, sides[1]) : step(left, opposite(sides[2]));
+  }
+
+private:
+  const Triangulation& m_triangulation;
+};
+
+/*
  * As `Strip`, in numbers of about 106 bits: the input faces along a word that crosses edges from one input vertex to
- * another, unfolded from the input's coordinates. Positions err by little more than the number of faces times 2^-97 of
- * the length of the way to them.
+ * another, unfolded from the input's coordinates.
  */
 template <class Triangulation>
 class Precise_strip
 {
+  using Layout = Layout_in_double_double<Triangulation>;
+
 public:
   /* An end of a crossed edge; the error is absolute. */
-  struct Point
-  {
-    Double_double_vector position;
-    double error;
-  };
+  using Point = typename Layout::Corner;
 
   struct Gate
   {
@@ -75,11 +141,10 @@ public:
   };
 
   Precise_strip(const Triangulation& triangulation, const Crossing_word& word, bool has_gates)
-    : m_triangulation(triangulation)
   {
     if(has_gates)
       m_gates.reserve(word.crossed.size());
-    unfold(word, has_gates);
+    unfold(Layout(triangulation), word, has_gates);
   }
 
   const std::vector<Gate>& gates() const { return m_gates; }
@@ -97,81 +162,37 @@ public:
   }
 
 private:
-  // The direction of a halfedge in the frame of the reference.
-  struct Direction
+  void unfold(const Layout& layout, const Crossing_word& word, bool has_gates)
   {
-    Double_double_vector vector;
-    double error;
-  };
-
-  Input_halfedge_index next(Input_halfedge_index h) const { return m_triangulation.input().next(h); }
-  decltype(auto) face(Input_halfedge_index h) const { return precise_input_halfedge(m_triangulation, h); }
-
-  Direction next_direction(Input_halfedge_index h, const Direction& d) const
-  {
-    const Precise_halfedge& side = face(h);
-    return {d.vector * side.next, d.error + side.error + double_double_vector_error};
-  }
-
-  static Direction opposite(const Direction& d) { return {-d.vector, d.error}; }
-
-  // Before the sum, the position is no farther than after it and the length of the side together.
-  Point step(const Point& from, Input_halfedge_index h, const Direction& d) const
-  {
-    const Precise_halfedge& side = face(h);
-    const Double_double_vector position = from.position + side.length * d.vector;
-    const double way = side.length.high * (d.error + side.error + 3 * double_double_vector_error);
-    return {position, (from.error + way + length(position) * double_double_vector_error) * (1 + bound_rounding)};
-  }
-
-  void unfold(const Crossing_word& word, bool has_gates)
-  {
-    Input_halfedge_index crossed = word.crossed.front();
-    const Input_halfedge_index reference = next(next(crossed));
-    const Direction first = {{{1, 0}, {}}, 0};
-    Direction along = next_direction(reference, first); // the crossed edge, from right to left
-    Point right = step({{}, 0}, reference, first), left = step(right, crossed, along), apex = left;
-    Input_halfedge_index arrival = null_index;
-    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
+    const Input_halfedge_index reference = layout.next(layout.next(word.crossed.front()));
+    const auto sides = layout.sides(reference, {{{1, 0}, {}}, 0, {}, 0});
+    const Point tail = {{}, 0}, right = layout.step(tail, sides[0]), left = layout.step(right, sides[1]);
+    Face_strip<Layout> faces(layout, reference, sides, {tail, right, left});
+    faces.leave_over(1);
+    faces.cross(word.crossed, [&](Input_halfedge_index, const Point& at_right, const Point& at_left) {
       if(has_gates)
-        m_gates.push_back({right, left});
-      const Input_halfedge_index entered = twin_index(crossed), to_apex = next(entered);
-      const Direction from_right = next_direction(entered, opposite(along));
-      const Direction to_left = next_direction(to_apex, from_right);
-      arrival = next(to_apex);
-      apex = face(to_apex).length.high < face(arrival).length.high ? step(right, to_apex, from_right)
-                                                                   : step(left, arrival, opposite(to_left));
-      along = to_left;
-      if(i + 1 == word.crossed.size())
-        break;
-      crossed = word.crossed[i + 1];
-      if(crossed == to_apex) {
-        left = apex;
-        along = from_right;
-      } else {
-        right = apex;
-      }
-    }
-    set_edge(reference, apex, arrival, along);
+        m_gates.push_back({at_right, at_left});
+    });
+    set_edge(reference, faces.corners()[2], faces.side(2), faces.sides()[2]);
   }
 
   void set_edge(Input_halfedge_index reference, const Point& head, Input_halfedge_index arrival,
-                const Direction& direction)
+                const typename Layout::Side& arrival_side)
   {
     const double size = length(head.position);
     const double infinity = std::numeric_limits<double>::infinity();
-    const bool is_known = head.error < largest_first_order_error * size && direction.error < largest_first_order_error;
+    const bool is_known =
+        head.error < largest_first_order_error * size && arrival_side.error < largest_first_order_error;
     m_edge = {head.position,
-              direction.vector,
+              arrival_side.direction,
               size,
               is_known ? head.error / size * (1 + second_order_errors) : infinity,
-              is_known ? direction.error * (1 + second_order_errors) : infinity,
+              is_known ? arrival_side.error * (1 + second_order_errors) : infinity,
               reference,
               arrival,
               0};
   }
 
-  const Triangulation& m_triangulation;
   std::vector<Gate> m_gates;
   Precise_edge m_edge;
 };

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 
 #include <algorithm>
 #include <array>
@@ -46,8 +46,7 @@ inline std::array<double, 3> barycentric_difference(const std::array<double, 3>&
 
 /*
  * The input faces along a crossing word, unfolded into the plane from the input's own coordinates: whatever flips led
- * to the edge, its vector is fresh here. The error is normwise, a few units in the last place per face, whatever the
- * shapes of the faces.
+ * to the edge, its vector is fresh here. The error is that of a `Layout_in_double`.
  *
  * The tail lies at the origin; the frame is that of the reference halfedge, the tail's anchor: it has the first face on
  * its left, and points along the positive real axis. At an input vertex it starts there, at a point of an edge it
@@ -56,6 +55,8 @@ inline std::array<double, 3> barycentric_difference(const std::array<double, 3>&
 template <class Triangulation>
 class Strip
 {
+  using Layout = Layout_in_double<Triangulation>;
+
 public:
   using Vector = std::complex<double>;
 
@@ -68,11 +69,7 @@ public:
   };
 
   /// A corner of an unfolded face, with a bound of its error.
-  struct Corner
-  {
-    Vector position;
-    double error;
-  };
+  using Corner = typename Layout::Corner;
 
   Strip(const Triangulation& triangulation, const Crossing_word& word)
     : m_triangulation(&triangulation)
@@ -162,8 +159,6 @@ public:
   }
 
 private:
-  using Face_vectors = std::array<Vector, 3>;
-
   double wrong_side_angle(const Vector& p, bool is_mirrored = false) const
   {
     const Vector end = is_mirrored ? std::conj(m_end) : m_end;
@@ -173,14 +168,6 @@ private:
     const double height = doubled_area / std::abs(end);
     const double base = (std::min)(std::abs(p), std::abs(p - end));
     return base > 0 ? std::asin((std::min)(-height / base, 1.0)) : 0;
-  }
-
-  // The vectors of h, next(h), previous(h) of an input face, turned so that h lies along the given vector.
-  Face_vectors face_along(Input_halfedge_index h, const Vector& along) const
-  {
-    const auto face = known_input_face_geometry(*m_triangulation, h);
-    const Vector turn = along / face[0].x; // the layout puts h on the positive real axis
-    return {along, product(turn, Vector(face[1].x, face[1].y)), product(turn, Vector(face[2].x, face[2].y))};
   }
 
   void lay_out_edge(const Crossing_word& word)
@@ -207,7 +194,8 @@ private:
 
   Face_vectors first_face() const
   {
-    return face_along(m_reference, m_triangulation->metric().length(m_triangulation->input(), m_reference));
+    return Layout(*m_triangulation)
+        .sides(m_reference, m_triangulation->metric().length(m_triangulation->input(), m_reference));
   }
 
   std::array<double, 3> weights(Vertex_index v, Input_halfedge_index h) const
@@ -216,73 +204,40 @@ private:
   }
 
   // The corners of the first face, from the tail of the word: the tails of the reference, its next and previous.
-  std::array<Corner, 3> first_corners(const Crossing_word& word) const
+  std::array<Corner, 3> first_corners(const Crossing_word& word, const Face_vectors& f) const
   {
-    const Face_vectors f = first_face();
     if(!m_triangulation->is_inserted(word.tail)) {
       const double error = face_ratio_error * std::abs(f[0]);
       return {{{0, 0}, {f[0], error}, {f[0] + f[1], error + face_ratio_error * std::abs(f[1])}}};
     }
-    const auto w = weights(word.tail, m_reference);
-    const double sum = w[0] + w[1] + w[2];
-    std::array<Corner, 3> result;
-    for(int i = 0; i < 3; ++i) { // from the corner's two sides
-      const double b = w[(i + 1) % 3] / sum, c = w[(i + 2) % 3] / sum;
-      result[i].position = unfused(c * f[(i + 2) % 3]) - unfused(b * f[i]);
-      result[i].error = face_ratio_error * (b * std::abs(f[i]) + c * std::abs(f[(i + 2) % 3]));
-    }
-    return result;
+    return Layout::corners(f, weights(word.tail, m_reference));
   }
 
   void unfold(const Crossing_word& word)
   {
-    const auto& input = m_triangulation->input();
-    const std::vector<Input_halfedge_index>& crossed = word.crossed;
-    const std::array<Corner, 3> first = first_corners(word);
-    const int side = crossed.front() == m_reference ? 0 : (crossed.front() == input.next(m_reference) ? 1 : 2);
-    Vector right = first[side].position, left = first[(side + 1) % 3].position, gate = -first_face()[side];
-    double right_error = first[side].error, left_error = first[(side + 1) % 3].error;
+    const Face_vectors sides = first_face();
+    const std::array<Corner, 3> first = first_corners(word, sides);
+    Face_strip<Layout> faces(Layout(*m_triangulation), m_reference, sides, first);
+    const int side = faces.number_of(word.crossed.front());
+    faces.leave_over(side);
     m_first_corner = first[(side + 2) % 3];
-    m_gates.resize(crossed.size());
-    for(std::size_t i = 0;; ++i) {
-      Gate& here = m_gates[i]; // member by member: copying a whole would wait for the parts
-      here.crossed = crossed[i];
-      here.right = right;
-      here.left = left;
-      here.right_error = right_error;
-      here.left_error = left_error;
-      // From left to right, on to the apex, and back. The vectors are products of the corners' ratios, never
-      // differences of positions, which would magnify the error wherever a gate is short.
-      const Input_halfedge_index entered = twin_index(crossed[i]);
-      const Face_vectors face = face_along(entered, gate);
-      const double to_right = magnitude(face[1]), to_left = magnitude(face[2]);
-      const bool is_near_right = to_right < to_left;
-      const Vector apex = is_near_right ? right + face[1] : left - face[2];
-      const double turn_error = static_cast<double>(i + 2) * face_ratio_error;
-      const double apex_error =
-          (is_near_right ? right_error + turn_error * to_right : left_error + turn_error * to_left) +
-          face_ratio_error * magnitude(apex);
-      if(i + 1 == crossed.size()) {
-        m_last_corner = {apex, apex_error};
-        if(m_triangulation->is_inserted(word.head))
-          return end_in_face(weights(word.head, entered), face, turn_error);
-        m_end = apex;
-        m_error = apex_error;
-        if(!m_triangulation->is_inserted(word.tail)) {
-          m_arrival_reference = input.next(input.next(entered));
-          m_arrival = product(-m_end, std::conj(face[2]));
-        }
-        return;
-      }
-      const bool is_leaving_right = crossed[i + 1] == input.next(entered);
-      gate = is_leaving_right ? -face[1] : -face[2];
-      (is_leaving_right ? left : right) = apex;
-      (is_leaving_right ? left_error : right_error) = apex_error;
+    m_gates.resize(word.crossed.size());
+    Gate* here = m_gates.data();
+    faces.cross(word.crossed, [&](Input_halfedge_index crossed, const Corner& right, const Corner& left) {
+      *here++ = {crossed, right.position, left.position, right.error, left.error};
+    });
+    m_last_corner = faces.corners()[2];
+    if(m_triangulation->is_inserted(word.head))
+      return end_in_face(weights(word.head, faces.halfedge()), faces.sides(), Layout::turn_error(word.crossed.size()));
+    m_end = m_last_corner.position;
+    m_error = m_last_corner.error;
+    if(!m_triangulation->is_inserted(word.tail)) {
+      m_arrival_reference = faces.side(2);
+      m_arrival = product(-m_end, std::conj(faces.sides()[2]));
     }
   }
 
-  // A point of the last face, entered over its side 0 from the left end of the last gate to the right, from that end
-  // from which it is nearer.
+  // A point of the last face, from that end of the last gate from which it is nearer.
   void end_in_face(const std::array<double, 3>& w, const Face_vectors& face, double turn_error)
   {
     const double sum = w[0] + w[1] + w[2], at_left = w[0] / sum, at_right = w[1] / sum, at_apex = w[2] / sum;
