@@ -62,7 +62,6 @@ public:
   /// Measures curves of a network, which must outlive the meter.
   explicit Straightness_meter(const Network& network)
     : m_network(network)
-    , m_triangulation(network.triangulation())
     , m_measurement(network)
   {
   }
@@ -89,21 +88,12 @@ public:
   bool refresh_wedge(const Joint& joint, Triangulation& triangulation)
   {
     const auto [a, b] = m_network.ends(joint);
-    Halfedge_index h = a.halfedge;
-    do {
-      const Halfedge_index t = Triangulation::twin(h);
-      if(m_triangulation.is_border(t))
-        return true;
-      if(!internal::refresh_face(triangulation, t))
-        return false;
-      h = m_triangulation.next(t);
-    } while(h != b.halfedge);
-    return true;
+    return internal::refresh_wedge(triangulation, a.halfedge, b.halfedge) !=
+           internal::Refreshed_wedge::UP_TO_WRONG_FACE;
   }
 
 private:
   const Network& m_network;
-  const Triangulation& m_triangulation;
   internal::Curve_measurement<Network> m_measurement;
 };
 

@@ -124,9 +124,11 @@ public:
     while(!m_triangulation.is_border(first) && m_triangulation.counterclockwise(first) != h)
       first = m_triangulation.counterclockwise(first);
     const Directions directions = directions_from(first);
-    if(directions.counterclockwise(directions(h), directions(back)) < Straightness::straight_angle())
-      return refresh_wedge(back, h);
-    return refresh_wedge(h, back);
+    const bool is_bent_behind =
+        directions.counterclockwise(directions(h), directions(back)) < Straightness::straight_angle();
+    const Refreshed_wedge refreshed =
+        is_bent_behind ? refresh_wedge(m_triangulation, back, h) : refresh_wedge(m_triangulation, h, back);
+    return refreshed == Refreshed_wedge::ALL;
   }
 
 private:
@@ -288,19 +290,6 @@ private:
     if(strip.arrival_reference() != null_index)
       leg.arrival = {strip.arrival_reference(), angle_from_reference(strip.arrival()), word.along != null_index};
     return strip.bend();
-  }
-
-  // Clockwise from a to c.
-  bool refresh_wedge(Halfedge_index a, Halfedge_index c)
-  {
-    Halfedge_index h = a;
-    do {
-      const Halfedge_index t = Triangulation::twin(h);
-      if(m_triangulation.is_border(t) || !refresh_face(m_triangulation, t))
-        return false;
-      h = m_triangulation.next(t);
-    } while(h != c);
-    return true;
   }
 
   const Tree& m_tree;

@@ -43,9 +43,7 @@ Word_angle head_angle(const Triangulation& triangulation, const Strip<Triangulat
 {
   if(strip.arrival_reference() == null_index)
     return tail_angle(Strip<Triangulation>(triangulation, word.reversed()));
-  // The last face has been turned by a product of as many ratios as there are faces.
-  const double turn_error = face_ratio_error * static_cast<double>(word.crossed.size() + 3);
-  return {strip.arrival_reference(), angle_from_reference(strip.arrival()), strip.relative_error() + turn_error};
+  return {strip.arrival_reference(), angle_from_reference(strip.arrival()), strip.arrival_error()};
 }
 
 /* A straight line as seen from one of its ends. */

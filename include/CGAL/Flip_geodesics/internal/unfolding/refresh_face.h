@@ -113,6 +113,25 @@ bool refresh_face(Triangulation& triangulation, Halfedge_index h)
   return geometry.has_value();
 }
 
+/* How far the faces of a wedge could be laid out afresh. */
+enum class Refreshed_wedge { ALL, UP_TO_BORDER, UP_TO_WRONG_FACE };
+
+/* Lays out the faces afresh clockwise from halfedge a to halfedge b of a vertex. */
+template <class Triangulation>
+Refreshed_wedge refresh_wedge(Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+{
+  Halfedge_index h = a;
+  do {
+    const Halfedge_index t = Triangulation::twin(h);
+    if(triangulation.is_border(t))
+      return Refreshed_wedge::UP_TO_BORDER;
+    if(!refresh_face(triangulation, t))
+      return Refreshed_wedge::UP_TO_WRONG_FACE;
+    h = triangulation.next(t);
+  } while(h != b);
+  return Refreshed_wedge::ALL;
+}
+
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
