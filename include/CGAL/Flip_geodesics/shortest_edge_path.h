@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/distances/Search_labels.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
@@ -64,7 +64,7 @@ public:
     , m_method(method)
     , m_looks_back(has_bound && method == Search_method::LOOK_BACK)
     , m_haste(method == Search_method::LOOK_BACK ? haste : 1)
-    , m_labels(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
+    , m_search(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
   {
   }
 
@@ -141,13 +141,15 @@ public:
     internal::check_vertex(target, m_triangulation->input().number_of_vertices());
     start(source);
     direct(source, target);
-    for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
-      if(v == target)
-        return path_to(target);
-      if(internal::is_interrupted(interruption...))
-        return {};
-      relax_neighbors(v);
-    }
+    bool is_found = false;
+    const bool is_complete = run([&](Vertex_index v) {
+      is_found = v == target;
+      return !is_found && !internal::is_interrupted(interruption...);
+    });
+    if(is_found)
+      return path_to(target);
+    if(!is_complete)
+      return {};
     throw Disconnected_endpoints_error(
         "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
         {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});
@@ -158,13 +160,10 @@ public:
   {
     internal::check_vertex(source, m_triangulation->input().number_of_vertices());
     start(source);
-    for(Vertex_index v = settle_next(); v != null_index; v = settle_next()) {
-      visit(v, m_labels[v].distance);
-      if(internal::is_interrupted(interruption...))
-        return false;
-      relax_neighbors(v);
-    }
-    return true;
+    return run([&](Vertex_index v) {
+      visit(v, m_search[v].distance);
+      return !internal::is_interrupted(interruption...);
+    });
   }
 #endif // DOXYGEN_RUNNING
 
@@ -172,11 +171,12 @@ public:
   const Triangulation& triangulation() const { return *m_triangulation; }
 
   /// The number of vertices that the last search settled.
-  std::size_t settled_vertices() const { return m_settled; }
+  std::size_t settled_vertices() const { return m_search.number_of_settled(); }
 
 private:
   using Place = typename Triangulation::Metric::Place;
-  using Search_label = internal::Search_labels::Label;
+  using Search_labels = internal::Search_labels<Input_halfedge_index>;
+  using Search_label = Search_labels::Label;
 
   // A vertex on the path to the one that is being settled, and what is known of the way from there.
   struct Ancestor
@@ -194,8 +194,17 @@ private:
   {
     Vertex_index vertex;
     double distance;
+    Input_halfedge_index incoming;
     Place place;
     Ancestors ancestors;
+  };
+
+  // To a neighbor.
+  struct Step
+  {
+    double distance;
+    double weight; // of the edge
+    Place place;
   };
 
   static constexpr bool has_bound = !std::is_empty<Place>::value;
@@ -211,11 +220,8 @@ private:
     m_target = null_index;
     m_is_bounded = false;
     m_least_gain = 0;
-    m_labels.clear();
-    m_settled = 0;
-    m_queue.clear();
-    m_labels.reach(source, 0, null_index);
-    m_queue.push(0, source);
+    m_search.clear();
+    m_search.add_source(source);
   }
 
   void direct(Vertex_index source, Vertex_index target)
@@ -231,45 +237,86 @@ private:
         std::isfinite(metric.distance_lower_bound(metric.place(m_triangulation->input(), source), m_target_place));
   }
 
-  // The next vertex, `null_index` if there is none.
-  Vertex_index settle_next()
+  // The policy of the search. `visit(v)` is called for each vertex that is settled; the search goes on if it returns
+  // `true`.
+  template <bool LooksBack, class Visit>
+  class Policy : public internal::Search_policy
   {
-    while(!m_queue.empty()) {
-      const Vertex_index v = m_queue.pop();
-      if(m_labels.is_settled(m_labels[v]))
-        continue; // has been reached on a shorter way since
-      m_labels.settle(v);
-      ++m_settled;
-      return v;
+  public:
+    Policy(const Shortest_edge_path& paths, const Visit& visit)
+      : m_paths(paths)
+      , m_visit(visit)
+    {
     }
-    return null_index;
-  }
 
-  void relax_neighbors(Vertex_index v)
-  {
-    const auto& input = m_triangulation->input();
-    const Search_label& label = m_labels[v];
-    const Input_halfedge_index incoming = label.incoming();
-    const bool is_source = incoming == null_index;
-    const Input_halfedge_index first = is_source ? input.outgoing(v) : internal::twin_index(incoming);
-    if(first == null_index)
-      return;
-    const Input_halfedge_index second = is_source ? first : next_around(first); // where the path came from is settled
-    const Place place = m_triangulation->metric().place(input, v);
-    if(m_looks_back)
-      relax_neighbors<true>({v, label.distance, place, ancestors_of(incoming)}, second, first);
-    else
-      relax_neighbors<false>({v, label.distance, place, {}}, second, first);
-  }
+    bool settle(Vertex_index v) const { return m_visit(v); }
 
-  // The neighbors from one halfedge round to another.
-  template <bool LooksBack>
-  void relax_neighbors(const Origin& origin, Input_halfedge_index h, Input_halfedge_index end)
+    Origin origin(Vertex_index v, const Search_label& label) const
+    {
+      const Input_halfedge_index incoming = label.incoming();
+      const Place place = m_paths.m_triangulation->metric().place(m_paths.m_triangulation->input(), v);
+      if constexpr(LooksBack)
+        return {v, label.distance, incoming, place, m_paths.ancestors_of(incoming)};
+      else
+        return {v, label.distance, incoming, place, {}};
+    }
+
+    // But for the one back to where the path came from, which is settled.
+    template <class Function>
+    void for_each_halfedge(const Origin& origin, const Function& function) const
+    {
+      const bool is_source = origin.incoming == null_index;
+      const Input_halfedge_index first =
+          is_source ? m_paths.m_triangulation->input().outgoing(origin.vertex) : internal::twin_index(origin.incoming);
+      if(first == null_index)
+        return;
+      Input_halfedge_index h = is_source ? first : m_paths.next_around(first);
+      do {
+        function(h);
+        h = m_paths.next_around(h);
+      } while(h != first);
+    }
+
+    Vertex_index head(Input_halfedge_index h) const
+    {
+      return m_paths.m_triangulation->input().tail(internal::twin_index(h));
+    }
+
+    Step step(const Origin& origin, Input_halfedge_index h, Vertex_index w) const
+    {
+      const auto& input = m_paths.m_triangulation->input();
+      const auto& metric = m_paths.m_triangulation->metric();
+      const Place place = metric.place(input, w);
+      const double weight = metric.weight(input, h, origin.place, place);
+      if(!(weight >= 0 && weight <= (std::numeric_limits<double>::max)()))
+        internal::throw_unusable_length(weight, origin.vertex, w);
+      if constexpr(LooksBack)
+        return {m_paths.distance_looking_back(origin, place, weight), weight, place};
+      else
+        return {origin.distance + weight, weight, place};
+    }
+
+    bool is_put_forward(const Step& step, const Search_label& label) const
+    {
+      return label.distance - step.distance >= m_paths.m_least_gain * step.weight;
+    }
+
+    double key(Vertex_index w, const Step& step) const
+    {
+      return step.distance + m_paths.bound_to_target(w, step.place);
+    }
+
+  private:
+    const Shortest_edge_path& m_paths;
+    const Visit& m_visit;
+  };
+
+  // Returns whether all vertices were visited.
+  template <class Visit>
+  bool run(const Visit& visit)
   {
-    do {
-      relax<LooksBack>(origin, h);
-      h = next_around(h);
-    } while(h != end);
+    return m_looks_back ? m_search.run(Policy<true, Visit>(*this, visit))
+                        : m_search.run(Policy<false, Visit>(*this, visit));
   }
 
   // Along the border, too.
@@ -288,34 +335,11 @@ private:
     for(std::size_t i = 0; i < most_ancestors && incoming != null_index; ++i) {
       const Vertex_index a = input.tail(incoming);
       length += metric.weight(input, incoming);
-      const Search_label& label = m_labels[a];
+      const Search_label& label = m_search[a];
       result[i] = {metric.place(input, a), label.distance, length};
       incoming = label.incoming();
     }
     return result;
-  }
-
-  template <bool LooksBack>
-  void relax(const Origin& origin, Input_halfedge_index h)
-  {
-    const auto& input = m_triangulation->input();
-    const auto& metric = m_triangulation->metric();
-    const Vertex_index w = input.tail(internal::twin_index(h));
-    const Search_label& label = m_labels[w];
-    if(m_labels.is_settled(label))
-      return;
-    const Place place = metric.place(input, w);
-    const double weight = metric.weight(input, h, origin.place, place);
-    if(!(weight >= 0 && weight <= (std::numeric_limits<double>::max)()))
-      internal::throw_unusable_length(weight, origin.vertex, w);
-    const double distance = LooksBack ? distance_looking_back(origin, place, weight) : origin.distance + weight;
-    const bool is_reached = m_labels.is_reached(label);
-    const double gain = label.distance - distance; // if it is
-    if(is_reached && !(gain > 0))
-      return;
-    m_labels.reach(w, distance, h);
-    if(!is_reached || gain >= m_least_gain * weight)
-      m_queue.push(distance + bound_to_target(w, place), w);
   }
 
   double bound_to_target(Vertex_index v, const Place& place) const
@@ -340,26 +364,20 @@ private:
 
   std::vector<Halfedge_index> path_to(Vertex_index target) const
   {
-    std::vector<Halfedge_index> path;
-    for(Input_halfedge_index h = m_labels[target].incoming(); h != null_index;
-        h = m_labels[m_triangulation->input().tail(h)].incoming())
-      path.push_back(internal::as_intrinsic(h));
-    std::reverse(path.begin(), path.end());
-    return path;
+    return m_search.template path<Halfedge_index>(
+        target, [this](Input_halfedge_index h) { return m_triangulation->input().tail(h); });
   }
 
   const Triangulation* m_triangulation;
   Search_method m_method;
   bool m_looks_back;
   double m_haste;
-  internal::Search_labels m_labels;
-  internal::Vertex_queue m_queue;
+  internal::Label_setting_search<Search_labels> m_search;
   const Landmark_distances* m_landmarks = nullptr;
   Vertex_index m_target = null_index; // none if the search goes in all directions
   Place m_target_place = Place();
   bool m_is_bounded = false; // by the metric
   double m_least_gain = 0;
-  std::size_t m_settled = 0;
 };
 
 } // namespace Flip_geodesics

@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(labels_are_those_of_the_last_search)
 {
   using CGAL::Flip_geodesics::Input_halfedge_index;
   using CGAL::Flip_geodesics::Vertex_index;
-  FGI::Search_labels labels(50);
+  FGI::Search_labels<Input_halfedge_index> labels(50);
   for(int search = 0; search < 3; ++search) {
     for(Index v = search; v < 50; v += 3) {
       BOOST_TEST(!labels.is_reached(labels[Vertex_index(v)]));

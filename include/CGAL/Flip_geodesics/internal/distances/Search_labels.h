@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_SEARCH_LABELS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_SEARCH_LABELS_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 
 #include <array>
@@ -22,7 +22,10 @@ namespace internal {
  * line, which holds the labels of four, in the order in which they were first written.
  *
  * A label knows in which search it was written, so that a new search forgets all labels in constant time.
+ *
+ * \tparam Halfedge `Input_halfedge_index` or `Halfedge_index`
  */
+template <class Halfedge>
 class Search_labels
 {
 public:
@@ -34,7 +37,7 @@ public:
     std::uint32_t stamp; // twice the number of the search, and one more if the vertex is settled
 
     /* `null_index` at the source. */
-    Input_halfedge_index incoming() const { return Input_halfedge_index(arrival); }
+    Halfedge incoming() const { return Halfedge(arrival); }
   };
 
   explicit Search_labels(std::size_t size)
@@ -61,7 +64,7 @@ public:
   bool is_reached(const Label& label) const { return label.stamp == m_stamp; }
 
   /* Labels a vertex, which is not settled then. */
-  void reach(Vertex_index v, double distance, Input_halfedge_index incoming)
+  void reach(Vertex_index v, double distance, Halfedge incoming)
   {
     if(!m_slots.has_slot(block(v)))
       m_blocks[static_cast<std::size_t>(m_slots.add(block(v)))] = Block();
