@@ -4,11 +4,12 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_EDGE_FOREST_H
 
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/distances/Input_edge_policy.h>
+#include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
-#include <CGAL/Flip_geodesics/metrics.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -92,6 +93,9 @@ inline std::vector<Halfedge_index> closed_chain(const std::vector<Halfedge_index
 class Edge_forest
 {
 public:
+  /* The path to the tail of an edge and over it, and the path to its other end. */
+  using Legs = std::pair<std::vector<Halfedge_index>, std::vector<Halfedge_index>>;
+
   /* None. */
   Edge_forest() = default;
 
@@ -104,12 +108,16 @@ public:
     , m_component(static_cast<std::size_t>(input.number_of_vertices()), -1)
   {
     throw_if_interrupted_before_part(interruption);
-    for(Vertex_index v : base_points)
-      grow_from_given(input, v, weight, is_joined, interruption);
+    Search search(static_cast<std::size_t>(input.number_of_vertices()));
+    Policy<Input_mesh, Weight, IsJoined> policy(*this, search, input, weight, is_joined, interruption);
+    for(Vertex_index v : base_points) {
+      check_base_point(input, v);
+      grow(v, search, policy);
+    }
     for(Vertex_index v : descriptors<Vertex_index>(input.number_of_vertices()))
       if(m_component[v] < 0 && input.outgoing(v) != null_index)
-        grow(input, v, weight, is_joined, interruption);
-    if(m_spokes != static_cast<std::size_t>(input.number_of_halfedges()))
+        grow(v, search, policy);
+    if(policy.number_of_steps() != static_cast<std::size_t>(input.number_of_halfedges()))
       throw Invalid_mesh_error("sheets of the surface meet in a vertex only");
   }
 
@@ -166,20 +174,114 @@ public:
   }
 
 private:
-  // The path to the tail of an edge and over it, and the path to its other end.
-  template <class Input_mesh>
-  std::pair<std::vector<Halfedge_index>, std::vector<Halfedge_index>> legs(const Input_mesh& input,
-                                                                           Input_halfedge_index h) const
+  // Vertices with a negative key come out at once, the last one first.
+  class Queue : public Vertex_queue
   {
-    std::pair<std::vector<Halfedge_index>, std::vector<Halfedge_index>> result = {
-        path(input, input.tail(h)), path(input, input.tail(twin_index(h)))};
+  public:
+    bool empty() const { return m_joined.empty() && Vertex_queue::empty(); }
+
+    void push(double key, Vertex_index v)
+    {
+      if(key < 0)
+        m_joined.push_back(v);
+      else
+        Vertex_queue::push(key, v);
+    }
+
+    Vertex_index pop()
+    {
+      if(m_joined.empty())
+        return Vertex_queue::pop();
+      const Vertex_index result = m_joined.back();
+      m_joined.pop_back();
+      return result;
+    }
+
+  private:
+    std::vector<Vertex_index> m_joined;
+  };
+
+  using Search = Label_setting_search<Search_labels<Input_halfedge_index>, Queue>;
+
+  // Writes labels into the forest when they are settled.
+  template <class Input_mesh, class Weight, class IsJoined>
+  class Policy : public Input_edge_policy<Input_mesh, Weight>
+  {
+    using Base = Input_edge_policy<Input_mesh, Weight>;
+    using Origin = typename Base::Origin;
+
+  public:
+    struct Step
+    {
+      double distance;
+      bool is_joined; // with the vertex from which it starts
+    };
+
+    Policy(Edge_forest& forest, const Search& search, const Input_mesh& input, const Weight& weight,
+           const IsJoined& is_joined, Interruption* interruption)
+      : Base(input, weight, interruption)
+      , m_forest(forest)
+      , m_search(search)
+      , m_is_joined(is_joined)
+    {
+    }
+
+    /* Of all searches: the halfedges that start at settled vertices. */
+    std::size_t number_of_steps() const { return m_number_of_steps; }
+
+    /* \throws Interrupted */
+    bool settle(Vertex_index v)
+    {
+      m_forest.m_component[v] = static_cast<Index>(m_forest.m_roots.size()) - 1;
+      m_forest.m_distance[v] = m_search[v].distance;
+      m_forest.m_incoming[v] = m_search[v].incoming();
+      return Base::settle(v);
+    }
+
+    template <class Function>
+    void for_each_halfedge(const Origin& origin, const Function& function)
+    {
+      Base::for_each_halfedge(origin, [&](Input_halfedge_index h) {
+        ++m_number_of_steps;
+        function(h);
+      });
+    }
+
+    Step step(const Origin& origin, Input_halfedge_index h, Vertex_index w) const
+    {
+      if(m_is_joined(h))
+        return {origin.distance, true};
+      return {Base::step(origin, h, w).distance, false};
+    }
+
+    /* Checks the length of an edge of which both ends are known, too. */
+    void meet(const Origin& origin, Input_halfedge_index h, Vertex_index w) const { this->length(origin, h, w); }
+
+    template <class Label>
+    bool is_better(const Step& step, const Label& label) const
+    {
+      return step.is_joined || Base::is_better(step, label);
+    }
+
+    double key(Vertex_index, const Step& step) const { return step.is_joined ? -1 : step.distance; }
+
+  private:
+    Edge_forest& m_forest;
+    const Search& m_search;
+    const IsJoined& m_is_joined;
+    std::size_t m_number_of_steps = 0;
+  };
+
+  template <class Input_mesh>
+  Legs legs(const Input_mesh& input, Input_halfedge_index h) const
+  {
+    Legs result = {path(input, input.tail(h)), path(input, input.tail(twin_index(h)))};
     result.first.push_back(as_intrinsic(h));
     return result;
   }
 
-  template <class Input_mesh, class Weight, class IsJoined>
-  void grow_from_given(const Input_mesh& input, Vertex_index v, const Weight& weight, const IsJoined& is_joined,
-                       Interruption* interruption)
+  template <class Input_mesh>
+  void check_base_point(const Input_mesh& input, Vertex_index v) const
   {
     check_vertex(v, input.number_of_vertices());
     const std::string name = "vertex " + std::to_string(v.idx());
@@ -188,65 +290,20 @@ private:
     if(m_component[v] >= 0)
       throw Invalid_parameter_error(name + " is in a component that has a base point already",
                                     {static_cast<std::size_t>(v.idx())});
-    grow(input, v, weight, is_joined, interruption);
   }
 
-  template <class Input_mesh, class Weight, class IsJoined>
-  void grow(const Input_mesh& input, Vertex_index root, const Weight& weight, const IsJoined& is_joined,
-            Interruption* interruption)
+  template <class SearchPolicy>
+  void grow(Vertex_index root, Search& search, SearchPolicy& policy)
   {
-    const Index component = static_cast<Index>(m_roots.size());
     m_roots.push_back(root);
-    m_distance[root] = 0;
-    m_queue.push(0, root);
-    std::vector<Vertex_index> place; // vertices joined with the one that was reached
-    while(!m_queue.empty())
-      for(place.push_back(m_queue.pop()); !place.empty();) {
-        const Vertex_index v = place.back();
-        place.pop_back();
-        if(m_component[v] >= 0)
-          continue; // has been reached on a shorter way since
-        throw_if_interrupted(interruption);
-        m_component[v] = component;
-        const Input_halfedge_index first = input.outgoing(v);
-        Input_halfedge_index h = first;
-        do {
-          const Vertex_index w = input.tail(twin_index(h));
-          if(is_joined(h) && m_component[w] < 0) {
-            reach(w, m_distance[v], h);
-            place.push_back(w);
-          } else {
-            relax(v, w, h, weight(h));
-          }
-          h = input.next(twin_index(h));
-          ++m_spokes;
-        } while(h != first);
-      }
-  }
-
-  void relax(Vertex_index v, Vertex_index w, Input_halfedge_index h, double length)
-  {
-    if(!is_zero_or_usable_length(length))
-      throw_unusable_length(length, v, w);
-    const double distance = m_distance[v] + length;
-    if(m_component[w] >= 0 || !(distance < m_distance[w]))
-      return;
-    reach(w, distance, h);
-    m_queue.push(distance, w);
-  }
-
-  void reach(Vertex_index w, double distance, Input_halfedge_index h)
-  {
-    m_distance[w] = distance;
-    m_incoming[w] = h;
+    search.add_source(root);
+    search.run(policy);
   }
 
   Indexed_by<Vertex_index, std::vector<Input_halfedge_index>> m_incoming;
   Indexed_by<Vertex_index, std::vector<double>> m_distance;
   Indexed_by<Vertex_index, std::vector<Index>> m_component;
   std::vector<Vertex_index> m_roots;
-  Vertex_queue m_queue;
-  std::size_t m_spokes = 0; // halfedges that start at vertices reached
 };
 
 } // namespace internal
