@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_BOUNDING_LOOP_SEARCH_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_BOUNDING_LOOP_SEARCH_H
 
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/topology/Loop_search.h>
 
 #include <algorithm>
 #include <array>
@@ -39,8 +39,8 @@ struct Class_sums
 
 /*
  * The shortest loops through a vertex that are made of a shortest path, an edge and a shortest path back, and bound
- * behind the surface or in front of it: one of either kind, of those that are wanted. The search ends where longer ones begin, or when many
- * vertices were reached.
+ * behind the surface or in front of it: one of either kind, of those that are wanted. The search ends where longer ones
+ * begin, or when many vertices were reached.
  */
 template <class Triangulation>
 class Bounding_loop_search
@@ -51,10 +51,8 @@ public:
 
   /* `sums` are those of the first sides of edges; searches can be stopped. */
   Bounding_loop_search(const Triangulation& triangulation, const Sums& sums, Interruption* interruption)
-    : m_interruption(interruption)
-    , m_triangulation(triangulation)
-    , m_sums(sums)
-    , m_labels(static_cast<std::size_t>(triangulation.input().number_of_vertices()))
+    : m_sums(sums)
+    , m_search(triangulation, interruption)
   {
   }
 
@@ -63,97 +61,79 @@ public:
   template <class IsWanted>
   std::array<Loop, 2> operator()(Vertex_index root, std::size_t most, const IsWanted& is_wanted)
   {
-    m_lengths.fill(std::numeric_limits<double>::infinity());
-    m_closing.fill(null_index);
-    reach(root, 0, null_index, Class_sums());
-    while(!m_queue.empty() && m_reached.size() < most && 2 * m_queue.priority() < longest()) {
-      const Vertex_index u = m_queue.pop();
-      if(m_labels[u].is_settled)
-        continue;
-      throw_if_interrupted(m_interruption);
-      m_labels[u].is_settled = true;
-      const Input_halfedge_index first = input().outgoing(u);
-      Input_halfedge_index h = first;
-      do {
-        pass(u, h, is_wanted);
-        h = input().next(twin_index(h));
-      } while(h != first);
-    }
-    const std::array<Loop, 2> result = {loop(m_closing[0]), loop(m_closing[1])};
-    m_queue.clear();
-    for(Vertex_index v : m_reached)
-      m_labels[v] = Label();
-    m_reached.clear();
-    return result;
+    Policy<IsWanted> policy(m_search, m_sums, most, is_wanted);
+    m_search.run(root, Class_sums(), policy);
+    return {loop(policy.closing(0)), loop(policy.closing(1))};
   }
 
 private:
-  struct Label
-  {
-    double distance = std::numeric_limits<double>::infinity();
-    Input_halfedge_index incoming = null_index;
-    Class_sums sums; // of the path
-    bool is_settled = false;
-  };
+  using Search = Loop_search<Triangulation, Class_sums>;
 
-  const auto& input() const { return m_triangulation.input(); }
-  double longest() const { return (std::max)(m_lengths[0], m_lengths[1]); }
-
-  void reach(Vertex_index v, double distance, Input_halfedge_index incoming, const Class_sums& sums)
-  {
-    if(m_labels[v].distance == std::numeric_limits<double>::infinity())
-      m_reached.push_back(v);
-    m_labels[v] = {distance, incoming, sums, false};
-    m_queue.push(distance, v);
-  }
-
+  // Keeps the edges that close the best loops of either kind.
   template <class IsWanted>
-  void pass(Vertex_index u, Input_halfedge_index h, const IsWanted& is_wanted)
+  class Policy : public Search::template Policy<Policy<IsWanted>>
   {
-    const Vertex_index w = input().tail(twin_index(h));
-    const double distance = m_labels[u].distance + m_triangulation.metric().weight(input(), h);
-    Class_sums sums = m_labels[u].sums;
-    sums.add(m_sums[edge_of(as_intrinsic(h))], !is_first_side(h));
-    const Label& to = m_labels[w];
-    if(!to.is_settled) {
-      if(distance < to.distance)
-        reach(w, distance, h, sums);
-      return;
+    using Base = typename Search::template Policy<Policy<IsWanted>>;
+
+  public:
+    Policy(Search& search, const Sums& sums, std::size_t most, const IsWanted& is_wanted)
+      : Base(search)
+      , m_sums(sums)
+      , m_most(most)
+      , m_is_wanted(is_wanted)
+    {
+      m_lengths.fill(std::numeric_limits<double>::infinity());
+      m_closing.fill(null_index);
     }
-    sums.add(to.sums, true);
-    for(std::size_t side : {0, 1})
-      if(sums.bounds(side) && distance + to.distance < m_lengths[side] && is_wanted(side, sums)) {
-        m_lengths[side] = distance + to.distance;
-        m_closing[side] = h;
-      }
-  }
+
+    Input_halfedge_index closing(std::size_t side) const { return m_closing[side]; }
+
+    template <class Queue>
+    bool is_finished(Queue& queue) const
+    {
+      return m_number_of_reached >= m_most || !(2 * queue.priority() < (std::max)(m_lengths[0], m_lengths[1]));
+    }
+
+    Class_sums extended(Class_sums path, Input_halfedge_index h) const
+    {
+      return path.add(m_sums[edge_of(as_intrinsic(h))], !is_first_side(h));
+    }
+
+    void reach(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w, bool is_first)
+    {
+      Base::reach(origin, h, w, is_first);
+      m_number_of_reached += is_first ? 1 : 0;
+    }
+
+    void meet(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w)
+    {
+      const double length = this->length_of_loop(origin, h, w);
+      const Class_sums sums = this->class_over(origin, h).add(this->class_of_path(w), true);
+      for(std::size_t side : {0, 1})
+        if(sums.bounds(side) && length < m_lengths[side] && m_is_wanted(side, sums)) {
+          m_lengths[side] = length;
+          m_closing[side] = h;
+        }
+    }
+
+  private:
+    const Sums& m_sums;
+    std::size_t m_most, m_number_of_reached = 1; // the root
+    const IsWanted& m_is_wanted;
+    std::array<double, 2> m_lengths;               // of the best loops
+    std::array<Input_halfedge_index, 2> m_closing; // their edges that are in no path
+  };
 
   Loop loop(Input_halfedge_index h) const
   {
     if(h == null_index)
       return {};
-    Loop out = path(input().tail(h)), back = path(input().tail(twin_index(h)));
-    out.push_back(as_intrinsic(h));
+    const auto [out, back] = m_search.legs(h);
     return closed_chain(out, back, common_start(out, back));
   }
 
-  Loop path(Vertex_index v) const
-  {
-    Loop result;
-    for(Input_halfedge_index h = m_labels[v].incoming; h != null_index; h = m_labels[input().tail(h)].incoming)
-      result.push_back(as_intrinsic(h));
-    std::reverse(result.begin(), result.end());
-    return result;
-  }
-
-  Interruption* m_interruption; // null if it cannot be interrupted
-  const Triangulation& m_triangulation;
   const Sums& m_sums;
-  Indexed_by<Vertex_index, std::vector<Label>> m_labels;
-  std::vector<Vertex_index> m_reached;
-  Vertex_queue m_queue;
-  std::array<double, 2> m_lengths;               // of the best loops
-  std::array<Input_halfedge_index, 2> m_closing; // their edges that are in no path
+  Search m_search;
 };
 
 } // namespace internal

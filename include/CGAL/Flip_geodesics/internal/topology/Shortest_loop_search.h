@@ -3,12 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_SHORTEST_LOOP_SEARCH_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_SHORTEST_LOOP_SEARCH_H
 
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
+#include <CGAL/Flip_geodesics/internal/topology/Loop_search.h>
 #include <CGAL/Flip_geodesics/internal/topology/Reduced_words.h>
-#include <CGAL/Flip_geodesics/metrics.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -20,20 +19,18 @@ namespace internal {
 /*
  * The shortest loop along edges that passes one of some vertices and is of a certain kind.
  *
- * Through one vertex, it is the loop of an edge: a shortest path to either end, and the edge [Erickson, Har-Peled 2004].
- * Both ends are nearer than half of its length. So each search ends at half of the best length so far, and leaves out
- * the vertices whose loops were searched before. The word of a path is kept at its end, reduced as far as it cancels: the
- * loop of an edge between two ends whose words differ by that of the edge contracts, and only others are looked at.
+ * Each search leaves out the vertices whose loops were searched before. The class of a path is its word, reduced as far
+ * as it cancels: the loop of an edge between two ends whose words differ by that of the edge contracts, and only others
+ * are looked at.
  */
 template <class Triangulation>
 class Shortest_loop_search
 {
 public:
   Shortest_loop_search(const Triangulation& triangulation, const Generator_words& words, Interruption* interruption)
-    : m_interruption(interruption)
-    , m_triangulation(triangulation)
-    , m_words(words)
-    , m_labels(static_cast<std::size_t>(input().number_of_vertices()))
+    : m_words(words)
+    , m_search(triangulation, interruption)
+    , m_is_left_out(static_cast<std::size_t>(triangulation.input().number_of_vertices()), 0)
   {
   }
 
@@ -42,107 +39,80 @@ public:
   template <class IsWanted>
   void search(Vertex_index v, const IsWanted& is_wanted)
   {
-    Input_halfedge_index best = null_index;
     m_reduced_words.clear();
-    reach(v, 0, null_index, Reduced_words::empty_word);
-    while(!m_queue.empty() && 2 * m_queue.priority() < m_length) {
-      const Vertex_index u = m_queue.pop();
-      if(m_labels[u].is_settled)
-        continue;
-      throw_if_interrupted(m_interruption);
-      m_labels[u].is_settled = true;
-      const Input_halfedge_index first = input().outgoing(u);
-      Input_halfedge_index h = first;
-      do {
-        if(pass(u, h, is_wanted))
-          best = h;
-        h = input().next(twin_index(h));
-      } while(h != first);
+    Policy<IsWanted> policy(*this, is_wanted);
+    m_search.run(v, Reduced_words::empty_word, policy);
+    if(policy.closing() != null_index) {
+      const auto [out, back] = m_search.legs(policy.closing());
+      m_loop = closed_chain(out, back, 0);
     }
-    if(best != null_index)
-      store_loop(best);
-    forget();
-    m_labels[v].is_left_out = true;
+    m_is_left_out[v] = 1;
   }
 
   /* What was found: a chain from the vertex back to it; empty if there is none. */
   const std::vector<Halfedge_index>& loop() const { return m_loop; }
 
 private:
-  struct Label
+  using Search = Loop_search<Triangulation, Reduced_words::Word>;
+
+  // Keeps the edge that closes the best loop, if it is shorter than those of other vertices.
+  template <class IsWanted>
+  class Policy : public Search::template Policy<Policy<IsWanted>>
   {
-    double distance = std::numeric_limits<double>::infinity();
-    Input_halfedge_index incoming = null_index;
-    Reduced_words::Word word = Reduced_words::empty_word; // of the path
-    bool is_settled = false, is_left_out = false;
+    using Base = typename Search::template Policy<Policy<IsWanted>>;
+
+  public:
+    Policy(Shortest_loop_search& loops, const IsWanted& is_wanted)
+      : Base(loops.m_search)
+      , m_loops(loops)
+      , m_is_wanted(is_wanted)
+    {
+    }
+
+    Input_halfedge_index closing() const { return m_closing; }
+
+    template <class Queue>
+    bool is_finished(Queue& queue) const
+    {
+      return !(2 * queue.priority() < m_loops.m_length);
+    }
+
+    template <class Function>
+    void for_each_halfedge(const typename Base::Origin& origin, const Function& function) const
+    {
+      Base::for_each_halfedge(origin, [&](Input_halfedge_index h) {
+        if(m_loops.m_is_left_out[this->head(h)] == 0)
+          function(h);
+      });
+    }
+
+    Reduced_words::Word extended(Reduced_words::Word path, Input_halfedge_index h) const
+    {
+      m_loops.m_words.for_each_letter(h, [&](Letter letter) { path = m_loops.m_reduced_words.appended(path, letter); });
+      return path;
+    }
+
+    void meet(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w)
+    {
+      const double length = this->length_of_loop(origin, h, w);
+      if(!(length < m_loops.m_length))
+        return;
+      const Reduced_words::Word word = this->class_over(origin, h), other = this->class_of_path(w);
+      if(word == other || !m_is_wanted(m_loops.m_reduced_words.quotient(word, other)))
+        return;
+      m_loops.m_length = length;
+      m_closing = h;
+    }
+
+  private:
+    Shortest_loop_search& m_loops;
+    const IsWanted& m_is_wanted;
+    Input_halfedge_index m_closing = null_index;
   };
 
-  const auto& input() const { return m_triangulation.input(); }
-
-  void reach(Vertex_index v, double distance, Input_halfedge_index incoming, Reduced_words::Word word)
-  {
-    if(m_labels[v].incoming == null_index)
-      m_reached.push_back(v);
-    m_labels[v].distance = distance;
-    m_labels[v].incoming = incoming;
-    m_labels[v].word = word;
-    m_queue.push(distance, v);
-  }
-
-  // Goes on over a halfedge from a settled vertex. Does it close the best loop so far?
-  template <class IsWanted>
-  bool pass(Vertex_index u, Input_halfedge_index h, const IsWanted& is_wanted)
-  {
-    const Vertex_index w = input().tail(twin_index(h));
-    const double weight = m_triangulation.metric().weight(input(), h);
-    if(!is_zero_or_usable_length(weight))
-      throw_unusable_length(weight, u, w);
-    const Label& from = m_labels[u];
-    const Label& to = m_labels[w];
-    const double distance = from.distance + weight;
-    if(to.is_left_out || (to.is_settled && !(distance + to.distance < m_length)) ||
-       (!to.is_settled && !(distance < to.distance)))
-      return false;
-    Reduced_words::Word word = from.word;
-    m_words.for_each_letter(h, [&](Letter letter) { word = m_reduced_words.appended(word, letter); });
-    if(!to.is_settled) {
-      reach(w, distance, h, word);
-      return false;
-    }
-    if(word == to.word || !is_wanted(m_reduced_words.quotient(word, to.word)))
-      return false;
-    m_length = distance + to.distance;
-    return true;
-  }
-
-  void store_loop(Input_halfedge_index h)
-  {
-    m_loop.clear();
-    for(Input_halfedge_index g = h; g != null_index; g = m_labels[input().tail(g)].incoming)
-      m_loop.push_back(as_intrinsic(g));
-    std::reverse(m_loop.begin(), m_loop.end());
-    for(Input_halfedge_index g = m_labels[input().tail(twin_index(h))].incoming; g != null_index;
-        g = m_labels[input().tail(g)].incoming)
-      m_loop.push_back(as_intrinsic(twin_index(g)));
-  }
-
-  void forget()
-  {
-    m_queue.clear();
-    for(Vertex_index v : m_reached) {
-      const bool is_left_out = m_labels[v].is_left_out;
-      m_labels[v] = Label();
-      m_labels[v].is_left_out = is_left_out;
-    }
-    m_reached.clear();
-  }
-
-  Interruption* m_interruption; // null if it cannot be interrupted
-  const Triangulation& m_triangulation;
   const Generator_words& m_words;
-  Indexed_by<Vertex_index, std::vector<Label>> m_labels;
-  std::vector<Vertex_index> m_reached;
-  Vertex_queue m_queue;
+  Search m_search;
+  Indexed_by<Vertex_index, std::vector<char>> m_is_left_out;
   Reduced_words m_reduced_words;
   std::vector<Halfedge_index> m_loop;
   double m_length = std::numeric_limits<double>::infinity(); // of the best loop
