@@ -6,9 +6,10 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -17,39 +18,22 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Sets that are united. */
-class Disjoint_sets
+/* Sets of indices, which begin as sets of one. */
+using Disjoint_sets = boost::disjoint_sets_with_storage<>;
+
+inline bool are_united(Disjoint_sets& sets, Index a, Index b)
 {
-public:
-  explicit Disjoint_sets(Index size)
-    : m_parent(static_cast<std::size_t>(size))
-  {
-    std::iota(m_parent.begin(), m_parent.end(), 0);
-  }
+  return sets.find_set(static_cast<std::size_t>(a)) == sets.find_set(static_cast<std::size_t>(b));
+}
 
-  /* Unites the sets of a and b. Were they different? */
-  bool unite(Index a, Index b)
-  {
-    a = representative(a);
-    b = representative(b);
-    m_parent[static_cast<std::size_t>((std::max)(a, b))] = (std::min)(a, b);
-    return a != b;
-  }
-
-  /* The smallest of the set of a. */
-  Index representative(Index a)
-  {
-    while(m_parent[static_cast<std::size_t>(a)] != a) {
-      Index& parent = m_parent[static_cast<std::size_t>(a)];
-      parent = m_parent[static_cast<std::size_t>(parent)];
-      a = parent;
-    }
-    return a;
-  }
-
-private:
-  std::vector<Index> m_parent;
-};
+/* Unites the sets of two indices; returns whether they were different. */
+inline bool unite(Disjoint_sets& sets, Index a, Index b)
+{
+  if(are_united(sets, a, b))
+    return false;
+  sets.union_set(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+  return true;
+}
 
 /* What is done with the borders of the surface. */
 enum class Borders {
@@ -131,12 +115,12 @@ private:
   void span(const Input_mesh& input, Borders borders, std::vector<Loop> loops, Interruption* interruption)
   {
     std::sort(loops.begin(), loops.end());
-    Disjoint_sets sets(m_number_of_faces);
+    Disjoint_sets sets(static_cast<std::size_t>(m_number_of_faces));
     for(std::size_t i = loops.size(); i-- > 0;) {
       throw_if_interrupted(interruption);
       const Input_halfedge_index h = loops[i].halfedge, t = twin_index(h);
       const bool is_closed = borders == Borders::LEFT_OPEN && (input.is_border(h) || input.is_border(t));
-      if(!is_closed && sets.unite(m_face[h], m_face[t]))
+      if(!is_closed && unite(sets, m_face[h], m_face[t]))
         m_is_crossed[static_cast<std::size_t>(h.idx() / 2)] = 1;
       else
         m_generators.push_back(loops[i]);

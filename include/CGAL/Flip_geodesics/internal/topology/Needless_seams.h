@@ -40,7 +40,7 @@ public:
     : m_network(network)
     , m_is_on_border(static_cast<std::size_t>(triangulation().number_of_vertices()), 0)
     , m_is_seam(static_cast<std::size_t>(triangulation().number_of_edges()), 0)
-    , m_pieces(triangulation().number_of_halfedges())
+    , m_pieces(static_cast<std::size_t>(triangulation().number_of_halfedges()))
   {
     for(Halfedge_index h : descriptors<Halfedge_index>(triangulation().number_of_halfedges()))
       if(triangulation().is_border(h))
@@ -78,9 +78,9 @@ private:
     for(Halfedge_index h : descriptors<Halfedge_index>(triangulation().number_of_halfedges())) {
       if(triangulation().is_border(h))
         continue;
-      m_pieces.unite(h.idx(), triangulation().next(h).idx());
+      unite(m_pieces, h.idx(), triangulation().next(h).idx());
       if(m_is_seam[Triangulation::edge(h)] == 0 && !is_border_edge(h))
-        m_pieces.unite(h.idx(), Triangulation::twin(h).idx());
+        unite(m_pieces, h.idx(), Triangulation::twin(h).idx());
     }
   }
 
@@ -89,8 +89,7 @@ private:
     const auto all = descriptors<Edge_index>(triangulation().number_of_edges());
     return std::any_of(all.begin(), all.end(), [this](Edge_index e) {
       const Halfedge_index h = first_side(e);
-      return m_is_seam[e] != 0 &&
-             m_pieces.representative(h.idx()) != m_pieces.representative(Triangulation::twin(h).idx());
+      return m_is_seam[e] != 0 && !are_united(m_pieces, h.idx(), Triangulation::twin(h).idx());
     });
   }
 
@@ -113,7 +112,7 @@ private:
     bool is_changed = false;
     for(const auto& [length, c] : chains) {
       std::vector<Halfedge_index> chain = m_network.halfedges(c);
-      if(!m_pieces.unite(chain.front().idx(), Triangulation::twin(chain.front()).idx()))
+      if(!unite(m_pieces, chain.front().idx(), Triangulation::twin(chain.front()).idx()))
         continue;
       if(m_network.is_closed(c))
         chain.resize(1); // two disks with all of it in common are a sphere, which is to be cut
