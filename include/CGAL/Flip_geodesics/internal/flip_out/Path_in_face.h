@@ -4,13 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_PATH_IN_FACE_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Triangulation_edge_policy.h>
 
-#include <algorithm>
-#include <functional>
-#include <map>
-#include <queue>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -36,49 +32,45 @@ template <class Triangulation>
 class Path_in_face
 {
 public:
-  Path_in_face(const Triangulation& triangulation, Input_halfedge_index face)
+  explicit Path_in_face(const Triangulation& triangulation)
     : m_triangulation(triangulation)
-    , m_face(face)
+    , m_search(static_cast<std::size_t>(triangulation.number_of_vertices()))
   {
   }
 
   /* None if the edges in the face do not join the vertices. */
-  std::vector<Halfedge_index> operator()(Vertex_index source, Vertex_index target) const
+  std::vector<Halfedge_index> operator()(Input_halfedge_index face, Vertex_index source, Vertex_index target)
   {
-    std::map<Vertex_index, std::pair<double, Halfedge_index>> labels = {
-        {source, {0, null_index}}}; // length, last halfedge
-    using Entry = std::pair<double, Vertex_index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    queue.push({0, source});
-    while(!queue.empty()) {
-      const auto [length, v] = queue.top();
-      queue.pop();
-      if(v == target)
-        break;
-      if(length > labels[v].first)
-        continue;
-      for(Halfedge_index h : spokes(m_triangulation, v)) {
-        if(!is_edge_in_face(m_triangulation, h, m_face))
-          continue;
-        const double longer = length + m_triangulation.length(h);
-        const auto [label, is_new] = labels.insert({m_triangulation.head(h), {longer, h}});
-        if(!is_new && label->second.first <= longer)
-          continue;
-        label->second = {longer, h};
-        queue.push({longer, m_triangulation.head(h)});
-      }
-    }
-    std::vector<Halfedge_index> path;
-    if(labels.count(target) != 0)
-      for(Vertex_index v = target; v != source; v = m_triangulation.tail(path.back()))
-        path.push_back(labels[v].second);
-    std::reverse(path.begin(), path.end());
-    return path;
+    return path_along_edges(m_triangulation, source, target, Policy(m_triangulation, face, target), m_search);
   }
 
 private:
+  class Policy : public Triangulation_edge_policy<Triangulation>
+  {
+    using Base = Triangulation_edge_policy<Triangulation>;
+
+  public:
+    Policy(const Triangulation& triangulation, Input_halfedge_index face, Vertex_index target)
+      : Base(triangulation, target)
+      , m_face(face)
+    {
+    }
+
+    template <class Function>
+    void for_each_halfedge(const typename Base::Origin& origin, const Function& function) const
+    {
+      Base::for_each_halfedge(origin, [&](Halfedge_index h) {
+        if(is_edge_in_face(this->triangulation(), h, m_face))
+          function(h);
+      });
+    }
+
+  private:
+    Input_halfedge_index m_face;
+  };
+
   const Triangulation& m_triangulation;
-  Input_halfedge_index m_face;
+  Triangulation_edge_search m_search;
 };
 
 } // namespace internal

@@ -173,6 +173,7 @@ private:
   std::vector<Halfedge_index> snapped(const Surface_polyline& path, Vertex_index v, Vertex_index w) const
   {
     const auto& input = m_triangulation.input();
+    Path_in_face<Triangulation> path_in_face(m_triangulation);
     std::vector<Halfedge_index> result;
     std::size_t last = 0; // the point at which the path has arrived
     Vertex_index at = v;
@@ -182,7 +183,7 @@ private:
         continue; // its neighbors lie in the same face
       const Input_halfedge_index face = common_face(input, path[last], path[last + 1]);
       const Vertex_index next = is_end ? w : nearest_vertex(input, path[i]);
-      for(Halfedge_index h : Path_in_face<Triangulation>(m_triangulation, face)(at, next))
+      for(Halfedge_index h : path_in_face(face, at, next))
         if(!result.empty() && h == Triangulation::twin(result.back()))
           result.pop_back();
         else

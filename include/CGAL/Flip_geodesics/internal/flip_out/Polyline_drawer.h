@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
