@@ -132,6 +132,7 @@ if [ $full -eq 1 ]; then
   run_stage gcc "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
   run_stage clang "$number_of_tests" "${tests[@]}" "${all_examples[@]}"
   run_stage asan-ubsan "${sanitizers[@]}"
+  run_stage thread-sanitizer 2 -D FLIP_GEODESICS_TESTS=test_threads "${no_examples[@]}" # with the test complete
   run_stage checked $((number_of_tests - 1)) "${tests[@]}" "${all_examples[@]}" -D FLIP_GEODESICS_TEST_HEADERS=OFF
 else
   run_stage gcc $((number_of_smoke_tests + ${#examples_with_gcc[@]})) "${smoke_with_gcc[@]}"

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_DECISION_STATISTICS_H
 #define CGAL_FLIP_GEODESICS_DECISION_STATISTICS_H
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -24,6 +25,21 @@ struct Decision_statistics
   /// fixed, however, so this is not a probability for adversarial input.
   std::size_t unproven_zeros = 0;
   std::size_t most_roots = 0; ///< the largest number of independent roots that took part
+
+  /// Adds further decisions.
+  Decision_statistics& operator+=(const Decision_statistics& other)
+  {
+    by_memory += other.by_memory;
+    by_strip += other.by_strip;
+    by_plane += other.by_plane;
+    by_precision += other.by_precision;
+    by_roots += other.by_roots;
+    zeros_by_plane += other.zeros_by_plane;
+    zeros_by_roots += other.zeros_by_roots;
+    unproven_zeros += other.unproven_zeros;
+    most_roots = (std::max)(most_roots, other.most_roots);
+    return *this;
+  }
 };
 
 } // namespace Flip_geodesics

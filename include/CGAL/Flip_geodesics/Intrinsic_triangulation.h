@@ -19,6 +19,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Compared_wedges.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Remembered_decisions.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
@@ -75,7 +76,10 @@ enum class Zero_length_edges {
  * The invariant: the vectors of a face close, the two sides of an edge have one length, and the crossing numbers of the
  * edges are those of the input edges (`is_valid()`).
  *
- * Not safe to be used from two threads at once, not even for reading; give each thread a triangulation of its own.
+ * Several threads can call `const` members at once, if the mesh and its points can be read at once. They copy faces of
+ * the input and keep what they derive all the same. Which halfedge `outgoing()` returns can depend on which faces were
+ * read before; nothing else does. While one thread calls another member, changes a network in the triangulation or moves
+ * a walker's hold, no other thread may use the triangulation.
  *
  * \cgalModels{IntrinsicTriangulationOfMesh}
  *
@@ -187,15 +191,13 @@ public:
   /// What is known of flat edges; as above.
   internal::Flat_edges& flat_edges() const
   {
-    if(m_flat_edges.size() == 0)
-      m_flat_edges = internal::Flat_edges(static_cast<std::size_t>(input().number_of_halfedges() / 2));
-    return m_flat_edges;
+    return m_decisions.flat_edges(static_cast<std::size_t>(input().number_of_halfedges() / 2));
   }
   /// The edge of `h` in numbers of about 100 bits, if its ends are input vertices.
   internal::Precise_edge precise_edge(Halfedge_index h) const { return m_history.edge(*this, h); }
 
   /// How the decisions that were left open by the traits were taken, since construction.
-  const Decision_statistics& decision_statistics() const { return m_statistics; }
+  Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
 
   /// Is the angle at the head of `h`, in the two faces of its edge, at least \f$\pi\f$? \pre both faces exist
   bool is_reflex_at_head(Halfedge_index h) const { return is_reflex_at_head(walker(h)); }
@@ -223,9 +225,14 @@ public:
     const Uncertain<bool> result = traits().is_locally_delaunay_object()(geometry(h), geometry(hn), geometry(hp),
                                                                          geometry(t), geometry(tn), geometry(tp));
     if constexpr(!Traits::Has_drift::value)
-      if(!result.is_certain())
-        return internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics, true)
-                   .compare_sum({twin(hn), hp}, {twin(tn), tp}) != LARGER;
+      if(!result.is_certain()) {
+        Decision_statistics statistics;
+        const Comparison_result comparison =
+            internal::Wedge_comparison<Intrinsic_triangulation>(*this, statistics, true)
+                .compare_sum({twin(hn), hp}, {twin(tn), tp});
+        m_decisions.add(statistics);
+        return comparison != LARGER;
+      }
     return result.make_certain();
   }
 
@@ -272,7 +279,7 @@ public:
   void rollback(Log_position position = 0)
   {
     if(m_log.size() > position)
-      m_compared_wedges.forget_flips();
+      m_decisions.forget_flips();
     while(m_log.size() > position) {
       m_history.forget(edge(m_log.back().h), static_cast<Index>(m_log.size()));
       if(m_log.back().is_insertion())
@@ -345,8 +352,7 @@ public:
     const Surface_location point = internal::canonical_location(input(), location);
     if(kind(point) == Location_kind::VERTEX)
       return input().tail(point.halfedge);
-    const internal::Point_locator<Intrinsic_triangulation> locate(*this, m_statistics);
-    const internal::Located_point place = close_by == nullptr ? locate(point) : locate(point, *close_by);
+    const internal::Located_point place = located(point, close_by);
     if(place.vertex != null_index)
       return place.vertex;
     return internal::insert_point(*this, editor(), place, point, on_split);
@@ -435,14 +441,18 @@ private:
   Comparison_result compare_with_straight(Halfedge_index from, Halfedge_index to) const
   {
     const internal::Side_version a = {from, version(edge(from))}, b = {to, version(edge(to))};
-    if(const Comparison_result* known = m_compared_wedges.find(a, b)) {
-      ++m_statistics.by_memory;
-      return *known;
-    }
-    const Comparison_result result =
-        internal::Wedge_comparison<Intrinsic_triangulation>(*this, m_statistics, true)(from, to);
-    m_compared_wedges.insert(a, b, result);
-    return result;
+    return m_decisions.compare(a, b, [&](Decision_statistics& statistics) {
+      return internal::Wedge_comparison<Intrinsic_triangulation>(*this, statistics, true)(from, to);
+    });
+  }
+
+  internal::Located_point located(const Surface_location& point, Known_piece* close_by) const
+  {
+    Decision_statistics statistics;
+    const internal::Point_locator<Intrinsic_triangulation> locate(*this, statistics);
+    const internal::Located_point place = close_by == nullptr ? locate(point) : locate(point, *close_by);
+    m_decisions.add(statistics);
+    return place;
   }
 
   internal::Insertion_editor<Intrinsic_triangulation, Store> editor()
@@ -464,10 +474,8 @@ private:
     }
   }
 
-  mutable internal::Edge_history<Intrinsic_triangulation> m_history;
-  mutable internal::Compared_wedges m_compared_wedges;
-  mutable internal::Flat_edges m_flat_edges;
-  mutable Decision_statistics m_statistics;
+  internal::Edge_history<Intrinsic_triangulation> m_history;
+  internal::Remembered_decisions m_decisions;
   internal::Flip_log<Store> m_log;
   std::vector<internal::Inserted_point<Halfedge_geometry>> m_points;
 };

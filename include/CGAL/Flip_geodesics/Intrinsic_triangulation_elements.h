@@ -186,7 +186,7 @@ public:
   bool is_valid(double tolerance = internal::default_validity_tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(number_of_halfedges()))
-      if(m_halfedges[m_halfedges.slot(h)].encoded_next > 0 &&
+      if(m_halfedges[m_halfedges.slot(h)].is_known() && !is_border(h) &&
          !internal::is_valid_halfedge(*this, h, tolerance, m_halfedges[m_halfedges.slot(twin(h))].is_known()))
         return false;
     return true;

@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Of which input edges it is known whether the faces beside them lie unfolded in one plane. */
+/* Of which input edges it is known whether the faces beside them lie unfolded in one plane. Several threads may ask at
+ * once, and may compute the same then. */
 class Flat_edges
 {
 public:
@@ -31,9 +33,12 @@ public:
   {
     if(m_states.size() == 0)
       return compute();
-    std::uint8_t& state = m_states[static_cast<std::size_t>(h.idx() / 2)];
-    if(state == unknown)
+    std::uint8_t& known = m_states[static_cast<std::size_t>(h.idx() / 2)];
+    std::uint8_t state = load_relaxed(known);
+    if(state == unknown) {
       state = compute() ? flat : bent;
+      store_relaxed(known, state);
+    }
     return state == flat;
   }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
+#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -35,21 +36,25 @@ public:
   }
 
   /* The slot of an element; below `block_size` if it has none. */
-  Index operator[](Index i) const { return m_starts[block(i)] + static_cast<Index>(position(i)); }
+  Index operator[](Index i) const { return load_acquire(m_starts[block(i)]) + static_cast<Index>(position(i)); }
 
-  bool has_slot(Index i) const { return m_starts[block(i)] != 0; }
+  bool has_slot(Index i) const { return load_acquire(m_starts[block(i)]) != 0; }
 
-  /* Gives slots to an element and the others of its block; returns the first of them. \pre it has none */
+  /*
+   * Gives an element and the others of its block the slots from `number_of_slots()` on. Other threads may look up slots
+   * at the same time: what was written at these slots before is seen by those that find them. Returns the first of them.
+   * \pre it has none
+   */
   Index add(Index i)
   {
-    const Index start = static_cast<Index>(m_number_of_slots);
-    m_starts[block(i)] = start;
-    m_number_of_slots += block_size;
-    return start;
+    const std::size_t start = number_of_slots();
+    store_relaxed(m_number_of_slots, start + block_size);
+    store_release(m_starts[block(i)], static_cast<Index>(start));
+    return static_cast<Index>(start);
   }
 
   /* Those that were given, and those of nobody. */
-  std::size_t number_of_slots() const { return m_number_of_slots; }
+  std::size_t number_of_slots() const { return load_relaxed(m_number_of_slots); }
 
   /* The number of slots when all elements have one. */
   std::size_t largest_number_of_slots() const { return (m_starts.size() + 1) * block_size; }

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_IMPORTED_NUMBER_H
 
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -56,18 +57,32 @@ bool is_rounded_number(const NT& x)
 
 /*
  * Whether a metric rounds what it is given to doubles, once that has been found out. A copy of a metric takes what is
- * known along.
+ * known along. Several threads may ask at once.
  */
 class Known_rounding
 {
 public:
-  /* What `find()` returns, which is called once. */
+  Known_rounding() = default;
+  Known_rounding(const Known_rounding& other)
+    : m_state(load_relaxed(other.m_state))
+  {
+  }
+  Known_rounding& operator=(const Known_rounding& other)
+  {
+    store_relaxed(m_state, load_relaxed(other.m_state));
+    return *this;
+  }
+
+  /* What `find()` returns, which is called once by each thread at most. */
   template <class Find>
   bool operator()(const Find& find) const
   {
-    if(m_state == State::UNKNOWN)
-      m_state = find() ? State::ROUNDED : State::EXACT;
-    return m_state == State::ROUNDED;
+    State state = load_relaxed(m_state);
+    if(state == State::UNKNOWN) {
+      state = find() ? State::ROUNDED : State::EXACT;
+      store_relaxed(m_state, state);
+    }
+    return state == State::ROUNDED;
   }
 
 private:

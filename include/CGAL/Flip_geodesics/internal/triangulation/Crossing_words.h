@@ -79,6 +79,23 @@ public:
     return found;
   }
 
+  /*
+   * The word of halfedge h by the triangulation alone, without a look at what is kept; returns false if that cannot be.
+   * For several threads at once.
+   */
+  static bool read_off(const Triangulation& triangulation, Halfedge_index h, Crossing_word& word)
+  {
+    if(triangulation.version(Triangulation::edge(h)) == 0) {
+      word = input_word(triangulation, h);
+      return true;
+    }
+    if(!trace_first_side(triangulation, first_side(edge_of(h)), word))
+      return false;
+    if(!is_first_side(h))
+      word.reverse();
+    return true;
+  }
+
   /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made.
    */
   void store(Halfedge_index h, Index version, const Crossing_word& word)
@@ -239,22 +256,30 @@ private:
     return sizeof(Crossing_word) + of_node + bytes_of_letters(word.crossed.size());
   }
 
-  // Reads the word of an edge as it is now off the triangulation, from one end or the other. Returns false if it
-  // cannot.
+  // Reads the word of an edge as it is now off the triangulation, and keeps it. Returns false if it cannot.
   bool trace(const Triangulation& triangulation, const Edge_version& wanted)
   {
     if(has_inserted_vertices(triangulation))
       return false;
-    const Halfedge_index h = first_side(edge_of(wanted.halfedge));
     Crossing_word traced;
     traced.crossed = spare_letters();
-    Word_tracer<Triangulation> tracer(triangulation);
-    if(!tracer(h, traced)) {
-      if(!tracer(Triangulation::twin(h), traced))
-        return false;
-      traced.reverse();
-    }
+    if(!trace_first_side(triangulation, first_side(edge_of(wanted.halfedge)), traced))
+      return false;
     keep(wanted.version, std::move(traced));
+    return true;
+  }
+
+  // From one end or the other.
+  static bool trace_first_side(const Triangulation& triangulation, Halfedge_index h, Crossing_word& traced)
+  {
+    if(has_inserted_vertices(triangulation))
+      return false;
+    Word_tracer<Triangulation> tracer(triangulation);
+    if(tracer(h, traced))
+      return true;
+    if(!tracer(Triangulation::twin(h), traced))
+      return false;
+    traced.reverse();
     return true;
   }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Crossing_words.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Version_cache.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
@@ -13,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
 
 #include <cstddef>
+#include <mutex>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -32,6 +34,10 @@ namespace internal {
  *
  * Both are kept until they are taken back, or for as long as there is room: in memory proportional to the log's.
  * Derived again, they are the same bit for bit.
+ *
+ * Members that are const can be called by several threads at once. One of them derives edges at a time; another one that
+ * wants a word meanwhile reads it off the triangulation if that is possible. The faces of the input have a lock of their
+ * own, since they are looked up while edges are derived.
  */
 template <class Triangulation>
 class Edge_history
@@ -43,8 +49,15 @@ class Edge_history
 
 public:
   /* The word of halfedge h, from tail to head. */
-  Crossing_word word(const Triangulation& triangulation, Halfedge_index h)
+  Crossing_word word(const Triangulation& triangulation, Halfedge_index h) const
   {
+    std::unique_lock<Short_lock> lock(m_lock, std::try_to_lock);
+    if(!lock.owns_lock()) {
+      Crossing_word word;
+      if(Words::read_off(triangulation, h, word))
+        return word;
+      lock.lock();
+    }
     Crossing_word found = m_words(triangulation, h);
     m_words.shrink(triangulation.log_position());
     return found;
@@ -54,8 +67,9 @@ public:
   void store_word(Halfedge_index h, Index version, const Crossing_word& word) { m_words.store(h, version, word); }
 
   /* The edge of halfedge h, from its tail to its head. */
-  Precise_edge edge(const Triangulation& triangulation, Halfedge_index h)
+  Precise_edge edge(const Triangulation& triangulation, Halfedge_index h) const
   {
+    const std::lock_guard<Short_lock> guard(m_lock);
     const Edge_version wanted = {h, triangulation.version(Triangulation::edge(h))};
     derive(triangulation, wanted);
     const Precise_edge found = known_edge(triangulation, wanted);
@@ -64,15 +78,17 @@ public:
     return found;
   }
 
-  /* The face on the left of input halfedge h. */
-  const Exact_face& exact_face(const Triangulation& triangulation, Input_halfedge_index h)
+  /* The face on the left of input halfedge h, which is kept for good. */
+  const Exact_face& exact_face(const Triangulation& triangulation, Input_halfedge_index h) const
   {
+    const std::lock_guard<Short_lock> guard(m_lock_of_input);
     return m_exact_faces(triangulation, h);
   }
 
-  /* The input halfedge h, with the direction of the next one. */
-  const Precise_halfedge& input_halfedge(const Triangulation& triangulation, Input_halfedge_index h)
+  /* The input halfedge h, with the direction of the next one, which is kept for good. */
+  const Precise_halfedge& input_halfedge(const Triangulation& triangulation, Input_halfedge_index h) const
   {
+    const std::lock_guard<Short_lock> guard(m_lock_of_input);
     const auto found = m_halfedges.find(h);
     if(found != m_halfedges.end())
       return found->second;
@@ -95,6 +111,7 @@ public:
   std::size_t memory() const
   {
     constexpr std::size_t of_node = 32;
+    const std::lock_guard<Short_lock> guard(m_lock), guard_of_input(m_lock_of_input);
     return m_words.memory() + m_edges.memory() + m_halfedges.size() * (sizeof(Precise_halfedge) + of_node) +
            m_exact_faces.size() * (sizeof(Exact_face) + of_node);
   }
@@ -104,7 +121,7 @@ private:
   static constexpr std::size_t few_bytes = 3 << 20, bytes_per_record = 12;
 
   // \pre it is known
-  Precise_edge known_edge(const Triangulation& triangulation, const Edge_version& wanted)
+  Precise_edge known_edge(const Triangulation& triangulation, const Edge_version& wanted) const
   {
     const Halfedge_index h = wanted.halfedge;
     if(wanted.version == 0)
@@ -115,7 +132,7 @@ private:
     return is_first_side(h) ? stored : stored.reversed();
   }
 
-  Precise_edge input_edge(const Triangulation& triangulation, Input_halfedge_index h)
+  Precise_edge input_edge(const Triangulation& triangulation, Input_halfedge_index h) const
   {
     const Input_halfedge_index inside = triangulation.input().is_border(h) ? twin_index(h) : h;
     return precise_input_edge(h, input_halfedge(triangulation, inside));
@@ -127,7 +144,7 @@ private:
   }
 
   // Depth first, as in Crossing_words.
-  void derive(const Triangulation& triangulation, const Edge_version& wanted)
+  void derive(const Triangulation& triangulation, const Edge_version& wanted) const
   {
     m_pending.assign(1, wanted);
     while(!m_pending.empty()) {
@@ -159,13 +176,13 @@ private:
     }
   }
 
-  Precise_edge unfolded(const Triangulation& triangulation, const Edge_version& wanted)
+  Precise_edge unfolded(const Triangulation& triangulation, const Edge_version& wanted) const
   {
     return unfolded_edge(triangulation, m_words.word(triangulation, wanted));
   }
 
   Precise_edge joined(const Triangulation& triangulation, const Precise_edge& ki, const Precise_edge& il,
-                      const Spokes& spokes)
+                      const Spokes& spokes) const
   {
     if(!ki.has_bound() || !il.has_bound())
       return {};
@@ -204,7 +221,7 @@ private:
     Input_halfedge_index spoke;
   };
 
-  void turn_clockwise(const Triangulation& triangulation, Turn& turn, Index corners)
+  void turn_clockwise(const Triangulation& triangulation, Turn& turn, Index corners) const
   {
     for(Index i = 0; i < corners; ++i) {
       const Input_halfedge_index t = twin_index(turn.spoke);
@@ -214,11 +231,13 @@ private:
     }
   }
 
-  Words m_words;
-  Version_cache<Precise_edge> m_edges;
-  std::unordered_map<Input_halfedge_index, Precise_halfedge> m_halfedges;
-  Exact_face_cache m_exact_faces;
-  std::vector<Edge_version> m_pending;
+  mutable Words m_words;
+  mutable Version_cache<Precise_edge> m_edges;
+  mutable std::vector<Edge_version> m_pending;
+  mutable Short_lock m_lock; // of these
+  mutable std::unordered_map<Input_halfedge_index, Precise_halfedge> m_halfedges;
+  mutable Exact_face_cache m_exact_faces;
+  mutable Short_lock m_lock_of_input; // of these two
 };
 
 } // namespace internal

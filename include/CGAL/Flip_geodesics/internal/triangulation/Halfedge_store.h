@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
 
 #include <CGAL/assertions.h>
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -47,20 +49,20 @@ inline Slot side_slot(Slot s, Halfedge_index h)
 
 /*
  * What a triangulation keeps of a halfedge, and half of what it keeps of its edge: the first side has the crossings and
- * the version, the second how often it is held and which edge it is. All zeros is a side of an input edge whose face is not known
- * yet. With two doubles of geometry it takes 32 bytes, so that an edge is a cache line.
+ * the version, the second how often it is held and which edge it is. A record as it is made is a side of an input edge
+ * whose face is not known yet. With two doubles of geometry it takes 32 bytes, so that an edge is a cache line.
  */
 template <class Halfedge_geometry>
 struct Halfedge_record
 {
-  static constexpr Index untouched = 0, border = -1;
+  static constexpr Index border = -1;
 
-  Index encoded_next; // untouched, border, or the slot of the next halfedge
-  Vertex_index tail;
-  Index of_edge[2]; // crossings, one more, and version; or holds, and first halfedge, one more if a side is kept
+  Index encoded_next; // border, or the slot of the next halfedge
+  Vertex_index tail;  // none as long as the face is not known; of a face of the input, it is written last
+  Index of_edge[2];   // crossings, one more, and version; or holds, and first halfedge, one more if a side is kept
   Halfedge_geometry geometry;
 
-  bool is_known() const { return encoded_next != untouched; }
+  bool is_known() const { return load_acquire(tail) != null_index; }
   bool is_border() const { return encoded_next == border; }
   /* \pre known and not on the border */
   Slot next() const
@@ -76,6 +78,10 @@ struct Halfedge_record
  * touched, and those that are added. So nothing is read or written of what is not touched; and what was touched
  * together lies together, since the halfedges have slots in that order. Links between halfedges are slots, so that only
  * the way in, from a halfedge that is given by its index, goes through the table of slots.
+ *
+ * Several threads may read at once, and copy faces as they do. What is copied is written while the lock is held, at places
+ * that no thread reads before it finds there a slot, the tail of a halfedge or the halfedge of a vertex, which is
+ * written after the rest. Memory is reserved beforehand, so that nothing moves. All other members are for one thread.
  */
 template <class Input_mesh_, class Traits_, class Metric_>
 class Halfedge_store
@@ -98,6 +104,7 @@ public:
   {
     m_records.reserve(room_for(m_slots)); // so that none moves
     m_records.resize(m_slots.number_of_slots());
+    m_outgoing.reserve(room_for(m_vertex_slots));
     m_outgoing.resize(m_vertex_slots.number_of_slots(), Slot::NONE);
   }
 
@@ -122,7 +129,7 @@ public:
   /* The halfedge with a slot that is taken. */
   Halfedge_index halfedge(Slot s) const
   {
-    return Halfedge_index((second_side(s).of_edge[1] & ~1) | (static_cast<Index>(s) & 1));
+    return Halfedge_index((load_relaxed(second_side(s).of_edge[1]) & ~1) | (static_cast<Index>(s) & 1));
   }
 
   /* The record of a halfedge, or of a slot that is taken, as in each step of a walk; its face is copied if need be. */
@@ -141,8 +148,10 @@ public:
   /* The slot of a halfedge, which takes one if it has none. */
   Slot taken(Halfedge_index h)
   {
-    if(!m_slots.has_slot(h.idx()))
+    if(!m_slots.has_slot(h.idx())) {
+      const std::lock_guard<Short_lock> guard(m_lock);
       take(h);
+    }
     return slot(h);
   }
 
@@ -150,7 +159,7 @@ public:
   void prefetch_face(Slot s) const
   {
     const Record& record = (*this)[s];
-    if(record.encoded_next <= 0)
+    if(!record.is_known() || record.is_border())
       return;
     const Record& hn = (*this)[record.next()];
     prefetch(&hn);
@@ -187,14 +196,8 @@ public:
   /* A halfedge that starts at v, null_index at an isolated vertex. */
   Halfedge_index outgoing(Vertex_index v)
   {
-    if(outgoing_slot(v) == Slot::NONE) { // of the input: an added vertex has one
-      const Halfedge_index h = as_intrinsic(m_input.outgoing(v));
-      if(h == null_index)
-        return null_index;
-      known(h);
-      set_outgoing(v, slot(h));
-    }
-    return halfedge(outgoing_slot(v));
+    const Slot s = outgoing_slot(v);
+    return s != Slot::NONE ? halfedge(s) : first_outgoing(v);
   }
 
   void set_outgoing(Vertex_index v, Slot s)
@@ -203,9 +206,9 @@ public:
       m_outgoing.resize(m_vertex_slots.number_of_slots() + Vertex_slots::block_size, Slot::NONE);
       m_vertex_slots.add(v.idx());
     }
-    m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])] = s;
+    store_release(m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])], s);
     if(s != Slot::NONE)
-      second_side(s).of_edge[1] |= 1;
+      store_relaxed(second_side(s).of_edge[1], load_relaxed(second_side(s).of_edge[1]) | 1);
   }
 
   /* If `from` is the halfedge that is kept for v, keeps `to` instead. */
@@ -248,6 +251,8 @@ public:
   void add_vertex()
   {
     m_vertex_slots.grow(static_cast<std::size_t>(m_number_of_vertices) + 1);
+    if(m_outgoing.capacity() < m_vertex_slots.largest_number_of_slots())
+      m_outgoing.reserve(room_for(m_vertex_slots));
     ++m_number_of_vertices;
   }
 
@@ -292,26 +297,59 @@ private:
   Record& first_side(Slot s) { return m_records[static_cast<std::size_t>(s) & ~std::size_t(1)]; }
   Record& second_side(Slot s) { return m_records[static_cast<std::size_t>(s) | 1]; }
 
-  Slot outgoing_slot(Vertex_index v) const { return m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])]; }
-
-  BOOST_NOINLINE void take(Halfedge_index h)
+  Slot outgoing_slot(Vertex_index v) const
   {
-    const Index start = m_slots.add(h.idx()), first = h.idx() - (m_slots[h.idx()] - start);
-    m_records.resize(m_slots.number_of_slots());
-    for(Index i = 0; i < static_cast<Index>(Halfedge_slots::block_size); i += 2)
-      second_side(static_cast<Slot>(start + i)).of_edge[1] = first + i;
+    return load_acquire(m_outgoing[static_cast<std::size_t>(m_vertex_slots[v.idx()])]);
   }
 
-  // Copies the face of a halfedge.
-  BOOST_NOINLINE Record& imported(Halfedge_index wanted)
+  // Gives h a slot, unless it has one. The lock is held.
+  BOOST_NOINLINE void take(Halfedge_index h)
   {
+    if(m_slots.has_slot(h.idx()))
+      return;
+    constexpr Index block_size = static_cast<Index>(Halfedge_slots::block_size);
+    const Index start = static_cast<Index>(m_slots.number_of_slots()), first = h.idx() / block_size * block_size;
+    m_records.resize(m_slots.number_of_slots() + Halfedge_slots::block_size);
+    for(Index i = 0; i < block_size; i += 2)
+      second_side(static_cast<Slot>(start + i)).of_edge[1] = first + i;
+    m_slots.add(h.idx());
+  }
+
+  // The record of a halfedge whose face may not be known.
+  BOOST_NOINLINE Record& imported(Halfedge_index h)
+  {
+    const std::lock_guard<Short_lock> guard(m_lock);
+    copy_face(h);
+    return (*this)[slot(h)];
+  }
+
+  // The first that is kept for a vertex of the input, as an added vertex has one.
+  BOOST_NOINLINE Halfedge_index first_outgoing(Vertex_index v)
+  {
+    const Halfedge_index h = as_intrinsic(m_input.outgoing(v));
+    if(h == null_index)
+      return null_index;
+    const std::lock_guard<Short_lock> guard(m_lock);
+    if(outgoing_slot(v) == Slot::NONE) {
+      copy_face(h);
+      set_outgoing(v, slot(h));
+    }
+    return halfedge(outgoing_slot(v));
+  }
+
+  // Copies the face of a halfedge, unless it is known. The lock is held.
+  void copy_face(Halfedge_index wanted)
+  {
+    if((*this)[slot(wanted)].is_known())
+      return;
     const Input_halfedge_index h = as_input(wanted);
     if(m_input.is_border(h)) {
       check_has_face(m_input, h); // only there its length is kept
-      Record& record = (*this)[taken(wanted)];
-      record.tail = m_input.tail(h);
+      take(wanted);
+      Record& record = (*this)[slot(wanted)];
       record.encoded_next = Record::border;
-      return record;
+      store_release(record.tail, m_input.tail(h));
+      return;
     }
     check_triangle(m_input, h);
     const Input_halfedge_index hn = m_input.next(h), hp = m_input.next(hn);
@@ -323,15 +361,19 @@ private:
     const auto geometry = m_metric.face_geometry(m_input, first, m_traits);
     std::array<Slot, 3> slots;
     for(int i = 0; i < 3; ++i) {
-      slots[i] = taken(as_intrinsic(sides[i]));
-      Record& record = (*this)[slots[i]];
-      record.tail = m_input.tail(sides[i]);
-      record.geometry = geometry[i];
-      if(outgoing_slot(record.tail) == Slot::NONE)
-        set_outgoing(record.tail, slots[i]);
+      const Halfedge_index side = as_intrinsic(sides[i]);
+      if(!m_slots.has_slot(side.idx()))
+        take(side);
+      slots[i] = slot(side);
+      (*this)[slots[i]].geometry = geometry[i];
     }
     link_face(slots[0], slots[1], slots[2]);
-    return (*this)[slot(wanted)];
+    for(int i = 0; i < 3; ++i) { // each tail is written when all three sides are known but for their tails
+      const Vertex_index v = m_input.tail(sides[i]);
+      store_release((*this)[slots[i]].tail, v);
+      if(outgoing_slot(v) == Slot::NONE)
+        set_outgoing(v, slots[i]);
+    }
   }
 
   Input_mesh m_input;
@@ -343,6 +385,7 @@ private:
   Vertex_slots m_vertex_slots;
   std::vector<Record, boost::alignment::aligned_allocator<Record, 64>> m_records;
   std::vector<Slot> m_outgoing; // NONE where none is known
+  Short_lock m_lock;
 };
 
 } // namespace internal
