@@ -43,8 +43,8 @@ namespace Flip_geodesics {
  *
  * The map tears where shortest paths arrive from two sides. Which of them counts there is left to roundings.
  *
- * As its triangulation, it is not safe to be used from two threads at once, not even by `const` members; its
- * `distance_field()` is.
+ * It is not safe to be used from two threads at once, not even by `const` members; the `const` members of its
+ * triangulation and of its `distance_field()` are.
  *
  * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
  */
