@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -19,9 +20,9 @@ namespace internal {
 
 /*
  * Searches for loops along edges through a vertex, its root. A shortest one of a kind consists of a shortest path, an
- * edge and a shortest path back [Erickson, Har-Peled 2004]. Both ends of the edge are nearer than half of its length, so
- * that a search ends at half of the best length so far. The class of a path is kept at its end; the classes of the two
- * paths and of the edge determine that of the loop.
+ * edge and a shortest path back [Erickson, Har-Peled 2004]. Both ends of the edge are nearer than half of its length,
+ * so that a search ends at half of the best length so far. The class of a path is kept at its end; the classes of the
+ * two paths and of the edge determine that of the loop.
  */
 template <class Triangulation, class PathClass>
 class Loop_search
