@@ -234,14 +234,14 @@ BOOST_AUTO_TEST_CASE(arrays_in_scratch_memory_do_not_overlap)
     std::vector<std::pair<int*, std::size_t>> arrays;
     for(int i = 0; i < 200; ++i) {
       const std::size_t size = i == 50 ? 5000 : random() % 100; // one is larger than the next block would be
-      arrays.emplace_back(scratch.take(size), size);
+      arrays.emplace_back(scratch.allocate(size), size);
       std::fill_n(arrays.back().first, size, i);
     }
     for(int i = 0; i < 200; ++i) {
       const auto [first, size] = arrays[static_cast<std::size_t>(i)];
       BOOST_TEST(std::count(first, first + size, i) == static_cast<std::ptrdiff_t>(size));
     }
-    scratch.give_up_all();
+    scratch.release();
   }
 }
 
