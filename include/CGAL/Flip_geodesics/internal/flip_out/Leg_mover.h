@@ -164,7 +164,7 @@ private:
     }
     if(!chain.append_taut(word_along(word, leg.pieces.empty(), way, moving)) || !chain.tighten())
       return false;
-    measure(std::move(chain.pieces()), is_start, &leg, unproven, result);
+    measure(chain.pieces(), is_start, &leg, unproven, result);
     return true;
   }
 
@@ -346,7 +346,7 @@ private:
     for(const Crossing_word& word : words)
       chain.append_straight(word);
     chain.examine();
-    measure(std::move(chain.pieces()), false, nullptr, unproven, result);
+    measure(chain.pieces(), false, nullptr, unproven, result);
     return result;
   }
 

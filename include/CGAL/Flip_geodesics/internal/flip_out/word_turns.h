@@ -21,20 +21,31 @@ Input_halfedge_index face_along(const Input_mesh& input, Input_halfedge_index al
 
 /* The halfedge of the first face of a word by which its tail is told there, as `anchor()`. */
 template <class Triangulation>
+Input_halfedge_index first_anchor(const Triangulation& triangulation, const Word_end& tail)
+{
+  return tail.along == null_index ? tail_anchor(triangulation, tail)
+                                  : anchor(triangulation, tail.vertex, face_along(triangulation.input(), tail.along));
+}
+
+template <class Triangulation>
 Input_halfedge_index first_anchor(const Triangulation& triangulation, const Crossing_word& word)
 {
-  const auto& input = triangulation.input();
-  return word.along == null_index ? tail_anchor(triangulation, word)
-                                  : anchor(triangulation, word.tail, face_along(input, word.along));
+  return first_anchor(triangulation, tail_end(word));
 }
 
 /* The halfedge of its last face by which its head is told there. */
 template <class Triangulation>
+Input_halfedge_index last_anchor(const Triangulation& triangulation, const Word_end& head)
+{
+  return head.along == null_index
+             ? tail_anchor(triangulation, head)
+             : anchor(triangulation, head.vertex, face_along(triangulation.input(), twin_index(head.along)));
+}
+
+template <class Triangulation>
 Input_halfedge_index last_anchor(const Triangulation& triangulation, const Crossing_word& word)
 {
-  const auto& input = triangulation.input();
-  return word.along == null_index ? tail_anchor(triangulation, head_end(word))
-                                  : anchor(triangulation, word.head, face_along(input, word.along));
+  return last_anchor(triangulation, head_end(word));
 }
 
 /*

@@ -21,38 +21,40 @@ namespace internal {
  * A path on the input surface as the sequence of input edges that it crosses, put together of pieces; pulled straight
  * without passing a vertex, it has the word that `finish()` gives: the free reduction, less the letters that touch the
  * ends. An input vertex touches the edges that start there, a point of an edge that edge, a point inside a face none.
+ *
+ * A letter is an input halfedge, or more than that: a type that is made from one and converts to it.
  */
-template <class Triangulation>
+template <class Triangulation, class Letter = Input_halfedge_index>
 class Word_path
 {
 public:
   /* A path that starts at a vertex, into the input face of its anchor. The memory of old letters can be reused. */
   Word_path(const Triangulation& triangulation, Vertex_index start, Input_halfedge_index start_anchor,
-            std::vector<Input_halfedge_index> memory = {})
+            std::vector<Letter> memory = {})
     : m_triangulation(triangulation)
+    , m_start(start)
     , m_start_anchor(start_anchor)
+    , m_letters(std::move(memory))
   {
-    m_word.crossed = std::move(memory);
-    m_word.crossed.clear();
-    m_word.tail = start;
+    m_letters.clear();
   }
 
   void cross(Input_halfedge_index letter)
   {
     if(is_taken_back(letter))
-      m_word.crossed.pop_back();
+      m_letters.pop_back();
     else
-      m_word.crossed.push_back(letter);
+      m_letters.push_back(letter);
   }
 
   /* Crosses some letters of a word. As it is reduced, letters cancel where the two meet and nowhere else. */
-  void cross(const std::vector<Input_halfedge_index>& letters, std::size_t first, std::size_t last)
+  void cross(const std::vector<Letter>& letters, std::size_t first, std::size_t last)
   {
-    for(; first < last && is_taken_back(letters[first]); ++first)
-      m_word.crossed.pop_back();
+    for(; first < last && is_taken_back(Input_halfedge_index(letters[first])); ++first)
+      m_letters.pop_back();
     const auto begin = letters.begin();
-    m_word.crossed.insert(m_word.crossed.end(), begin + static_cast<std::ptrdiff_t>(first),
-                          begin + static_cast<std::ptrdiff_t>((std::max)(first, last)));
+    m_letters.insert(m_letters.end(), begin + static_cast<std::ptrdiff_t>(first),
+                     begin + static_cast<std::ptrdiff_t>((std::max)(first, last)));
   }
 
   /* Crosses the letters of a word, or of its other direction. */
@@ -62,10 +64,10 @@ public:
       return cross(word.crossed, 0, word.crossed.size());
     std::size_t last = word.crossed.size();
     for(; last > 0 && is_taken_back(twin_index(word.crossed[last - 1])); --last)
-      m_word.crossed.pop_back();
-    m_word.crossed.reserve(m_word.crossed.size() + last);
+      m_letters.pop_back();
+    m_letters.reserve(m_letters.size() + last);
     for(; last > 0; --last)
-      m_word.crossed.push_back(twin_index(word.crossed[last - 1]));
+      m_letters.push_back(twin_index(word.crossed[last - 1]));
   }
 
   /* Turns clockwise about vertex v over a number of input edges, that in the direction of `spoke` first. */
@@ -78,20 +80,33 @@ public:
   /* Hands out the word of the straight path; this one ends at a vertex, in the input face of its anchor. */
   Crossing_word finish(Vertex_index end, Input_halfedge_index end_anchor)
   {
-    m_word.head = end;
-    Input_halfedge_index first_anchor = m_start_anchor, last_anchor = end_anchor;
-    auto first = m_word.crossed.begin(), last = m_word.crossed.end();
-    for(; first != last && touches(m_word.tail, first_anchor, *first); ++first)
-      first_anchor = across(m_word.tail, *first, first_anchor);
-    for(; first != last && touches(end, last_anchor, twin_index(*(last - 1))); --last)
-      last_anchor = across(end, twin_index(*(last - 1)), last_anchor);
-    const auto skipped = first - m_word.crossed.begin();
-    m_word.crossed.erase(last, m_word.crossed.end()); // with it goes `first`, where all is taken back
-    m_word.crossed.erase(m_word.crossed.begin(), m_word.crossed.begin() + skipped);
-    if(m_word.crossed.empty())
-      place_in_face(first_anchor, last_anchor);
-    return std::move(m_word);
+    Crossing_word word = trim(end, end_anchor);
+    word.crossed = take_letters();
+    return word;
   }
+
+  /* Drops the letters that touch the ends, of a path that ends as above. Returns the word without its letters. */
+  Crossing_word trim(Vertex_index end, Input_halfedge_index end_anchor)
+  {
+    Input_halfedge_index first_anchor = m_start_anchor, last_anchor = end_anchor;
+    auto first = m_letters.begin(), last = m_letters.end();
+    for(; first != last && touches(m_start, first_anchor, Input_halfedge_index(*first)); ++first)
+      first_anchor = across(m_start, Input_halfedge_index(*first), first_anchor);
+    for(; first != last && touches(end, last_anchor, twin_index(Input_halfedge_index(*(last - 1)))); --last)
+      last_anchor = across(end, twin_index(Input_halfedge_index(*(last - 1))), last_anchor);
+    const auto skipped = first - m_letters.begin();
+    m_letters.erase(last, m_letters.end()); // with it goes `first`, where all is taken back
+    m_letters.erase(m_letters.begin(), m_letters.begin() + skipped);
+    Crossing_word word;
+    word.tail = m_start;
+    word.head = end;
+    if(m_letters.empty())
+      place_in_face(first_anchor, last_anchor, word);
+    return word;
+  }
+
+  /* Hands out the letters. */
+  std::vector<Letter> take_letters() { return std::move(m_letters); }
 
 private:
   const auto& input() const { return m_triangulation.input(); }
@@ -99,7 +114,7 @@ private:
   // Does a letter cross back what was crossed last?
   bool is_taken_back(Input_halfedge_index letter) const
   {
-    return !m_word.crossed.empty() && m_word.crossed.back() == twin_index(letter);
+    return !m_letters.empty() && Input_halfedge_index(m_letters.back()) == twin_index(letter);
   }
 
   // Does a side of the anchor's face touch the vertex?
@@ -124,20 +139,20 @@ private:
   }
 
   // What crosses nothing runs along an input edge or through the inside of a face.
-  void place_in_face(Input_halfedge_index k, Input_halfedge_index l)
+  void place_in_face(Input_halfedge_index k, Input_halfedge_index l, Crossing_word& word) const
   {
-    const Location_kind at_k = vertex_kind(m_triangulation, m_word.tail);
-    const Location_kind at_l = vertex_kind(m_triangulation, m_word.head);
+    const Location_kind at_k = vertex_kind(m_triangulation, word.tail);
+    const Location_kind at_l = vertex_kind(m_triangulation, word.head);
     if(at_k == Location_kind::VERTEX && at_l == Location_kind::VERTEX)
-      m_word.along = input().next(k) == l ? k : twin_index(l);
+      word.along = input().next(k) == l ? k : twin_index(l);
     else if(at_k == Location_kind::VERTEX && at_l == Location_kind::EDGE && l != input().next(k))
-      m_word.along = l == k ? k : twin_index(l);
+      word.along = l == k ? k : twin_index(l);
     else if(at_k == Location_kind::EDGE && at_l == Location_kind::VERTEX && k != input().next(l))
-      m_word.along = k == l ? twin_index(k) : k;
+      word.along = k == l ? twin_index(k) : k;
     else if(at_k == Location_kind::EDGE && at_l == Location_kind::EDGE && k == l)
-      m_word.along = is_before(m_word.tail, m_word.head, k) ? k : twin_index(k);
+      word.along = is_before(word.tail, word.head, k) ? k : twin_index(k);
     else
-      m_word.face = k;
+      word.face = k;
   }
 
   // Of two points of an input edge, is the first nearer to the tail of halfedge h?
@@ -149,8 +164,9 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Vertex_index m_start;
   Input_halfedge_index m_start_anchor;
-  Crossing_word m_word;
+  std::vector<Letter> m_letters;
 };
 
 } // namespace internal

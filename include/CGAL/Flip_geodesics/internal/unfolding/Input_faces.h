@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_INPUT_FACES_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_INPUT_FACES_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_INPUT_FACES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_INPUT_FACES_H
 
-#include <CGAL/Flip_geodesics/internal/numbers/Taut_string.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <complex>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* A direction at an input vertex: an outgoing halfedge, turned counterclockwise by less than the corner of its face. */
+struct Corner_direction
+{
+  Input_halfedge_index outgoing = null_index;
+  Plane_vector turn = 1; // of length 1
+};
+
+/* An angle at an input vertex, computed from corners of faces in plain doubles. */
+struct Corner_angle
+{
+  Plane_vector turn;           // not normalized
+  Index corners;               // the number of outgoing halfedges that were passed
+  bool is_beyond_pi = false;   // is it above pi, by more than a tolerance? Then the rest is not computed
+  bool passes_near_pi = false; // is it within the tolerance of pi up to one of the halfedges?
+};
 
 /* Faces of the input mesh, laid out one by one in plain doubles. */
 template <class Triangulation>
@@ -57,7 +72,37 @@ public:
     }
   }
 
+  /* The angle from one direction counterclockwise to another; it is beyond pi if the border is in between. */
+  Corner_angle angle(const Corner_direction& from, const Corner_direction& to, double tolerance) const
+  {
+    Corner_angle result = {std::conj(from.turn), 0};
+    if(from.outgoing != to.outgoing || !(cross(from.turn, to.turn) > 0)) {
+      Input_halfedge_index h = from.outgoing;
+      do {
+        add_corner(h, tolerance, result);
+        if(result.is_beyond_pi)
+          return result;
+        h = counterclockwise(h);
+      } while(h != to.outgoing);
+    }
+    result.turn = product(result.turn, to.turn);
+    return result;
+  }
+
 private:
+  void add_corner(Input_halfedge_index h, double tolerance, Corner_angle& angle) const
+  {
+    angle.is_beyond_pi = is_border(h);
+    if(angle.is_beyond_pi)
+      return;
+    angle.turn = product(angle.turn, corner(h));
+    ++angle.corners;
+    const double margin = tolerance * magnitude(angle.turn), sine = angle.turn.imag();
+    const bool is_obtuse = angle.turn.real() < 0; // what is left of the first corner can be nothing
+    angle.is_beyond_pi = sine < -margin && (angle.corners > 1 || is_obtuse);
+    angle.passes_near_pi = angle.passes_near_pi || (std::abs(sine) <= margin && is_obtuse);
+  }
+
   auto place(Vertex_index v) const { return m_triangulation.metric().place(m_triangulation.input(), v); }
 
   static Plane_vector corner(const std::array<double, 3>& p, const std::array<double, 3>& q,
@@ -79,4 +124,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_INPUT_FACES_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_INPUT_FACES_H

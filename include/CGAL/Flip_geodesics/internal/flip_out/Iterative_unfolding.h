@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_ITERATIVE_UNFOLDING_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_ITERATIVE_UNFOLDING_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/word_turns.h>
+#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Sleeve.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The side of a joint on which a path is led around it, if any. */
+enum class Passed_side { LEFT, RIGHT, NONE };
+
+/*
+ * Shortens a path on the input mesh, which is only read, by iterative unfolding [XW07]: the path is pulled taut within
+ * its sleeve of faces, and the sleeve is led around the other side of the vertices at which the string bends, until a
+ * rule finds no vertex to pass.
+ *
+ * The path is a chain of straight pieces, which meet at vertices of the input; its two ends can also be inserted
+ * vertices. The sleeve is cut at the joints that stay, so that a round takes time only for the pieces beside joints that
+ * are passed, and for copying the others.
+ *
+ * A rule decides what is to be passed and where a string bends. It has two functions and a constant:
+ *
+ *     Passed_side side(const Piece& in, const Piece& out, Passed_side before)
+ *     const std::vector<Bend>& bends(const Crossing_word& ends)
+ *     static constexpr bool drops_loops
+ *
+ * The first returns the side on which the joint of two pieces is to be passed, where `before` is the side of the joint
+ * before. The second returns the vertices at which the string bends that has been pulled in `sleeve()` from `ends.tail`
+ * to `ends.head`; these are `sleeve().bends()` up to rounding errors. The constant is whether a part of the path that
+ * contracts to a vertex is dropped; otherwise the path cannot be shortened.
+ */
+template <class Triangulation>
+class Iterative_unfolding
+{
+public:
+  using Bend = typename Sleeve<Triangulation>::Bend;
+
+  /* A straight line from vertex to vertex: along an edge or a part of it, inside a face, or across edges, whose range
+   * it has. Directions are told at vertices of the input only. */
+  struct Piece
+  {
+    Input_halfedge_index along = null_index, face = null_index; // as of a `Crossing_word`
+    std::size_t first = 0, last = 0;
+    Vertex_index tail = null_index, head = null_index;
+    Corner_direction at_tail, at_head;              // at the head, backward
+    Plane_vector vector = 0;                        // in the unfolded sleeve, if edges are crossed
+    bool is_left_open = true, is_right_open = true; // can the angle on that side of the head have become less than pi?
+    bool is_examined = false, is_straight = false;  // has it been found out whether it is straight, and is it?
+  };
+
+  explicit Iterative_unfolding(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+    , m_sleeve(triangulation)
+  {
+  }
+
+  /* Takes memory for a path of a number of edges: its sleeve crosses about four at each vertex, if it crosses many. */
+  void reserve(std::size_t edges)
+  {
+    for(std::vector<Piece>* pieces : {&m_pieces, &m_before})
+      pieces->reserve(edges);
+    for(std::vector<Sleeve_edge>* crossed : {&m_crossed, &m_crossed_before, &m_sleeve.edges()})
+      crossed->reserve(4 * edges);
+  }
+
+  const Input_faces<Triangulation>& faces() const { return m_sleeve.faces(); }
+  const Sleeve<Triangulation>& sleeve() const { return m_sleeve; }
+  std::vector<Piece>& pieces() { return m_pieces; }
+  const std::vector<Piece>& pieces() const { return m_pieces; }
+
+  void clear()
+  {
+    m_pieces.clear();
+    m_crossed.clear();
+  }
+
+  /* The word of a piece. */
+  Crossing_word word(const Piece& piece) const
+  {
+    Crossing_word result;
+    result.along = piece.along;
+    result.face = piece.face;
+    result.tail = piece.tail;
+    result.head = piece.head;
+    result.crossed.reserve(piece.last - piece.first);
+    for(std::size_t i = piece.first; i < piece.last; ++i)
+      result.crossed.push_back(m_crossed[i].crossed);
+    return result;
+  }
+
+  /* Unfolds the sleeve of a piece. \pre it crosses edges */
+  const Sleeve<Triangulation>& unfolded(const Piece& piece)
+  {
+    m_sleeve.edges().assign(position(m_crossed, piece.first), position(m_crossed, piece.last));
+    m_sleeve.unfold(piece.tail, piece.head);
+    return m_sleeve;
+  }
+
+  /* Appends the straight piece of a word, whose directions are left to the caller. */
+  Piece& append(const Crossing_word& word)
+  {
+    Piece piece;
+    piece.along = word.along;
+    piece.face = word.face;
+    piece.first = m_crossed.size();
+    piece.last = piece.first + word.crossed.size();
+    piece.tail = word.tail;
+    piece.head = word.head;
+    m_crossed.insert(m_crossed.end(), word.crossed.begin(), word.crossed.end());
+    m_pieces.push_back(piece);
+    return m_pieces.back();
+  }
+
+  /* Appends the piece along an edge. */
+  void append_edge(Input_halfedge_index h)
+  {
+    Crossing_word word;
+    word.along = h;
+    word.tail = faces().tail(h);
+    word.head = faces().head(h);
+    append_in_face(word);
+  }
+
+  /* Appends the straight line of a word. */
+  void append_straight(const Crossing_word& word)
+  {
+    if(word.crossed.empty())
+      return append_in_face(word);
+    m_sleeve.edges().assign(word.crossed.begin(), word.crossed.end());
+    m_sleeve.unfold(word.tail, word.head);
+    append_across(0, word.crossed.size(), {word.tail, m_sleeve.tail_place()}, {word.head, m_sleeve.head_place()});
+  }
+
+  /* Appends the string in the sleeve of a word. Returns false if a part of it leads nowhere, by rounding errors. */
+  template <class Rule>
+  bool append_taut(const Crossing_word& word, Rule& rule)
+  {
+    m_sleeve.edges().assign(word.crossed.begin(), word.crossed.end());
+    return append_string(word, rule);
+  }
+
+  /* Leads the path around joints once. Returns false if that cannot be. */
+  template <class Rule>
+  bool pass_joints_once(Rule& rule)
+  {
+    return !choose_sides(rule) || pass_joints(rule);
+  }
+
+  /* Leads the path around joints until the rule finds none, or doubles do not tell how to go on. Returns false if that
+   * cannot be. */
+  template <class Rule>
+  bool tighten(Rule& rule)
+  {
+    for(int round = 0; round < most_rounds && choose_sides(rule); ++round) {
+      copy_shape(m_shape_before);
+      if(!pass_joints(rule))
+        return false;
+      copy_shape(m_shape);
+      if(m_shape == m_shape_before)
+        break;
+    }
+    return true;
+  }
+
+private:
+  using Path = Word_path<Triangulation, Sleeve_edge>;
+
+  // There are about as many rounds as rows of vertices between the path and the geodesic.
+  static constexpr int most_rounds = 1000;
+
+  static auto position(const std::vector<Sleeve_edge>& crossed, std::size_t i)
+  {
+    return crossed.begin() + static_cast<std::ptrdiff_t>(i);
+  }
+
+  // ---- joints
+
+  // Returns whether there is a joint to pass.
+  template <class Rule>
+  bool choose_sides(Rule& rule)
+  {
+    m_sides.clear();
+    bool result = false;
+    Passed_side side = Passed_side::NONE;
+    for(std::size_t i = 0; i + 1 < m_pieces.size(); ++i) {
+      side = rule.side(m_pieces[i], m_pieces[i + 1], side);
+      m_sides.push_back(side);
+      result = result || side != Passed_side::NONE;
+    }
+    return result;
+  }
+
+  // Leads the path around all joints for which a side is chosen, and pulls it taut between the others.
+  template <class Rule>
+  bool pass_joints(Rule& rule)
+  {
+    m_pieces.swap(m_before);
+    m_crossed.swap(m_crossed_before);
+    clear();
+    for(std::size_t first = 0, last = 0; first < m_before.size(); first = ++last) {
+      while(last < m_sides.size() && m_sides[last] != Passed_side::NONE)
+        ++last;
+      if(first == last)
+        keep(m_before[first]);
+      else if(!append_merged(first, last, rule))
+        return false;
+    }
+    return true;
+  }
+
+  // As nothing has moved, there is nothing to look at again, unless the next piece changes.
+  void keep(Piece piece)
+  {
+    piece.is_left_open = piece.is_right_open = false;
+    const std::size_t first = m_crossed.size();
+    m_crossed.insert(m_crossed.end(), position(m_crossed_before, piece.first), position(m_crossed_before, piece.last));
+    piece.first = first;
+    piece.last = m_crossed.size();
+    m_pieces.push_back(piece);
+  }
+
+  // The path along pieces `first` to `last` of those before, led around the joints in between.
+  template <class Rule>
+  bool append_merged(std::size_t first, std::size_t last, Rule& rule)
+  {
+    if(!m_pieces.empty())
+      m_pieces.back().is_left_open = m_pieces.back().is_right_open = true;
+    Path path(m_triangulation, m_before[first].tail, first_anchor(m_triangulation, tail_end_before(first)),
+              std::move(m_sleeve.edges()));
+    cross_edges_before(first, path);
+    for(std::size_t i = first; i < last; ++i) {
+      if(!turn(m_triangulation.input(), path, last_anchor(m_triangulation, head_end_before(i)),
+               first_anchor(m_triangulation, tail_end_before(i + 1)), m_sides[i] == Passed_side::LEFT))
+        return false;
+      cross_edges_before(i + 1, path);
+    }
+    const Crossing_word ends = path.trim(m_before[last].head, last_anchor(m_triangulation, head_end_before(last)));
+    m_sleeve.edges() = path.take_letters();
+    return append_string(ends, rule);
+  }
+
+  void cross_edges_before(std::size_t i, Path& path) const
+  {
+    path.cross(m_crossed_before, m_before[i].first, m_before[i].last);
+  }
+
+  Word_end tail_end_before(std::size_t i) const
+  {
+    const Piece& piece = m_before[i];
+    if(piece.first == piece.last)
+      return {piece.along, null_index, piece.face, piece.tail};
+    const Input_halfedge_index h = m_crossed_before[piece.first].crossed;
+    return {null_index, h, h, piece.tail};
+  }
+
+  Word_end head_end_before(std::size_t i) const
+  {
+    const Piece& piece = m_before[i];
+    if(piece.first == piece.last)
+      return {piece.along == null_index ? null_index : twin_index(piece.along), null_index, piece.face, piece.head};
+    const Input_halfedge_index h = twin_index(m_crossed_before[piece.last - 1].crossed);
+    return {null_index, h, h, piece.head};
+  }
+
+  // The vertices that the path passes, and how many edges it crosses in between.
+  void copy_shape(std::vector<Index>& shape) const
+  {
+    shape.clear();
+    for(const Piece& piece : m_pieces) {
+      shape.push_back(piece.head.idx());
+      shape.push_back(static_cast<Index>(piece.last - piece.first));
+    }
+  }
+
+  // ---- strings
+
+  struct Placed_vertex
+  {
+    Vertex_index vertex;
+    Plane_vector place;
+  };
+
+  // Across the edges of the sleeve, or as `ends` says if there are none.
+  template <class Rule>
+  bool append_string(const Crossing_word& ends, Rule& rule)
+  {
+    if(m_sleeve.edges().empty()) {
+      if(ends.tail == ends.head)
+        return Rule::drops_loops;
+      append_in_face(ends);
+      return true;
+    }
+    m_sleeve.unfold(ends.tail, ends.head);
+    m_sleeve.pull();
+    return append_between_bends(ends, rule.bends(ends));
+  }
+
+  bool append_between_bends(const Crossing_word& ends, const std::vector<Bend>& bends)
+  {
+    Placed_vertex from = {ends.tail, m_sleeve.tail_place()};
+    std::size_t first = 0;
+    for(std::size_t b = 0; b <= bends.size(); ++b) {
+      const bool is_last = b == bends.size();
+      const std::size_t last = is_last ? m_sleeve.edges().size() : bends[b].first;
+      const Placed_vertex to = is_last ? Placed_vertex{ends.head, m_sleeve.head_place()}
+                                       : Placed_vertex{m_sleeve.vertex(bends[b]), bends[b].position};
+      if(first >= last && from.vertex == to.vertex)
+        return false; // no string does so, but for rounding
+      if(first < last)
+        append_across(first, last, from, to);
+      else
+        append_in_face(from.vertex, to.vertex, face_before(first));
+      if(is_last)
+        break;
+      // On the side of the sleeve, the string is taut.
+      (bends[b].side == RIGHT_END ? m_pieces.back().is_left_open : m_pieces.back().is_right_open) = false;
+      from = to;
+      first = bends[b].last + 1;
+    }
+    return true;
+  }
+
+  // Across edges `first` to `last` - 1 of the sleeve.
+  void append_across(std::size_t first, std::size_t last, const Placed_vertex& from, const Placed_vertex& to)
+  {
+    Piece piece;
+    piece.first = m_crossed.size();
+    m_crossed.insert(m_crossed.end(), position(m_sleeve.edges(), first), position(m_sleeve.edges(), last));
+    piece.last = m_crossed.size();
+    piece.tail = from.vertex;
+    piece.head = to.vertex;
+    piece.at_tail = m_sleeve.direction_at_tail(first, from.place, to.place);
+    piece.at_head = m_sleeve.direction_at_head(last - 1, from.place, to.place);
+    piece.vector = to.place - from.place;
+    m_pieces.push_back(piece);
+  }
+
+  // The face of the sleeve before edge i.
+  Input_halfedge_index face_before(std::size_t i) const
+  {
+    return i == 0 ? m_sleeve.edges().front().crossed : twin_index(m_sleeve.edges()[i - 1].crossed);
+  }
+
+  void append_in_face(Vertex_index tail, Vertex_index head, Input_halfedge_index face)
+  {
+    Path path(m_triangulation, tail, anchor(m_triangulation, tail, face));
+    append_in_face(path.trim(head, anchor(m_triangulation, head, face)));
+  }
+
+  // The straight line of a word that crosses nothing.
+  void append_in_face(const Crossing_word& word)
+  {
+    Piece& piece = append(word);
+    if(word.along != null_index) {
+      piece.at_tail.outgoing = word.along;
+      piece.at_head.outgoing = twin_index(word.along);
+    } else {
+      piece.at_tail = m_sleeve.direction_in_face(word.tail, word.head, word.face);
+      piece.at_head = m_sleeve.direction_in_face(word.head, word.tail, word.face);
+    }
+  }
+
+  const Triangulation& m_triangulation;
+  Sleeve<Triangulation> m_sleeve;
+  std::vector<Piece> m_pieces, m_before;                // of this round, and of the one before
+  std::vector<Sleeve_edge> m_crossed, m_crossed_before; // the edges that they cross
+  std::vector<Passed_side> m_sides;                     // of the joints
+  std::vector<Index> m_shape, m_shape_before;
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_ITERATIVE_UNFOLDING_H
