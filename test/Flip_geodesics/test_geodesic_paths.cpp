@@ -301,6 +301,40 @@ BOOST_AUTO_TEST_CASE(without_a_lower_bound_all_searches_are_one_and_landmarks_di
   BOOST_TEST(3 * settled_with_landmarks < settled);
 }
 
+// Of all pairs, also in components that are smaller than others, and with lengths that are far from the distances in
+// space. No bound is above the length of a path, not even in the last digit.
+BOOST_AUTO_TEST_CASE(landmarks_bound_edge_paths_in_each_component)
+{
+  const auto apart = [](Mesh_soup soup) {
+    return mapped(soup, [](const Coordinates& p) { return Coordinates{p[0] + 40, p[1], p[2]}; });
+  };
+  Mesh mesh = to_mesh<Mesh>(disjoint_union(jittered_grid(14, 14, Diagonal_rule::RISING, 0.2, 5),
+                                           apart(jittered_grid(9, 9, Diagonal_rule::RISING, 0.2, 6))));
+  using Lengths = Mesh::Property_map<Mesh::Edge_index, double>;
+  const Lengths lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  std::mt19937 random(4);
+  for(Mesh::Edge_index e : mesh.edges())
+    put(lengths, e, std::uniform_real_distribution<double>(1, 1.9)(random));
+  using Metric = FG::Edge_length_metric<Mesh, Lengths>;
+  using Triangulation = FG::Intrinsic_triangulation<Mesh, FG::Intrinsic_triangulation_traits<Kernel>, Metric>;
+  const Triangulation triangulation(mesh, Metric(mesh, lengths));
+  FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::DIJKSTRA);
+  const FG::Landmark_distances landmarks(search);
+  for(Vertex v : mesh.vertices()) {
+    const FG::Vertex_index source = triangulation.index(v);
+    double bounds = 0, distances = 0;
+    bool are_bounds = true;
+    search.visit_all(source, [&](FG::Vertex_index w, double distance) {
+      const double bound = landmarks.distance_lower_bound(source, w);
+      are_bounds = are_bounds && bound <= distance;
+      bounds += bound;
+      distances += distance;
+    });
+    BOOST_TEST(are_bounds);
+    BOOST_TEST(bounds > 0.6 * distances);
+  }
+}
+
 // The path round the end of a wall, which the line through space knows nothing of.
 BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
 {

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(landmarks_of_edge_paths)
       BOOST_TEST(landmarks.distance_lower_bound(0_v, v) == (is_stopped ? 0 : expected.distance_lower_bound(0_v, v)));
     BOOST_TEST(!Search(setting.triangulation, landmarks)(0_v, strip_end()).empty());
   });
-  BOOST_TEST(calls > 50u); // 18 searches
+  BOOST_TEST(calls > 50u); // 17 searches
 }
 
 BOOST_AUTO_TEST_CASE(geodesic_landmarks)
