@@ -203,22 +203,22 @@ private:
     if(Straight_strip<Places>(m_curve.places(), m_result.statistics)(segment.word, obstacle))
       return;
     const auto& crossed = segment.word.crossed;
-    Gate_turn turn;
+    Portal_turn turn;
     if(obstacle.missing_angle > 0 || crossed.empty()) {
       turn.angle = obstacle.missing_angle;
-      while(turn.gate < crossed.size() && !has_end(crossed[turn.gate], obstacle.vertex))
-        ++turn.gate;
+      while(turn.portal < crossed.size() && !has_end(crossed[turn.portal], obstacle.vertex))
+        ++turn.portal;
     } else {
       turn = largest_turn(m_curve.places(), Strip<Places>(m_curve.places(), segment.word));
       if(turn.angle == 0) // rounded
-        turn.gate = obstacle.gate;
+        turn.portal = obstacle.gate;
       else
-        obstacle.vertex = tail(turn.side == LEFT_END ? twin_index(crossed[turn.gate]) : crossed[turn.gate]);
+        obstacle.vertex = tail(turn.side == LEFT_END ? twin_index(crossed[turn.portal]) : crossed[turn.portal]);
     }
-    const bool is_crossed = turn.gate < crossed.size();
-    const bool is_on_left = is_crossed && tail(crossed[turn.gate]) != obstacle.vertex;
+    const bool is_crossed = turn.portal < crossed.size();
+    const bool is_on_left = is_crossed && tail(crossed[turn.portal]) != obstacle.vertex;
     note(Certificate_verdict::BENT_SEGMENT, turn.angle, obstacle.vertex,
-         segment.start + (is_crossed ? 1 + turn.gate : 0), is_on_left ? Side::LEFT : Side::RIGHT);
+         segment.start + (is_crossed ? 1 + turn.portal : 0), is_on_left ? Side::LEFT : Side::RIGHT);
   }
 
   void look_at_joint(const Crossing_word& before, const Segment_of_places& segment)

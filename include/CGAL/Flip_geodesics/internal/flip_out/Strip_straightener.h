@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Crossing_removal.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Iterative_unfolding.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
@@ -65,7 +65,7 @@ public:
     const Plane_vector line = sleeve.head_place() - sleeve.tail_place();
     result.reserve(sleeve.edges().size());
     for(std::size_t i = 0; i < sleeve.edges().size(); ++i) {
-      const Unfolded_gate& portal = sleeve.portals()[i];
+      const Portal& portal = sleeve.portals()[i];
       const bool is_left_new = portal.side == LEFT_END;
       const double height = is_left_new ? cross(line, portal.end - sleeve.tail_place()) : 0;
       result.push_back({as_intrinsic(sleeve.edges()[i].crossed), is_left_new, height});

@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Iterative_unfolding.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
@@ -176,7 +176,7 @@ private:
   // ---- bends
 
   const Sleeve<Triangulation>& sleeve() const { return m_unfolding.sleeve(); }
-  const std::vector<Unfolded_gate>& portals() const { return sleeve().portals(); }
+  const std::vector<Portal>& portals() const { return sleeve().portals(); }
 
   // Where the string bends, and vertices that it passes so closely that doubles do not tell on which side.
   void find_bends()
@@ -191,29 +191,29 @@ private:
       const Plane_vector from = b == 0 ? sleeve().tail_place() : taut[b - 1].position,
                          to = is_last ? sleeve().head_place() : taut[b].position;
       for(std::size_t i = first; i < last; ++i)
-        for(Gate_side side : {RIGHT_END, LEFT_END})
+        for(Portal_side side : {RIGHT_END, LEFT_END})
           if(i == first || side == portals()[i].side)
-            add_close_vertex({i, i, side, Taut_string::end(portals(), i, side)}, from, to, limit);
+            add_close_vertex({i, i, side, Funnel::end(portals(), i, side)}, from, to, limit);
       if(!is_last)
         m_bends.push_back(taut[b]);
     }
   }
 
-  // An end of a gate that the line from one place to another passes closely. Of vertices of which one is an end of each
-  // gate that the other is an end of, one is enough.
+  // An end of a portal that the line from one place to another passes closely. Of vertices of which one is an end of each
+  // portal that the other is an end of, one is enough.
   void add_close_vertex(Bend bend, const Plane_vector& from, const Plane_vector& to, std::size_t limit)
   {
     const Plane_vector along = to - from;
     const double base = (std::min)(magnitude(bend.position - from), magnitude(to - bend.position));
     if(!(std::abs(cross(along, bend.position - from)) <= unfunneled_angle * base * magnitude(along)))
       return;
-    bend = with_all_gates(bend);
+    bend = with_all_portals(bend);
     if((m_bends.empty() || bend.last > m_bends.back().last) && bend.last < limit)
       m_bends.push_back(bend);
   }
 
-  // The same vertex with all gates of which it is an end.
-  Bend with_all_gates(Bend bend) const
+  // The same vertex with all portals of which it is an end.
+  Bend with_all_portals(Bend bend) const
   {
     while(bend.first > 0 && portals()[bend.first].side != bend.side)
       --bend.first;
@@ -297,9 +297,9 @@ private:
       append_passed(passed_vertex(first + end.gate, end.is_left ? LEFT_END : RIGHT_END), gap.passed);
   }
 
-  Bend passed_vertex(std::size_t gate, Gate_side side) const
+  Bend passed_vertex(std::size_t portal, Portal_side side) const
   {
-    return with_all_gates({gate, gate, side, Taut_string::end(portals(), gate, side)});
+    return with_all_portals({portal, portal, side, Funnel::end(portals(), portal, side)});
   }
 
   // Only the vertices next to either end matter.
@@ -350,8 +350,8 @@ private:
       return false;
     const std::size_t first = from == nullptr ? 0 : from->last + 1;
     return std::any_of(contacts.ends.begin(), contacts.ends.end(), [&](const Line_contacts::Edge_end& end) {
-      const std::size_t gate = first + end.gate;
-      return gate >= bend.first && gate <= bend.last && end.is_left == (bend.side == LEFT_END);
+      const std::size_t portal = first + end.gate;
+      return portal >= bend.first && portal <= bend.last && end.is_left == (bend.side == LEFT_END);
     });
   }
 

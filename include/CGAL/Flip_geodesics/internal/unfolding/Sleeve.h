@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_SLEEVE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_SLEEVE_H
 
-#include <CGAL/Flip_geodesics/internal/numbers/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
@@ -45,7 +45,7 @@ template <class Triangulation>
 class Sleeve
 {
 public:
-  using Bend = Taut_string::Bend;
+  using Bend = Funnel::Bend;
 
   explicit Sleeve(const Triangulation& triangulation)
     : m_triangulation(triangulation)
@@ -76,17 +76,17 @@ public:
   /* Pulls the string from tail to head within the unfolded sleeve. Returns where it bends. */
   const std::vector<Bend>& pull()
   {
-    m_string.pull(m_portals, m_tail_place, m_head_place);
-    return m_string.bends();
+    m_funnel.pull(m_portals, m_tail_place, m_head_place);
+    return m_funnel.bends();
   }
 
   /* The crossed edges in the plane, and the places of the tail and the head. */
-  const std::vector<Unfolded_gate>& portals() const { return m_portals; }
+  const std::vector<Portal>& portals() const { return m_portals; }
   const Plane_vector& tail_place() const { return m_tail_place; }
   const Plane_vector& head_place() const { return m_head_place; }
 
   /* The bends of the string that was pulled last. */
-  const std::vector<Bend>& bends() const { return m_string.bends(); }
+  const std::vector<Bend>& bends() const { return m_funnel.bends(); }
 
   /* The vertex of a bend. */
   Vertex_index vertex(const Bend& bend) const
@@ -99,14 +99,14 @@ public:
   Corner_direction direction_at_tail(std::size_t first, const Plane_vector& from, const Plane_vector& to) const
   {
     return {m_faces.previous(m_edges[first].crossed),
-            rotation(Taut_string::end(m_portals, first, RIGHT_END) - from, to - from)};
+            rotation(Funnel::end(m_portals, first, RIGHT_END) - from, to - from)};
   }
 
   /* Its direction backward at the second one, in the face behind portal `last`. */
   Corner_direction direction_at_head(std::size_t last, const Plane_vector& from, const Plane_vector& to) const
   {
     return {m_faces.previous(twin_index(m_edges[last].crossed)),
-            rotation(Taut_string::end(m_portals, last, LEFT_END) - to, from - to)};
+            rotation(Funnel::end(m_portals, last, LEFT_END) - to, from - to)};
   }
 
   /* The direction from a vertex to a point in a face that has both: no direction if the vertex is inserted. */
@@ -172,9 +172,9 @@ private:
   const Triangulation& m_triangulation;
   Input_faces<Triangulation> m_faces;
   std::vector<Sleeve_edge> m_edges;
-  std::vector<Unfolded_gate> m_portals;
+  std::vector<Portal> m_portals;
   Plane_vector m_tail_place, m_head_place;
-  Taut_string m_string;
+  Funnel m_funnel;
 };
 
 } // namespace internal

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_REFRESH_FACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_REFRESH_FACE_H
 
-#include <CGAL/Flip_geodesics/internal/numbers/Taut_string.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_wedge.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
