@@ -22,8 +22,10 @@ namespace internal {
  * system takes more time than most of what is done with an element.
  *
  * The slots of block 0 are nobody's: those of elements that were never used.
+ *
+ * If the table `IsShared`, other threads may look up slots while one thread gives some.
  */
-template <std::size_t BlockSize>
+template <std::size_t BlockSize, bool IsShared = false>
 class Slot_table
 {
 public:
@@ -36,9 +38,9 @@ public:
   }
 
   /* The slot of an element; below `block_size` if it has none. */
-  Index operator[](Index i) const { return load_acquire(m_starts[block(i)]) + static_cast<Index>(position(i)); }
+  Index operator[](Index i) const { return start_of(i) + static_cast<Index>(position(i)); }
 
-  bool has_slot(Index i) const { return load_acquire(m_starts[block(i)]) != 0; }
+  bool has_slot(Index i) const { return start_of(i) != 0; }
 
   /*
    * Gives an element and the others of its block the slots from `number_of_slots()` on. Other threads may look up slots
@@ -69,6 +71,16 @@ public:
 
 private:
   static std::size_t number_of_blocks(std::size_t elements) { return (elements + block_size - 1) / block_size; }
+
+  // Of the slots of an element's block.
+  Index start_of(Index i) const
+  {
+    if constexpr(IsShared)
+      return load_acquire(m_starts[block(i)]);
+    else
+      return m_starts[block(i)];
+  }
+
   static std::size_t block(Index i) { return static_cast<std::uint32_t>(i) / block_size; }
   static std::size_t position(Index i) { return static_cast<std::uint32_t>(i) % block_size; }
 

@@ -282,8 +282,8 @@ public:
   }
 
 private:
-  using Halfedge_slots = Slot_table<8>;
-  using Vertex_slots = Slot_table<16>;
+  using Halfedge_slots = Slot_table<8, true>;
+  using Vertex_slots = Slot_table<16, true>;
 
   // For some more elements than there are.
   template <class Slots>
