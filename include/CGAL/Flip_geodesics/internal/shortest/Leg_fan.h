@@ -8,14 +8,13 @@
 #include <CGAL/Flip_geodesics/internal/shortest/Spoke_places.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,7 +54,7 @@ template <class Triangulation>
 class Leg_fan
 {
   using Vector = std::complex<double>;
-  using Face = decltype(input_face_geometry(std::declval<const Triangulation&>(), Input_halfedge_index()));
+  using Face = std::array<Vector, 3>;
 
 public:
   explicit Leg_fan(const Triangulation& triangulation)
@@ -73,7 +72,7 @@ public:
     m_legs = first;
     const Input_halfedge_index h = first->reference;
     const Face& face = known_face(h);
-    const Vector right(face[0].x, 0), gate(face[1].x, face[1].y), left(-face[2].x, -face[2].y);
+    const Vector right(face[0].real(), 0), gate = face[1], left = -face[2];
     m_gates.push_back({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
     while(!m_gates.empty()) {
       Gate here = m_gates.back();
@@ -98,8 +97,11 @@ private:
   const Face& known_face(Input_halfedge_index h)
   {
     Face& face = m_faces[h];
-    if(face[0].x == 0)
-      face = input_face_geometry(m_triangulation, h);
+    if(face[0].real() == 0) {
+      const auto vectors = input_face_geometry(m_triangulation, h);
+      for(std::size_t i = 0; i < 3; ++i)
+        face[i] = Vector(vectors[i].x, vectors[i].y);
+    }
     return face;
   }
 
@@ -117,9 +119,11 @@ private:
   {
     const auto& input = m_triangulation.input();
     const Input_halfedge_index entered = twin_index(here.crossed), to_apex = input.next(entered);
-    const Face_vectors sides = turned_along(known_face(entered), here.across);
-    const Vector& from_right = sides[1];
-    const Vector& to_left = sides[2];
+    const Face& vectors = known_face(entered);
+    // Products of ratios of the face, as in `Strip`.
+    const Vector turn = here.across / vectors[0].real();
+    const Vector from_right = product(turn, vectors[1]);
+    const Vector to_left = product(turn, vectors[2]);
     const bool is_near_right = std::norm(from_right) < std::norm(to_left);
     const Vector apex = is_near_right ? here.right + from_right : here.left - to_left;
     const double margin = near_leg_angle * std::sqrt(std::norm(apex));
