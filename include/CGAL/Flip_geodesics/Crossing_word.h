@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_CROSSING_WORD_H
 #define CGAL_FLIP_GEODESICS_CROSSING_WORD_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
 #define CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -11,7 +12,6 @@
 #include <CGAL/Flip_geodesics/internal/network/Segment_division.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/network/check_chain.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/assertions.h>
 

@@ -11,7 +11,6 @@
 #include <CGAL/Flip_geodesics/internal/distances/Landmark_choice.h>
 #include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_JOINT_H
 #define CGAL_FLIP_GEODESICS_JOINT_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 
 namespace CGAL {
 namespace Flip_geodesics {

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTENING_VISITOR_H
 #define CGAL_FLIP_GEODESICS_SHORTENING_VISITOR_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 
 namespace CGAL {
 namespace Flip_geodesics {

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_SLIT_MESH_H
 #define CGAL_FLIP_GEODESICS_SLIT_MESH_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slit_mesh_traits.h>
 
 #include <CGAL/boost/graph/properties.h>

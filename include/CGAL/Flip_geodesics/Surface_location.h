@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_SURFACE_LOCATION_H
 #define CGAL_FLIP_GEODESICS_SURFACE_LOCATION_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 
 #include <CGAL/assertions.h>

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_DELAUNAY_H
 #define CGAL_FLIP_GEODESICS_DELAUNAY_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
 
 #include <algorithm>

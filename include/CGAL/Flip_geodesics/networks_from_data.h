@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H
 #define CGAL_FLIP_GEODESICS_NETWORKS_FROM_DATA_H
 
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 

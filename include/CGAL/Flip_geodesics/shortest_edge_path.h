@@ -3,12 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_SHORTEST_EDGE_PATH_H
 #define CGAL_FLIP_GEODESICS_SHORTEST_EDGE_PATH_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/distances/Search_labels.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
 #include <CGAL/Flip_geodesics/metrics.h>

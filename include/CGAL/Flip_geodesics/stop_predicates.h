@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_STOP_PREDICATES_H
 #define CGAL_FLIP_GEODESICS_STOP_PREDICATES_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 
 #include <CGAL/assertions.h>
 

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>

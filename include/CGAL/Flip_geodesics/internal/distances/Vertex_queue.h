@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_QUEUE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_VERTEX_QUEUE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <CGAL/assertions.h>
 

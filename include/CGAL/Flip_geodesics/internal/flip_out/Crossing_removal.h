@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CROSSING_REMOVAL_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CROSSING_REMOVAL_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 
 #include <cstddef>
 #include <utility>

@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_ITERATIVE_UNFOLDING_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/word_turns.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Sleeve.h>

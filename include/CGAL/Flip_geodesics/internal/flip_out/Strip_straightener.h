@@ -3,13 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_STRIP_STRAIGHTENER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_STRIP_STRAIGHTENER_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Crossing_removal.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Iterative_unfolding.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <algorithm>
 #include <cstddef>

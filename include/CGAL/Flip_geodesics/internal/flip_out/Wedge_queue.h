@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WEDGE_QUEUE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WEDGE_QUEUE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -3,7 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_H
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Free_wedges.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>

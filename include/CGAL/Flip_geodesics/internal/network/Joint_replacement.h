@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_JOINT_REPLACEMENT_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_NETWORK_JOINT_REPLACEMENT_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <cstddef>
 #include <utility>

@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_OPERATORS_CUT_SURFACE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
 #include <cstddef>

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contraction.h>
 #include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -26,39 +27,6 @@ class Surface_mesh;
 namespace Flip_geodesics {
 
 namespace internal {
-
-/* The graph functions, found by the mesh's own namespace; inside classes, members would hide them. */
-template <class Descriptor, class TriangleMesh>
-auto graph_halfedge(Descriptor d, const TriangleMesh& mesh)
-{
-  return halfedge(d, mesh);
-}
-
-template <class Descriptor, class TriangleMesh>
-auto graph_next(Descriptor h, const TriangleMesh& mesh)
-{
-  return next(h, mesh);
-}
-
-template <class Descriptor, class TriangleMesh>
-auto graph_face(Descriptor h, const TriangleMesh& mesh)
-{
-  return face(h, mesh);
-}
-
-/* Is a descriptor one of a face of the mesh? Of most meshes it cannot be asked more than whether it is null. */
-template <class TriangleMesh>
-bool is_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh&)
-{
-  return f != boost::graph_traits<TriangleMesh>::null_face();
-}
-
-template <class P>
-bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh)
-{
-  const std::size_t end = mesh.number_of_faces() + mesh.number_of_removed_faces();
-  return static_cast<std::size_t>(f) < end && !mesh.is_removed(f);
-}
 
 /*
  * What an indexed mesh was before its edges of length zero were contracted, and how the two belong together; a mesh on

@@ -4,9 +4,9 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <array>
 #include <cstddef>

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CHECK_TRIANGLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CHECK_TRIANGLE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 
 #include <boost/config.hpp>
 

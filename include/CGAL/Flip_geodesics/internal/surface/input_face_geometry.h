@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INPUT_FACE_GEOMETRY_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INPUT_FACE_GEOMETRY_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 
 namespace CGAL {

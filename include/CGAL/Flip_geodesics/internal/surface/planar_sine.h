@@ -4,11 +4,11 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_PLANAR_SINE_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Exact_vector.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Unrolled_line.h>
 
 #include <CGAL/enum.h>

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_FACE_SHAPE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_FACE_SHAPE_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 
 #include <boost/math/constants/constants.hpp>
 

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_HALFEDGE_STORE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_HALFEDGE_STORE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
 #include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>

@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_LAWSON_FLIPS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_LAWSON_FLIPS_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 

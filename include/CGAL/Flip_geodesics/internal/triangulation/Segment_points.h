@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SEGMENT_POINTS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SEGMENT_POINTS_H
 
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_shape.h>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SHARP_SECTORS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_SHARP_SECTORS_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_shape.h>
 
 #include <boost/math/constants/constants.hpp>

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_TO_MESH_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_TO_MESH_H
 
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -3,10 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_SLEEVE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_SLEEVE_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
-#include <CGAL/Flip_geodesics/internal/surface/Indexed_mesh.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
 

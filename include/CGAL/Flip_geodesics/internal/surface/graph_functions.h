@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_GRAPH_FUNCTIONS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_GRAPH_FUNCTIONS_H
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+
+template <typename P>
+class Surface_mesh;
+
+namespace Flip_geodesics {
+namespace internal {
+
+/* The functions of the graph concepts, found by argument-dependent lookup; inside classes, members would hide them. */
+template <class Descriptor, class TriangleMesh>
+auto graph_halfedge(Descriptor d, const TriangleMesh& mesh)
+{
+  return halfedge(d, mesh);
+}
+
+template <class Descriptor, class TriangleMesh>
+auto graph_next(Descriptor h, const TriangleMesh& mesh)
+{
+  return next(h, mesh);
+}
+
+template <class Descriptor, class TriangleMesh>
+auto graph_face(Descriptor h, const TriangleMesh& mesh)
+{
+  return face(h, mesh);
+}
+
+/* Returns whether a descriptor is that of a face of the mesh; of most meshes, whether it is not null. */
+template <class TriangleMesh>
+bool is_face(typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh&)
+{
+  return f != boost::graph_traits<TriangleMesh>::null_face();
+}
+
+template <class P>
+bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh)
+{
+  const std::size_t end = mesh.number_of_faces() + mesh.number_of_removed_faces();
+  return static_cast<std::size_t>(f) < end && !mesh.is_removed(f);
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_GRAPH_FUNCTIONS_H
