@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(a_leg_across_needles_is_inserted_by_a_flip_for_each)
   Curve_setting setting(zigzag_disk(n));
   const auto [flips, crossings] = flips_and_crossings(setting, 0_v, Vertex_index(n / 2));
   BOOST_TEST(crossings == std::size_t(n - 3));
-  BOOST_TEST(flips < 2 * crossings);
+  BOOST_TEST(flips == crossings);
 }
 
 // Around the apex, one side of the strip bends towards the other, and that is not always the same.
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_leg_past_an_apex_of_many_edges_is_inserted_by_fe
   for_random_pairs(setting.mesh, 20, [&](Vertex_index u, Vertex_index v) {
     for(const auto& [from, to] : {std::make_pair(u, v), std::make_pair(v, u)}) {
       const auto [flips, crossings] = flips_and_crossings(setting, from, to);
-      BOOST_TEST(flips < 11 * crossings + 5000);
+      BOOST_TEST(flips <= 2 * crossings);
       pulled_from_straightened(setting, from, to);
     }
   });
