@@ -14,10 +14,12 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * What was derived of the edges that flips made, each told by its version, one more than the position of its flip in
- * the log. What has not been asked for longest is dropped when it is too much; so the same calls drop the same values.
+ * Values that were computed for the edges that flips created, by the version of the edge: one more than the position of
+ * its flip in the log. The least recently used values are dropped when all take too much memory, so that the same calls
+ * drop the same values. A value is stored with the number of bytes that it owns besides its own size.
  *
- * A value is kept with the number of bytes that it owns besides its own size.
+ * As `std::list` and `std::unordered_map`, which are as fast for what they hold. But their nodes would take most of the
+ * memory, so that the same limit would hold fewer values, and long histories would be derived again and again.
  */
 template <class Value>
 class Version_cache
