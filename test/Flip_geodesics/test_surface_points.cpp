@@ -246,12 +246,12 @@ BOOST_AUTO_TEST_CASE(paths_in_a_face_are_shortest)
       for(FG::Vertex_index from : vertices)
         for(FG::Vertex_index to : vertices)
           length[from][to] = (std::min)(length[from][to], length[from][via] + length[via][to]);
-    const FG::internal::Path_in_face<Plain> path(t, face);
+    FG::internal::Path_in_face<Plain> path(t);
     for(FG::Vertex_index from : vertices)
       for(FG::Vertex_index to : vertices) {
         if(from == to)
           continue;
-        const std::vector<FG::Halfedge_index> way = path(from, to);
+        const std::vector<FG::Halfedge_index> way = path(face, from, to);
         double sum = way.empty() ? std::numeric_limits<double>::infinity() : 0;
         for(FG::Halfedge_index h : way)
           sum += t.length(h);
