@@ -19,7 +19,7 @@ namespace Flip_geodesics {
 class Window_limit
 {
 public:
-  /// For \f$n\f$ vertices \f$10^6 + 500 n + 2 n^{3/2}\f$: several times what meshes need that are no needles. On smooth
+  /// For \f$n\f$ vertices \f$10^6 + 500 n + 2 n^{3/2}\f$: several times the number for meshes whose faces are not needles. On smooth
   /// ones all distances from a vertex take up to about \f$0.7 n^{3/2}\f$.
   Window_limit() = default;
 

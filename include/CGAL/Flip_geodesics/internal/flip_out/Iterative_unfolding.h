@@ -22,7 +22,7 @@ namespace internal {
 enum class Passed_side { LEFT, RIGHT, NONE };
 
 /*
- * Shortens a path on the input mesh, which is only read, by iterative unfolding [XW07]: the path is pulled taut within
+ * Shortens a path on the input mesh, which is only read, by iterative unfolding [XW07]: the path is shortened within
  * its sleeve of faces, and the sleeve is led around the other side of the vertices at which the string bends, until a
  * rule finds no vertex to pass.
  *
@@ -48,7 +48,7 @@ public:
   using Bend = typename Sleeve<Triangulation>::Bend;
 
   /* A straight line from vertex to vertex: along an edge or a part of it, inside a face, or across edges, whose range
-   * it has. Directions are told at vertices of the input only. */
+   * it has. Directions are known at vertices of the input only. */
   struct Piece
   {
     Input_halfedge_index along = null_index, face = null_index; // as of a `Crossing_word`
@@ -145,7 +145,7 @@ public:
 
   /* Appends the string in the sleeve of a word. Returns false if a part of it leads nowhere, by rounding errors. */
   template <class Rule>
-  bool append_taut(const Crossing_word& word, Rule& rule)
+  bool append_shortened(const Crossing_word& word, Rule& rule)
   {
     m_sleeve.edges().assign(word.crossed.begin(), word.crossed.end());
     return append_string(word, rule);
@@ -202,7 +202,7 @@ private:
     return result;
   }
 
-  // Leads the path around all joints for which a side is chosen, and pulls it taut between the others.
+  // Leads the path around all joints for which a side is chosen, and shortens it between the others.
   template <class Rule>
   bool pass_joints(Rule& rule)
   {
@@ -324,7 +324,7 @@ private:
         append_in_face(from.vertex, to.vertex, face_before(first));
       if(is_last)
         break;
-      // On the side of the sleeve, the string is taut.
+      // On the side of the sleeve, the angle is at least pi.
       (bends[b].side == RIGHT_END ? m_pieces.back().is_left_open : m_pieces.back().is_right_open) = false;
       from = to;
       first = bends[b].last + 1;

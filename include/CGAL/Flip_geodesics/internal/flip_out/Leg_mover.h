@@ -7,9 +7,9 @@
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Funnel_chain.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Taut_chain.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/word_turns.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Word_angle.h>
@@ -34,7 +34,7 @@ struct Way_step
 /* A piece of a geodesic, and what is said of it. */
 struct Measured_piece
 {
-  Taut_piece piece;
+  Funnel_piece piece;
   Surface_polyline crossings; // where it crosses edges
   double length = 0;
   Word_angle at_tail, at_head; // only at vertices of the input
@@ -52,7 +52,7 @@ struct Geodesic_leg
 };
 
 /*
- * Moves the ends of geodesics. The path along a geodesic and on along a way is pulled taut by `Taut_chain` and proven
+ * Moves the ends of geodesics. The path along a geodesic and on along a way is shortened by `Funnel_chain` and proven
  * straight by its words; where that does not succeed, by flips. The triangulation is the input's before and after.
  */
 template <class Triangulation>
@@ -72,23 +72,23 @@ public:
   {
     Geodesic_leg result;
     result.points = {is_start ? to : leg.points.front(), is_start ? leg.points.back() : to};
-    bool is_taut = false;
+    bool is_shortened = false;
     try {
       const Inserted_ends ends(m_triangulation, result.points.front(), result.points.back());
-      is_taut = pull_taut(leg, is_start, way, ends, result);
-      if(is_taut && is_proven(result))
+      is_shortened = shorten_moved(leg, is_start, way, ends, result);
+      if(is_shortened && is_proven(result))
         return result;
     } catch(const Degenerate_face_error&) { // which flips may never meet
     } catch(const Invalid_coordinate_error&) {
     }
     try {
-      Geodesic_leg by_flips = pulled_by_flips(is_taut ? result.points : path_along(leg, is_start, way, to));
-      return is_taut && !is_proven(by_flips) ? result : by_flips;
+      Geodesic_leg by_flips = pulled_by_flips(is_shortened ? result.points : path_along(leg, is_start, way, to));
+      return is_shortened && !is_proven(by_flips) ? result : by_flips;
     } catch(const Crossing_curves_error&) { // flips cannot pull paths that cross themselves
-      if(!is_taut)
+      if(!is_shortened)
         throw;
     } catch(const Ambiguous_order_error&) {
-      if(!is_taut)
+      if(!is_shortened)
         throw;
     }
     return result;
@@ -137,7 +137,7 @@ private:
 
   // ---- by words
 
-  static Taut_piece reversed(Taut_piece piece)
+  static Funnel_piece reversed(Funnel_piece piece)
   {
     piece.word.reverse();
     std::swap(piece.at_tail, piece.at_head);
@@ -145,24 +145,24 @@ private:
   }
 
   // From the end that stays. Returns whether the path is a chain that no angle says to pull further.
-  bool pull_taut(const Geodesic_leg& leg, bool is_start, const std::vector<Way_step>& way, const Inserted_ends& ends,
-                 Geodesic_leg& result)
+  bool shorten_moved(const Geodesic_leg& leg, bool is_start, const std::vector<Way_step>& way,
+                     const Inserted_ends& ends, Geodesic_leg& result)
   {
     const Vertex_index fixed = is_start ? ends.end() : ends.start(), moving = is_start ? ends.start() : ends.end();
     const std::size_t unproven = m_statistics.unproven_zeros;
-    Taut_chain<Triangulation> chain(m_triangulation, m_statistics);
+    Funnel_chain<Triangulation> chain(m_triangulation, m_statistics);
     Crossing_word word; // of the last piece
     word.tail = fixed;
     for(std::size_t i = 0; i < leg.pieces.size(); ++i) {
       const Measured_piece& measured = leg.pieces[is_start ? leg.pieces.size() - 1 - i : i];
-      Taut_piece piece = is_start ? reversed(measured.piece) : measured.piece;
+      Funnel_piece piece = is_start ? reversed(measured.piece) : measured.piece;
       piece.word.tail = i == 0 ? fixed : piece.word.tail;
       if(i + 1 < leg.pieces.size())
         chain.append(piece);
       else
         word = std::move(piece.word);
     }
-    if(!chain.append_taut(word_along(word, leg.pieces.empty(), way, moving)) || !chain.tighten())
+    if(!chain.append_shortened(word_along(word, leg.pieces.empty(), way, moving)) || !chain.tighten())
       return false;
     measure(chain.pieces(), is_start, &leg, unproven, result);
     return true;
@@ -222,14 +222,14 @@ private:
 
   // Takes over the pieces, and what is known of those that `before` had as well; `unproven` zeros were there before these
   // pieces were examined.
-  void measure(std::vector<Taut_piece>&& pieces, bool is_reversed, const Geodesic_leg* before, std::size_t unproven,
+  void measure(std::vector<Funnel_piece>&& pieces, bool is_reversed, const Geodesic_leg* before, std::size_t unproven,
                Geodesic_leg& result)
   {
     if(is_reversed)
       std::reverse(pieces.begin(), pieces.end());
     result.pieces.clear();
     result.verdict = Certificate_verdict::PROVEN;
-    for(Taut_piece& piece : pieces) {
+    for(Funnel_piece& piece : pieces) {
       result.pieces.emplace_back();
       result.pieces.back().piece = is_reversed ? reversed(std::move(piece)) : std::move(piece);
     }
@@ -339,7 +339,7 @@ private:
       return report;
     });
     const Inserted_ends ends(m_triangulation, path.front(), path.back());
-    Taut_chain<Triangulation> chain(m_triangulation, m_statistics);
+    Funnel_chain<Triangulation> chain(m_triangulation, m_statistics);
     const std::size_t unproven = m_statistics.unproven_zeros;
     if(words.empty())
       append_inside_face(path, ends, chain);
@@ -352,7 +352,7 @@ private:
 
   // Of a path in one face.
   void append_inside_face(const Surface_polyline& path, const Inserted_ends& ends,
-                          Taut_chain<Triangulation>& chain) const
+                          Funnel_chain<Triangulation>& chain) const
   {
     const Input_halfedge_index face = common_face(m_triangulation.input(), path.front(), path.back());
     Word_path<Triangulation> straight(m_triangulation, ends.start(), anchor(m_triangulation, ends.start(), face));

@@ -70,8 +70,8 @@ inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& err
  * here. Returns `compute(triangulation)` for the mesh as it is, or, where that meets such an edge, for the surface that
  * is left.
  *
- * To compare the ends of all edges beforehand would take two thirds of the time of a path: on a mesh of 50 000 vertices
- * 0.33 ms, where a path takes 0.48 ms in the median, and its triangulation 5 us.
+ * Comparing the ends of all edges beforehand would take linear time, whereas a triangulation of a `Surface_mesh` takes
+ * constant time, and a path time for the vertices that its search visits.
  *
  * \throws Degenerate_face_error the first one if the contraction does not help
  */

@@ -80,7 +80,7 @@ private:
     std::size_t left_portal, right_portal;
   };
 
-  // Most portals leave the view as it is, which is told without a branch on their side: it follows no pattern that a
+  // Most portals leave the view as it is, which is computed without a branch on their side: it follows no pattern that a
   // processor could guess.
   bool find_bend(const std::vector<Portal>& portals, const Plane_vector& apex, std::size_t start,
                  const Plane_vector& target)

@@ -129,7 +129,7 @@ public:
 private:
   const auto& input() const { return m_triangulation.input(); }
 
-  // With the corners as they are in the frames in which directions are told.
+  // With the corners as they are in the frames of directions.
   Vertex_fan fan_of(Input_halfedge_index h) const
   {
     Vertex_fan fan;

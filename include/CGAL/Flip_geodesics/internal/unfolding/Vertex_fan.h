@@ -172,7 +172,7 @@ public:
     m_end = angle;
   }
 
-  /* Represents a point that is no vertex, on the edge of h or inside its face: directions start at that of h. */
+  /* Represents a point that is not a vertex, on the edge of h or inside its face: directions start at that of h. */
   void set_flat(Input_halfedge_index h, bool is_on_border)
   {
     constexpr double pi = boost::math::constants::pi<double>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_TAUT_CHAIN_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_TAUT_CHAIN_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FUNNEL_CHAIN_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FUNNEL_CHAIN_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A straight line from vertex to vertex, by its word, and the directions in which it leaves its ends; these are told
- * only at vertices of the input. */
-struct Taut_piece
+/* A straight line from vertex to vertex, by its word, and the directions in which it leaves its ends, which are known at
+ * vertices of the input only. */
+struct Funnel_piece
 {
   Crossing_word word;
   Corner_direction at_tail, at_head; // at the head, backward
@@ -36,20 +36,20 @@ struct Taut_piece
 };
 
 /*
- * Pulls a path on the input surface taut by `Iterative_unfolding`, from the words of the edges that it crosses. Nothing
+ * Shortens a path on the input surface by `Iterative_unfolding`, from the words of the edges that it crosses. Nothing
  * is flipped, and the input is only read. The path is a chain of straight pieces, which meet at vertices of the input;
  * its ends can also be inserted vertices.
  *
  * Strings are pulled in doubles, so that a piece can be bent a little; angles close to pi are compared exactly.
  */
 template <class Triangulation>
-class Taut_chain
+class Funnel_chain
 {
   using Piece = typename Iterative_unfolding<Triangulation>::Piece;
   using Bend = typename Iterative_unfolding<Triangulation>::Bend;
 
 public:
-  Taut_chain(const Triangulation& triangulation, Decision_statistics& statistics)
+  Funnel_chain(const Triangulation& triangulation, Decision_statistics& statistics)
     : m_triangulation(triangulation)
     , m_statistics(statistics)
     , m_unfolding(triangulation)
@@ -57,24 +57,24 @@ public:
   }
 
   /* Appends a piece that is straight. */
-  void append(const Taut_piece& taut)
+  void append(const Funnel_piece& given)
   {
-    Piece& piece = m_unfolding.append(taut.word);
-    piece.at_tail = taut.at_tail;
-    piece.at_head = taut.at_head;
-    piece.is_examined = taut.is_examined;
-    piece.is_straight = taut.is_straight;
+    Piece& piece = m_unfolding.append(given.word);
+    piece.at_tail = given.at_tail;
+    piece.at_head = given.at_head;
+    piece.is_examined = given.is_examined;
+    piece.is_straight = given.is_straight;
   }
 
   /* Appends the straight line of a word. */
   void append_straight(const Crossing_word& word) { m_unfolding.append_straight(word); }
 
-  /* Appends the taut string in the sleeve of a word, that is, in the faces that a path passes. Returns false if the word
+  /* Appends the shortest path in the sleeve of a word, that is, in the faces that a path passes. Returns false if the word
    * has no sleeve. */
-  bool append_taut(const Crossing_word& word)
+  bool append_shortened(const Crossing_word& word)
   {
     Exact_rule rule{*this};
-    return m_unfolding.append_taut(word, rule);
+    return m_unfolding.append_shortened(word, rule);
   }
 
   /* Leads the chain round vertices until no angle is below pi, or none is but by rounding, and examines the pieces. A piece
@@ -97,9 +97,9 @@ public:
     }
   }
 
-  std::vector<Taut_piece> pieces() const
+  std::vector<Funnel_piece> pieces() const
   {
-    std::vector<Taut_piece> result;
+    std::vector<Funnel_piece> result;
     result.reserve(m_unfolding.pieces().size());
     for(const Piece& piece : m_unfolding.pieces())
       result.push_back({m_unfolding.word(piece), piece.at_tail, piece.at_head, piece.is_examined, piece.is_straight});
@@ -116,7 +116,7 @@ private:
   {
     static constexpr bool drops_loops = true; // what goes on from a bend and comes back
 
-    Taut_chain& chain;
+    Funnel_chain& chain;
 
     Passed_side side(const Piece& in, const Piece& out, Passed_side) const { return chain.side_below_pi(in, out); }
     const std::vector<Bend>& bends(const Crossing_word& ends) const
@@ -129,7 +129,7 @@ private:
 
   // ---- angles
 
-  // Where the chain turns back on itself, either side is next to nothing. Two pieces along one edge are told by the faces
+  // Where the chain turns back on itself, either side is next to nothing. Two pieces along one edge are given in the faces
   // on their left, so that the path from one to the other is over that edge, on the right.
   Passed_side side_below_pi(const Piece& in, const Piece& out) const
   {
@@ -182,20 +182,20 @@ private:
   void find_bends()
   {
     m_bends.clear();
-    const std::vector<Bend>& taut = sleeve().bends();
+    const std::vector<Bend>& bends = sleeve().bends();
     const std::size_t end = portals().size();
-    for(std::size_t b = 0; b <= taut.size(); ++b) {
-      const bool is_last = b == taut.size();
-      const std::size_t first = b == 0 ? 0 : taut[b - 1].last + 1, last = is_last ? end : taut[b].first;
-      const std::size_t limit = is_last ? end : taut[b].last;
-      const Plane_vector from = b == 0 ? sleeve().tail_place() : taut[b - 1].position,
-                         to = is_last ? sleeve().head_place() : taut[b].position;
+    for(std::size_t b = 0; b <= bends.size(); ++b) {
+      const bool is_last = b == bends.size();
+      const std::size_t first = b == 0 ? 0 : bends[b - 1].last + 1, last = is_last ? end : bends[b].first;
+      const std::size_t limit = is_last ? end : bends[b].last;
+      const Plane_vector from = b == 0 ? sleeve().tail_place() : bends[b - 1].position,
+                         to = is_last ? sleeve().head_place() : bends[b].position;
       for(std::size_t i = first; i < last; ++i)
         for(Portal_side side : {RIGHT_END, LEFT_END})
           if(i == first || side == portals()[i].side)
             add_close_vertex({i, i, side, Funnel::end(portals(), i, side)}, from, to, limit);
       if(!is_last)
-        m_bends.push_back(taut[b]);
+        m_bends.push_back(bends[b]);
     }
   }
 
@@ -388,4 +388,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_TAUT_CHAIN_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FUNNEL_CHAIN_H
