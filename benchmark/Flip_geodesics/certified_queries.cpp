@@ -274,7 +274,7 @@ private:
           curves.back().push_back(m_mesh.target(Mesh::Halfedge_index(static_cast<Mesh::size_type>(h.idx()))));
       }
       std::vector<Points> points;
-      return FG::straighten(m_mesh, curves, std::back_inserter(points)).report;
+      return FG::geodesic_network(m_mesh, curves, std::back_inserter(points)).report;
     });
   }
 

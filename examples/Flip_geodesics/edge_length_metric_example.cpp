@@ -10,7 +10,7 @@
 #include <CGAL/Flip_geodesics/IO/VTP.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/metrics.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
@@ -62,8 +62,8 @@ try {
 
   std::vector<Face_location> locations;
   const Mesh::Vertex_index source(0), target(mesh.number_of_vertices() / 2);
-  const auto result =
-      FG::geodesic_path(mesh, source, target, std::back_inserter(locations), FG::with_metric(Metric(mesh, lengths)));
+  const auto result = FG::geodesic_path(mesh, source, target, std::back_inserter(locations),
+                                        CGAL::parameters::metric(Metric(mesh, lengths)));
   std::cout << "In this metric the geodesic is " << result.length() << " long.\n";
   std::vector<std::vector<Kernel::Point_3>> curves(1);
   for(const Face_location& location : locations)

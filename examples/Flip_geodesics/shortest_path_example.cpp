@@ -50,15 +50,15 @@ try {
   //! [Shortest]
   const auto found = FG::shortest_path(mesh, source, target, std::back_inserter(paths[0]));
   //! [Shortest]
-  std::cout << "The geodesic to begin with: " << found.report.first_length
-            << "\nThe result: " << found.length() << ", at most " << found.report.gap()
-            << " longer than a shortest path, " << FG::to_string(found.report.verdict)
-            << (found.report.has_tie ? ", one of several\n" : "\n");
+  std::cout << "The geodesic to begin with: " << found.report.first_length << "\nThe result: " << found.length()
+            << ", at most " << found.report.gap() << " longer than a shortest path, "
+            << FG::to_string(found.report.verdict) << (found.report.has_tie ? ", one of several\n" : "\n");
   FG::IO::write_VTP("shortest_path.vtp", paths);
 
   //! [Landmarks]
   const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(mesh); // once, for thousands of pairs
-  const auto again = FG::shortest_path(mesh, landmarks, source, target, std::back_inserter(paths.emplace_back()));
+  const auto again = FG::shortest_path(mesh, source, target, std::back_inserter(paths.emplace_back()),
+                                       CGAL::parameters::landmarks(landmarks));
   //! [Landmarks]
   std::cout << "With landmarks: " << again.length() << ", " << FG::to_string(again.report.verdict) << '\n';
 

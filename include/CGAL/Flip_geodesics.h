@@ -77,6 +77,7 @@
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/means.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/nearest_location.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/network_io.h>
@@ -97,6 +98,5 @@
 #include <CGAL/Flip_geodesics/texture_coordinates.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 #include <CGAL/Flip_geodesics/voronoi_boundaries.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
 
 #endif // CGAL_FLIP_GEODESICS_H

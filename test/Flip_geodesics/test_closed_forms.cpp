@@ -405,7 +405,7 @@ std::pair<double, double> length_and_height(const Plane_mesh& mesh, const FG::We
   const auto result = FG::geodesic_path(
       mesh, Plane_mesh::Vertex_index(static_cast<unsigned>(source)),
       Plane_mesh::Vertex_index(static_cast<unsigned>(target)), std::back_inserter(points),
-      FG::with_metric(metric).geom_traits(FG::Intrinsic_triangulation_traits<Plane_metric::Kernel>()));
+      CGAL::parameters::metric(metric).geom_traits(FG::Intrinsic_triangulation_traits<Plane_metric::Kernel>()));
   BOOST_TEST(FG::to_string(result.status()) == "LOCALLY_SHORTEST");
   double height = 0;
   for(const Plane_point& p : points)
@@ -506,7 +506,7 @@ BOOST_AUTO_TEST_CASE(weights_flatten_faces)
   const auto metric = weighted<Plane_mesh::Vertex_index>(
       mesh, [&](Plane_mesh::Vertex_index v) { return v == left || v == right ? 2. : 1.; });
   std::vector<Plane_point> points;
-  const auto path = FG::shortest_path(mesh, top, bottom, std::back_inserter(points), FG::with_metric(metric));
+  const auto path = FG::shortest_path(mesh, top, bottom, std::back_inserter(points), CGAL::parameters::metric(metric));
   BOOST_TEST(is_close(path.length(), 2 * std::sqrt(1.5 * 1.5 * 2 - 4)));
   BOOST_TEST(path.report.lower_bound <= path.length() * (1 + 1e-15));
   BOOST_TEST(FG::to_string(path.report.verdict) == "PROVEN_SHORTEST");
@@ -534,14 +534,14 @@ BOOST_AUTO_TEST_CASE(weights_do_not_hide_a_shorter_way)
     lengths[e] = metric.weight(numbered, numbered.index(mesh.halfedge(e)));
   const boost::associative_property_map<std::map<Plane_mesh::Edge_index, double>> length_map(lengths);
   std::vector<Plane_point> points;
-  const auto path = FG::shortest_path(mesh, south, north, std::back_inserter(points), FG::with_metric(metric));
+  const auto path = FG::shortest_path(mesh, south, north, std::back_inserter(points), CGAL::parameters::metric(metric));
   std::vector<std::pair<Plane_mesh::Face_index, std::array<double, 3>>> places;
-  const auto other =
-      FG::shortest_path(mesh, south, north, std::back_inserter(places),
-                        FG::with_metric(FG::Edge_length_metric<Plane_mesh, decltype(length_map)>(mesh, length_map)));
+  const auto other = FG::shortest_path(
+      mesh, south, north, std::back_inserter(places),
+      CGAL::parameters::metric(FG::Edge_length_metric<Plane_mesh, decltype(length_map)>(mesh, length_map)));
   BOOST_TEST(is_close(path.length(), other.length()));
   BOOST_TEST(is_close(path.report.lower_bound, other.report.lower_bound));
-  const auto landmarks = FG::geodesic_landmarks(mesh, 4, FG::with_metric(metric));
+  const auto landmarks = FG::geodesic_landmarks(mesh, 4, CGAL::parameters::metric(metric));
   BOOST_TEST(landmarks.distance_lower_bound(FG::Vertex_index(0), FG::Vertex_index(1)) <= other.length());
 }
 

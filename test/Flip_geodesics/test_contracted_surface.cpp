@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(networks_keep_their_curves_in_order)
       {vertex(grid_vertex(8, 4, 3)), vertex(v), vertex(w), vertex(grid_vertex(8, 4, 5))},
       {vertex(grid_vertex(8, 0, 0)), vertex(grid_vertex(8, 1, 0))}};
   std::vector<std::vector<Point>> points;
-  const FG::Shortening_report report = FG::straighten(mesh, curves, std::back_inserter(points), exactly).report;
+  const FG::Shortening_report report = FG::geodesic_network(mesh, curves, std::back_inserter(points), exactly).report;
   BOOST_REQUIRE_EQUAL(report.curves.size(), 3);
   BOOST_REQUIRE_EQUAL(points.size(), 3);
   BOOST_CHECK(report.curves[0].status == FG::Shortening_status::CONTRACTED);

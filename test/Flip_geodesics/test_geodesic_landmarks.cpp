@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(one_call)
   BOOST_TEST(landmarks.number_of_landmarks() == FG::Geodesic_landmarks::default_number);
   const auto s = *vertices(mesh).begin(), t = *std::next(vertices(mesh).begin(), 83);
   std::vector<Surface::Point> points, same;
-  const auto result = FG::shortest_path(mesh, landmarks, s, t, std::back_inserter(points));
+  const auto result = FG::shortest_path(mesh, s, t, std::back_inserter(points), CGAL::parameters::landmarks(landmarks));
   FG::shortest_path(mesh, s, t, std::back_inserter(same));
   BOOST_TEST(result.report.is_confirmed());
   BOOST_TEST((points == same));
@@ -352,7 +352,9 @@ BOOST_AUTO_TEST_CASE(one_call)
   for(const auto wrong : {Surface::null_vertex(), Surface::Vertex_index(160)})
     BOOST_CHECK_THROW(FG::geodesic_landmarks(mesh, {s, wrong}), FG::Vertex_out_of_range_error);
   points.clear();
-  const auto given_up = FG::shortest_path(mesh, landmarks, s, t, std::back_inserter(points), FG::Window_limit(0));
+  const auto given_up =
+      FG::shortest_path(mesh, s, t, std::back_inserter(points), CGAL::parameters::landmarks(landmarks),
+                        CGAL::parameters::search_limit(FG::Window_limit(0)));
   BOOST_TEST(given_up.report.lower_bound <= result.length());
 
   std::map<Surface::Edge_index, double> lengths;
@@ -364,7 +366,7 @@ BOOST_AUTO_TEST_CASE(one_call)
   BOOST_TEST(by_lengths.distance_lower_bound(0_v, 83_v) > 1);
   BOOST_CHECK_THROW(landmarks.check_input(triangulation), FG::Input_mismatch_error);
   const FG::Geodesic_landmarks by_given_lengths =
-      FG::geodesic_landmarks(mesh, ends, FG::with_metric(Length_metric(mesh, Length_map(lengths))));
+      FG::geodesic_landmarks(mesh, ends, CGAL::parameters::metric(Length_metric(mesh, Length_map(lengths))));
   by_given_lengths.check_input(triangulation);
 }
 
@@ -410,10 +412,12 @@ BOOST_AUTO_TEST_CASE(faces_that_one_mesh_lacks)
     const FG::Geodesic_landmarks landmarks = FG::geodesic_landmarks(*mine);
     for(const Surface* other : {&whole, &holed, &holed_elsewhere})
       if(mine == other)
-        BOOST_TEST(FG::shortest_path(*other, landmarks, s, t, std::back_inserter(points)).report.is_confirmed());
+        BOOST_TEST(FG::shortest_path(*other, s, t, std::back_inserter(points), CGAL::parameters::landmarks(landmarks))
+                       .report.is_confirmed());
       else
-        BOOST_CHECK_THROW(FG::shortest_path(*other, landmarks, s, t, std::back_inserter(points)),
-                          FG::Input_mismatch_error);
+        BOOST_CHECK_THROW(
+            FG::shortest_path(*other, s, t, std::back_inserter(points), CGAL::parameters::landmarks(landmarks)),
+            FG::Input_mismatch_error);
   }
 
   const std::vector<Surface::Face_index> all(whole.faces().begin(), whole.faces().end());
@@ -468,6 +472,8 @@ BOOST_AUTO_TEST_CASE(meshes_without_edges)
   BOOST_TEST(landmarks.distance_lower_bound(2_v, 3_v) > 4.9);
   BOOST_TEST(landmarks.distance_lower_bound(2_v, 3_v) <= 5);
   std::vector<Surface::Point> points;
-  BOOST_TEST(FG::shortest_path(mesh, landmarks, a, b, std::back_inserter(points)).length() == 5);
-  BOOST_CHECK_THROW(FG::shortest_path(mesh, apart, a, b, std::back_inserter(points)), FG::Input_mismatch_error);
+  BOOST_TEST(
+      FG::shortest_path(mesh, a, b, std::back_inserter(points), CGAL::parameters::landmarks(landmarks)).length() == 5);
+  BOOST_CHECK_THROW(FG::shortest_path(mesh, a, b, std::back_inserter(points), CGAL::parameters::landmarks(apart)),
+                    FG::Input_mismatch_error);
 }

@@ -113,14 +113,15 @@ BOOST_AUTO_TEST_CASE(a_stop_predicate_ends_each_path)
   const Pairs pairs = random_pairs(mesh, 40, 5);
   const FG::Length_ratio_stop_predicate stop(0.97);
   std::vector<Path> paths;
-  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), stop);
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::stop_predicate(stop));
   std::size_t stopped = 0;
   for(std::size_t i = 0; i < pairs.size(); ++i) {
     const FG::Curve_report& report = paths[i].report;
     BOOST_TEST(report.length >= 0.97 * report.initial_length);
     stopped += report.status == FG::Shortening_status::LENGTH_LIMIT ? 1 : 0;
     std::vector<Kernel::Point_3> points;
-    const auto single = FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points), stop);
+    const auto single = FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points),
+                                          CGAL::parameters::stop_predicate(stop));
     BOOST_TEST((paths[i].points == points));
     BOOST_TEST((single.report.curves.front().status == report.status));
   }
@@ -358,7 +359,7 @@ BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
   std::vector<Path> paths, directed_paths;
   const Pairs pairs = {{source, target}, {source, alone}, {Vertex(0), Vertex(40)}};
   FG::geodesic_paths(mesh, pairs, std::back_inserter(paths));
-  FG::geodesic_paths(mesh, landmarks, pairs, std::back_inserter(directed_paths));
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(directed_paths), CGAL::parameters::landmarks(landmarks));
   BOOST_CHECK_THROW(std::rethrow_exception(directed_paths[1].error), FG::Disconnected_endpoints_error);
   for(const std::size_t i : {0u, 2u})
     BOOST_TEST(directed_paths[i].report.length == paths[i].report.length, boost::test_tools::tolerance(1e-12));
@@ -368,7 +369,7 @@ BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
   const FG::Intrinsic_triangulation<Mesh> larger(mesh);
   BOOST_CHECK_THROW(Search(larger, landmarks), FG::Input_mismatch_error);
   directed_paths.clear();
-  FG::geodesic_paths(mesh, landmarks, pairs, std::back_inserter(directed_paths));
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(directed_paths), CGAL::parameters::landmarks(landmarks));
   BOOST_TEST(directed_paths.size() == pairs.size());
   for(const Path& path : directed_paths)
     BOOST_CHECK_THROW(std::rethrow_exception(path.error), FG::Input_mismatch_error);

@@ -208,13 +208,16 @@ BOOST_AUTO_TEST_CASE(values_at_vertices)
       BOOST_TEST(calls > 5u);
     };
     check([&](std::size_t* number, const auto& np) {
-      return FG::geodesic_distances(mesh, source, Counting_map<double>{number}, limit, np);
+      return FG::geodesic_distances(mesh, source, Counting_map<double>{number}, np,
+                                    CGAL::parameters::search_limit(limit));
     });
     check([&](std::size_t* number, const auto& np) {
-      return FG::geodesic_distances(mesh, sources, Counting_map<double>{number}, limit, np);
+      return FG::geodesic_distances(mesh, sources, Counting_map<double>{number}, np,
+                                    CGAL::parameters::search_limit(limit));
     });
     check([&](std::size_t* number, const auto& np) {
-      return FG::polar_coordinates(mesh, source, Counting_map<FG::Polar_coordinates>{number}, limit, np);
+      return FG::polar_coordinates(mesh, source, Counting_map<FG::Polar_coordinates>{number}, np,
+                                   CGAL::parameters::search_limit(limit));
     });
   }
 }

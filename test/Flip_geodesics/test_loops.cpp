@@ -389,7 +389,8 @@ BOOST_AUTO_TEST_CASE(geodesic_loops_in_one_call)
   BOOST_TEST(result.report.flips == flips);
   BOOST_TEST(result.report.flip_outs > 0u);
   // stopped before the first step
-  const auto stopped = FG::geodesic_loop_basis(s.mesh, loops.begin(), FG::Iteration_stop_predicate(0));
+  const auto stopped =
+      FG::geodesic_loop_basis(s.mesh, loops.begin(), CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(0)));
   BOOST_TEST(stopped.report.flip_outs == 0u);
   BOOST_TEST((stopped.out == loops.end()));
   const Surface ball = to_mesh<Surface>(sphere(2));

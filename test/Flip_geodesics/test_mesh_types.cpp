@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(curves_that_return_are_closed)
   ring.push_back(ring.front());
   std::vector<std::vector<Epick::Point_3>> points;
   const auto result =
-      FG::straighten(mesh, std::vector<std::vector<Mesh::Vertex_index>>{ring}, std::back_inserter(points));
+      FG::geodesic_network(mesh, std::vector<std::vector<Mesh::Vertex_index>>{ring}, std::back_inserter(points));
   BOOST_TEST(FG::to_string(result.report.curves.front().status) == "CONTRACTED");
 }
 

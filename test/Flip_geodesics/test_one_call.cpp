@@ -47,8 +47,10 @@ BOOST_AUTO_TEST_CASE(a_loop_and_curves_come_in_each_form)
   BOOST_REQUIRE(is_ring);
   std::vector<Curve_point> loop;
   std::vector<Point> points;
-  FG::geodesic_loop(mesh, ring, std::back_inserter(loop), FG::Iteration_stop_predicate(3));
-  FG::geodesic_loop(mesh, ring, std::back_inserter(points), FG::Iteration_stop_predicate(3));
+  FG::geodesic_loop(mesh, ring, std::back_inserter(loop),
+                    CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(3)));
+  FG::geodesic_loop(mesh, ring, std::back_inserter(points),
+                    CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(3)));
   check_same_points(points, loop);
   check_curve_points(mesh, loop);
   BOOST_CHECK_EQUAL(loop.front().point, loop.back().point);
@@ -57,10 +59,10 @@ BOOST_AUTO_TEST_CASE(a_loop_and_curves_come_in_each_form)
   std::vector<std::vector<Face_location>> places;
   std::vector<Vertex> closed = ring;
   closed.push_back(ring.front());
-  const auto result = FG::straighten(mesh, std::vector<std::vector<Vertex>>{closed, {ring[0], ring[1], ring[2]}},
-                                     std::back_inserter(curves));
-  FG::straighten(mesh, std::vector<std::vector<Vertex>>{closed, {ring[0], ring[1], ring[2]}},
-                 std::back_inserter(places));
+  const auto result = FG::geodesic_network(mesh, std::vector<std::vector<Vertex>>{closed, {ring[0], ring[1], ring[2]}},
+                                           std::back_inserter(curves));
+  FG::geodesic_network(mesh, std::vector<std::vector<Vertex>>{closed, {ring[0], ring[1], ring[2]}},
+                       std::back_inserter(places));
   BOOST_REQUIRE_EQUAL(curves.size(), 2u);
   BOOST_REQUIRE_EQUAL(result.report.curves.size(), 2u);
   for(std::size_t i = 0; i < 2; ++i) {
@@ -83,7 +85,8 @@ BOOST_AUTO_TEST_CASE(ends_of_all_kinds_can_be_mixed)
   const auto reference = FG::geodesic_path(mesh, v, inside, std::back_inserter(to_face));
   FG::geodesic_path(mesh, v, location, std::back_inserter(to_location));
   FG::geodesic_path(mesh, v, above, std::back_inserter(to_space), CGAL::parameters::default_values());
-  FG::geodesic_path(mesh, above, v, std::back_inserter(back), FG::Never_stop_predicate());
+  FG::geodesic_path(mesh, above, v, std::back_inserter(back),
+                    CGAL::parameters::stop_predicate(FG::Never_stop_predicate()));
   check_curve_points(mesh, to_face);
   check_curve_points(mesh, back);
   BOOST_CHECK_SMALL(distance(to_face.back().point, point_at(mesh, inside)), 1e-12);
@@ -188,8 +191,8 @@ BOOST_AUTO_TEST_CASE(another_metric_decides_what_is_short)
   for(const auto& [v, w] : random_pairs(mesh, 10)) {
     std::vector<Face_location> places, places_of_points;
     std::vector<FG::Curve_place<Surface>> curve;
-    const auto result = FG::geodesic_path(mesh, v, w, std::back_inserter(places), FG::with_metric(tripled));
-    FG::geodesic_path(mesh, v, w, std::back_inserter(curve), FG::with_metric(tripled));
+    const auto result = FG::geodesic_path(mesh, v, w, std::back_inserter(places), CGAL::parameters::metric(tripled));
+    FG::geodesic_path(mesh, v, w, std::back_inserter(curve), CGAL::parameters::metric(tripled));
     const auto of_points = FG::geodesic_path(mesh, v, w, std::back_inserter(places_of_points));
     BOOST_REQUIRE_EQUAL(places.size(), curve.size());
     for(std::size_t i = 0; i < places.size(); ++i)
@@ -213,7 +216,8 @@ BOOST_AUTO_TEST_CASE(points_of_a_map_and_a_mesh_without_any)
   const auto np = CGAL::parameters::vertex_point_map(map);
   const auto direct = FG::geodesic_path(mesh, Vertex(1), Vertex(30), std::back_inserter(points));
   const auto result = FG::geodesic_path(plain, all[1], all[30], std::back_inserter(of_map), np);
-  FG::geodesic_path(plain, all[1], all[30], std::back_inserter(curve), FG::Never_stop_predicate(), np);
+  FG::geodesic_path(plain, all[1], all[30], std::back_inserter(curve),
+                    CGAL::parameters::stop_predicate(FG::Never_stop_predicate()), np);
   BOOST_CHECK_CLOSE(result.length(), direct.length(), 1e-9);
   BOOST_CHECK_EQUAL(of_map.size(), points.size());
   BOOST_CHECK_EQUAL(curve.size(), points.size());
@@ -266,6 +270,36 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_copied_once)
   BOOST_CHECK_EQUAL(copies, 1);
 }
 
+BOOST_AUTO_TEST_CASE(named_parameters_in_any_order)
+{
+  namespace params = CGAL::parameters;
+  using Traits = FG::Certified_intrinsic_triangulation_traits<CGAL::Kernel_traits<Point>::Kernel>;
+  const Surface mesh = torus_mesh();
+  const auto metric = params::metric(FG::Embedded_metric<Surface, Surface::Property_map<Vertex, Point>>(mesh.points()));
+  const FG::Iteration_stop_predicate three(3);
+  const auto stop = params::stop_predicate(three);
+  std::size_t flips = 0;
+  const auto compute = [&](const auto&... np) {
+    std::vector<Point> points;
+    const auto result = FG::geodesic_path(mesh, Vertex(0), Vertex(150), std::back_inserter(points), np...);
+    BOOST_CHECK_EQUAL(result.report.flip_outs, 3u);
+    flips = result.report.flips;
+    BOOST_CHECK(result.status() == FG::Shortening_status::ITERATION_LIMIT);
+    return points;
+  };
+  const std::vector<Point> expected = compute(stop);
+  BOOST_CHECK(compute(params::stop_predicate(std::cref(three))) == expected);
+  Counting_visitor counting;
+  const auto visitor = params::visitor(std::ref(counting));
+  const auto traits = params::geom_traits(Traits());
+  BOOST_CHECK(compute(metric, stop, visitor, traits) == expected);
+  BOOST_CHECK(compute(traits, visitor, stop, metric) == expected);
+  BOOST_CHECK(compute(visitor, metric, traits, params::default_values(), stop) == expected);
+  BOOST_CHECK(compute(params::stop_predicate(three).visitor(std::ref(counting)), metric) == expected);
+  BOOST_CHECK(compute(metric, params::visitor(std::ref(counting)).geom_traits(Traits()), stop) == expected);
+  BOOST_CHECK_EQUAL(counting.flips, 5 * flips);
+}
+
 // What has nothing but what the pages of stop predicates and visitors ask for, not even a copy, is enough.
 BOOST_AUTO_TEST_CASE(least_policies_are_enough)
 {
@@ -285,8 +319,8 @@ BOOST_AUTO_TEST_CASE(least_policies_are_enough)
       auto result = expected;
       result.clear();
       Visitor_archetype visitor;
-      const FG::Shortening_report report =
-          compute(std::back_inserter(result), *stop, CGAL::parameters::visitor(std::ref(visitor)));
+      const FG::Shortening_report report = compute(std::back_inserter(result), CGAL::parameters::stop_predicate(*stop),
+                                                   CGAL::parameters::visitor(std::ref(visitor)));
       BOOST_CHECK_GT(visitor.questions(), 0);
       BOOST_CHECK_LE(report.flips, static_cast<std::size_t>(visitor.flips()));
       BOOST_CHECK_EQUAL(report.is_complete(), stop == &many);
@@ -309,9 +343,10 @@ BOOST_AUTO_TEST_CASE(least_policies_are_enough)
   check(loop, 1, [&](auto out, const auto& stop, const auto& np) {
     return FG::geodesic_loop(mesh, ring, out, stop, np).report;
   });
-  FG::straighten(mesh, curves, std::back_inserter(tight));
-  check(tight, 1,
-        [&](auto out, const auto& stop, const auto& np) { return FG::straighten(mesh, curves, out, stop, np).report; });
+  FG::geodesic_network(mesh, curves, std::back_inserter(tight));
+  check(tight, 1, [&](auto out, const auto& stop, const auto& np) {
+    return FG::geodesic_network(mesh, curves, out, stop, np).report;
+  });
   FG::geodesic_path_through(mesh, stations, std::back_inserter(way));
   check(way, 2, [&](auto out, const auto& stop, const auto& np) {
     return FG::geodesic_path_through(mesh, stations, out, stop, np).report;
@@ -321,7 +356,8 @@ BOOST_AUTO_TEST_CASE(least_policies_are_enough)
   for(const Stop_predicate_archetype* stop : {&few, &many}) {
     std::vector<FG::Geodesic_path<Point>> paths;
     Visitor_archetype visitor;
-    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), *stop, CGAL::parameters::visitor(std::ref(visitor)));
+    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::stop_predicate(*stop),
+                       CGAL::parameters::visitor(std::ref(visitor)));
     BOOST_REQUIRE_EQUAL(paths.size(), 2u);
     BOOST_CHECK_GT(visitor.questions(), 0);
     BOOST_CHECK_EQUAL(paths[0].points == path, stop == &many);

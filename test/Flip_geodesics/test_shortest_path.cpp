@@ -331,8 +331,9 @@ BOOST_AUTO_TEST_CASE(one_call)
   BOOST_TEST((point.shortening.curves.front().status == FG::Shortening_status::CONTRACTED));
   BOOST_TEST(point.length == 0);
   BOOST_TEST(points.size() == 2u);
-  const auto limited = FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40),
-                                         std::back_inserter(points), FG::Window_limit(1));
+  const auto limited =
+      FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40), std::back_inserter(points),
+                        CGAL::parameters::search_limit(FG::Window_limit(1)));
   BOOST_TEST(limited.report.windows <= 60u);
 }
 

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(needles_of_a_skewed_torus)
       const FG::Edge_length_metric<Surface, std::decay_t<decltype(map)>> metric(mesh, map);
       std::vector<std::vector<FG::Curve_place<Surface>>> out;
       const auto result = FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(static_cast<unsigned>(i + n * j)), 1,
-                                                      std::back_inserter(out), FG::with_metric(metric));
+                                                      std::back_inserter(out), CGAL::parameters::metric(metric));
       BOOST_TEST_REQUIRE(result.number_of_paths() == 1u);
       BOOST_TEST(result.report.is_confirmed());
       BOOST_TEST(result.report.visited <= 1000u);
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(lattice_on_a_flat_torus)
     std::sort(expected.begin(), expected.end());
     std::vector<std::vector<FG::Curve_place<Surface>>> out;
     const auto result = FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(static_cast<unsigned>(i + n * j)), 10,
-                                                    std::back_inserter(out), FG::with_metric(metric));
+                                                    std::back_inserter(out), CGAL::parameters::metric(metric));
     BOOST_TEST_REQUIRE(result.number_of_paths() == 10u);
     BOOST_TEST(out.size() == 10u);
     BOOST_TEST(result.report.is_confirmed());
@@ -341,7 +341,7 @@ BOOST_AUTO_TEST_CASE(limit_of_the_covering)
   bool some_are_confirmed = false, some_are_not = false;
   for(std::size_t limit : {0, 1, 20, 60, 100, 150, 200, 300}) {
     std::vector<Curve> out;
-    const auto result = world.paths(9, 40, 10, out, FG::Covering_limit(limit));
+    const auto result = world.paths(9, 40, 10, out, CGAL::parameters::search_limit(FG::Covering_limit(limit)));
     BOOST_TEST((result.status() == FG::Class_search_status::COVERING_LIMIT));
     BOOST_TEST(result.number_of_paths() < 10u);
     BOOST_TEST((limit > 1 || out.empty()));
@@ -366,7 +366,7 @@ BOOST_AUTO_TEST_CASE(all_paths_and_too_little_of_the_covering)
   for(std::size_t number : {1, 2, 3, 4, 5})
     for(std::size_t limit = 20; limit < 400; limit += 10) {
       std::vector<Curve> out;
-      const auto result = world.paths(9, 40, number, out, FG::Covering_limit(limit));
+      const auto result = world.paths(9, 40, number, out, CGAL::parameters::search_limit(FG::Covering_limit(limit)));
       if(out.size() < number)
         continue;
       const bool is_complete = result.report.lower_bound >= result.length(number - 1);
@@ -415,7 +415,8 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
   });
   for(std::size_t number : {1, 3}) {
     std::vector<Curve> out;
-    const auto result = world.paths(0, grid_vertex(n, n, n), number, out, FG::Covering_limit(20000));
+    const auto result =
+        world.paths(0, grid_vertex(n, n, n), number, out, CGAL::parameters::search_limit(FG::Covering_limit(20000)));
     BOOST_TEST((result.status() == FG::Class_search_status::FOUND));
     BOOST_TEST(result.report.is_confirmed());
     BOOST_TEST(result.number_of_paths() == number);
@@ -467,7 +468,7 @@ BOOST_AUTO_TEST_CASE(bad_weights)
     const FG::Weighted_metric metric(mesh, lengths, boost::make_assoc_property_map(weights));
     std::vector<std::vector<Point>> out;
     return FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(24), 2, std::back_inserter(out),
-                                       FG::with_metric(metric));
+                                       CGAL::parameters::metric(metric));
   };
   BOOST_TEST(std::abs(find().length(0) - std::sqrt(32.)) < 1e-12);
   using Metric = FG::Weighted_metric<FG::Embedded_metric<Surface, Points>>;
@@ -522,7 +523,8 @@ BOOST_AUTO_TEST_CASE(many_holes)
   BOOST_TEST(result.number_of_paths() == 40u);
   BOOST_TEST(result.report.is_confirmed());
   out.clear();
-  const auto few = world.paths(0, grid_vertex(n, n, n), 200, out, FG::Covering_limit(2000));
+  const auto few =
+      world.paths(0, grid_vertex(n, n, n), 200, out, CGAL::parameters::search_limit(FG::Covering_limit(2000)));
   BOOST_TEST((few.status() == FG::Class_search_status::COVERING_LIMIT));
   BOOST_TEST(few.report.visited < 2200u);
 }

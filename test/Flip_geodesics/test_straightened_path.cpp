@@ -375,7 +375,8 @@ BOOST_AUTO_TEST_CASE(a_stop_predicate_sees_the_edge_path)
   const Surface mesh = to_mesh<Surface>(torus(40, 20, 3, 1));
   const Surface::Vertex_index s(0), t(415);
   std::vector<Surface::Point> points;
-  const auto stopped = FG::geodesic_path(mesh, s, t, std::back_inserter(points), FG::Iteration_stop_predicate(0));
+  const auto stopped = FG::geodesic_path(mesh, s, t, std::back_inserter(points),
+                                         CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(0)));
   BOOST_TEST(stopped.report.curves[0].length == stopped.report.curves[0].initial_length);
   const auto finished = FG::geodesic_path(mesh, s, t, std::back_inserter(points));
   BOOST_TEST(finished.report.flips > 0u);

@@ -97,7 +97,8 @@ private:
     try {
       std::vector<Path> paths;
       const auto found = FG::shortest_paths_by_class(view, mesh_vertex(pair.vertices[0]), mesh_vertex(pair.vertices[1]),
-                                                     m_request.number, std::back_inserter(paths), covering_limit());
+                                                     m_request.number, std::back_inserter(paths),
+                                                     CGAL::parameters::search_limit(covering_limit()));
       for(std::size_t i = 0; i < paths.size(); ++i)
         m_ways.curves.push_back(way(pair, i, found.report, paths[i]));
       if(paths.size() < m_request.number && found.status() == FG::Class_search_status::COVERING_LIMIT)

@@ -40,23 +40,6 @@ private:
   std::optional<std::size_t> m_windows;
 };
 
-namespace internal {
-
-template <class T>
-constexpr bool is_limit = std::is_same<T, Window_limit>::value;
-
-/* Calls `function(limit, np)` with what a caller has given last: named parameters, or a limit alone. */
-template <class Options, class Function>
-auto with_limit(const Options& options, const Function& function)
-{
-  if constexpr(is_limit<Options>)
-    return function(options, parameters::default_values());
-  else
-    return function(Window_limit(), options);
-}
-
-} // namespace internal
-
 } // namespace Flip_geodesics
 } // namespace CGAL
 

@@ -281,7 +281,7 @@ private:
  *        is in between is a passed vertex, or a crossed edge, by either of its halfedges. Where nothing is crossed, the
  *        segment is on the edge, or in the face, that has both its ends
  * \param is_closed does the curve go on from the last place to the first, which is a vertex then, and not repeated?
- * \param np named parameters: `vertex_point_map` or `with_metric()`, as for `geodesic_path()`
+ * \param np named parameters: `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \throws Invalid_curve_error if the places are no such curve: too few, two in a row equal, in between one inside a face
  *         or an edge that is on the border or does not lead on from what is before. The element is the number of a place
  * \throws Invalid_location_error if weights of an end are negative, no numbers, too small or too large
@@ -291,14 +291,16 @@ private:
  * Complexity: linear in the crossed edges and the degrees of passed vertices, where doubles suffice; meshes other than
  * `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class PlaceRange, class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class PlaceRange, class... NamedParameters>
 Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, const PlaceRange& curve, bool is_closed,
-                                                    const NamedParameters& np = parameters::default_values())
+                                                    const NamedParameters&... np)
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  const auto& options = internal::surface_options(np...);
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
   static_assert(internal::is_range_of<PlaceRange, Given_place<TriangleMesh>>,
                 "the curve is not a range of vertices, or of Given_place of the mesh");
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const std::vector<Given_place<TriangleMesh>> places(std::begin(curve), std::end(curve));
   internal::Given_curve<Triangulation> given(triangulation, mesh);
   given.read(places, is_closed);

@@ -147,7 +147,7 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  *        face, as `geodesic_path()`, `trace_geodesic()` and `isolines()` write them
  * \param number how many points, at least 2; of a closed curve the first and the last are the same
  * \param out receives `Curve_sample`s
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`; the metric has points
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`; the metric has points
  * \return the end of the output
  * \throws Invalid_parameter_error if `number` is less than 2
  * \throws Invalid_curve_error if there is no location, or no face has two in a row
@@ -157,17 +157,18 @@ Located_curve<Triangulation> located_curve(const Triangulation& triangulation, c
  * Complexity: linear in the curve's locations, and for each point logarithmic in their number; meshes other than
  * `Surface_mesh` are indexed, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class LocationRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve, std::size_t number,
-                            OutputIterator out, const NamedParameters& np = parameters::default_values())
+                            OutputIterator out, const NamedParameters&... np)
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  const auto& options = internal::surface_options(np...);
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
   static_assert(internal::Has_points<typename Triangulation::Metric>::value,
                 "the metric has no points in space: Located_curve gives the places alone");
   if(number < 2)
     throw Invalid_parameter_error("a curve is sampled at two points at least");
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const Located_curve<Triangulation> located = internal::located_curve(triangulation, mesh, curve);
   const internal::Curve_sampler<Triangulation, TriangleMesh> sample(triangulation, mesh, located);
   std::vector<decltype(sample(0.0))> result;
@@ -187,19 +188,20 @@ OutputIterator sample_curve(const TriangleMesh& mesh, const LocationRange& curve
  *
  * \param mesh a triangle mesh
  * \param first, second as for `sample_curve()`; of curves that meet on their way give the parts from there on
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
  * \throws Invalid_curve_error if they do not start at the same place, up to 1e-9 of weights, or one of them is a point
  * \throws as `sample_curve()`
  *
  * Complexity: that of `sample_curve()`.
  */
-template <class TriangleMesh, class LocationRange, class OtherLocationRange,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class LocationRange, class OtherLocationRange, class... NamedParameters>
 double angle_between_curves(const TriangleMesh& mesh, const LocationRange& first, const OtherLocationRange& second,
-                            const NamedParameters& np = parameters::default_values())
+                            const NamedParameters&... np)
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const auto& options = internal::surface_options(np...);
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const Located_curve<Triangulation> a = internal::located_curve(triangulation, mesh, first),
                                      b = internal::located_curve(triangulation, mesh, second);
   const Surface_location& p = a.locations().front();

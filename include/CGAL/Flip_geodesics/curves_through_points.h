@@ -239,33 +239,29 @@ using Locate_points = std::function<std::vector<Surface_location>(
 
 /* The computation of a geodesic through the points that `locate(triangulation)` gives; like `compute_path()` not
  * inline. */
-template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path_through(const TriangleMesh& mesh,
                                            const Locate_points<TriangleMesh, NamedParameters>& locate,
-                                           const StopPredicate& stop, const NamedParameters& np)
+                                           const NamedParameters& np)
 {
-  static_assert(is_stop_predicate<StopPredicate>,
-                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   std::vector<Surface_location> given;
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     const std::vector<Surface_location> points = points_on_surface(triangulation, locate, given);
     auto visitor = make_visitor(np);
-    Free_legs path = geodesics_through(triangulation, points, stop, visitor.get());
+    Free_legs path = geodesics_through(triangulation, points, stop_predicate_of(np), visitor.get());
     note_contraction(triangulation, path.report);
     return Computed_output<Form>{polyline_forms<Form>(triangulation, mesh, path.legs), std::move(path.report)};
   });
 }
 
-template <class TriangleMesh, class Locate, class OutputIterator, class StopPredicate, class NamedParameters>
+template <class TriangleMesh, class Locate, class OutputIterator, class NamedParameters>
 Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mesh, const Locate& locate,
-                                                         OutputIterator out, const StopPredicate& stop,
-                                                         const NamedParameters& np)
+                                                         OutputIterator out, const NamedParameters& np)
 {
-  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  using Form = Curve_form<Triangulation, OutputIterator>;
+  using Form = Form_by_name<TriangleMesh, NamedParameters, OutputIterator>;
   return write_computed<Geodesic_result<OutputIterator>>(
-      compute_path_through<Form, TriangleMesh, StopPredicate, NamedParameters>(mesh, locate, stop, np), out);
+      compute_path_through<Form, TriangleMesh, NamedParameters>(mesh, locate, np), out);
 }
 
 } // namespace internal
@@ -282,29 +278,16 @@ Geodesic_result<OutputIterator> geodesic_through_located(const TriangleMesh& mes
  *        and barycentric coordinates, of `Surface_location`s, or of points in space; see
  *        `surface_location()` for how points are snapped, and which point of the mesh is taken for one in space
  * \param out receives the points of the path, as `geodesic_path()` writes them
- * \param stop, np as for `geodesic_path()`, for each leg between two points
+ * \param np as for `geodesic_path()`, the stop predicate for each leg between two points
  * \return the end of the output, and the report, which has one curve
  * \throws Invalid_location_error, and as `add_curve_through()`, `geodesic_loop()`
  */
-template <class TriangleMesh, class LocationRange, class OutputIterator, class StopPredicate, class NamedParameters>
+template <class TriangleMesh, class LocationRange, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, const LocationRange& locations,
-                                                      OutputIterator out, const StopPredicate& stop,
-                                                      const NamedParameters& np)
+                                                      OutputIterator out, const NamedParameters&... np)
 {
   const auto locate = [&](const auto& triangulation) { return internal::located(triangulation, mesh, locations); };
-  return internal::geodesic_through_located(mesh, locate, out, stop, np);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <class TriangleMesh, class LocationRange, class OutputIterator,
-          class Options = parameters::Default_named_parameters>
-Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, const LocationRange& locations,
-                                                      OutputIterator out,
-                                                      const Options& options = parameters::default_values())
-{
-  return Flip_geodesics::geodesic_path_through(mesh, locations, out, internal::stop_predicate_in(options),
-                                               internal::named_parameters_in(options));
+  return internal::geodesic_through_located(mesh, locate, out, internal::curve_options(np...));
 }
 
 /*!
@@ -315,31 +298,17 @@ Geodesic_result<OutputIterator> geodesic_path_through(const TriangleMesh& mesh, 
  * Parameters, exceptions and complexity are those of `geodesic_path_through()`.
  */
 template <
-    class TriangleMesh, class Source, class Target, class OutputIterator, class StopPredicate, class NamedParameters,
+    class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters,
     std::enable_if_t<
         !(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>), int> = 0>
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
-                                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
+                                              OutputIterator out, const NamedParameters&... np)
 {
   const auto locate = [&](const auto& triangulation) {
     return std::vector<Surface_location>{internal::located_place(triangulation, mesh, source),
                                          internal::located_place(triangulation, mesh, target)};
   };
-  return internal::geodesic_through_located(mesh, locate, out, stop, np);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <
-    class TriangleMesh, class Source, class Target, class OutputIterator,
-    class Options = parameters::Default_named_parameters,
-    std::enable_if_t<
-        !(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>), int> = 0>
-Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const Source& source, const Target& target,
-                                              OutputIterator out, const Options& options = parameters::default_values())
-{
-  return Flip_geodesics::geodesic_path(mesh, source, target, out, internal::stop_predicate_in(options),
-                                       internal::named_parameters_in(options));
+  return internal::geodesic_through_located(mesh, locate, out, internal::curve_options(np...));
 }
 
 /*!
@@ -353,23 +322,23 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  *        counts as often as it is given, and draws the curve closer
  * \param kind which spline, a `Spline_kind`
  * \param out receives the points of the curve, as `geodesic_path()` writes them
- * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, as for `geodesic_path()`; and
+ * \param np named parameters: `vertex_point_map`, `metric`, `geom_traits`, as for `geodesic_path()`; and
  *        `number_of_iterations`, the number of times that the pieces are halved, a whole number from 0 to 30, 5 by default
  * \return the end of the output, and the report, which has one curve
  * \throws Invalid_curve_error if there are fewer than two points, or another number of iterations
  * \throws Invalid_location_error, and as `Free_geodesic_spline`
  */
-template <class TriangleMesh, class LocationRange, class Kind, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class LocationRange, class Kind, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const LocationRange& control_points,
-                                                Kind kind, OutputIterator out,
-                                                const NamedParameters& np = parameters::default_values())
+                                                Kind kind, OutputIterator out, const NamedParameters&... np)
 {
+  const auto& options = internal::surface_options<internal_np::number_of_iterations_t>(np...);
   static_assert(std::is_same<Kind, Spline_kind>::value,
                 "no Spline_kind where it belongs; the order is mesh, control points, kind, output, named parameters");
-  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator>;
-  const auto rounds = parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), 5);
+  const auto rounds =
+      parameters::choose_parameter(parameters::get_parameter(options, internal_np::number_of_iterations), 5);
   static_assert(std::is_integral<std::remove_const_t<decltype(rounds)>>::value,
                 "number_of_iterations() is a whole number");
   if(rounds < 0 || static_cast<std::uintmax_t>(rounds) > 30)
@@ -388,7 +357,7 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
     return result;
   };
   return internal::write_computed<Geodesic_result<OutputIterator>>(
-      internal::compute_on_surface(internal::Mesh_surfaces(mesh, np), compute), out);
+      internal::compute_on_surface(internal::Mesh_surfaces(mesh, options), compute), out);
 }
 
 #ifdef CGAL_FLIP_GEODESICS_COMPILED
@@ -396,7 +365,7 @@ namespace internal {
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
   CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_INSTANCE Computed_output<Form> compute_path_through(                       \
-      const Mesh&, const Locate_points<Mesh, parameters::Default_named_parameters>&, const Never_stop_predicate&,      \
+      const Mesh&, const Locate_points<Mesh, parameters::Default_named_parameters>&,                                   \
       const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES

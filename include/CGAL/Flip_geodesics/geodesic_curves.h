@@ -10,8 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -76,10 +75,10 @@ struct Geodesics_result
  *        any, as lengths have none; if the output does not take those, as
  *        `CGAL::Polygon_mesh_processing::Face_location`s; if it takes neither, as `Curve_point`s, which have both, the
  *        crossed halfedges and the tangents, or `Curve_place`s without points
- * \param stop a model of `FlipOutStopPredicate`, which ends the process early; the report tells. With one, or with a
- *        visitor, the edge path itself is pulled tight, so that they see every step
- * \param np named parameters: `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
- *        points as values, by default `get(CGAL::vertex_point, mesh)`; or `with_metric()`, a model of `IntrinsicMetric`,
+ * \param np named parameters, in any order: `stop_predicate`, a model of `FlipOutStopPredicate`, which ends the process
+ *        early; the report tells. With one, or with a visitor, the edge path itself is pulled tight, so that they see
+ *        every step; `vertex_point_map`, a model of `ReadablePropertyMap` with the mesh's vertices as keys and
+ *        points as values, by default `get(CGAL::vertex_point, mesh)`; or `metric`, a model of `IntrinsicMetric`,
  *        by default that of the points; `geom_traits`, a model of `IntrinsicTriangulationTraits`, by default
  *        `Certified_intrinsic_triangulation_traits` of the metric's kernel, whatever kernel that is, or, for a metric of
  *        one's own without `exact_face()`, `Intrinsic_triangulation_traits`; `visitor`, a model of `FlipOutVisitor`,
@@ -93,26 +92,15 @@ struct Geodesics_result
  * Complexity: that of the search, \f$O(k \log k)\f$ for the \f$k\f$ vertices it visits, and of `shorten()`; meshes
  * other than `Surface_mesh` are indexed first, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class OutputIterator, class StopPredicate, class NamedParameters>
+template <class TriangleMesh, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
                                               Mesh_vertex<TriangleMesh> target, OutputIterator out,
-                                              const StopPredicate& stop, const NamedParameters& np)
+                                              const NamedParameters&... np)
 {
-  internal::compiled::check_instance<TriangleMesh, StopPredicate, NamedParameters>();
-  using Form = internal::Form_by_name<TriangleMesh, NamedParameters, OutputIterator>;
+  internal::compiled::check_instance<TriangleMesh, internal::Joined<NamedParameters...>>();
+  using Form = internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator>;
   return internal::write_computed<Geodesic_result<OutputIterator>>(
-      internal::compute_path<Form>(mesh, source, target, stop, np), out);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <class TriangleMesh, class OutputIterator, class Options = parameters::Default_named_parameters>
-Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                              Mesh_vertex<TriangleMesh> target, OutputIterator out,
-                                              const Options& options = parameters::default_values())
-{
-  return Flip_geodesics::geodesic_path(mesh, source, target, out, internal::stop_predicate_in(options),
-                                       internal::named_parameters_in(options));
+      internal::compute_path<Form>(mesh, source, target, internal::curve_options(np...)), out);
 }
 
 /*!
@@ -125,32 +113,22 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, Mesh_ver
  *        may stand at the end once more
  * \param out receives the points of the closed geodesic, as `geodesic_path()` writes them, the first again at the end;
  *        nothing if the loop contracts
- * \param stop, np as for `geodesic_path()`
+ * \param np as for `geodesic_path()`
  * \return the end of the output, and the report, which has one curve
  * \throws Vertex_out_of_range_error, Invalid_curve_error, Crossing_curves_error, Ambiguous_order_error,
  *         Degenerate_face_error, Invalid_coordinate_error, Invalid_mesh_error
  *
  * Complexity: as `geodesic_path()`, without a search.
  */
-template <class TriangleMesh, class VertexRange, class OutputIterator, class StopPredicate, class NamedParameters>
+template <class TriangleMesh, class VertexRange, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const VertexRange& vertices, OutputIterator out,
-                                              const StopPredicate& stop, const NamedParameters& np)
+                                              const NamedParameters&... np)
 {
-  internal::compiled::check_instance<TriangleMesh, StopPredicate, NamedParameters>();
-  using Form = internal::Form_by_name<TriangleMesh, NamedParameters, OutputIterator>;
+  internal::compiled::check_instance<TriangleMesh, internal::Joined<NamedParameters...>>();
+  using Form = internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator>;
   return internal::write_computed<Geodesic_result<OutputIterator>>(
-      internal::compute_loop<Form>(mesh, internal::vertices_of_mesh(mesh, vertices), stop, np), out);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <class TriangleMesh, class VertexRange, class OutputIterator,
-          class Options = parameters::Default_named_parameters>
-Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const VertexRange& vertices, OutputIterator out,
-                                              const Options& options = parameters::default_values())
-{
-  return Flip_geodesics::geodesic_loop(mesh, vertices, out, internal::stop_predicate_in(options),
-                                       internal::named_parameters_in(options));
+      internal::compute_loop<Form>(mesh, internal::vertices_of_mesh(mesh, vertices), internal::curve_options(np...)),
+      out);
 }
 
 /*!
@@ -162,18 +140,19 @@ Geodesic_result<OutputIterator> geodesic_loop(const TriangleMesh& mesh, const Ve
  * \param curves a range of ranges of vertices, each two in a row sharing an edge; a curve whose last vertex is its
  *        first is a closed loop
  * \param out receives one `std::vector` per curve, in order, of what `geodesic_path()` writes
- * \param stop, np as for `geodesic_path()`
+ * \param np as for `geodesic_path()`
  * \return the end of the output, and the report, with one entry per curve
  * \throws as `geodesic_loop()`
  *
  * Complexity: as `geodesic_loop()`, with the flips of all curves.
  */
-template <class TriangleMesh, class CurveRange, class OutputIterator, class StopPredicate, class NamedParameters>
-Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const CurveRange& curves, OutputIterator out,
-                                            const StopPredicate& stop, const NamedParameters& np)
+template <class TriangleMesh, class CurveRange, class OutputIterator, class... NamedParameters>
+Geodesics_result<OutputIterator> geodesic_network(const TriangleMesh& mesh, const CurveRange& curves,
+                                                  OutputIterator out, const NamedParameters&... np)
 {
-  internal::compiled::check_instance<TriangleMesh, StopPredicate, NamedParameters>();
-  using Form = internal::Form_by_name<TriangleMesh, NamedParameters, OutputIterator, internal::Vector_of>;
+  internal::compiled::check_instance<TriangleMesh, internal::Joined<NamedParameters...>>();
+  using Form =
+      internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator, internal::Vector_of>;
   static_assert(
       internal::is_range_of_ranges<CurveRange>,
       "several curves are a range of ranges of vertices; geodesic_loop() or geodesic_path_through() takes one");
@@ -181,18 +160,7 @@ Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const Curv
   for(const auto& curve : curves)
     copies.push_back(internal::vertices_of_mesh(mesh, curve));
   return internal::write_computed<Geodesics_result<OutputIterator>>(
-      internal::compute_network<Form>(mesh, copies, stop, np), out);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <class TriangleMesh, class CurveRange, class OutputIterator,
-          class Options = parameters::Default_named_parameters>
-Geodesics_result<OutputIterator> straighten(const TriangleMesh& mesh, const CurveRange& curves, OutputIterator out,
-                                            const Options& options = parameters::default_values())
-{
-  return Flip_geodesics::straighten(mesh, curves, out, internal::stop_predicate_in(options),
-                                    internal::named_parameters_in(options));
+      internal::compute_network<Form>(mesh, copies, internal::curve_options(np...)), out);
 }
 
 } // namespace Flip_geodesics

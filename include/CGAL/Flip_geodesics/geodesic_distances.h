@@ -343,10 +343,11 @@ Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Com
 template <class TriangleMesh, class NamedParameters>
 Computed_values<double> compute_distances(const TriangleMesh& mesh,
                                           const std::vector<Mesh_vertex<TriangleMesh>>& sources, bool is_single,
-                                          const Window_limit& limit, const NamedParameters& np)
+                                          const NamedParameters& np)
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   auto visitor = make_visitor(np);
+  const auto limit = search_limit_of<Window_limit>(np);
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     std::vector<Vertex_index> indices;
     for(const auto& v : sources)
@@ -363,10 +364,11 @@ Computed_values<double> compute_distances(const TriangleMesh& mesh,
 
 template <class TriangleMesh, class NamedParameters>
 Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source,
-                                                             const Window_limit& limit, const NamedParameters& np)
+                                                             const NamedParameters& np)
 {
   using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
   auto visitor = make_visitor(np);
+  const auto limit = search_limit_of<Window_limit>(np);
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](Triangulation& triangulation) {
     const Vertex_index s = triangulation.index(source);
     Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
@@ -397,9 +399,8 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
  *        infinity for vertices of components without a source, and for those that nothing but faces without area joins
  *        to one, if edges of length zero had to be contracted; these are not confirmed. If the search is given up, the distances from one source
  *        are those of the geodesics of the tree; from several, they are infinite where they are not known
- * \param limit a `Window_limit`, beyond which the search is given up
- * \param np named parameters: `vertex_point_map`, `with_metric()`, `geom_traits`, `visitor`, as for `geodesic_path()`. The
- *        visitor's `go_further()` is called at regular intervals, and its `on_flip()` if a tree is grown. If the former
+ * \param np named parameters: `search_limit`, a `Window_limit`, beyond which the search is given up; `vertex_point_map`,
+ *        `metric`, `geom_traits`, `visitor`, as for `geodesic_path()`. The visitor's `go_further()` is called at regular intervals, and its `on_flip()` if a tree is grown. If the former
  *        returns `false`, then nothing is written into `distances`, and the report has the status
  *        `Shortening_status::STOPPED_BY_VISITOR` and is not confirmed
  * \return how many distances of vertices that are no sources are those of shortest paths, and whether it is sure that
@@ -411,27 +412,15 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
  * double-double numbers where errors of doubles are too large.
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
-          class Limit, class NamedParameters>
+          class... NamedParameters>
 Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
-                                        const Limit& limit, const NamedParameters& np)
+                                        const NamedParameters&... np)
 {
-  static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
+  const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   const auto computed = internal::compute_distances(mesh, internal::source_vertices(mesh, sources),
-                                                    internal::is_mesh_vertex<TriangleMesh, Sources>, limit, np);
+                                                    internal::is_mesh_vertex<TriangleMesh, Sources>, options);
   internal::write_values(mesh, computed, distances);
   return computed.report;
-}
-
-/// \ingroup PkgFlipGeodesicsDistances
-/// The same with either a limit or named parameters, or neither.
-template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
-          class Options = parameters::Default_named_parameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
-                                        const Options& options = parameters::default_values())
-{
-  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
-    return Flip_geodesics::geodesic_distances(mesh, sources, distances, limit, np);
-  });
 }
 
 /*!
@@ -445,33 +434,22 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
  * \param source a vertex of the mesh
  * \param coordinates a model of `WritablePropertyMap` with the mesh's vertices as keys and `Polar_coordinates` as
  *        values
- * \param limit, np as for `geodesic_distances()`
+ * \param np as for `geodesic_distances()`
  * \return how many paths are shortest, and whether that is sure
  * \throws as `geodesic_distances()`
  *
  * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
  */
-template <class TriangleMesh, class Source, class VertexPolarMap, class Limit, class NamedParameters>
+template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters>
 Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
-                                       const Limit& limit, const NamedParameters& np)
+                                       const NamedParameters&... np)
 {
   static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
                 "no vertex of the mesh where it belongs; the order is mesh, source, property map");
-  static_assert(internal::is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
-  const auto computed = internal::compute_polar_coordinates(mesh, Mesh_vertex<TriangleMesh>(source), limit, np);
+  const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
+  const auto computed = internal::compute_polar_coordinates(mesh, Mesh_vertex<TriangleMesh>(source), options);
   internal::write_values(mesh, computed, coordinates);
   return computed.report;
-}
-
-/// \ingroup PkgFlipGeodesicsTree
-/// The same with either a limit or named parameters, or neither.
-template <class TriangleMesh, class Source, class VertexPolarMap, class Options = parameters::Default_named_parameters>
-Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
-                                       const Options& options = parameters::default_values())
-{
-  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
-    return Flip_geodesics::polar_coordinates(mesh, source, coordinates, limit, np);
-  });
 }
 
 #ifdef CGAL_FLIP_GEODESICS_COMPILED
@@ -479,10 +457,9 @@ namespace internal {
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh)                                                                            \
   CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<double> compute_distances(                                    \
-      const Mesh&, const std::vector<Mesh_vertex<Mesh>>&, bool, const Window_limit&,                                   \
-      const parameters::Default_named_parameters&);                                                                    \
+      const Mesh&, const std::vector<Mesh_vertex<Mesh>>&, bool, const parameters::Default_named_parameters&);          \
   CGAL_FLIP_GEODESICS_DISTANCES_INSTANCE Computed_values<Polar_coordinates> compute_polar_coordinates(                 \
-      const Mesh&, Mesh_vertex<Mesh>, const Window_limit&, const parameters::Default_named_parameters&);
+      const Mesh&, Mesh_vertex<Mesh>, const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_MESHES(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES
 

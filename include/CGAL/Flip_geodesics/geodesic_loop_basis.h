@@ -41,7 +41,7 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  *
  * \param mesh a triangle mesh
  * \param out receives one `std::vector` per loop, in the order of the basis, of what `geodesic_path()` writes
- * \param stop, np as for `geodesic_path()`; the predicate is asked about each loop by itself. If a visitor's
+ * \param np as for `geodesic_path()`; the stop predicate is asked about each loop by itself. If a visitor's
  *        `go_further()` returns `false`, then the remaining loops are not shortened. If that happens before the basis
  *        is known, then nothing is written, and the report has one entry with `Shortening_status::STOPPED_BY_VISITOR`
  * \return the end of the output, and the report, with one entry per loop
@@ -49,16 +49,15 @@ inline void append_report(const Shortening_report& report, Shortening_report& su
  *
  * Complexity: \f$O(n \log n)\f$ and that of `shorten()` for each loop.
  */
-template <class TriangleMesh, class OutputIterator, class StopPredicate, class NamedParameters>
+template <class TriangleMesh, class OutputIterator, class... NamedParameters>
 Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, OutputIterator out,
-                                                     const StopPredicate& stop, const NamedParameters& np)
+                                                     const NamedParameters&... np)
 {
-  static_assert(internal::is_stop_predicate<StopPredicate>,
-                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
-  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  const auto& options = internal::curve_options(np...);
+  using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Form = internal::Curve_form<typename Types::Triangulation, OutputIterator, internal::Vector_of>;
   const auto compute = [&](typename Types::Triangulation& triangulation) {
-    auto visitor = internal::make_visitor(np);
+    auto visitor = internal::make_visitor(options);
     internal::Stop_remembering_visitor<std::remove_reference_t<decltype(visitor.get())>> remembering(visitor.get());
     const Loop_basis<typename Types::Triangulation> basis(triangulation, std::vector<Vertex_index>(), remembering);
     internal::Computed_output<std::vector<Form>> result;
@@ -68,7 +67,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
       {
         typename Types::Network network(triangulation);
         const Curve_index curve = network.add_curve(basis.cycle(i), true);
-        internal::append_report(shorten(network, stop, remembering), result.report);
+        internal::append_report(shorten(network, internal::stop_predicate_of(options), remembering), result.report);
         result.values.push_back(internal::curve_forms<Form>(network, mesh, curve));
       }
       triangulation.rollback();
@@ -77,17 +76,7 @@ Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, O
     return result;
   };
   return internal::write_computed<Geodesics_result<OutputIterator>>(
-      internal::compute_on_surface(internal::Mesh_surfaces(mesh, np), compute), out);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <class TriangleMesh, class OutputIterator, class Options = parameters::Default_named_parameters>
-Geodesics_result<OutputIterator> geodesic_loop_basis(const TriangleMesh& mesh, OutputIterator out,
-                                                     const Options& options = parameters::default_values())
-{
-  return Flip_geodesics::geodesic_loop_basis(mesh, out, internal::stop_predicate_in(options),
-                                             internal::named_parameters_in(options));
+      internal::compute_on_surface(internal::Mesh_surfaces(mesh, options), compute), out);
 }
 
 } // namespace Flip_geodesics

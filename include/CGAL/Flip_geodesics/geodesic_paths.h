@@ -51,7 +51,7 @@ struct Geodesic_path
 namespace internal {
 
 /* Computes one path after the other in one triangulation, whose flips are taken back in between. */
-template <class Form, class TriangleMesh, class NamedParameters, class StopPredicate>
+template <class Form, class TriangleMesh, class NamedParameters>
 class Path_workspace
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
@@ -63,12 +63,10 @@ class Path_workspace
 public:
   using Result = Geodesic_path<Form>;
 
-  Path_workspace(const TriangleMesh& mesh, const Landmark_distances* landmarks, const NamedParameters& np,
-                 const StopPredicate& stop)
+  Path_workspace(const TriangleMesh& mesh, const NamedParameters& np)
     : m_mesh(mesh)
-    , m_landmarks(landmarks)
+    , m_landmarks(landmarks_of<Landmark_distances>(np))
     , m_np(np)
-    , m_stop(stop)
   {
   }
 
@@ -125,15 +123,14 @@ private:
   {
     triangulation.rollback(); // the flips of the path before
     Network network(triangulation);
-    auto path =
-        geodesic_between<Form>(network, search_over(triangulation), m_mesh, source, target, m_np, restarted(m_stop));
+    auto path = geodesic_between<Form>(network, search_over(triangulation), m_mesh, source, target, m_np,
+                                       restarted(stop_predicate_of(m_np)));
     return {std::move(path.values), path.report.curves.front(), nullptr};
   }
 
   const TriangleMesh& m_mesh;
   const Landmark_distances* m_landmarks; // null if there are none
   const NamedParameters& m_np;
-  const StopPredicate& m_stop;
   std::optional<Memory> m_memory;
 };
 
@@ -161,30 +158,6 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
 }
 #endif
 
-template <class ConcurrencyTag, class TriangleMesh, class PairRange, class OutputIterator, class StopPredicate,
-          class NamedParameters>
-OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances* landmarks, const PairRange& pairs,
-                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  using Tag =
-      std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag, Sequential_tag>;
-#else
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag asks for threads, but the program is not linked to TBB");
-  using Tag = Sequential_tag;
-#endif
-  using Vertex = typename Vertex_of<TriangleMesh>::type;
-  using Types = Curve_types<TriangleMesh, NamedParameters>;
-  using Form = Curve_form<typename Types::Triangulation, OutputIterator, Geodesic_path>;
-  using Workspace = Path_workspace<Form, TriangleMesh, NamedParameters, StopPredicate>;
-  const std::vector<std::pair<Vertex, Vertex>> ends(std::begin(pairs), std::end(pairs));
-  std::vector<typename Workspace::Result> results(ends.size());
-  compute_paths<Workspace>(Tag(), ends, results,
-                           [&] { return std::make_unique<Workspace>(mesh, landmarks, np, stop); });
-  return std::move(results.begin(), results.end(), out);
-}
-
 } // namespace internal
 
 /*!
@@ -206,63 +179,38 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances
  * \param pairs a range of `std::pair`s of vertices, source and target
  * \param out receives a `Geodesic_path` per pair, in the order of the pairs, of what `geodesic_path()` writes: a
  *        `Geodesic_path` of the mesh's points, of `Face_location`s or of `Curve_point`s
- * \param stop as for `geodesic_path()`; it is asked from all threads, for each path as `restarted()` if it can be
- * \param np named parameters as for `geodesic_path()`; a `visitor` is called from all threads, a copy for each path
- *        unless it is given by `std::ref()`
+ * \param np named parameters as for `geodesic_path()`. A `stop_predicate` is asked from all threads, for each path as
+ *        `restarted()` if it can be; a `visitor` is called from all threads, a copy for each path unless it is given by
+ *        `std::ref()`. `landmarks`, `Landmark_distances` made for this mesh and its metric, direct the searches, which
+ *        pays if there are thousands of pairs: a path may then take another way round a hole or a bump, which is about
+ *        as long. If they have more vertices than the mesh, or fewer, each path has an Input_mismatch_error
  * \return the end of the output
  *
  * Complexity: that of the searches and of `shorten()`; meshes other than `Surface_mesh` are indexed once per thread,
  * \f$O(n \log n)\f$.
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class StopPredicate, class NamedParameters>
+          class... NamedParameters>
 OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
-                              const StopPredicate& stop, const NamedParameters& np)
+                              const NamedParameters&... np)
 {
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, stop, np);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class Options = parameters::Default_named_parameters>
-OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, OutputIterator out,
-                              const Options& options = parameters::default_values())
-{
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, nullptr, pairs, out, internal::stop_predicate_in(options),
-                                                  internal::named_parameters_in(options));
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsFunctions
- *
- * Computes the same with searches that are directed by landmarks, which pays if there are thousands of pairs. A path
- * may take another way round a hole or a bump than without, which is about as long.
- *
- * \param mesh a triangle mesh
- * \param landmarks made for this mesh and its metric; if it has more vertices, or fewer, each path has an
- *        Input_mismatch_error
- * \param pairs a range of `std::pair`s of vertices, source and target
- * \param out, stop, np as above
- * \return the end of the output
- */
-template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class StopPredicate, class NamedParameters>
-OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances& landmarks, const PairRange& pairs,
-                              OutputIterator out, const StopPredicate& stop, const NamedParameters& np)
-{
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, stop, np);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a stop predicate or named parameters, or neither.
-template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class PairRange, class OutputIterator,
-          class Options = parameters::Default_named_parameters>
-OutputIterator geodesic_paths(const TriangleMesh& mesh, const Landmark_distances& landmarks, const PairRange& pairs,
-                              OutputIterator out, const Options& options = parameters::default_values())
-{
-  return internal::geodesic_paths<ConcurrencyTag>(mesh, &landmarks, pairs, out, internal::stop_predicate_in(options),
-                                                  internal::named_parameters_in(options));
+#ifdef CGAL_LINKED_WITH_TBB
+  using Tag =
+      std::conditional_t<std::is_convertible<ConcurrencyTag, Parallel_tag>::value, Parallel_tag, Sequential_tag>;
+#else
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag asks for threads, but the program is not linked to TBB");
+  using Tag = Sequential_tag;
+#endif
+  const auto& options = internal::curve_options<internal::Landmarks_parameter>(np...);
+  using Options = internal::Joined<NamedParameters...>;
+  using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator, Geodesic_path>;
+  using Workspace = internal::Path_workspace<Form, TriangleMesh, Options>;
+  const std::vector<std::pair<Mesh_vertex<TriangleMesh>, Mesh_vertex<TriangleMesh>>> ends(std::begin(pairs),
+                                                                                          std::end(pairs));
+  std::vector<typename Workspace::Result> results(ends.size());
+  internal::compute_paths<Workspace>(Tag(), ends, results, [&] { return std::make_unique<Workspace>(mesh, options); });
+  return std::move(results.begin(), results.end(), out);
 }
 
 } // namespace Flip_geodesics

@@ -95,10 +95,11 @@ inline std::vector<double> sorted_levels(const std::vector<double>& levels)
  * \f$\ell\f$, a radius of curvature \f$r\f$ and a tolerance \f$t\f$. A mesh other than a `Surface_mesh` is numbered, in \f$O(n \log n)\f$.
  */
 template <class TriangleMesh, class Field, class LevelRange, class OutputIterator, class Tolerance,
-          class NamedParameters = parameters::Default_named_parameters>
+          class... NamedParameters>
 OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const LevelRange& levels, OutputIterator out,
-                        const Tolerance& tolerance, const NamedParameters& np = parameters::default_values())
+                        const Tolerance& tolerance, const NamedParameters&... np)
 {
+  const auto& options = internal::options_of<internal_np::vertex_point_t, internal_np::visitor_t>(np...);
   static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
   static_assert(internal::is_range_of<LevelRange, double>, "the levels are not a range of numbers");
   const std::vector<double> wanted(std::begin(levels), std::end(levels));
@@ -106,20 +107,21 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
   internal::check_tolerance(tolerance);
   if(wanted.empty())
     return out;
-  using Curve = Isoline<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>;
-  return internal::write_curves<Curve>(np, out, [&](std::vector<Curve>& result, internal::Interruption& interruption) {
-    auto surface = internal::make_refined_surface(mesh, field, np, tolerance, interruption);
-    internal::Isoline_tracer<decltype(surface)> tracer(surface, sorted, tolerance);
-    for(double level : wanted) {
-      internal::throw_if_interrupted_before_part(&interruption);
-      const auto at = std::lower_bound(sorted.begin(), sorted.end(), level) - sorted.begin();
-      tracer.trace(static_cast<std::size_t>(at), [&](const internal::Followed_curve& curve) {
-        result.emplace_back();
-        result.back().level = level;
-        internal::write_samples(surface, curve, result.back());
+  using Curve = Isoline<TriangleMesh, internal::Point_of<TriangleMesh, internal::Joined<NamedParameters...>>>;
+  return internal::write_curves<Curve>(
+      options, out, [&](std::vector<Curve>& result, internal::Interruption& interruption) {
+        auto surface = internal::make_refined_surface(mesh, field, options, tolerance, interruption);
+        internal::Isoline_tracer<decltype(surface)> tracer(surface, sorted, tolerance);
+        for(double level : wanted) {
+          internal::throw_if_interrupted_before_part(&interruption);
+          const auto at = std::lower_bound(sorted.begin(), sorted.end(), level) - sorted.begin();
+          tracer.trace(static_cast<std::size_t>(at), [&](const internal::Followed_curve& curve) {
+            result.emplace_back();
+            result.back().level = level;
+            internal::write_samples(surface, curve, result.back());
+          });
+        }
       });
-    }
-  });
 }
 
 } // namespace Flip_geodesics

@@ -29,7 +29,7 @@ namespace Flip_geodesics {
  *
  * \param mesh a triangle mesh
  * \param source, target each a vertex, a `CGAL::Polygon_mesh_processing::Face_location` or a point in space
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
  * \return a `Face_location`: a pair of a face and an array of barycentric coordinates
  * \throws Disconnected_endpoints_error
  * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
@@ -37,12 +37,14 @@ namespace Flip_geodesics {
  *
  * Complexity: that of a `Geodesic_distance_field` as far as the target.
  */
-template <class TriangleMesh, class Source, class Target, class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Source, class Target, class... NamedParameters>
 auto geodesic_midpoint(const TriangleMesh& mesh, const Source& source, const Target& target,
-                       const NamedParameters& np = parameters::default_values())
+                       const NamedParameters&... np)
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const auto& options = internal::surface_options(np...);
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const Surface_location end = internal::trace_start(triangulation, mesh, target);
   Distance_field_limits limits;
   limits.targets.push_back(end);
@@ -71,7 +73,7 @@ struct Geodesic_mean_result
  * \param mesh a triangle mesh
  * \param points a range of vertices, `CGAL::Polygon_mesh_processing::Face_location`s or points in space
  * \param weights a range of numbers, one for each point
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`; `number_of_iterations`, how
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`; `number_of_iterations`, how
  *        many steps may be tried, 100 by default
  * \throws Invalid_parameter_error if there is no point, the numbers of points and weights differ, a weight is negative
  *         or no finite number, or all are zero, or the number of iterations is negative
@@ -80,37 +82,36 @@ struct Geodesic_mean_result
  *
  * Complexity: a `Geodesic_distance_field` as far as the farthest point for each step that is tried.
  */
-template <class TriangleMesh, class PlaceRange, class WeightRange, class NamedParameters,
+template <class TriangleMesh, class PlaceRange, class WeightRange, class... NamedParameters,
           std::enable_if_t<!internal::Is_named_parameters<WeightRange>::value, int> = 0>
 Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const PlaceRange& points,
-                                                 const WeightRange& weights, const NamedParameters& np)
+                                                 const WeightRange& weights, const NamedParameters&... np)
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const auto& options = internal::surface_options<internal_np::number_of_iterations_t>(np...);
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   std::vector<Surface_location> locations;
   for(const auto& place : points)
     locations.push_back(internal::trace_start(triangulation, mesh, place));
   const Geodesic_mean<Triangulation> mean(triangulation, mesh, std::move(locations),
                                           std::vector<double>(std::begin(weights), std::end(weights)));
   Mean_limits limits;
-  limits.most_iterations = internal::number_of_iterations(np, limits.most_iterations);
+  limits.most_iterations = internal::number_of_iterations(options, limits.most_iterations);
   Surface_location place = mean.heaviest();
   const Mean_report report = mean(place, limits);
   return {internal::face_location_of(triangulation, mesh, place), report};
 }
 
 /// \ingroup PkgFlipGeodesicsTangents
-/// The same with either weights or named parameters, or neither: then all weights are the same.
-template <class TriangleMesh, class PlaceRange, class Options = parameters::Default_named_parameters>
+/// The same where all weights are equal.
+template <class TriangleMesh, class PlaceRange, class... NamedParameters,
+          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
 Geodesic_mean_result<TriangleMesh> geodesic_mean(const TriangleMesh& mesh, const PlaceRange& points,
-                                                 const Options& options = parameters::default_values())
+                                                 const NamedParameters&... np)
 {
-  if constexpr(internal::Is_named_parameters<Options>::value) {
-    const std::vector<double> weights(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))), 1);
-    return Flip_geodesics::geodesic_mean(mesh, points, weights, options);
-  } else {
-    return Flip_geodesics::geodesic_mean(mesh, points, options, parameters::default_values());
-  }
+  const std::vector<double> weights(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))), 1);
+  return Flip_geodesics::geodesic_mean(mesh, points, weights, np...);
 }
 
 } // namespace Flip_geodesics

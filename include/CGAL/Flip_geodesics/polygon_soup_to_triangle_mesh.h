@@ -257,14 +257,14 @@ void build_mesh(TriangleMesh& mesh, PointMap map, std::size_t number_of_vertices
  * The time is about that of sorting the corners a few times. Polygons of many corners take the time of a
  * triangulation in the plane, and CGAL's orientation takes up to the square of a vertex' degree.
  */
-template <class PointRange, class PolygonRange, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class PointRange, class PolygonRange, class TriangleMesh, class... NamedParameters>
 Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const PolygonRange& polygons, TriangleMesh& mesh,
-                                            const NamedParameters& np = parameters::default_values())
+                                            const NamedParameters&... np)
 {
+  const auto& options = internal::options_of<internal_np::vertex_point_t, internal_np::snapping_tolerance_t>(np...);
   CGAL_precondition_msg(num_vertices(mesh) == 0, "the mesh is not empty");
   const double tolerance = CGAL::to_double(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::snapping_tolerance), 0.0));
+      parameters::choose_parameter(parameters::get_parameter(options, internal_np::snapping_tolerance), 0.0));
   CGAL_precondition_msg(0 <= tolerance && tolerance < 1, "the weld tolerance is not in [0, 1)");
   using Point_3 = typename std::iterator_traits<decltype(std::begin(points))>::value_type;
   using Kernel = internal::Repair_kernel<Point_3>;
@@ -282,7 +282,7 @@ Repair_report polygon_soup_to_triangle_mesh(const PointRange& points, const Poly
   const internal::Near_borders<Kernel> find_near_borders(soup);
   find_near_borders(record);
 
-  const auto map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+  const auto map = parameters::choose_parameter(parameters::get_parameter(options, internal_np::vertex_point),
                                                 get_property_map(CGAL::vertex_point, mesh));
   using Mesh_point = typename boost::property_traits<std::decay_t<decltype(map)>>::value_type;
   const auto place = [&](std::size_t v) {

@@ -364,10 +364,9 @@ namespace internal {
 /* The computation of `shortest_path()` over a mesh; like `compute_path()` not inline. */
 template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form, Shortest_path_report> compute_shortest_path(const TriangleMesh& mesh,
-                                                                  const Geodesic_landmarks* landmarks,
                                                                   Mesh_vertex<TriangleMesh> source,
                                                                   Mesh_vertex<TriangleMesh> target,
-                                                                  const Window_limit& limit, const NamedParameters& np)
+                                                                  const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   using Computed = Computed_output<Form, Shortest_path_report>;
@@ -380,7 +379,8 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
     Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
     typename Types::Network network(triangulation);
     auto visitor = make_visitor(np);
-    Shortest_path_report report = add_shortest_path(network, search, landmarks, s, t, limit, visitor.get());
+    Shortest_path_report report = add_shortest_path(network, search, landmarks_of<Geodesic_landmarks>(np), s, t,
+                                                    search_limit_of<Window_limit>(np), visitor.get());
     if(!report.is_confirmed() && !is_stopped_by_visitor(report) && is_contraction_of_use(triangulation))
       throw Degenerate_face_error("a shortest path can lead through vertices in one place", {});
     note_contraction(triangulation, report.shortening);
@@ -388,21 +388,6 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
       return Computed{{}, std::move(report)};
     return Computed{curve_forms<Form>(network, mesh, Curve_index(0)), std::move(report)};
   });
-}
-
-template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks* landmarks,
-                                                   const Source& source, const Target& target, OutputIterator out,
-                                                   const Limit& limit, const NamedParameters& np)
-{
-  static_assert(is_mesh_vertex<TriangleMesh, Source> && is_mesh_vertex<TriangleMesh, Target>,
-                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
-  static_assert(is_limit<Limit>, "no Window_limit where it belongs, before the named parameters");
-  using Form = Curve_form<typename Curve_types<TriangleMesh, NamedParameters>::Triangulation, OutputIterator>;
-  return write_computed<Shortest_path_result<OutputIterator>>(
-      compute_shortest_path<Form>(mesh, landmarks, Mesh_vertex<TriangleMesh>(source), Mesh_vertex<TriangleMesh>(target),
-                                  limit, np),
-      out);
 }
 
 } // namespace internal
@@ -417,62 +402,28 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  * \param source, target vertices of one component; a path between ends in one place is
  *        `Shortest_path_verdict::PROVEN_SHORTEST`
  * \param out receives the points of the path, as `geodesic_path()` writes them
- * \param limit a `Window_limit`; beyond it the search is given up, and the rest of the gap reported
- * \param np the named parameters of `geodesic_path()`
+ * \param np named parameters: `vertex_point_map`, `metric`, `geom_traits` and `visitor` as for `geodesic_path()`;
+ *        `search_limit`, a `Window_limit`, beyond which the search is given up and the rest of the gap reported;
+ *        `landmarks`, `Geodesic_landmarks` made for this mesh and its metric, which pays if there are many pairs. The
+ *        bound is proven as well. It may differ in the last digits, and where several paths are as short, the path may
+ *        be another of them
  * \return the end of the output, and the report
- * \throws as `geodesic_path()`
+ * \throws as `geodesic_path()`; Input_mismatch_error as `Geodesic_landmarks::check_input()`
  */
-template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
+template <class TriangleMesh, class Source, class Target, class OutputIterator, class... NamedParameters>
 Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Source& source, const Target& target,
-                                                   OutputIterator out, const Limit& limit, const NamedParameters& np)
+                                                   OutputIterator out, const NamedParameters&... np)
 {
-  return internal::shortest_path(mesh, nullptr, source, target, out, limit, np);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a limit or named parameters, or neither.
-template <class TriangleMesh, class Source, class Target, class OutputIterator,
-          class Options = parameters::Default_named_parameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Source& source, const Target& target,
-                                                   OutputIterator out,
-                                                   const Options& options = parameters::default_values())
-{
-  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
-    return Flip_geodesics::shortest_path(mesh, source, target, out, limit, np);
-  });
-}
-
-/*!
- * \ingroup PkgFlipGeodesicsFunctions
- *
- * Computes the same where landmarks of the mesh are known, which pays if there are many pairs. The bound is proven as
- * well. It may differ in the last digits, and where several paths are as short, the path may be another of them.
- *
- * \param mesh a triangle mesh
- * \param landmarks made for this mesh and its metric, by `Geodesic_landmarks` or `geodesic_landmarks()`
- * \param source, target, out, limit, np as above
- * \return the end of the output, and the report
- * \throws Input_mismatch_error as `Geodesic_landmarks::check_input()`; otherwise as above
- */
-template <class TriangleMesh, class Source, class Target, class OutputIterator, class Limit, class NamedParameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks& landmarks,
-                                                   const Source& source, const Target& target, OutputIterator out,
-                                                   const Limit& limit, const NamedParameters& np)
-{
-  return internal::shortest_path(mesh, &landmarks, source, target, out, limit, np);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a limit or named parameters, or neither.
-template <class TriangleMesh, class Source, class Target, class OutputIterator,
-          class Options = parameters::Default_named_parameters>
-Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, const Geodesic_landmarks& landmarks,
-                                                   const Source& source, const Target& target, OutputIterator out,
-                                                   const Options& options = parameters::default_values())
-{
-  return internal::with_limit(options, [&](const auto& limit, const auto& np) {
-    return internal::shortest_path(mesh, &landmarks, source, target, out, limit, np);
-  });
+  static_assert(internal::is_mesh_vertex<TriangleMesh, Source> && internal::is_mesh_vertex<TriangleMesh, Target>,
+                "no two vertices of the mesh where they belong; the order is mesh, source, target, output");
+  const auto& options =
+      internal::surface_options<internal_np::visitor_t, internal::Limit_parameter, internal::Landmarks_parameter>(
+          np...);
+  using Form = internal::Form_by_name<TriangleMesh, internal::Joined<NamedParameters...>, OutputIterator>;
+  return internal::write_computed<Shortest_path_result<OutputIterator>>(
+      internal::compute_shortest_path<Form>(mesh, Mesh_vertex<TriangleMesh>(source), Mesh_vertex<TriangleMesh>(target),
+                                            options),
+      out);
 }
 
 /*!
@@ -489,14 +440,21 @@ Shortest_path_result<OutputIterator> shortest_path(const TriangleMesh& mesh, con
  *        returns `false`, then the result is not complete, see `Geodesic_landmarks::is_complete()`
  * \throws as `Geodesic_landmarks`
  */
-template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters>
-Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t number = Geodesic_landmarks::default_number,
-                                      const NamedParameters& np = parameters::default_values())
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class... NamedParameters>
+Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t number, const NamedParameters&... np)
 {
-  auto visitor = internal::make_visitor(np);
-  return Geodesic_landmarks(internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE), number, ConcurrencyTag(),
-                            visitor.get());
+  const auto& options = internal::surface_options<internal_np::visitor_t>(np...);
+  auto visitor = internal::make_visitor(options);
+  return Geodesic_landmarks(internal::make_triangulation(mesh, options), number, ConcurrencyTag(), visitor.get());
+}
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// The same with `Geodesic_landmarks::default_number` landmarks in each component.
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class... NamedParameters,
+          std::enable_if_t<(internal::Is_named_parameters<NamedParameters>::value && ...), int> = 0>
+Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const NamedParameters&... np)
+{
+  return Flip_geodesics::geodesic_landmarks<ConcurrencyTag>(mesh, Geodesic_landmarks::default_number, np...);
 }
 
 /*!
@@ -510,20 +468,22 @@ Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, std::size_t numb
  * \throws Vertex_out_of_range_error; otherwise as `Geodesic_landmarks`
  */
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class VertexRange = std::vector<Mesh_vertex<TriangleMesh>>,
-          class NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value, int> = 0>
+          class VertexRange = std::vector<Mesh_vertex<TriangleMesh>>, class... NamedParameters,
+          std::enable_if_t<!std::is_convertible<VertexRange, std::size_t>::value &&
+                               !internal::Is_named_parameters<VertexRange>::value,
+                           int> = 0>
 Geodesic_landmarks geodesic_landmarks(const TriangleMesh& mesh, const VertexRange& landmarks,
-                                      const NamedParameters& np = parameters::default_values())
+                                      const NamedParameters&... np)
 {
   static_assert(internal::is_range_of<VertexRange, Mesh_vertex<TriangleMesh>>,
                 "no number of landmarks where it belongs, nor a range of vertices of the mesh; the order is mesh, "
                 "landmarks, named parameters");
-  const auto triangulation = internal::make_triangulation(mesh, np, Zero_length_edges::REFUSE);
+  const auto& options = internal::surface_options<internal_np::visitor_t>(np...);
+  const auto triangulation = internal::make_triangulation(mesh, options);
   std::vector<Vertex_index> indices;
   for(const Mesh_vertex<TriangleMesh> v : landmarks)
     indices.push_back(triangulation.index(v));
-  auto visitor = internal::make_visitor(np);
+  auto visitor = internal::make_visitor(options);
   return Geodesic_landmarks(triangulation, indices, ConcurrencyTag(), visitor.get());
 }
 
@@ -532,8 +492,7 @@ namespace internal {
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
   CGAL_FLIP_GEODESICS_SHORTEST_PATH_INSTANCE Computed_output<Form, Shortest_path_report> compute_shortest_path(        \
-      const Mesh&, const Geodesic_landmarks*, Mesh_vertex<Mesh>, Mesh_vertex<Mesh>, const Window_limit&,               \
-      const parameters::Default_named_parameters&);
+      const Mesh&, Mesh_vertex<Mesh>, Mesh_vertex<Mesh>, const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES
 

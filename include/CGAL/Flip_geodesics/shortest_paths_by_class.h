@@ -243,16 +243,6 @@ Paths_by_class_report<TriangleMesh> report_of(const Triangulation& triangulation
   return report;
 }
 
-/* Calls `function(limit, np)` with what a caller has given last: named parameters, or a limit alone. */
-template <class Options, class Function>
-auto with_covering_limit(const Options& options, const Function& function)
-{
-  if constexpr(std::is_same<Options, Covering_limit>::value)
-    return function(options, parameters::default_values());
-  else
-    return function(Covering_limit(), options);
-}
-
 } // namespace internal
 
 /*!
@@ -277,9 +267,9 @@ auto with_covering_limit(const Options& options, const Function& function)
  * \param source, target vertices of one component
  * \param number of classes
  * \param out receives one `std::vector` per path, by length, of what `geodesic_path()` writes
- * \param limit a `Covering_limit`; beyond it the search is given up, and the report tells what is known
- * \param np the named parameters of `geodesic_path()`. Of a `visitor`, only `go_further()` is called, at regular intervals,
- *        since the paths are computed in a covering of the mesh. If it returns `false`, then no path is written, the
+ * \param np named parameters: `search_limit`, a `Covering_limit`, beyond which the search is given up, and the report says
+ *        what is known; `vertex_point_map`, `metric`, `geom_traits`, as for `geodesic_path()`; `visitor`, of
+ *        which only `go_further()` is called, at regular intervals, since the paths are computed in a covering of the mesh. If it returns `false`, then no path is written, the
  *        report has the status `Class_search_status::STOPPED_BY_VISITOR`, and it is not confirmed
  * \return the end of the output, and the report
  * \throws as `geodesic_path()`; Invalid_mesh_error if the mesh is no surface
@@ -290,17 +280,21 @@ auto with_covering_limit(const Options& options, const Function& function)
  * are no longer than the last result. The covering is laid out in parts, each larger by half at least, so that the
  * time is about proportional to a limit that is reached.
  */
-template <class TriangleMesh, class OutputIterator, class NamedParameters>
-Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
-    const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source, Mesh_vertex<TriangleMesh> target, std::size_t number,
-    OutputIterator out, const Covering_limit& limit, const NamedParameters& np)
+template <class TriangleMesh, class OutputIterator, class... NamedParameters>
+Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(const TriangleMesh& mesh,
+                                                                            Mesh_vertex<TriangleMesh> source,
+                                                                            Mesh_vertex<TriangleMesh> target,
+                                                                            std::size_t number, OutputIterator out,
+                                                                            const NamedParameters&... np)
 {
+  const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   CGAL_precondition_msg(number > 0, "no class is asked for");
-  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator, internal::Vector_of>;
   using Computed = internal::Computed_output<std::vector<Form>, Paths_by_class_report<TriangleMesh>>;
-  auto visitor = internal::make_visitor(np);
+  const auto limit = internal::search_limit_of<Covering_limit>(options);
+  auto visitor = internal::make_visitor(options);
   internal::Interruption interruption(visitor.get());
   const auto compute_paths = [&](Triangulation& triangulation) {
     internal::Class_paths<Triangulation> paths(triangulation, mesh, triangulation.index(source),
@@ -326,19 +320,7 @@ Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
     }
   };
   return internal::write_computed<Paths_by_class_result<TriangleMesh, OutputIterator>>(
-      internal::compute_on_surface(internal::Mesh_surfaces(mesh, np), compute), out);
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The same with either a limit or named parameters, or neither.
-template <class TriangleMesh, class OutputIterator, class Options = parameters::Default_named_parameters>
-Paths_by_class_result<TriangleMesh, OutputIterator> shortest_paths_by_class(
-    const TriangleMesh& mesh, Mesh_vertex<TriangleMesh> source, Mesh_vertex<TriangleMesh> target, std::size_t number,
-    OutputIterator out, const Options& options = parameters::default_values())
-{
-  return internal::with_covering_limit(options, [&](const auto& limit, const auto& np) {
-    return Flip_geodesics::shortest_paths_by_class(mesh, source, target, number, out, limit, np);
-  });
+      internal::compute_on_surface(internal::Mesh_surfaces(mesh, options), compute), out);
 }
 
 } // namespace Flip_geodesics

@@ -102,7 +102,7 @@ private:
  *        `trace_geodesic()`
  * \param targets a range of such; for all vertices `vertices(mesh)`
  * \param out receives `Polar_coordinates`, one for each target
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
  * \return a `Logarithm_result`. Of a `Face_location` the angles are told from `halfedge(face, mesh)`, of a vertex from a
  *         halfedge that starts there
  * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
@@ -111,14 +111,15 @@ private:
  * Complexity: that of `Geodesic_distance_field::compute()`, also for all vertices as targets; and for each other target
  * that of `Geodesic_logarithm`.
  */
-template <class TriangleMesh, class Source, class TargetRange, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Source, class TargetRange, class OutputIterator, class... NamedParameters>
 Logarithm_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMesh& mesh, const Source& source,
                                                                const TargetRange& targets, OutputIterator out,
-                                                               const NamedParameters& np = parameters::default_values())
+                                                               const NamedParameters&... np)
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const auto& options = internal::surface_options(np...);
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const Surface_location from = internal::trace_start(triangulation, mesh, source);
   const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, from);
   internal::Logarithm_of_targets<Triangulation> logarithm_of(triangulation, mesh, logarithm, from);
@@ -139,7 +140,7 @@ Logarithm_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMes
  *        `trace_geodesic()` and `isolines()` write them: each two in a row in one face. The locations of a
  *        `Located_polyline`, for example
  * \param direction at the start of the curve: a halfedge and an angle from there, as for `trace_geodesic()`
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
  * \return the direction at the end of the curve, in the same form; of a `Face_location` told from `halfedge(face, mesh)`
  * \throws Invalid_curve_error if there is no location, or no face has two in a row
  * \throws Vertex_out_of_range_error, Invalid_location_error for places that are not on the mesh
@@ -149,15 +150,17 @@ Logarithm_result<OutputIterator, TriangleMesh> logarithmic_map(const TriangleMes
  * Complexity: linear in the number of locations and the degrees of vertices among them; meshes other than
  * `Surface_mesh` are indexed, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class LocationRange, class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class LocationRange, class... NamedParameters>
 auto parallel_transport(
     const TriangleMesh& mesh, const LocationRange& curve,
     const std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>& direction,
-    const NamedParameters& np = parameters::default_values())
+    const NamedParameters&... np)
 {
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  const auto& options = internal::surface_options(np...);
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
   using Direction = std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>;
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   std::vector<Surface_location> locations;
   for(const auto& place : curve)
     locations.push_back(internal::trace_start(triangulation, mesh, place));

@@ -175,7 +175,7 @@ Value picture_place(double x, double y)
  * \param corners a model of `WritablePropertyMap` with the mesh's halfedges as keys, which stand for the corners at
  *        their targets, and `std::array<double, 2>` or `Point_2` as values. Corners of faces beyond the picture, or out of
  *        reach, receive NaN. Halfedges on the border receive nothing
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`
  * \throws Invalid_parameter_error if the size is not positive and finite, the angle is no finite number, or the halfedge
  *         no side of a face of the source
  * \throws Vertex_out_of_range_error, Invalid_location_error for a source that is not on the mesh
@@ -184,19 +184,20 @@ Value picture_place(double x, double y)
  * Complexity: a `Geodesic_distance_field` as far as the corners of the picture and the longest side of the mesh, and at
  * most all its windows once more. Where roundings decide which path is the shortest, the path is walked.
  */
-template <class TriangleMesh, class Source, class CornerMap,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Source, class CornerMap, class... NamedParameters>
 Texture_report texture_coordinates(
     const TriangleMesh& mesh, const Source& source,
     const std::pair<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, double>& right, double size,
-    CornerMap corners, const NamedParameters& np = parameters::default_values())
+    CornerMap corners, const NamedParameters&... np)
 {
+  const auto& options = internal::surface_options(np...);
   static_assert(internal::is_property_map<CornerMap>());
-  using Triangulation = typename internal::Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+  using Triangulation =
+      typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
   using Value = typename boost::property_traits<CornerMap>::value_type;
   if(!(size > 0 && std::isfinite(size)))
     throw Invalid_parameter_error("the size of a picture on a surface is not positive, or no finite number");
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const auto& input = triangulation.input();
   const Surface_location middle = internal::trace_start(triangulation, mesh, source);
   Distance_field_limits limits;

@@ -236,7 +236,7 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  * \param out receives the points of the geodesic in order, as `geodesic_path()` writes them: its start, the edges and
  *        vertices that it crosses, its end
  * \param at_vertices whether it passes vertices
- * \param np named parameters: `vertex_point_map` or `with_metric()` as for `geodesic_path()`;
+ * \param np named parameters: `vertex_point_map` or `metric` as for `geodesic_path()`;
  *        `edge_is_constrained_map`, a model of `ReadablePropertyMap` with the mesh's edges as keys and `bool` as
  *        values: it ends at edges that have `true`, by default none; `number_of_iterations`, how many edges and vertices it
  *        crosses at most, a million by default
@@ -250,15 +250,15 @@ OutputIterator write_points(const Triangulation& triangulation, const TriangleMe
  * Complexity: linear in the edges that it crosses, where doubles suffice to decide. For many geodesics on one mesh
  * there is `Geodesic_tracer`; meshes other than `Surface_mesh` are indexed, \f$O(n \log n)\f$.
  */
-template <class TriangleMesh, class Source, class Direction, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Source, class Direction, class OutputIterator, class... NamedParameters>
 Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& mesh, const Source& source,
                                                           const Direction& direction, double length, OutputIterator out,
-                                                          At_vertices at_vertices,
-                                                          const NamedParameters& np = parameters::default_values())
+                                                          At_vertices at_vertices, const NamedParameters&... np)
 {
+  const auto& options =
+      internal::surface_options<internal_np::edge_is_constrained_t, internal_np::number_of_iterations_t>(np...);
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Types = internal::Curve_types<TriangleMesh, NamedParameters>;
+  using Types = internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>;
   using Triangulation = typename Types::Triangulation;
   using Form = internal::Curve_form<Triangulation, OutputIterator>;
   constexpr bool is_vector = internal::is_vector_in_space<Direction>;
@@ -266,12 +266,12 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
                 "a direction is a pair of a halfedge and an angle, or a vector in space");
   static_assert(!is_vector || !internal::is_mesh_vertex<TriangleMesh, Source>,
                 "a vector in space is told in a face: give a Face_location at the vertex, or a halfedge and an angle");
-  const Triangulation triangulation = internal::make_triangulation(mesh, np);
+  const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const Surface_location place = internal::trace_start(triangulation, mesh, source);
   std::vector<Surface_point> points;
   const Trace trace =
       internal::Given_direction<Triangulation, TriangleMesh>(triangulation)
-          .trace(place, direction, internal::make_trace_limits(triangulation, mesh, length, at_vertices, np),
+          .trace(place, direction, internal::make_trace_limits(triangulation, mesh, length, at_vertices, options),
                  [&points](const Surface_point& p) { points.push_back(p); });
   return {internal::write_points<Form>(triangulation, mesh, points, out),
           trace.length,
@@ -285,13 +285,14 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
 
 /// \ingroup PkgFlipGeodesicsTracing
 /// The same, straight on at vertices.
-template <class TriangleMesh, class Source, class Direction, class OutputIterator,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Source, class Direction, class OutputIterator, class... NamedParameters>
 Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& mesh, const Source& source,
                                                           const Direction& direction, double length, OutputIterator out,
-                                                          const NamedParameters& np = parameters::default_values())
+                                                          const NamedParameters&... np)
 {
-  return Flip_geodesics::trace_geodesic(mesh, source, direction, length, out, At_vertices::GO_STRAIGHT, np);
+  const auto& options =
+      internal::surface_options<internal_np::edge_is_constrained_t, internal_np::number_of_iterations_t>(np...);
+  return Flip_geodesics::trace_geodesic(mesh, source, direction, length, out, At_vertices::GO_STRAIGHT, options);
 }
 
 } // namespace Flip_geodesics

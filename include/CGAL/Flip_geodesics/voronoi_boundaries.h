@@ -73,26 +73,27 @@ struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
  * Complexity: the field is evaluated about fifty times for each piece of boundary as long as the tolerance. It is
  * evaluated a few times for each piece of a curve as long as the size, and once per vertex.
  */
-template <class TriangleMesh, class Field, class OutputIterator, class Tolerance,
-          class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Field, class OutputIterator, class Tolerance, class... NamedParameters>
 OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, OutputIterator out,
-                                  const Tolerance& tolerance, const NamedParameters& np = parameters::default_values())
+                                  const Tolerance& tolerance, const NamedParameters&... np)
 {
+  const auto& options = internal::options_of<internal_np::vertex_point_t, internal_np::visitor_t>(np...);
   static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
   internal::check_tolerance(tolerance);
-  using Curve = Voronoi_boundary<TriangleMesh, internal::Point_of<TriangleMesh, NamedParameters>>;
-  return internal::write_curves<Curve>(np, out, [&](std::vector<Curve>& result, internal::Interruption& interruption) {
-    auto surface = internal::make_refined_surface(mesh, field, np, tolerance, interruption);
-    internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);
-    internal::throw_if_interrupted_before_part(&interruption);
-    tracer.trace([&](const internal::Followed_curve& curve, const std::array<std::size_t, 2>& sources,
-                     const std::array<std::size_t, 2>& junctions) {
-      result.emplace_back();
-      result.back().sources = sources;
-      result.back().junctions = junctions;
-      internal::write_samples(surface, curve, result.back());
-    });
-  });
+  using Curve = Voronoi_boundary<TriangleMesh, internal::Point_of<TriangleMesh, internal::Joined<NamedParameters...>>>;
+  return internal::write_curves<Curve>(
+      options, out, [&](std::vector<Curve>& result, internal::Interruption& interruption) {
+        auto surface = internal::make_refined_surface(mesh, field, options, tolerance, interruption);
+        internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);
+        internal::throw_if_interrupted_before_part(&interruption);
+        tracer.trace([&](const internal::Followed_curve& curve, const std::array<std::size_t, 2>& sources,
+                         const std::array<std::size_t, 2>& junctions) {
+          result.emplace_back();
+          result.back().sources = sources;
+          result.back().junctions = junctions;
+          internal::write_samples(surface, curve, result.back());
+        });
+      });
 }
 
 } // namespace Flip_geodesics

@@ -35,8 +35,8 @@ int main()
   std::cout << to_string(CGAL::Flip_geodesics::geodesic_loop(mesh, around_a_face, std::back_inserter(loop)).status())
             << '\n';
   std::vector<std::vector<Point_3>> curves;
-  CGAL::Flip_geodesics::straighten(mesh, std::vector<std::vector<Mesh::Vertex_index>>(1, around_a_face),
-                                   std::back_inserter(curves));
+  CGAL::Flip_geodesics::geodesic_network(mesh, std::vector<std::vector<Mesh::Vertex_index>>(1, around_a_face),
+                                         std::back_inserter(curves));
   std::cout << curves.size() << " curve with " << curves.front().size() << " points\n";
   return path.size() >= 2 && loop.empty() && curves.size() == 1 ? 0 : 1;
 }

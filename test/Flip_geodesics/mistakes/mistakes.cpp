@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 
@@ -19,6 +20,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace FG = CGAL::Flip_geodesics;
@@ -50,6 +52,8 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   const FG::Geodesic_distance_field<Triangulation> field(triangulation, mesh);
   const std::vector<double> levels = {1, 2};
   std::vector<FG::Isoline<Mesh>> isolines;
+  const std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> pairs = {{of_mesh[0], of_mesh[1]}};
+  std::vector<FG::Geodesic_path<Kernel::Point_3>> paths;
 
 #if MISTAKE == 1
   FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);
@@ -80,9 +84,9 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 14
   FG::geodesic_loop(mesh, of_mesh[0], out);
 #elif MISTAKE == 15
-  FG::straighten(mesh, of_mesh, std::back_inserter(several));
+  FG::geodesic_network(mesh, of_mesh, std::back_inserter(several));
 #elif MISTAKE == 16
-  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, FG::with_metric(lengths));
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::metric(lengths));
 #elif MISTAKE == 17
   FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(Visitor_of_flips()));
 #elif MISTAKE == 18
@@ -96,26 +100,39 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
 #elif MISTAKE == 22
   FG::isolines(field, mesh, levels, std::back_inserter(isolines), 0.1);
 #elif MISTAKE == 23
-  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::default_values(), FG::Window_limit(1));
+  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, FG::Window_limit(1));
 #elif MISTAKE == 24
   FG::geodesic_distances(mesh, of_mesh, distances);
 #elif MISTAKE == 25
   const FG::Geodesic_distance_field<Triangulation> of_temporary{Triangulation(mesh), mesh};
 #elif MISTAKE == 26
-  FG::geodesic_landmarks(mesh, CGAL::parameters::default_values());
-#elif MISTAKE == 27
   const FG::Geodesic_landmarks landmarks(triangulation, of_mesh);
+#elif MISTAKE == 27
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::search_limit(FG::Window_limit(1)));
+#elif MISTAKE == 28
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(visitor),
+                    CGAL::parameters::visitor(visitor));
+#elif MISTAKE == 29
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::stop_predicate(3));
+#elif MISTAKE == 30
+  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::search_limit(1));
+#elif MISTAKE == 31
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths),
+                     CGAL::parameters::landmarks(FG::geodesic_landmarks(mesh, 3)));
 #else
-  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop);
-  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, stop, CGAL::parameters::visitor(visitor));
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::stop_predicate(stop));
+  FG::geodesic_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::visitor(visitor),
+                    CGAL::parameters::stop_predicate(stop));
+  FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::stop_predicate(stop).visitor(visitor));
   FG::geodesic_loop(mesh, of_mesh, out);
-  FG::straighten(mesh, std::vector<std::vector<Mesh::Vertex_index>>(), std::back_inserter(several));
+  FG::geodesic_network(mesh, std::vector<std::vector<Mesh::Vertex_index>>(), std::back_inserter(several));
   FG::geodesic_distances(mesh, of_mesh[0], boost::make_assoc_property_map(distances),
-                         FG::with_metric(FG::Edge_length_metric(mesh, lengths)));
-  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, FG::Window_limit(1), CGAL::parameters::default_values());
+                         CGAL::parameters::metric(FG::Edge_length_metric(mesh, lengths)));
+  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::search_limit(FG::Window_limit(1)));
   FG::geodesic_spline(mesh, of_mesh, FG::Spline_kind::BEZIER, out);
-  FG::shortest_path(mesh, FG::geodesic_landmarks(mesh, 3), of_mesh[0], of_mesh[1], out);
+  FG::shortest_path(mesh, of_mesh[0], of_mesh[1], out, CGAL::parameters::landmarks(FG::geodesic_landmarks(mesh, 3)));
   FG::geodesic_landmarks(mesh, of_mesh, CGAL::parameters::default_values());
+  FG::geodesic_landmarks(mesh, CGAL::parameters::visitor(visitor));
   const FG::Geodesic_landmarks landmarks(triangulation, vertices);
   FG::isolines(mesh, field, levels, std::back_inserter(isolines), 0.1);
   network.add_curve(halfedges, false);

@@ -14,6 +14,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 void shorten_by_three_steps(const Mesh& mesh, std::vector<Mesh::Point>& path)
 {
-  CGAL::Flip_geodesics::geodesic_path(mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(1), std::back_inserter(path),
-                                      CGAL::Flip_geodesics::Iteration_stop_predicate(3));
+  CGAL::Flip_geodesics::geodesic_path(
+      mesh, Mesh::Vertex_index(0), Mesh::Vertex_index(1), std::back_inserter(path),
+      CGAL::parameters::stop_predicate(CGAL::Flip_geodesics::Iteration_stop_predicate(3)));
 }

@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(a_touched_vertex_is_told)
 {
   const auto certified_by_lengths = [](const Surface& mesh, const Places& places, const auto& lengths) {
     const FG::Edge_length_metric metric(mesh, boost::make_assoc_property_map(lengths));
-    return FG::certify_curve(mesh, places, false, FG::with_metric(metric));
+    return FG::certify_curve(mesh, places, false, CGAL::parameters::metric(metric));
   };
   // 2 is on the edge from 0 to 1, and sees 4, on the other side, at less than a right angle from both.
   const auto flat_face = to_mesh<Surface>(Mesh_soup{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, -1, 0}, {1, 1, 0}},

@@ -11,8 +11,8 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
@@ -293,7 +293,8 @@ BOOST_AUTO_TEST_CASE(results_are_written_once)
         const std::vector<Vertex> way = {from, through, to};
         std::vector<std::vector<Point>> curves;
         const auto report =
-            FG::straighten(mesh, std::vector<std::vector<Vertex>>{way}, std::back_inserter(curves), exactly).report;
+            FG::geodesic_network(mesh, std::vector<std::vector<Vertex>>{way}, std::back_inserter(curves), exactly)
+                .report;
         BOOST_REQUIRE_EQUAL(curves.size(), 1);
         check(report, curves.front());
         std::vector<Point> points;
@@ -391,7 +392,8 @@ BOOST_AUTO_TEST_CASE(an_edge_between_vertices_in_one_place_is_a_loop)
   const FG::Edge_length_metric<Mesh, Map> metric(mesh, Map(lengths));
   const auto path_between = [&](int s, int t) {
     std::vector<FG::Curve_place<Mesh>> places;
-    return FG::shortest_path(mesh, vertex(s), vertex(t), std::back_inserter(places), FG::with_metric(metric)).report;
+    return FG::shortest_path(mesh, vertex(s), vertex(t), std::back_inserter(places), CGAL::parameters::metric(metric))
+        .report;
   };
   const FG::Shortest_path_report across = path_between(0, 1), in_place = path_between(2, 3);
   BOOST_CHECK_SMALL(across.length - std::sqrt(3.0), 1e-14);

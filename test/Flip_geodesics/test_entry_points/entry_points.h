@@ -175,7 +175,7 @@ inline void compute_many(const Surface& mesh, Vertex v, Vertex w, bool has_landm
     const Triangulation triangulation(mesh);
     FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::LOOK_BACK);
     const FG::Landmark_distances landmarks(search);
-    FG::geodesic_paths(mesh, landmarks, pairs, std::back_inserter(paths));
+    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::landmarks(landmarks));
   } else {
     FG::geodesic_paths(mesh, pairs, std::back_inserter(paths));
   }
@@ -194,7 +194,8 @@ inline std::vector<Entry_point> one_call_functions()
           {"geodesic_path with a stop predicate", Reach::LOCAL,
            [](const Surface& m, Vertex v, Vertex w) {
              Sink out;
-             FG::geodesic_path(m, v, w, std::back_inserter(out), FG::Iteration_stop_predicate(1000));
+             FG::geodesic_path(m, v, w, std::back_inserter(out),
+                               CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(1000)));
            }},
           {"geodesic_path between faces", Reach::LOCAL,
            [](const Surface& m, Vertex v, Vertex w) {
@@ -214,10 +215,10 @@ inline std::vector<Entry_point> one_call_functions()
              Sink out;
              FG::geodesic_loop(m, std::vector<Vertex>{v, next_to(m, v)}, std::back_inserter(out));
            }},
-          {"straighten", Reach::LOCAL,
+          {"geodesic_network", Reach::LOCAL,
            [](const Surface& m, Vertex v, Vertex) {
              std::vector<Sink> out;
-             FG::straighten(m, std::vector<std::vector<Vertex>>{{v, next_to(m, v)}}, std::back_inserter(out));
+             FG::geodesic_network(m, std::vector<std::vector<Vertex>>{{v, next_to(m, v)}}, std::back_inserter(out));
            }},
           {"geodesic_spline", Reach::LOCAL,
            [](const Surface& m, Vertex v, Vertex w) {

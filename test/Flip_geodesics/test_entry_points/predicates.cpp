@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(each_path_has_its_own_budget)
     pairs.push_back({vertex(v), vertex(v + 100)});
   const auto statuses = [&](const auto& stop) {
     std::vector<FG::Geodesic_path<Point>> paths;
-    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), stop);
+    FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::stop_predicate(stop));
     rethrow(paths);
     std::vector<FG::Shortening_status> result;
     for(const auto& path : paths)
@@ -65,7 +65,8 @@ BOOST_AUTO_TEST_CASE(each_leg_has_its_own_budget)
     way.push_back(vertex(v));
   const auto status = [&](std::size_t budget) {
     Sink out;
-    return FG::geodesic_path_through(mesh, way, std::back_inserter(out), Budget_stop_predicate{budget})
+    return FG::geodesic_path_through(mesh, way, std::back_inserter(out),
+                                     CGAL::parameters::stop_predicate(Budget_stop_predicate{budget}))
         .report.curves.front()
         .status;
   };

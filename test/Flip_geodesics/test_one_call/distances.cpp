@@ -92,7 +92,8 @@ BOOST_AUTO_TEST_CASE(distances_from_several_vertices_are_the_least)
   }
   for(Vertex v : mesh.vertices())
     BOOST_CHECK_SMALL(all[v] - least[v], 1e-12);
-  BOOST_CHECK(!FG::geodesic_distances(mesh, sources, all, FG::Window_limit(1)).is_confirmed);
+  BOOST_CHECK(
+      !FG::geodesic_distances(mesh, sources, all, CGAL::parameters::search_limit(FG::Window_limit(1))).is_confirmed);
   FG::geodesic_distances(mesh, std::vector<Vertex>(), all);
   BOOST_CHECK_EQUAL(all[Vertex(0)], std::numeric_limits<double>::infinity());
   BOOST_CHECK_THROW(FG::geodesic_distances(mesh, {Vertex(0), Surface::null_vertex()}, all),
@@ -121,7 +122,8 @@ BOOST_AUTO_TEST_CASE(limits_and_wrong_sources_of_distances)
   auto distances = mesh.add_property_map<Vertex, double>("v:distance", -1).first;
   auto limited = mesh.add_property_map<Vertex, double>("v:limited", -1).first;
   FG::geodesic_distances(mesh, Vertex(0), distances);
-  const auto report = FG::geodesic_distances(mesh, Vertex(0), limited, FG::Window_limit(1));
+  const auto report =
+      FG::geodesic_distances(mesh, Vertex(0), limited, CGAL::parameters::search_limit(FG::Window_limit(1)));
   BOOST_CHECK(!report.is_confirmed);
   for(Vertex v : mesh.vertices()) // those of geodesics that need not be shortest
     BOOST_CHECK_GE(limited[v], distances[v] * (1 - 1e-10));

@@ -63,7 +63,8 @@ BOOST_AUTO_TEST_CASE(what_rounds_or_is_not_finished_is_not_proven)
   std::vector<Vertex> ring;
   for(std::size_t i = 72; i < 96; ++i)
     ring.emplace_back(i); // beside the shortest ring
-  const auto stopped = FG::geodesic_loop(mesh, ring, std::back_inserter(points), FG::Iteration_stop_predicate(1));
+  const auto stopped = FG::geodesic_loop(mesh, ring, std::back_inserter(points),
+                                         CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(1)));
   BOOST_CHECK(stopped.status() == FG::Shortening_status::ITERATION_LIMIT);
   BOOST_CHECK(stopped.verdict() == Certificate_verdict::BENT_JOINT);
 

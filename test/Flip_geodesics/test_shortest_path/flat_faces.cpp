@@ -6,8 +6,8 @@
 #include "flat_tori.h"
 
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
@@ -61,7 +61,8 @@ BOOST_AUTO_TEST_CASE(paths_over_flat_faces_are_as_short_as_others)
           continue;
         Locations path;
         const auto result =
-            FG::shortest_path(mesh, a, b, std::back_inserter(path), FG::Window_limit(500), FG::with_metric(metric));
+            FG::shortest_path(mesh, a, b, std::back_inserter(path),
+                              CGAL::parameters::search_limit(FG::Window_limit(500)), CGAL::parameters::metric(metric));
         distance[a][b] = result.length();
         BOOST_TEST(result.length() <= result.report.first_length * (1 + 1e-10));
         BOOST_TEST(result.length() >= result.report.lower_bound * (1 - 1e-10));
@@ -85,7 +86,8 @@ BOOST_AUTO_TEST_CASE(logarithmic_maps_of_folded_vertices)
     for(const Surface::Vertex_index source : mesh.vertices()) {
       std::map<Surface::Vertex_index, FG::Polar_coordinates> coordinates;
       const FG::Shortest_tree_report report = FG::polar_coordinates(
-          mesh, source, boost::make_assoc_property_map(coordinates), FG::Window_limit(500), FG::with_metric(metric));
+          mesh, source, boost::make_assoc_property_map(coordinates),
+          CGAL::parameters::search_limit(FG::Window_limit(500)), CGAL::parameters::metric(metric));
       bent += report.status != FG::Shortening_status::LOCALLY_SHORTEST ? 1 : 0;
       contracted += report.vertices < 15 ? 1 : 0;
     }
@@ -112,7 +114,8 @@ BOOST_AUTO_TEST_CASE(ways_do_not_come_round)
         if(a == b)
           continue;
         std::vector<Surface::Point> path;
-        const auto result = FG::shortest_path(mesh, a, b, std::back_inserter(path), FG::Window_limit(1000));
+        const auto result = FG::shortest_path(mesh, a, b, std::back_inserter(path),
+                                              CGAL::parameters::search_limit(FG::Window_limit(1000)));
         const double direct = std::abs(mesh.point(a).x() - mesh.point(b).x());
         BOOST_TEST(result.length() >= direct * (1 - 1e-15));
         BOOST_TEST(result.length() <= direct + 4 * height);

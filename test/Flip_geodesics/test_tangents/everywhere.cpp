@@ -6,8 +6,8 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/texture_coordinates.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -157,8 +157,8 @@ double faces_asked_for(int n)
   const std::pair<Mesh::Face_index, std::array<double, 3>> middle = {Mesh::Face_index(20), {{0.5, 0.25, 0.25}}};
   std::size_t asked = 0;
   const Counting_metric metric(mesh.points(), asked);
-  const FG::Texture_report report =
-      FG::texture_coordinates(mesh, middle, {mesh.halfedge(middle.first), 0}, 100, map, FG::with_metric(metric));
+  const FG::Texture_report report = FG::texture_coordinates(mesh, middle, {mesh.halfedge(middle.first), 0}, 100, map,
+                                                            CGAL::parameters::metric(metric));
   BOOST_TEST(report.faces == mesh.number_of_faces());
   return static_cast<double>(asked) / static_cast<double>(mesh.number_of_faces());
 }

@@ -9,8 +9,8 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -83,7 +83,7 @@ std::size_t check_map(const Sheared_torus& torus)
 {
   std::vector<FG::Polar_coordinates> map;
   const auto result = FG::logarithmic_map(torus.mesh, Mesh::Vertex_index(0), torus.mesh.vertices(),
-                                          std::back_inserter(map), FG::with_metric(torus.metric));
+                                          std::back_inserter(map), CGAL::parameters::metric(torus.metric));
   const Complex axis = torus.edge(0, static_cast<int>(target(result.halfedge, torus.mesh)));
   const Length_triangulation triangulation(torus.mesh, torus.metric);
   const FG::Geodesic_logarithm<Length_triangulation> logarithm(triangulation, torus.mesh,

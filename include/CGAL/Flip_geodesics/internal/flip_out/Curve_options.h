@@ -6,8 +6,7 @@
 #include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/stop_predicates.h>
-#include <CGAL/Flip_geodesics/with_metric.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -24,12 +23,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-template <class NamedParameters, class Tag>
-constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
-
-template <class NamedParameters, class Tag>
-using Given = typename internal_np::Get_param<typename NamedParameters::base, Tag>::type;
 
 /* The metric's type: as it is given, or of the points that are given, or of the mesh's own. */
 template <class TriangleMesh, class NamedParameters, bool HAS_METRIC, bool HAS_POINTS>
@@ -48,7 +41,7 @@ template <class TriangleMesh, class NamedParameters>
 struct Metric_of<TriangleMesh, NamedParameters, false, false>
 {
   static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
-                "the mesh has no points of its own: give vertex_point_map() or with_metric()");
+                "the mesh has no points of its own: give vertex_point_map() or metric()");
   using type =
       Embedded_metric<TriangleMesh, typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type>;
 };
@@ -76,41 +69,13 @@ using Vertex_in = typename Vertex_of<TriangleMesh>::type;
 template <class TriangleMesh, class T>
 constexpr bool is_mesh_vertex = std::is_convertible<T, Vertex_in<TriangleMesh>>::value;
 
-template <class TriangleMesh, class NamedParameters>
-struct Metric_named
-{
-  static_assert(
-      Is_named_parameters<NamedParameters>::value,
-      "the last argument is no named parameters: stop predicates and limits, of functions that take them, come before");
-  using type = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
-                                  is_given<NamedParameters, internal_np::vertex_point_t>>::type;
-};
-
 /* The metric of a mesh with these named parameters, and the form in which an output takes points. */
 template <class TriangleMesh, class NamedParameters>
-using Metric_by_name = typename Metric_named<TriangleMesh, NamedParameters>::type;
+using Metric_by_name = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
+                                          is_given<NamedParameters, internal_np::vertex_point_t>>::type;
 template <class TriangleMesh, class NamedParameters, class Output, template <class> class Container = Itself>
 using Form_by_name = typename Curve_form_of<Curve_forms_of<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>,
                                             Output, Container>::type;
-
-/* The stop predicate and the named parameters in the last argument of a function, which is one of the two. */
-template <class Options>
-decltype(auto) stop_predicate_in(const Options& options)
-{
-  if constexpr(Is_named_parameters<Options>::value)
-    return Never_stop_predicate();
-  else
-    return options;
-}
-
-template <class Options>
-decltype(auto) named_parameters_in(const Options& options)
-{
-  if constexpr(Is_named_parameters<Options>::value)
-    return options;
-  else
-    return parameters::default_values();
-}
 
 /* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
 template <class NamedParameters>

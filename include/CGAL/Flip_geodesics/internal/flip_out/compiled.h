@@ -12,8 +12,6 @@
 #define CGAL_FLIP_GEODESICS_DECLARATIONS_ONLY
 #endif
 
-#include <CGAL/Flip_geodesics/stop_predicates.h>
-
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
@@ -45,12 +43,11 @@ template <class TriangleMesh>
 constexpr bool are_defined<TriangleMesh, std::void_t<decltype(sizeof(Definitions<TriangleMesh>))>> = true;
 
 /* Ends the compilation, and not the linking, if there is neither a definition nor an instance. */
-template <class TriangleMesh, class StopPredicate, class NamedParameters>
+template <class TriangleMesh, class NamedParameters>
 constexpr void check_instance()
 {
-  constexpr bool is_in_library = is_known_mesh<TriangleMesh> &&
-                                 std::is_same<StopPredicate, Never_stop_predicate>::value &&
-                                 std::is_same<NamedParameters, parameters::Default_named_parameters>::value;
+  constexpr bool is_in_library =
+      is_known_mesh<TriangleMesh> && std::is_same<NamedParameters, parameters::Default_named_parameters>::value;
   static_assert(is_in_library || are_defined<TriangleMesh>,
                 "the compiled library has no instance for this mesh, or none with options: define "
                 "CGAL_FLIP_GEODESICS_HEADER_ONLY before the first header of the package is included");

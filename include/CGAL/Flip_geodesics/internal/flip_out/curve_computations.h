@@ -51,21 +51,20 @@ Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRang
  */
 
 /* Of `geodesic_path()`. */
-template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
-                                   Vertex_in<TriangleMesh> target, const StopPredicate& stop,
-                                   const NamedParameters& np);
+                                   Vertex_in<TriangleMesh> target, const NamedParameters& np);
 
 /* Of `geodesic_loop()`. */
-template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
-                                   const StopPredicate& stop, const NamedParameters& np);
+                                   const NamedParameters& np);
 
-/* Of `straighten()`. */
-template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+/* Of `geodesic_network()`. */
+template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
                                                    const std::vector<Vertices_of<TriangleMesh>>& curves,
-                                                   const StopPredicate& stop, const NamedParameters& np);
+                                                   const NamedParameters& np);
 
 } // namespace internal
 } // namespace Flip_geodesics

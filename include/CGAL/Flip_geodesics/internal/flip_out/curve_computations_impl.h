@@ -44,14 +44,12 @@ struct compiled::Definitions
 {
 };
 
-/* Shortens with the visitor of the named parameters, if there is one. */
-template <class Network, class NamedParameters, class StopPredicate>
-Shortening_report shorten_with_visitor(Network& network, const NamedParameters& np, const StopPredicate& stop)
+/* Shortens with the stop predicate and the visitor of the named parameters, as far as they are given. */
+template <class Network, class NamedParameters>
+Shortening_report shorten_by_parameters(Network& network, const NamedParameters& np)
 {
-  static_assert(is_stop_predicate<StopPredicate>,
-                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
   auto visitor = make_visitor(np);
-  return shorten(network, stop, visitor.get());
+  return shorten(network, stop_predicate_of(np), visitor.get());
 }
 
 /* Shortens a path of which only the ends are given, in an empty network: from a straightened start, unless the visitor
@@ -134,8 +132,6 @@ template <class Form, class Network, class Search, class TriangleMesh, class Ver
 Computed_output<Form> geodesic_between(Network& network, Search& search, const TriangleMesh& mesh, Vertex source,
                                        Vertex target, const NamedParameters& np, const StopPredicate& stop)
 {
-  static_assert(is_stop_predicate<StopPredicate>,
-                "this is neither a stop predicate, a model of FlipOutStopPredicate, nor named parameters");
   const auto& triangulation = network.triangulation();
   const std::vector<Vertex_index> ends = {triangulation.index(source), triangulation.index(target)};
   if(ends[0] == ends[1])
@@ -186,22 +182,22 @@ std::vector<bool> add_vertex_curves(Network& network, const std::vector<std::vec
 }
 
 /* Of `geodesic_path()`. */
-template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_path(const TriangleMesh& mesh, Vertex_in<TriangleMesh> source,
-                                   Vertex_in<TriangleMesh> target, const StopPredicate& stop, const NamedParameters& np)
+                                   Vertex_in<TriangleMesh> target, const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
     Shortest_edge_path<typename Types::Triangulation> search(triangulation, Search_method::LOOK_BACK);
     typename Types::Network network(triangulation);
-    return geodesic_between<Form>(network, search, mesh, source, target, np, stop);
+    return geodesic_between<Form>(network, search, mesh, source, target, np, stop_predicate_of(np));
   });
 }
 
 /* Of `geodesic_loop()`. */
-template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<TriangleMesh>& vertices,
-                                   const StopPredicate& stop, const NamedParameters& np)
+                                   const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
@@ -212,7 +208,7 @@ Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<T
     Computed_output<Form> result;
     if(add_vertex_curve(network, loop, true)) {
       order_overlapping_curves(network);
-      result.report = shorten_with_visitor(network, np, stop);
+      result.report = shorten_by_parameters(network, np);
       result.values = curve_forms<Form>(network, mesh, Curve_index(0));
     } else {
       result.report.curves.push_back(report_of_point(triangulation));
@@ -222,11 +218,11 @@ Computed_output<Form> compute_loop(const TriangleMesh& mesh, const Vertices_of<T
   });
 }
 
-/* Of `straighten()`. */
-template <class Form, class TriangleMesh, class StopPredicate, class NamedParameters>
+/* Of `geodesic_network()`. */
+template <class Form, class TriangleMesh, class NamedParameters>
 Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
                                                    const std::vector<Vertices_of<TriangleMesh>>& curves,
-                                                   const StopPredicate& stop, const NamedParameters& np)
+                                                   const NamedParameters& np)
 {
   using Types = Curve_types<TriangleMesh, NamedParameters>;
   return compute_on_surface(Mesh_surfaces(mesh, np), [&](typename Types::Triangulation& triangulation) {
@@ -234,7 +230,7 @@ Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
     const std::vector<bool> has_length = add_vertex_curves(network, curves);
     order_overlapping_curves(network);
     Computed_output<std::vector<Form>> result;
-    result.report = shorten_with_visitor(network, np, stop);
+    result.report = shorten_by_parameters(network, np);
     auto& reports = result.report.curves;
     for(std::size_t i = 0, c = 0; i < has_length.size(); ++i) {
       result.values.emplace_back();
@@ -254,15 +250,13 @@ Computed_output<std::vector<Form>> compute_network(const TriangleMesh& mesh,
 namespace internal {
 
 #define CGAL_FLIP_GEODESICS_INSTANCES(Mesh, Form)                                                                      \
-  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_path(const Mesh&, Vertex_in<Mesh>,                 \
-                                                                         Vertex_in<Mesh>, const Never_stop_predicate&, \
-                                                                         const parameters::Default_named_parameters&); \
+  CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_path(                                              \
+      const Mesh&, Vertex_in<Mesh>, Vertex_in<Mesh>, const parameters::Default_named_parameters&);                     \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_loop(const Mesh&, const Vertices_of<Mesh>&,        \
                                                                          const Never_stop_predicate&,                  \
                                                                          const parameters::Default_named_parameters&); \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<std::vector<Form>> compute_network(                              \
-      const Mesh&, const std::vector<Vertices_of<Mesh>>&, const Never_stop_predicate&,                                 \
-      const parameters::Default_named_parameters&);
+      const Mesh&, const std::vector<Vertices_of<Mesh>>&, const parameters::Default_named_parameters&);
 CGAL_FLIP_GEODESICS_FOR_COMPILED_FORMS(CGAL_FLIP_GEODESICS_INSTANCES)
 #undef CGAL_FLIP_GEODESICS_INSTANCES
 

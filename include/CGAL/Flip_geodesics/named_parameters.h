@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_NAMED_PARAMETERS_H
+#define CGAL_FLIP_GEODESICS_NAMED_PARAMETERS_H
+
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <functional>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+namespace Flip_geodesics {
+namespace internal {
+
+enum Metric_parameter { metric_parameter };
+enum Stop_parameter { stop_parameter };
+enum Limit_parameter { limit_parameter };
+enum Landmarks_parameter { landmarks_parameter };
+
+template <class NamedParameters, class Tag>
+constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+template <class NamedParameters, class Tag>
+using Given = typename internal_np::Get_param<typename NamedParameters::base, Tag>::type;
+
+/* A sequence of named parameters, put before others. */
+template <class T, class Tag, class Base, class Others>
+auto put_before(const Named_function_parameters<T, Tag, Base>& np, const Others& others)
+{
+  static_assert(!is_given<Others, Tag> || std::is_same<Tag, internal_np::all_default_t>::value,
+                "a named parameter is given twice");
+  const auto& first = static_cast<const internal_np::Named_params_impl<T, Tag, Base>&>(np);
+  if constexpr(std::is_same<Base, internal_np::No_property>::value) {
+    return Named_function_parameters<T, Tag, Others>(first.v, others);
+  } else {
+    const auto rest = put_before(static_cast<const Base&>(np), others);
+    return Named_function_parameters<T, Tag, std::remove_const_t<decltype(rest)>>(first.v, rest);
+  }
+}
+
+inline parameters::Default_named_parameters joined() { return parameters::default_values(); }
+
+/* One sequence of named parameters instead of several. */
+template <class NamedParameters, class... Others>
+decltype(auto) joined(const NamedParameters& np, const Others&... others)
+{
+  static_assert(Is_named_parameters<NamedParameters>::value,
+                "an option is no named parameter: parameters::stop_predicate(), parameters::search_limit() and others "
+                "make one of it; named parameters come last");
+  if constexpr(!Is_named_parameters<NamedParameters>::value)
+    return joined(others...); // so that no other message follows
+  else if constexpr(sizeof...(Others) == 0)
+    return (np);
+  else
+    return put_before(np, joined(others...));
+}
+
+template <class... NamedParameters>
+using Joined = std::decay_t<decltype(joined(std::declval<const NamedParameters&>()...))>;
+
+/* Are the names of named parameters among the tags? */
+template <class NamedParameters, class... Tags>
+struct Has_names_of : std::false_type
+{
+};
+
+template <class... Tags>
+struct Has_names_of<internal_np::No_property, Tags...> : std::true_type
+{
+};
+
+template <class T, class Tag, class Base, class... Tags>
+struct Has_names_of<Named_function_parameters<T, Tag, Base>, Tags...>
+  : std::bool_constant<(std::is_same<Tag, Tags>::value || ... ||
+                        std::is_same<Tag, internal_np::all_default_t>::value) &&
+                       Has_names_of<Base, Tags...>::value>
+{
+};
+
+/* The named parameters of a function, which has no others than those of the tags. */
+template <class... Tags, class... NamedParameters>
+decltype(auto) options_of(const NamedParameters&... np)
+{
+  static_assert(Has_names_of<Joined<NamedParameters...>, Tags...>::value,
+                "the function does not have one of these named parameters; its page lists those that it has");
+  return joined(np...);
+}
+
+/* The same for a function that has those that say what lengths are and how to compute with them as well. */
+template <class... Tags, class... NamedParameters>
+decltype(auto) surface_options(const NamedParameters&... np)
+{
+  return options_of<internal_np::vertex_point_t, Metric_parameter, internal_np::geom_traits_t, Tags...>(np...);
+}
+
+/* The same for a function that shortens curves. */
+template <class... Tags, class... NamedParameters>
+decltype(auto) curve_options(const NamedParameters&... np)
+{
+  return surface_options<internal_np::visitor_t, Stop_parameter, Tags...>(np...);
+}
+
+/* The stop predicate that is given, or one that never stops. */
+template <class NamedParameters>
+decltype(auto) stop_predicate_of(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, Stop_parameter>)
+    return parameters::get_parameter_reference(np, stop_parameter);
+  else
+    return Never_stop_predicate();
+}
+
+/* The limit that is given, or the standard one. */
+template <class Limit, class NamedParameters>
+Limit search_limit_of(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, Limit_parameter>) {
+    static_assert(std::is_same<Given<NamedParameters, Limit_parameter>, Limit>::value,
+                  "search_limit() has a limit of another kind than the function takes");
+    return parameters::get_parameter(np, limit_parameter);
+  } else {
+    return Limit();
+  }
+}
+
+/* The landmarks that are given, or null. */
+template <class Landmarks, class NamedParameters>
+const Landmarks* landmarks_of(const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, Landmarks_parameter>) {
+    const auto given = parameters::get_parameter(np, landmarks_parameter);
+    static_assert(std::is_same<std::remove_const_t<decltype(given)>, std::reference_wrapper<const Landmarks>>::value,
+                  "landmarks() has landmarks of another kind than the function takes");
+    return &given.get();
+  } else {
+    return nullptr;
+  }
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+
+/// The named parameters of CGAL, and those of this package.
+namespace parameters {
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
+ * Where lengths come from, instead of the points of the mesh: an `Edge_length_metric` for instance.
+ * \param metric a model of `IntrinsicMetric` for the mesh; it is copied
+ */
+template <class Metric>
+Named_function_parameters<Metric, Flip_geodesics::internal::Metric_parameter> metric(const Metric& metric)
+{
+  static_assert(
+      Flip_geodesics::internal::is_metric<Metric>,
+      "metric() takes a model of IntrinsicMetric: of a property map of lengths, Edge_length_metric makes one");
+  return {metric};
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
+ * When curves are not to be shortened further.
+ * \param predicate a model of `FlipOutStopPredicate`; it is copied, unless it is given by `std::ref()`
+ */
+template <class StopPredicate>
+Named_function_parameters<StopPredicate, Flip_geodesics::internal::Stop_parameter> stop_predicate(
+    const StopPredicate& predicate)
+{
+  static_assert(Flip_geodesics::internal::is_stop_predicate<StopPredicate>,
+                "stop_predicate() takes a model of FlipOutStopPredicate");
+  return {predicate};
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
+ * How much a search may do before it is given up.
+ * \param limit a `Window_limit`, or a `Covering_limit` for `shortest_paths_by_class()`
+ */
+template <class Limit>
+Named_function_parameters<Limit, Flip_geodesics::internal::Limit_parameter> search_limit(const Limit& limit)
+{
+  return {limit};
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsParameters
+ * Landmarks that direct searches, which pays if there are many.
+ * \param landmarks `Landmark_distances` for `geodesic_paths()`, `Geodesic_landmarks` for `shortest_path()`, made for the
+ *        mesh and its metric; they are not copied, and must outlive the call
+ */
+template <class Landmarks>
+Named_function_parameters<std::reference_wrapper<const Landmarks>, Flip_geodesics::internal::Landmarks_parameter>
+landmarks(const Landmarks& landmarks)
+{
+  return {std::cref(landmarks)};
+}
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_NAMED_PARAMETERS_H
