@@ -430,7 +430,7 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_given_up)
   const CGAL::Flip_geodesics::internal::Stack_pairs<Network> pairs(world.network);
   CGAL::Flip_geodesics::internal::Crossing_equations<Network> equations(pairs);
   CGAL::Flip_geodesics::internal::Stack_order_search<Network> search(equations, 0);
-  BOOST_CHECK_EXCEPTION(search.run(), Ambiguous_order_error, [&](const Ambiguous_order_error& error) {
+  BOOST_CHECK_EXCEPTION(search.run().raise(), Ambiguous_order_error, [&](const Ambiguous_order_error& error) {
     return error.elements().size() == 2 && error.elements()[0] / 5 == 1 && error.elements()[1] / 5 == 1;
   });
 }

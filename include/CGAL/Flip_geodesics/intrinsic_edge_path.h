@@ -62,6 +62,18 @@ private:
   bool m_is_bounded;
 };
 
+/* A shortest path along edges as they are now; none if none joins the vertices, or they are equal. */
+template <class Triangulation>
+std::vector<Halfedge_index> intrinsic_edge_path(const Triangulation& triangulation, Vertex_index source,
+                                                Vertex_index target)
+{
+  if(source == target)
+    return {};
+  const Intrinsic_edge_policy<Triangulation> policy(triangulation, source, target);
+  Triangulation_edge_search search(static_cast<std::size_t>(triangulation.number_of_vertices()));
+  return path_along_edges(triangulation, source, target, policy, search);
+}
+
 } // namespace internal
 
 /*!
@@ -83,12 +95,8 @@ std::vector<Halfedge_index> shortest_intrinsic_edge_path(const Triangulation& tr
 {
   for(Vertex_index v : {source, target})
     internal::check_vertex(v, triangulation.number_of_vertices());
-  if(source == target)
-    return {};
-  const internal::Intrinsic_edge_policy<Triangulation> policy(triangulation, source, target);
-  internal::Triangulation_edge_search search(static_cast<std::size_t>(triangulation.number_of_vertices()));
-  std::vector<Halfedge_index> path = internal::path_along_edges(triangulation, source, target, policy, search);
-  if(path.empty())
+  std::vector<Halfedge_index> path = internal::intrinsic_edge_path(triangulation, source, target);
+  if(path.empty() && source != target)
     throw Disconnected_endpoints_error(
         "no path of edges joins vertex " + std::to_string(source.idx()) + " and vertex " + std::to_string(target.idx()),
         {static_cast<std::size_t>(source.idx()), static_cast<std::size_t>(target.idx())});

@@ -15,27 +15,37 @@ namespace Flip_geodesics {
 
 namespace internal {
 
+/* Orders the strands on each edge. Returns what is in the way, if there is anything; then the order is of no use. */
 template <class Network>
-void order_stacks(Network& network)
+Order_conflict order_stacks(Network& network)
 {
   const Stack_pairs<Network> pairs(network);
-  if(pairs.number_of_stacks() == 0)
-    return;
+  if(pairs.conflict() || pairs.number_of_stacks() == 0)
+    return pairs.conflict();
   Crossing_equations<Network> equations(pairs);
+  if(equations.conflict())
+    return equations.conflict();
   Stack_order_search<Network> search(equations);
-  search.run();
+  if(const Order_conflict conflict = search.run())
+    return conflict;
   for(Index i = 0; i < pairs.number_of_stacks(); ++i)
     network.set_stack(pairs.edge(i), search.order(i));
+  return {};
 }
 
+/* As `order_overlapping_curves()`, but returns what it throws. */
 template <class Network>
-void check_crossings(const Network& network)
+Order_conflict order_if_possible(Network& network)
 {
+  Order_conflict conflict = order_stacks(network);
+  if(conflict)
+    return conflict;
   const auto& triangulation = network.triangulation();
   for_each_vertex(triangulation, occupied_halfedges(network), [&](auto first, auto) {
-    if(!network.is_non_crossing_at({*first, network.outermost(*first, Side::LEFT)}))
-      throw_crossing(triangulation.tail(*first));
+    if(!conflict && !network.is_non_crossing_at({*first, network.outermost(*first, Side::LEFT)}))
+      conflict.v = triangulation.tail(*first);
   });
+  return conflict;
 }
 
 } // namespace internal
@@ -73,8 +83,8 @@ void check_crossings(const Network& network)
 template <class Network>
 void order_overlapping_curves(Network& network)
 {
-  internal::order_stacks(network);
-  internal::check_crossings(network);
+  if(const internal::Order_conflict conflict = internal::order_if_possible(network))
+    conflict.raise();
 }
 
 } // namespace Flip_geodesics

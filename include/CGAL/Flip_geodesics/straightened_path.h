@@ -41,21 +41,15 @@ bool is_simple(const Triangulation& triangulation, const std::vector<Halfedge_in
 }
 
 /* The legs of a straightened path as edges of the triangulation, for which the edges that they cross are flipped; none
- * if two legs are in each other's way. */
+ * if two legs are in each other's way, or a face on the way is degenerate. */
 template <class Triangulation>
 std::vector<Halfedge_index> insert_legs(Triangulation& triangulation, Strip_straightener<Triangulation>& straightener,
                                         std::size_t most_memory, std::size_t& flips)
 {
   std::vector<Halfedge_index> path;
-  try {
-    for(const auto& leg : straightener.legs())
-      if(!insert_leg(triangulation, leg.along, straightener.crossed(leg), path, flips, most_memory))
-        return {};
-  } catch(const Degenerate_face_error&) {
-    return {};
-  } catch(const Invalid_coordinate_error&) {
-    return {};
-  }
+  for(const auto& leg : straightener.legs())
+    if(!insert_leg(triangulation, leg.along, straightener.crossed(leg), path, flips, most_memory))
+      return {};
   return path;
 }
 

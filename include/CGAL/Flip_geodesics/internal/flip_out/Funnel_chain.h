@@ -52,7 +52,7 @@ public:
   Funnel_chain(const Triangulation& triangulation, Decision_statistics& statistics)
     : m_triangulation(triangulation)
     , m_statistics(statistics)
-    , m_unfolding(triangulation)
+    , m_unfolding(triangulation, Refused_faces::UNUSABLE)
   {
   }
 
@@ -163,7 +163,7 @@ private:
   Comparison_result compare_clockwise(const Seen_piece& a, const Seen_piece& b) const
   {
     const Corner_angle angle = m_unfolding.faces().angle(b.direction(), a.direction(), unfunneled_angle);
-    if(angle.is_beyond_pi)
+    if(angle.is_beyond_pi || m_unfolding.faces().have_refused())
       return LARGER;
     const double margin = unfunneled_angle * magnitude(angle.turn), sine = angle.turn.imag();
     if(sine < -margin)

@@ -60,9 +60,9 @@ public:
     bool is_examined = false, is_straight = false;  // has it been found out whether it is straight, and is it?
   };
 
-  explicit Iterative_unfolding(const Triangulation& triangulation)
+  Iterative_unfolding(const Triangulation& triangulation, Refused_faces refused)
     : m_triangulation(triangulation)
-    , m_sleeve(triangulation)
+    , m_sleeve(triangulation, refused)
   {
   }
 
@@ -84,6 +84,13 @@ public:
   {
     m_pieces.clear();
     m_crossed.clear();
+  }
+
+  /* Clears what is kept of a path before. */
+  void restart()
+  {
+    clear();
+    m_sleeve.faces().forget_refusals();
   }
 
   /* The word of a piece. */
@@ -143,7 +150,8 @@ public:
     append_across(0, word.crossed.size(), {word.tail, m_sleeve.tail_place()}, {word.head, m_sleeve.head_place()});
   }
 
-  /* Appends the string in the sleeve of a word. Returns false if a part of it leads nowhere, by rounding errors. */
+  /* Appends the string in the sleeve of a word. Returns false if a part of it leads nowhere, by rounding errors, or if a
+   * face has been refused. */
   template <class Rule>
   bool append_shortened(const Crossing_word& word, Rule& rule)
   {
@@ -155,7 +163,7 @@ public:
   template <class Rule>
   bool pass_joints_once(Rule& rule)
   {
-    return !choose_sides(rule) || pass_joints(rule);
+    return (!choose_sides(rule) || pass_joints(rule)) && !faces().have_refused();
   }
 
   /* Leads the path around joints until the rule finds none, or doubles do not tell how to go on. Returns false if that
@@ -171,7 +179,7 @@ public:
       if(m_shape == m_shape_before)
         break;
     }
-    return true;
+    return !faces().have_refused();
   }
 
 private:
@@ -304,7 +312,7 @@ private:
     }
     m_sleeve.unfold(ends.tail, ends.head);
     m_sleeve.pull();
-    return append_between_bends(ends, rule.bends(ends));
+    return !faces().have_refused() && append_between_bends(ends, rule.bends(ends));
   }
 
   bool append_between_bends(const Crossing_word& ends, const std::vector<Bend>& bends)

@@ -73,25 +73,17 @@ public:
     Geodesic_leg result;
     result.points = {is_start ? to : leg.points.front(), is_start ? leg.points.back() : to};
     bool is_shortened = false;
-    try {
+    {
       const Inserted_ends ends(m_triangulation, result.points.front(), result.points.back());
       is_shortened = shorten_moved(leg, is_start, way, ends, result);
-      if(is_shortened && is_proven(result))
-        return result;
-    } catch(const Degenerate_face_error&) { // which flips may never meet
-    } catch(const Invalid_coordinate_error&) {
     }
-    try {
-      Geodesic_leg by_flips = pulled_by_flips(is_shortened ? result.points : path_along(leg, is_start, way, to));
-      return is_shortened && !is_proven(by_flips) ? result : by_flips;
-    } catch(const Crossing_curves_error&) { // flips cannot pull paths that cross themselves
-      if(!is_shortened)
-        throw;
-    } catch(const Ambiguous_order_error&) {
-      if(!is_shortened)
-        throw;
-    }
-    return result;
+    if(is_shortened && is_proven(result))
+      return result;
+    Geodesic_leg by_flips;
+    const bool is_pulled = pull_by_flips(is_shortened ? result.points : path_along(leg, is_start, way, to), by_flips);
+    if(!is_pulled && !is_shortened) // flips cannot shorten paths that cross themselves
+      m_straightener.throw_conflict();
+    return is_shortened && !(is_pulled && is_proven(by_flips)) ? result : by_flips;
   }
 
   /* How comparisons were decided. */
@@ -103,30 +95,20 @@ private:
   {
   public:
     Inserted_ends(Triangulation& triangulation, const Surface_location& start, const Surface_location& end)
-      : m_triangulation(triangulation)
-      , m_before(triangulation.log_position())
+      : m_at_end(triangulation)
     {
-      try {
-        const auto no_curve = [](const auto&) {}; // lies on an edge that is split
-        m_start = triangulation.insert(start, no_curve, nullptr);
-        m_end = triangulation.insert(end, no_curve, nullptr);
-        if(m_start == m_end)
-          throw Invalid_curve_error("two points of a curve in a row are in one place");
-      } catch(...) {
-        triangulation.rollback(m_before);
-        throw;
-      }
+      const auto no_curve = [](const auto&) {}; // lies on an edge that is split
+      m_start = triangulation.insert(start, no_curve, nullptr);
+      m_end = triangulation.insert(end, no_curve, nullptr);
+      if(m_start == m_end)
+        throw Invalid_curve_error("two points of a curve in a row are in one place");
     }
-    Inserted_ends(const Inserted_ends&) = delete;
-    Inserted_ends& operator=(const Inserted_ends&) = delete;
-    ~Inserted_ends() { m_triangulation.rollback(m_before); }
 
     Vertex_index start() const { return m_start; }
     Vertex_index end() const { return m_end; }
 
   private:
-    Triangulation& m_triangulation;
-    typename Triangulation::Log_position m_before;
+    Rollback<Triangulation> m_at_end;
     Vertex_index m_start, m_end;
   };
 
@@ -162,9 +144,28 @@ private:
       else
         word = std::move(piece.word);
     }
-    if(!chain.append_shortened(word_along(word, leg.pieces.empty(), way, moving)) || !chain.tighten())
+    if(!chain.append_shortened(word_along(word, leg.pieces.empty(), way, moving)) || !chain.tighten() ||
+       !are_joints_usable(chain.pieces()))
       return false;
     measure(chain.pieces(), is_start, &leg, unproven, result);
+    return true;
+  }
+
+  // Are there vectors of all faces at the joints?
+  bool are_joints_usable(const std::vector<Funnel_piece>& pieces) const
+  {
+    const auto& input = m_triangulation.input();
+    for(std::size_t i = 1; i < pieces.size(); ++i) {
+      const Vertex_index v = pieces[i].word.tail;
+      if(m_triangulation.is_inserted(v))
+        continue;
+      Input_halfedge_index h = input.outgoing(v);
+      do {
+        if(!input.is_border(h) && !is_usable_face(m_triangulation.metric(), input, h))
+          return false;
+        h = input.next(twin_index(h));
+      } while(h != input.outgoing(v));
+    }
     return true;
   }
 
@@ -325,19 +326,21 @@ private:
     return path;
   }
 
-  Geodesic_leg pulled_by_flips(const Surface_polyline& path)
+  // Returns false if the path crosses itself.
+  bool pull_by_flips(const Surface_polyline& path, Geodesic_leg& result)
   {
-    Geodesic_leg result;
     result.points = {path.front(), path.back()};
     result.is_by_flips = true;
     std::vector<Crossing_word> words;
-    m_straightener.straightened(path, [&](auto& network) {
+    const Surface_polyline pulled = m_straightener.straightened_if_possible(path, [&](auto& network) {
       const Shortening_report report = shorten(network);
       network.for_each_segment(Curve_index(0), [&](Segment_index s) {
         words.push_back(m_triangulation.crossing_word(network.halfedge(s)));
       });
       return report;
     });
+    if(pulled.empty())
+      return false;
     const Inserted_ends ends(m_triangulation, path.front(), path.back());
     Funnel_chain<Triangulation> chain(m_triangulation, m_statistics);
     const std::size_t unproven = m_statistics.unproven_zeros;
@@ -347,7 +350,7 @@ private:
       chain.append_straight(word);
     chain.examine();
     measure(chain.pieces(), false, nullptr, unproven, result);
-    return result;
+    return true;
   }
 
   // Of a path in one face.

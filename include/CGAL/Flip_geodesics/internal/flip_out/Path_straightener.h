@@ -26,6 +26,25 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* Takes changes of a triangulation back at the end of its scope, also after an exception. */
+template <class Triangulation>
+class Rollback
+{
+public:
+  explicit Rollback(Triangulation& triangulation)
+    : m_triangulation(triangulation)
+    , m_before(triangulation.log_position())
+  {
+  }
+  Rollback(const Rollback&) = delete;
+  Rollback& operator=(const Rollback&) = delete;
+  ~Rollback() { m_triangulation.rollback(m_before); }
+
+private:
+  Triangulation& m_triangulation;
+  typename Triangulation::Log_position m_before;
+};
+
 /*
  * Pulls one path at a time straight, between points anywhere, and gives it as a polyline; the triangulation is the
  * input's before and after. So paths do not hold up one another, and may cross.
@@ -47,13 +66,12 @@ public:
   Surface_polyline shortest(const Surface_location& p, const Surface_location& q, const Tighten& tighten)
   {
     const auto find_path = [&](Network&, Vertex_index v, Vertex_index w) {
-      return v == w ? std::vector<Halfedge_index>() : shortest_intrinsic_edge_path(m_triangulation, v, w);
+      std::vector<Halfedge_index> path = intrinsic_edge_path(m_triangulation, v, w);
+      if(path.empty() && v != w) // v and w are not vertices of the mesh
+        throw_disconnected(m_triangulation.input().tail(p.halfedge), m_triangulation.input().tail(q.halfedge));
+      return path;
     };
-    try {
-      return pull(p, q, find_path, tighten);
-    } catch(const Disconnected_endpoints_error&) { // it names the points, which are no vertices of the mesh
-      throw_disconnected(m_triangulation.input().tail(p.halfedge), m_triangulation.input().tail(q.halfedge));
-    }
+    return checked(pull(p, q, find_path, tighten));
   }
 
   Surface_polyline shortest(const Surface_location& p, const Surface_location& q)
@@ -62,9 +80,9 @@ public:
   }
 
   /* The geodesic with the polyline's ends in its class, pulled tight by `tighten(network)`, unless all of it lies in one
-   * face. */
+   * face; empty if the polyline, snapped to edges, crosses itself. */
   template <class Tighten>
-  Surface_polyline straightened(const Surface_polyline& path, const Tighten& tighten)
+  Surface_polyline straightened_if_possible(const Surface_polyline& path, const Tighten& tighten)
   {
     if(is_in_one_face(path))
       return {path.front(), path.back()};
@@ -77,15 +95,41 @@ public:
   Surface_polyline straightened(const Surface_polyline& path)
   {
     const auto tighten = [](Network& network) { return shorten(network); };
-    try {
-      return straightened(path, tighten);
-    } catch(const Crossing_curves_error&) {
-    } catch(const Ambiguous_order_error&) {
-    }
+    const Surface_polyline result = straightened_if_possible(path, tighten);
+    if(!result.empty())
+      return result;
     const auto draw = [&](Network& network, Vertex_index, Vertex_index) {
       return Polyline_drawer<Network>(network)(path).halfedges;
     };
-    return pull(path.front(), path.back(), draw, tighten);
+    return checked(pull(path.front(), path.back(), draw, tighten));
+  }
+
+  /* Throws what is in the way of the last path that crosses itself. */
+  [[noreturn]] void throw_conflict() const { m_conflict.raise(); }
+
+  /* The path along edges from vertex v, the polyline's start, to w, its end: points on edges move to the nearer end. */
+  std::vector<Halfedge_index> snapped(const Surface_polyline& path, Vertex_index v, Vertex_index w) const
+  {
+    const auto& input = m_triangulation.input();
+    Path_in_face<Triangulation> path_in_face(m_triangulation);
+    std::vector<Halfedge_index> result;
+    std::size_t last = 0; // the point at which the path has arrived
+    Vertex_index at = v;
+    for(std::size_t i = 1; i < path.size(); ++i) {
+      const bool is_end = i + 1 == path.size();
+      if(kind(path[i]) == Location_kind::FACE && !is_end)
+        continue; // its neighbors lie in the same face
+      const Input_halfedge_index face = common_face(input, path[last], path[last + 1]);
+      const Vertex_index next = is_end ? w : nearest_vertex(input, path[i]);
+      for(Halfedge_index h : path_in_face(face, at, next))
+        if(!result.empty() && h == Triangulation::twin(result.back()))
+          result.pop_back();
+        else
+          result.push_back(h);
+      at = next;
+      last = i;
+    }
+    return result;
   }
 
   /* What became of all paths together, as if they were one curve. */
@@ -100,35 +144,36 @@ private:
                                        {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
   }
 
+  const Surface_polyline& checked(const Surface_polyline& path) const
+  {
+    if(path.empty())
+      throw_conflict();
+    return path;
+  }
+
+  // Returns nothing if the path crosses itself.
   template <class MakePath, class Tighten>
   Surface_polyline pull(const Surface_location& p, const Surface_location& q, const MakePath& make_path,
                         const Tighten& tighten)
   {
     check_has_no_curves(m_triangulation, "a geodesic between points cannot be found");
-    const auto before = m_triangulation.log_position();
+    const Rollback<Triangulation> at_end(m_triangulation);
+    Network network(m_triangulation);
+    const Vertex_index v = network.insert(p), w = network.insert(q);
+    const std::vector<Halfedge_index> path = make_path(network, v, w);
+    if(path.empty())
+      return {canonical_location(m_triangulation.input(), p),
+              canonical_location(m_triangulation.input(), v == w ? p : q)};
+    network.add_curve(path, false);
+    m_conflict = order_if_possible(network);
+    if(m_conflict)
+      return {};
+    note(tighten(network));
     Surface_polyline result;
-    try {
-      Network network(m_triangulation);
-      const Vertex_index v = network.insert(p), w = network.insert(q);
-      const std::vector<Halfedge_index> path = make_path(network, v, w);
-      if(path.empty()) {
-        result = {canonical_location(m_triangulation.input(), p),
-                  canonical_location(m_triangulation.input(), v == w ? p : q)};
-      } else {
-        network.add_curve(path, false);
-        order_overlapping_curves(network);
-        note(tighten(network));
-        for(const Surface_point& point : Curve_extractor<Network>(network).surface_points(Curve_index(0)))
-          result.push_back(canonical_location(m_triangulation.input(), surface_location(m_triangulation, point)));
-        if(result.empty()) // contracted to its ends
-          result = {p, q};
-        network.clear();
-      }
-    } catch(...) {
-      m_triangulation.rollback(before);
-      throw;
-    }
-    m_triangulation.rollback(before);
+    for(const Surface_point& point : Curve_extractor<Network>(network).surface_points(Curve_index(0)))
+      result.push_back(canonical_location(m_triangulation.input(), surface_location(m_triangulation, point)));
+    if(result.empty()) // contracted to its ends
+      result = {p, q};
     return result;
   }
 
@@ -169,33 +214,9 @@ private:
     return !faces.empty();
   }
 
-  // The path along edges from vertex v, the polyline's start, to w, its end: points on edges move to the nearer end.
-  std::vector<Halfedge_index> snapped(const Surface_polyline& path, Vertex_index v, Vertex_index w) const
-  {
-    const auto& input = m_triangulation.input();
-    Path_in_face<Triangulation> path_in_face(m_triangulation);
-    std::vector<Halfedge_index> result;
-    std::size_t last = 0; // the point at which the path has arrived
-    Vertex_index at = v;
-    for(std::size_t i = 1; i < path.size(); ++i) {
-      const bool is_end = i + 1 == path.size();
-      if(kind(path[i]) == Location_kind::FACE && !is_end)
-        continue; // its neighbors lie in the same face
-      const Input_halfedge_index face = common_face(input, path[last], path[last + 1]);
-      const Vertex_index next = is_end ? w : nearest_vertex(input, path[i]);
-      for(Halfedge_index h : path_in_face(face, at, next))
-        if(!result.empty() && h == Triangulation::twin(result.back()))
-          result.pop_back();
-        else
-          result.push_back(h);
-      at = next;
-      last = i;
-    }
-    return result;
-  }
-
   Triangulation& m_triangulation;
   Shortening_report m_report = {{report_of_nothing()}, 0, 0};
+  Order_conflict m_conflict; // of the last path that was pulled
 };
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Crossing_removal.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
+#include <CGAL/Flip_geodesics/internal/surface/face_lengths.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <cstddef>
@@ -94,13 +95,14 @@ std::size_t straighten_on_the_right(Triangulation& triangulation, std::vector<Ha
   return straighten_on_the_right(triangulation, chain, [&](Halfedge_index h) { triangulation.flip(h); });
 }
 
-/* Are all three edges of the face on the left of a halfedge the input's? */
+/* Are all three edges of the face on the left of a halfedge the input's, and does the metric make vectors of it? */
 template <class Triangulation>
 bool is_untouched(const Triangulation& triangulation, Halfedge_index h)
 {
   const Halfedge_index hn = triangulation.next(h), hp = triangulation.next(hn);
   return triangulation.version(Triangulation::edge(h)) == 0 && triangulation.version(Triangulation::edge(hn)) == 0 &&
-         triangulation.version(Triangulation::edge(hp)) == 0;
+         triangulation.version(Triangulation::edge(hp)) == 0 &&
+         is_usable_face(triangulation.metric(), triangulation.input(), as_input(h));
 }
 
 /* The edges that a straight word crosses. */
@@ -120,8 +122,8 @@ std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, cons
 
 /*
  * Appends to a path the straight segment along an input halfedge, or across others as a strip crosses them. Returns
- * whether it could be: it cannot where edges of the strip have been flipped already, where it has a face twice, or
- * where the triangulation's records would take more memory than given.
+ * whether it could be: it cannot where edges of the strip have been flipped already, where it has a face twice or one that
+ * is degenerate, or where the triangulation's records would take more memory than given.
  */
 template <class Triangulation>
 bool insert_leg(Triangulation& triangulation, Input_halfedge_index along, const std::vector<Crossed_edge>& crossed,

@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_STRIP_STRAIGHTENER_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Crossing_removal.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Iterative_unfolding.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
@@ -35,19 +34,27 @@ public:
   using Leg = typename Iterative_unfolding<Triangulation>::Piece;
 
   explicit Strip_straightener(const Triangulation& triangulation)
-    : m_unfolding(triangulation)
+    : m_unfolding(triangulation, Refused_faces::WITHOUT_CORNERS)
   {
   }
 
   /* Is there something straighter than the path, which is an edge path? */
   bool operator()(const std::vector<Halfedge_index>& path)
   {
-    try {
-      return straighten(path);
-    } catch(const Degenerate_face_error&) {
-    } catch(const Invalid_coordinate_error&) {
+    m_unfolding.reserve(path.size());
+    m_unfolding.restart();
+    m_path_length = 0;
+    for(Halfedge_index of_path : path) {
+      const Input_halfedge_index h = as_input(of_path);
+      if(!m_unfolding.faces().has_halfedge(h) || (!legs().empty() && legs().back().head != m_unfolding.faces().tail(h)))
+        return false; // no chain, which whoever adds the path refuses
+      m_unfolding.append_edge(h);
+      m_path_length += m_unfolding.faces().length(h);
     }
-    return false;
+    Side_of_fewer_faces first_rule{{m_unfolding}};
+    Side_below_pi rule{{m_unfolding}};
+    return m_unfolding.pass_joints_once(first_rule) && m_unfolding.tighten(rule) && length() <= m_path_length &&
+           !m_unfolding.faces().have_refused();
   }
 
   const std::vector<Leg>& legs() const { return m_unfolding.pieces(); }
@@ -75,23 +82,6 @@ public:
 
 private:
   using Bend = typename Iterative_unfolding<Triangulation>::Bend;
-
-  bool straighten(const std::vector<Halfedge_index>& path)
-  {
-    m_unfolding.reserve(path.size());
-    m_unfolding.clear();
-    m_path_length = 0;
-    for(Halfedge_index of_path : path) {
-      const Input_halfedge_index h = as_input(of_path);
-      if(!m_unfolding.faces().has_halfedge(h) || (!legs().empty() && legs().back().head != m_unfolding.faces().tail(h)))
-        return false; // no chain, which whoever adds the path refuses
-      m_unfolding.append_edge(h);
-      m_path_length += m_unfolding.faces().length(h);
-    }
-    Side_of_fewer_faces first_rule{{m_unfolding}};
-    Side_below_pi rule{{m_unfolding}};
-    return m_unfolding.pass_joints_once(first_rule) && m_unfolding.tighten(rule) && length() <= m_path_length;
-  }
 
   double length() const
   {

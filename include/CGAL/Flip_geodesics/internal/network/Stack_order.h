@@ -21,17 +21,26 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-[[noreturn]] inline void throw_crossing(Vertex_index v)
+/* The reason why the strands of curves have no order: they cross at v, or the search for an order along the edge from v to
+ * w was given up. */
+struct Order_conflict
 {
-  throw Crossing_curves_error("curves cross at vertex " + std::to_string(v.idx()), {static_cast<std::size_t>(v.idx())});
-}
+  Vertex_index v = null_index, w = null_index;
 
-[[noreturn]] inline void throw_ambiguous(Vertex_index v, Vertex_index w)
-{
-  throw Ambiguous_order_error("no order was found for the curves along the edge from vertex " +
-                                  std::to_string(v.idx()) + " to vertex " + std::to_string(w.idx()),
-                              {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
-}
+  explicit operator bool() const { return v != null_index; }
+
+  /* \pre there is a conflict */
+  [[noreturn]] void raise() const
+  {
+    std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx())};
+    if(w == null_index)
+      throw Crossing_curves_error("curves cross at vertex " + std::to_string(v.idx()), elements);
+    elements.push_back(static_cast<std::size_t>(w.idx()));
+    throw Ambiguous_order_error("no order was found for the curves along the edge from vertex " +
+                                    std::to_string(v.idx()) + " to vertex " + std::to_string(w.idx()),
+                                elements);
+  }
+};
 
 /* The halfedges, of either direction, of all edges that curves use: each vertex's side by side. */
 template <class Network>
@@ -89,6 +98,9 @@ public:
 
   const Network& network() const { return m_network; }
 
+  /* An edge with too many segments, if there is one; then there are no unknowns for it. */
+  const Order_conflict& conflict() const { return m_conflict; }
+
   /* Edges with more than one segment are numbered; their segments by age. */
   Index number_of_stacks() const { return static_cast<Index>(m_edges.size()); }
   Edge_index edge(Index stack) const { return m_edges[stack]; }
@@ -123,8 +135,12 @@ private:
     std::vector<Segment_index> segments = m_network.stack(e);
     if(segments.size() < 2)
       return;
-    if(m_pairs.size() + segments.size() * (segments.size() - 1) / 2 > most_pairs)
-      throw_ambiguous(m_network.triangulation().tail(first_side(e)), m_network.triangulation().head(first_side(e)));
+    if(m_conflict || m_pairs.size() + segments.size() * (segments.size() - 1) / 2 > most_pairs) {
+      const auto& triangulation = m_network.triangulation();
+      if(!m_conflict)
+        m_conflict = {triangulation.tail(first_side(e)), triangulation.head(first_side(e))};
+      return;
+    }
     std::sort(segments.begin(), segments.end());
     m_first_pair.push_back(end_of_pairs());
     for(std::size_t j = 0; j < segments.size(); ++j) {
@@ -142,6 +158,7 @@ private:
   Indexed_by<Segment_index, std::vector<Index>> m_stack_of, m_rank;
   std::vector<Segment_pair> m_pairs; // by variable
   Buckets m_stacks;
+  Order_conflict m_conflict;
 };
 
 /* Variables whose sum modulo 2 is `parity`, after the cancelling of those that occur twice or are known. */
@@ -209,10 +226,12 @@ public:
                     [&](auto first, auto last) { add_vertex(first, last); });
     do {
       substitute();
-    } while(merge_combinations());
+    } while(!m_conflict && merge_combinations());
   }
 
   const Stack_pairs<Network>& pairs() const { return m_pairs; }
+  /* The first contradiction that was found, after which equations are left out. */
+  const Order_conflict& conflict() const { return m_conflict; }
   Parity_classes& classes() { return m_classes; }
   const std::vector<Equation>& long_equations() const { return m_long_equations; }
 
@@ -231,7 +250,7 @@ private:
     const auto is_shared = [&](Halfedge_index h) {
       return m_pairs.stack_of(m_network.outermost(h, Side::LEFT)) != null_index;
     };
-    if(std::none_of(first, last, is_shared))
+    if(m_conflict || std::none_of(first, last, is_shared))
       return;
     m_vertex = m_triangulation.tail(*first);
     number_spokes();
@@ -342,6 +361,13 @@ private:
       m_long_equations.push_back(equation);
   }
 
+  // Unites two classes of literals, unless that contradicts what is known.
+  void unite(Literal a, Literal b, Vertex_index v)
+  {
+    if(!m_classes.unite(a, b) && !m_conflict)
+      m_conflict.v = v;
+  }
+
   // Merges the classes that an equation says are equal; returns false if it has more than two variables.
   bool merge(const Equation& equation)
   {
@@ -350,8 +376,7 @@ private:
       return false;
     const Literal a = s.size > 0 ? 2 * s.variables[0] : false_literal;
     const Literal b = s.size > 1 ? 2 * s.variables[1] : false_literal;
-    if(!m_classes.unite(a, opposite_if(s.parity, b)))
-      throw_crossing(equation.vertex);
+    unite(a, opposite_if(s.parity, b), equation.vertex);
     return true;
   }
 
@@ -375,8 +400,10 @@ private:
       const Parity_sum s = sum(equation);
       std::vector<Index> variables(s.variables.begin(), s.variables.begin() + s.size);
       std::sort(variables.begin(), variables.end());
-      if(!elimination.add({std::move(variables), s.parity, equation.vertex}))
-        throw_crossing(equation.vertex);
+      if(!elimination.add({std::move(variables), s.parity, equation.vertex})) {
+        m_conflict.v = equation.vertex;
+        return false;
+      }
     }
     bool has_merged = false;
     for(const auto& [pivot, row] : elimination.rows()) {
@@ -384,10 +411,9 @@ private:
         continue;
       const Literal other = row.variables.size() > 1 ? 2 * row.variables[1] : false_literal;
       has_merged = true;
-      if(!m_classes.unite(2 * pivot, opposite_if(row.parity, other)))
-        throw_crossing(row.vertex);
+      unite(2 * pivot, opposite_if(row.parity, other), row.vertex);
     }
-    return has_merged;
+    return has_merged && !m_conflict;
   }
 
   const Stack_pairs<Network>& m_pairs;
@@ -395,6 +421,7 @@ private:
   const Triangulation& m_triangulation;
   Parity_classes m_classes;
   std::vector<Equation> m_long_equations;
+  Order_conflict m_conflict;
 
   // Of the vertex being looked at.
   Vertex_index m_vertex = null_index;

@@ -52,23 +52,25 @@ public:
     find_equations();
   }
 
-  /* \throws Crossing_curves_error, Ambiguous_order_error */
-  void run()
+  /* Returns what is in the way of an order, if there is anything. */
+  Order_conflict run()
   {
     find_problems();
     if(!have_fitting_defaults()) {
-      imply_from_known_pairs();
+      if(!imply_from_known_pairs())
+        return m_conflict;
       find_problems();
       for(Index i = 0; i < m_choices_of.size(); ++i)
-        if(m_choices_of[i].size() > 0 && !has_fitting_defaults(i))
-          search(i);
+        if(m_choices_of[i].size() > 0 && !has_fitting_defaults(i) && !search(i))
+          return m_conflict;
     }
     for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
       if(!is_ordered(i))
-        throw_crossing(m_triangulation.tail(first_side(m_pairs.edge(i))));
+        return {m_triangulation.tail(first_side(m_pairs.edge(i)))};
+    return {};
   }
 
-  /* The segments of a stack from left to right. \pre `run()` has returned */
+  /* The segments of a stack from left to right. \pre `run()` has found no conflict */
   std::vector<Segment_index> order(Index stack) const
   {
     const auto segments = m_pairs.segments(stack);
@@ -153,13 +155,12 @@ private:
     m_propagated = trail_size;
   }
 
-  void imply_from_known_pairs()
+  bool imply_from_known_pairs()
   {
     for(Index i = 0; i < m_pairs.number_of_stacks(); ++i)
       if(!imply_in_stack(i))
-        throw_crossing(m_conflict);
-    if(!propagate(true))
-      throw_crossing(m_conflict);
+        return false;
+    return propagate(true);
   }
 
   // Orders s and t if some u is known to lie between them; looks at 64 of these at a time.
@@ -224,7 +225,7 @@ private:
                              (sum.size == 1 && assign(opposite_if(!sum.parity, 2 * sum.variables[0]))) ||
                              (sum.size == 0 && !sum.parity);
     if(!is_possible)
-      m_conflict = equation.vertex;
+      m_conflict.v = equation.vertex;
     return is_possible;
   }
 
@@ -247,7 +248,7 @@ private:
 
   bool fail_at_stack(Segment_index s)
   {
-    m_conflict = m_triangulation.tail(first_side(m_pairs.edge(m_pairs.stack_of(s))));
+    m_conflict.v = m_triangulation.tail(first_side(m_pairs.edge(m_pairs.stack_of(s))));
     return false;
   }
 
@@ -368,14 +369,18 @@ private:
     return false;
   }
 
-  void search(Index problem)
+  bool search(Index problem)
   {
     make_queue(problem);
     m_work = 0;
     constexpr std::size_t first_most = 20;
     std::size_t retries_left = first_most;
-    for(std::size_t most = first_most; !search_queue(retries_left); retries_left = most += most / 2)
-      ; // again from the start, with the queue as it is now
+    for(std::size_t most = first_most;; retries_left = most += most / 2)
+    { // from the start, with the queue as it is now
+      const Search_outcome outcome = search_queue(retries_left);
+      if(outcome != Search_outcome::OUT_OF_RETRIES)
+        return outcome == Search_outcome::FOUND;
+    }
   }
 
   // First the choices in most equations, for the others seldom matter.
@@ -388,8 +393,10 @@ private:
                      [&](Index i, Index j) { return number_of_items(i) > number_of_items(j); });
   }
 
-  // Returns false, with all choices taken back, when no retries are left.
-  bool search_queue(std::size_t retries_left)
+  enum class Search_outcome { FOUND, CONFLICT, OUT_OF_RETRIES };
+
+  // All choices are taken back when no retries are left.
+  Search_outcome search_queue(std::size_t retries_left)
   {
     m_made.clear();
     for(std::size_t i = 0; i < m_queue.size();) {
@@ -400,40 +407,39 @@ private:
       m_made.push_back({m_trail.size(), m_queue[i], false});
       assign(m_choices[m_queue[i]]);
       for(; !propagate(true); i = 0) {
-        retry();
+        if(!retry())
+          return Search_outcome::CONFLICT;
         if(--retries_left == 0) {
           undo(m_made.front().trail_size);
-          return false;
+          return Search_outcome::OUT_OF_RETRIES;
         }
       }
     }
-    return true;
+    return Search_outcome::FOUND;
   }
 
   // Takes choices back until one has another value left, and gives it that. Those that had none come first from now on,
-  // so that the search finds out soon whether they still have none.
-  void retry()
+  // so that the search finds out soon whether they still have none. Returns false if there is none, or too much work.
+  bool retry()
   {
     for(; !m_made.empty() && m_made.back().is_second; m_made.pop_back()) {
       const auto failed = std::find(m_queue.begin(), m_queue.end(), m_made.back().choice);
       std::rotate(m_queue.begin(), failed, failed + 1);
     }
     if(m_made.empty())
-      throw_crossing(m_conflict);
+      return false;
     Choice& last = m_made.back();
     undo(last.trail_size);
     ++m_retries;
-    if(m_work > m_most_work)
-      give_up(m_choices[last.choice]);
+    if(m_work > m_most_work) {
+      const Index pair = *m_members[variable(m_choices[last.choice])].begin();
+      const Halfedge_index h = m_pairs.network().halfedge(m_pairs.segments_of_pair(pair).first);
+      m_conflict = {m_triangulation.tail(h), m_triangulation.head(h)};
+      return false;
+    }
     last.is_second = true;
     assign(opposite(m_choices[last.choice]));
-  }
-
-  [[noreturn]] void give_up(Literal a) const
-  {
-    const Segment_index s = m_pairs.segments_of_pair(*m_members[variable(a)].begin()).first;
-    const Halfedge_index h = m_pairs.network().halfedge(s);
-    throw_ambiguous(m_triangulation.tail(h), m_triangulation.head(h));
+    return true;
   }
 
   /// @}
@@ -450,7 +456,7 @@ private:
   std::vector<Value> m_value;   // of a class
   std::vector<Index> m_trail;   // the classes that were given values, in order
   std::size_t m_propagated = 0; // how many of them have been followed up
-  Vertex_index m_conflict;
+  Order_conflict m_conflict;    // the last one; choices can be left that avoid it
 
   std::vector<Literal> m_choices;
   Buckets m_choices_of, m_stacks_of; // by problem

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -44,11 +45,27 @@ inline bool is_longer_than_sum(double a, double b, double c)
       edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
 }
 
+inline bool satisfy_triangle_inequality(double a, double b, double c)
+{
+  return !is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b);
+}
+
+/* Returns whether a metric makes the vectors of a face, without throwing an exception. */
+template <class Metric, class Input_mesh>
+bool is_usable_face(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
+{
+  const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+  const double a = metric.weight(mesh, h), b = metric.weight(mesh, hn), c = metric.weight(mesh, hp);
+  constexpr bool has_places = std::is_same<typename Metric::Place, std::array<double, 3>>::value;
+  return is_usable_length(a) && is_usable_length(b) && is_usable_length(c) &&
+         (has_places || satisfy_triangle_inequality(a, b, c));
+}
+
 /* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
 template <class Input_mesh>
 void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, double a, double b, double c)
 {
-  if(!is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b))
+  if(satisfy_triangle_inequality(a, b, c))
     return;
   const Index u = mesh.tail(h).idx(), v = mesh.tail(mesh.next(h)).idx(), w = mesh.tail(mesh.previous(h)).idx();
   throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(u) + ", " +

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/face_lengths.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 
 #include <array>
@@ -34,15 +35,25 @@ struct Corner_angle
   bool passes_near_pi = false; // is it within the tolerance of pi up to one of the halfedges?
 };
 
-/* Faces of the input mesh, laid out one by one in plain doubles. */
+/* The faces that are not laid out: those of which no corner can be computed, or all that no metric makes vectors of. */
+enum class Refused_faces { WITHOUT_CORNERS, UNUSABLE };
+
+/*
+ * Faces of the input mesh, laid out one by one in plain doubles. Once a face is refused, or an edge by its length, results
+ * are of no use until `forget_refusals()`; whoever goes on asks `have_refused()`.
+ */
 template <class Triangulation>
 class Input_faces
 {
 public:
-  explicit Input_faces(const Triangulation& triangulation)
+  Input_faces(const Triangulation& triangulation, Refused_faces refused)
     : m_triangulation(triangulation)
+    , m_refused(refused)
   {
   }
+
+  bool have_refused() const { return m_have_refused; }
+  void forget_refusals() { m_have_refused = false; }
 
   bool has_halfedge(Input_halfedge_index h) const
   {
@@ -54,7 +65,12 @@ public:
   Vertex_index head(Input_halfedge_index h) const { return tail(twin_index(h)); }
   Vertex_index apex(Input_halfedge_index h) const { return head(next(h)); }
   bool is_border(Input_halfedge_index h) const { return m_triangulation.input().is_border(h); }
-  double length(Input_halfedge_index h) const { return m_triangulation.metric().length(m_triangulation.input(), h); }
+  double length(Input_halfedge_index h) const
+  {
+    const double length = m_triangulation.metric().weight(m_triangulation.input(), h);
+    m_have_refused = m_have_refused || !is_usable_length(length);
+    return length;
+  }
 
   /* \pre the face exists on this side; it need not be a triangle */
   Input_halfedge_index clockwise(Input_halfedge_index h) const { return next(twin_index(h)); }
@@ -63,11 +79,18 @@ public:
   /* The third corner of the face of h, which has to be a triangle, where h leads from 0 to 1 in the complex plane. */
   Plane_vector corner(Input_halfedge_index h) const
   {
-    if constexpr(std::is_same<typename Triangulation::Metric::Place, std::array<double, 3>>::value) {
-      check_triangle(m_triangulation.input(), h);
+    check_triangle(m_triangulation.input(), h);
+    constexpr bool has_places = std::is_same<typename Triangulation::Metric::Place, std::array<double, 3>>::value;
+    if((!has_places || m_refused == Refused_faces::UNUSABLE) &&
+       !is_usable_face(m_triangulation.metric(), m_triangulation.input(), h))
+    {
+      m_have_refused = true;
+      return 0;
+    }
+    if constexpr(has_places) {
       return corner(place(tail(h)), place(head(h)), place(apex(h)));
     } else {
-      const auto face = input_face_geometry(m_triangulation, h);
+      const auto face = known_input_face_geometry(m_triangulation, h);
       return {-face[2].x / face[0].x, -face[2].y / face[0].x};
     }
   }
@@ -118,6 +141,8 @@ private:
   }
 
   const Triangulation& m_triangulation;
+  Refused_faces m_refused;
+  mutable bool m_have_refused = false;
 };
 
 } // namespace internal

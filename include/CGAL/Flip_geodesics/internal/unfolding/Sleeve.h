@@ -47,12 +47,13 @@ class Sleeve
 public:
   using Bend = Funnel::Bend;
 
-  explicit Sleeve(const Triangulation& triangulation)
+  Sleeve(const Triangulation& triangulation, Refused_faces refused)
     : m_triangulation(triangulation)
-    , m_faces(triangulation)
+    , m_faces(triangulation, refused)
   {
   }
 
+  Input_faces<Triangulation>& faces() { return m_faces; }
   const Input_faces<Triangulation>& faces() const { return m_faces; }
 
   /* The crossed edges, in order. After a change, the sleeve has to be unfolded again. */
