@@ -39,16 +39,26 @@ namespace Flip_geodesics {
 
 namespace internal {
 
-/* Searches; false if there may be shorter paths than it found, on account of edges of length zero. */
-template <class Search, class... Interruptions>
-bool run_to_the_end(Search& search, double bound, std::size_t most_windows, Interruptions*... interruption)
+/*
+ * Calls `run()`, a search over faces. Returns false if it has met a degenerate one, so that there may be shorter paths than
+ * it has found. The search lays out faces from many places in its innermost loops, when they are first needed, and what it
+ * has found before remains valid; an exception ends it there without a test after each face.
+ */
+template <class Run>
+bool meets_no_degenerate_face(const Run& run)
 {
   try {
-    search.run(bound, most_windows, interruption...);
+    run();
   } catch(const Degenerate_face_error&) {
     return false;
   }
   return true;
+}
+
+template <class Search, class... Interruptions>
+bool run_to_the_end(Search& search, double bound, std::size_t most_windows, Interruptions*... interruption)
+{
+  return meets_no_degenerate_face([&] { search.run(bound, most_windows, interruption...); });
 }
 
 /* The same between two vertices, where a path as long as the bound is known. */
@@ -56,12 +66,10 @@ template <class Sweep, class Search>
 bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_windows, Interruption* interruption)
 {
   constexpr double tolerance = Shortest_path_report::proof_tolerance();
-  try {
+  return meets_no_degenerate_face([&] {
     sweep.run(bound * (1 + 2 * tolerance), interruption);
-  } catch(const Degenerate_face_error&) {
-    return false;
-  }
-  return run_to_the_end(search, bound * (1 + tolerance), most_windows, interruption);
+    search.run(bound * (1 + tolerance), most_windows, interruption);
+  });
 }
 
 /* The path that a search has found, as edges, for which the edges that it crosses are flipped; none if it cannot be. */
@@ -188,12 +196,7 @@ void take_shorter_path(Network& network, Vertex_index source, Vertex_index targe
   const Flipped_start* best = &first;
   const std::vector<Flipped_start> starts = starts_in_trees(network, source, target);
   for(const Flipped_start& start : starts) {
-    Shortening_report shortening;
-    try {
-      shortening = pull_tight(network, start, visitor);
-    } catch(const Degenerate_face_error&) {
-      continue;
-    }
+    const Shortening_report shortening = pull_tight(network, start, visitor);
     const double length = network.length(Curve_index(0));
     if(!shortening.is_complete() || !(length < report.length * (1 - Shortest_path_report::proof_tolerance())))
       continue;

@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
-#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/face_lengths.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>
@@ -62,19 +62,23 @@ inline void count_before(Shortening_report& shortening, const Shortening_report&
   shortening.flip_outs += before.flip_outs;
 }
 
-/* Is there a face of which one side is as long as the two others, but for roundings? Linear in the mesh. */
+/* Is there a face of which one side is as long as the two others, but for rounding errors, while the metric makes vectors
+ * of all faces? Then trees of geodesics can be grown in an intrinsic Delaunay triangulation. Linear in the mesh. */
 template <class Triangulation>
 bool has_flat_face(const Triangulation& triangulation)
 {
   const auto& input = triangulation.input();
   const auto length = [&](Input_halfedge_index h) { return triangulation.metric().weight(input, h); };
-  const auto all = descriptors<Input_halfedge_index>(input.number_of_halfedges());
-  return std::any_of(all.begin(), all.end(), [&](Input_halfedge_index h) {
+  bool result = false;
+  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
     if(input.is_border(h))
+      continue;
+    if(!is_usable_face(triangulation.metric(), input, h))
       return false;
     const Input_halfedge_index hn = input.next(h);
-    return length(h) >= (length(hn) + length(input.next(hn))) * (1 - length_sum_rounding);
-  });
+    result = result || length(h) >= (length(hn) + length(input.next(hn))) * (1 - length_sum_rounding);
+  }
+  return result;
 }
 
 /* The path of a tree of geodesics that is grown in an intrinsic Delaunay triangulation of the input. */
@@ -84,14 +88,10 @@ std::vector<Halfedge_index> path_in_tree(Network& network, Vertex_index from, Ve
   using Triangulation = typename Network::Triangulation;
   network.clear();
   network.triangulation().rollback(0);
-  try {
-    flip_to_delaunay(network.triangulation());
-    Geodesic_tree<Triangulation> tree(network.triangulation());
-    tree.grow(from);
-    return tree.path(to);
-  } catch(const Degenerate_face_error&) { // an edge of length zero, which a path need not meet
-    return {};
-  }
+  flip_to_delaunay(network.triangulation());
+  Geodesic_tree<Triangulation> tree(network.triangulation());
+  tree.grow(from);
+  return tree.path(to);
 }
 
 /*
