@@ -14,7 +14,6 @@
 #include "run/tree_results.h"
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
@@ -77,6 +76,9 @@ public:
     return results;
   }
 
+  /// The mesh, or what is left of it when its edges of length zero are contracted.
+  const auto& input() const { return m_triangulation.input(); }
+
   void check(const Network_request& request) override
   {
     if(!request.curves.empty() && !request.curves.front().points.empty())
@@ -111,20 +113,35 @@ private:
                                                                : "give --mollify");
   }
 
+  // For `compute_on_surface()`, which decides whether edges of length zero are contracted.
+  struct Surfaces
+  {
+    Curve_runner& runner;
+
+    Curve_runner& as_is() { return runner; }
+    Curve_runner& contracted()
+    {
+      runner.start_afresh();
+      return runner.on_surface();
+    }
+  };
+
   std::vector<Curve_result> results_or_failures(const Network_request& request)
   {
+    std::string why;
     try {
-      return compute(request);
-    } catch(const CGAL::Flip_geodesics::Degenerate_face_error& error) {
-      start_afresh();
-      return m_options.are_zero_edges_refused ? failures(request, message(error)) : run_on_surface(request, error);
+      if(m_options.are_zero_edges_refused)
+        return compute(request);
+      return CGAL::Flip_geodesics::internal::compute_on_surface(
+          Surfaces{*this}, [&](Curve_runner& runner) { return results_of(runner, request); });
     } catch(const std::bad_alloc&) {
-      start_afresh();
-      return failures(request, "there is not enough memory");
+      why = "there is not enough memory";
     } catch(const std::exception& error) {
-      start_afresh();
-      return failures(request, message(error));
+      why = message(error);
     }
+    start_afresh();
+    m_on_surface.reset();
+    return failures(request, why);
   }
 
   // A curve of which a point is left needs no computation; the others are computed together.
@@ -189,26 +206,22 @@ private:
     return results;
   }
 
-  // With the edges of length zero contracted, because of which `why` was thrown.
-  std::vector<Curve_result> run_on_surface(const Network_request& request,
-                                           const CGAL::Flip_geodesics::Degenerate_face_error& why)
+  // With the edges of length zero contracted.
+  Curve_runner& on_surface()
   {
-    namespace FG = CGAL::Flip_geodesics;
-    try {
-      if(!m_on_surface)
-        m_on_surface =
-            std::make_unique<Curve_runner>(m_mesh, m_metric, m_options, m_progress, FG::Zero_length_edges::CONTRACT);
-      m_on_surface->set_most_recorded_points(m_most_recorded_points);
-      const std::vector<Curve_result> results = m_on_surface->compute(request);
-      take_results(*m_on_surface);
-      return results;
-    } catch(const FG::Disconnected_endpoints_error&) { // by faces without area, or in a point
-      m_on_surface.reset();
-      return failures(request, message(FG::internal::contracted_in_vain(why)));
-    } catch(const std::exception& error) {
-      m_on_surface.reset();
-      return failures(request, message(error));
-    }
+    if(!m_on_surface)
+      m_on_surface = std::make_unique<Curve_runner>(m_mesh, m_metric, m_options, m_progress,
+                                                    CGAL::Flip_geodesics::Zero_length_edges::CONTRACT);
+    m_on_surface->set_most_recorded_points(m_most_recorded_points);
+    return *m_on_surface;
+  }
+
+  std::vector<Curve_result> results_of(Curve_runner& runner, const Network_request& request)
+  {
+    std::vector<Curve_result> results = runner.compute(request);
+    if(&runner != this)
+      take_results(runner);
+    return results;
   }
 
   void take_results(Curve_runner& other)
