@@ -123,7 +123,9 @@ BOOST_AUTO_TEST_CASE(a_stop_predicate_ends_each_path)
     const auto single = FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points),
                                           CGAL::parameters::stop_predicate(stop));
     BOOST_TEST((paths[i].points == points));
-    BOOST_TEST((single.report.curves.front().status == report.status));
+    BOOST_TEST((single.status() == paths[i].status()));
+    BOOST_TEST((single.verdict() == paths[i].verdict()));
+    BOOST_TEST(single.length() == paths[i].length());
   }
   BOOST_TEST(stopped > 0u);
   BOOST_TEST(stopped < pairs.size());

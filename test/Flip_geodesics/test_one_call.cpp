@@ -64,8 +64,11 @@ BOOST_AUTO_TEST_CASE(a_loop_and_curves_come_in_each_form)
   FG::geodesic_network(mesh, std::vector<std::vector<Vertex>>{closed, {ring[0], ring[1], ring[2]}},
                        std::back_inserter(places));
   BOOST_REQUIRE_EQUAL(curves.size(), 2u);
-  BOOST_REQUIRE_EQUAL(result.report.curves.size(), 2u);
+  BOOST_REQUIRE_EQUAL(result.number_of_curves(), 2u);
   for(std::size_t i = 0; i < 2; ++i) {
+    BOOST_CHECK_EQUAL(result.length(i), result.report.curves[i].length);
+    BOOST_CHECK(result.status(i) == result.report.curves[i].status);
+    BOOST_CHECK(result.verdict(i) == result.report.curves[i].verdict);
     check_same_places(places[i], curves[i]);
     if(!curves[i].empty())
       check_curve_points(mesh, curves[i]);

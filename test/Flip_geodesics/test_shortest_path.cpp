@@ -328,13 +328,15 @@ BOOST_AUTO_TEST_CASE(one_call)
   const auto point =
       FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(7), std::back_inserter(points)).report;
   BOOST_TEST((point.verdict == FG::Shortest_path_verdict::PROVEN_SHORTEST));
-  BOOST_TEST((point.shortening.curves.front().status == FG::Shortening_status::CONTRACTED));
+  BOOST_TEST((point.status() == FG::Shortening_status::CONTRACTED));
   BOOST_TEST(point.length == 0);
   BOOST_TEST(points.size() == 2u);
   const auto limited =
       FG::shortest_path(mesh, Surface::Vertex_index(7), Surface::Vertex_index(40), std::back_inserter(points),
                         CGAL::parameters::search_limit(FG::Window_limit(1)));
   BOOST_TEST(limited.report.windows <= 60u);
+  BOOST_TEST((limited.status() == FG::Shortening_status::LOCALLY_SHORTEST));
+  BOOST_TEST((limited.verdict() == limited.report.verdict));
 }
 
 // The error of a length may exceed a short edge: its ends do not lower each other's distances for ever. Edges on the
@@ -382,7 +384,7 @@ BOOST_AUTO_TEST_CASE(a_visitor_stops_the_search)
     BOOST_TEST(report.length >= complete.lower_bound);
     BOOST_TEST(visitor.calls == std::min(most + 1, patient.calls));
     if(most < patient.calls)
-      BOOST_TEST((report.shortening.curves.front().status == FG::Shortening_status::STOPPED_BY_VISITOR));
+      BOOST_TEST((report.status() == FG::Shortening_status::STOPPED_BY_VISITOR));
   }
 }
 

@@ -350,6 +350,7 @@ BOOST_AUTO_TEST_CASE(limit_of_the_covering)
     (result.report.is_confirmed() ? some_are_confirmed : some_are_not) = true;
     for(std::size_t i = 0; i < out.size(); ++i) {
       BOOST_TEST(result.report.paths[i].lower_bound <= result.length(i) * (1 + 1e-12));
+      BOOST_TEST((result.verdict(i) == result.report.paths[i].verdict));
       if(result.report.is_confirmed())
         BOOST_TEST(std::abs(result.length(i) - truth.length(i)) < 1e-12 * truth.length(i));
     }

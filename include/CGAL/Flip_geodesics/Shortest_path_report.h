@@ -51,6 +51,9 @@ struct Shortest_path_report
   /// are all found.
   bool has_tie = false;
 
+  /// Is the path a geodesic?
+  Shortening_status status() const { return shortening.curves.front().status; }
+
   /// Is the path globally shortest? If not, it may still be.
   bool is_confirmed() const { return verdict != Shortest_path_verdict::UNCONFIRMED; }
 
@@ -72,7 +75,9 @@ struct Shortest_path_result
   OutputIterator out;          ///< the end of the output
   Shortest_path_report report; ///< what is known of the path
 
-  double length() const { return report.length; } ///< the length of the path
+  double length() const { return report.length; }                  ///< the length of the path
+  Shortening_status status() const { return report.status(); }     ///< whether the path is a geodesic
+  Shortest_path_verdict verdict() const { return report.verdict; } ///< whether it is shown to be a shortest one
 };
 
 } // namespace Flip_geodesics

@@ -14,6 +14,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -50,6 +51,11 @@ struct Geodesics_result
 {
   OutputIterator out;       ///< the end of the output
   Shortening_report report; ///< what became of the curves, one entry for each
+
+  std::size_t number_of_curves() const { return report.curves.size(); }                    ///< how many there are
+  double length(std::size_t i) const { return report.curves.at(i).length; }                ///< of a curve
+  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; }     ///< is it a geodesic?
+  Certificate_verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; } ///< is it proven to be one?
 };
 
 /*!

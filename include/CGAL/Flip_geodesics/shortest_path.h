@@ -184,7 +184,7 @@ double lower_bound_in_space(const Triangulation& triangulation, Vertex_index sou
 
 inline bool is_stopped_by_visitor(const Shortest_path_report& report)
 {
-  return report.shortening.curves.front().status == Shortening_status::STOPPED_BY_VISITOR;
+  return report.status() == Shortening_status::STOPPED_BY_VISITOR;
 }
 
 /* Looks for a shorter path than the only one of a network, where faces without area are in the way of windows. */

@@ -119,7 +119,8 @@ struct Paths_by_class_result
 
   std::size_t number_of_paths() const { return report.paths.size(); }      ///< how many there are
   double length(std::size_t i) const { return report.paths.at(i).length; } ///< of a path, by its place in the output
-  Class_search_status status() const { return report.status; }             ///< how the search ended
+  Shortest_path_verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; } ///< of a path
+  Class_search_status status() const { return report.status; }                              ///< how the search ended
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions

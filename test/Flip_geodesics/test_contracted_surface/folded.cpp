@@ -399,7 +399,7 @@ BOOST_AUTO_TEST_CASE(an_edge_between_vertices_in_one_place_is_a_loop)
   BOOST_CHECK_SMALL(across.length - std::sqrt(3.0), 1e-14);
   BOOST_CHECK(across.is_confirmed());
   BOOST_CHECK_EQUAL(in_place.length, 0);
-  BOOST_CHECK(in_place.shortening.curves.front().status == FG::Shortening_status::CONTRACTED);
+  BOOST_CHECK(in_place.status() == FG::Shortening_status::CONTRACTED);
   BOOST_CHECK(in_place.shortening.curves.front().are_zero_edges_contracted);
 }
 

@@ -87,12 +87,11 @@ BOOST_AUTO_TEST_CASE(one_path)
     }
   };
   check([&](auto out, const auto& np) { return FG::geodesic_path(mesh, source, target, out, np); },
-        [](const auto& result) { return result.report.curves.front().status; });
+        [](const auto& result) { return result.status(); });
   check([&](auto out, const auto& np) { return FG::shortest_path(mesh, source, target, out, np); },
         [](const auto& result) {
-          BOOST_TEST((result.report.is_confirmed() ||
-                      result.report.shortening.curves.front().status == FG::Shortening_status::STOPPED_BY_VISITOR));
-          return result.report.shortening.curves.front().status;
+          BOOST_TEST((result.report.is_confirmed() || result.status() == FG::Shortening_status::STOPPED_BY_VISITOR));
+          return result.status();
         });
 }
 
