@@ -160,13 +160,13 @@ struct First_form<Output, Container, Form, Forms...>
 template <class Forms, class Output, template <class> class Container>
 struct Curve_form_of
 {
-  using type = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
-                                   typename Forms::Exact_location, typename Forms::All>::type;
-  static_assert(
-      is_iterator<Output>,
-      "no output iterator where it belongs; the order is mesh, ends or curves, output, policy, named parameters");
-  static_assert(!is_iterator<Output> || !std::is_void<type>::value,
+  using First = typename First_form<Output, Container, typename Forms::Point, typename Forms::Location,
+                                    typename Forms::Exact_location, typename Forms::All>::type;
+  static_assert(is_iterator<Output>,
+                "no output iterator where it belongs; the order is mesh, ends or curves, output, named parameters");
+  static_assert(!is_iterator<Output> || !std::is_void<First>::value,
                 "the output takes neither the metric's points (lengths have none) nor Face_locations nor Curve_points");
+  using type = std::conditional_t<std::is_void<First>::value, typename Forms::All, First>; // no message follows
 };
 
 template <class Triangulation, class Output, template <class> class Container = Itself>

@@ -129,16 +129,26 @@ inline bool is_stopped_by_visitor(const Shortest_tree_report& report)
   return report.status == Shortening_status::STOPPED_BY_VISITOR;
 }
 
+template <class Map, class Key, class Value, class = void>
+constexpr bool can_put = false;
+template <class Map, class Key, class Value>
+constexpr bool can_put<
+    Map, Key, Value,
+    std::void_t<decltype(put(std::declval<Map&>(), std::declval<const Key&>(), std::declval<const Value&>()))>> = true;
+
 /* Writes values into a property map of the mesh, unless the visitor has stopped the computation of them. */
 template <class TriangleMesh, class Value, class VertexMap>
 void write_values(const TriangleMesh& mesh, const Computed_values<Value>& computed, VertexMap map)
 {
   static_assert(is_property_map<VertexMap>());
+  constexpr bool is_writable = can_put<VertexMap, Mesh_vertex<TriangleMesh>, Value>;
+  static_assert(is_writable || is_container_with_keys<VertexMap>, "no property map of such values where it belongs");
   if(is_stopped_by_visitor(computed.report))
     return;
   auto value = computed.values.begin();
   for(const auto v : vertices(mesh))
-    put(map, v, *value++);
+    if constexpr(is_writable)
+      put(map, v, *value++);
 }
 
 /* A property map that keeps values in the order in which they are put. */
@@ -319,14 +329,13 @@ std::vector<Mesh_vertex<TriangleMesh>> source_vertices(const TriangleMesh&, cons
   constexpr bool is_one = std::is_convertible<Sources, Vertex>::value;
   static_assert(is_one || is_range_of<Sources, Vertex>,
                 "no vertex of the mesh where it belongs, nor a range of such; the order is mesh, source, property map");
-  if constexpr(is_one) {
-    return {Vertex(sources)};
-  } else {
-    std::vector<Vertex> result;
+  std::vector<Vertex> result;
+  if constexpr(is_one)
+    result.push_back(Vertex(sources));
+  else if constexpr(is_range_of<Sources, Vertex>)
     for(const Vertex v : sources)
       result.push_back(v);
-    return result;
-  }
+  return result;
 }
 
 /* What is computed on a surface is confirmed of the mesh if nothing was lost when it was contracted or rounded. */

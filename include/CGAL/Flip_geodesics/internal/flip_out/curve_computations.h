@@ -27,7 +27,10 @@ struct Computed_output
 template <class Result, class Computed, class OutputIterator>
 Result write_computed(Computed&& computed, OutputIterator out)
 {
-  return Result{std::move(computed.values.begin(), computed.values.end(), out), std::move(computed.report)};
+  if constexpr(!takes<OutputIterator, typename decltype(computed.values)::value_type>)
+    return Result{out, std::move(computed.report)}; // after the message of `Curve_form_of`, no other follows
+  else
+    return Result{std::move(computed.values.begin(), computed.values.end(), out), std::move(computed.report)};
 }
 
 /* A copy of a range of vertices of the mesh. */
