@@ -20,6 +20,7 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/largest_turn.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

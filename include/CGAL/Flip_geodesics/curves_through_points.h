@@ -17,6 +17,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/located_place.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/nearest_location.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/surface_points.h>

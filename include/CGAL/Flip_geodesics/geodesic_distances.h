@@ -16,6 +16,7 @@
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

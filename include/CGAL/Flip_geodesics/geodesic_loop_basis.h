@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
 #include <CGAL/Flip_geodesics/internal/surface/make_visitor.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <algorithm>
 #include <cstddef>

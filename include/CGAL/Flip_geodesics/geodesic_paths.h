@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -7,6 +7,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Isoline_tracer.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -18,6 +18,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Soup_polygons.h>
 #include <CGAL/Flip_geodesics/internal/surface/Soup_repair.h>
 #include <CGAL/Flip_geodesics/internal/surface/Triangle_soup.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>

@@ -21,6 +21,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>

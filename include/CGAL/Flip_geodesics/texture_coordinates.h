@@ -14,6 +14,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>

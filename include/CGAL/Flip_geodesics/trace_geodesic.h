@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/located_place.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

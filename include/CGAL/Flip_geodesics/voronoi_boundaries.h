@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Located_polyline.h>
 #include <CGAL/Flip_geodesics/internal/distances/Voronoi_tracer.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 

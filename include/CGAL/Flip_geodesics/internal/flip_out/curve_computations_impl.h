@@ -19,6 +19,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/surface/make_visitor.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
