@@ -12,7 +12,7 @@
 #include "processor_time.h"
 
 #include <CGAL/Flip_geodesics/Curve_editor.h>
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 
 #include <algorithm>
@@ -119,7 +119,7 @@ void measure(const std::string& name, std::size_t moves)
   drag(label, triangulation, "way_point", moves, 3, 1, nothing);
   drag(label, triangulation, "control_point", moves, 5, 2, nothing);
   drag(label, triangulation, "spline", (std::min)(moves, std::size_t(20)), 5, 2, [&](const Editor& editor) {
-    FG::Free_geodesic_spline<Triangulation> spline(triangulation, editor.legs(), FG::Spline_kind::CUBIC_B_SPLINE);
+    FG::Geodesic_spline<Triangulation> spline(triangulation, editor.legs(), FG::Spline_kind::CUBIC_B_SPLINE);
     spline.refine(0, 2);
     spline.finish();
   });

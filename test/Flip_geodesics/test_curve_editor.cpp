@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 
@@ -625,15 +625,15 @@ BOOST_AUTO_TEST_CASE(a_spline_of_dragged_legs_is_that_of_the_plane)
   Editor editor(t, locations(t, surface, polygon));
   polygon[2] = {6.1, 2.4};
   editor.move(2, locations(t, surface, {polygon[2]}).front());
-  FG::Free_geodesic_spline<Triangulation> spline(t, editor.legs(), FG::Spline_kind::BEZIER);
+  FG::Geodesic_spline<Triangulation> spline(t, editor.legs(), FG::Spline_kind::BEZIER);
   spline.refine();
   const auto pieces = spline.finish();
   BOOST_REQUIRE_EQUAL(pieces.size(), 2u);
   BOOST_TEST(distance(rolled_out(surface.flat, pieces[0].back()), de_casteljau(polygon, 0.5)) < 1e-11);
-  BOOST_CHECK_THROW(FG::Free_geodesic_spline<Triangulation>(t, std::vector<Polyline>{}, FG::Spline_kind::BEZIER),
+  BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, std::vector<Polyline>{}, FG::Spline_kind::BEZIER),
                     FG::Invalid_curve_error);
   const std::vector<Polyline> short_leg = {{editor.point(0)}};
-  BOOST_CHECK_THROW(FG::Free_geodesic_spline<Triangulation>(t, short_leg, FG::Spline_kind::BEZIER),
+  BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, short_leg, FG::Spline_kind::BEZIER),
                     FG::Invalid_curve_error);
 }
 

@@ -9,7 +9,7 @@
 #include "rolled_out_surfaces.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ using namespace Flip_geodesics_test;
 
 namespace {
 
-using Spline = FG::Free_geodesic_spline<Triangulation>;
+using Spline = FG::Geodesic_spline<Triangulation>;
 using Pieces = std::vector<std::vector<FG::Surface_location>>;
 
 std::vector<std::vector<Flat_point>> simple_and_crossing_polygons()
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(exact_decisions)
     std::vector<FG::Surface_location> points;
     for(FG::Vertex_index v : {0_v, 15_v, 40_v, 3_v, 65_v})
       points.push_back(t.location(v));
-    FG::Free_geodesic_spline<Certified> spline(t, points, kind);
+    FG::Geodesic_spline<Certified> spline(t, points, kind);
     for(int i = 0; i < 3; ++i)
       spline.refine();
     BOOST_TEST(spline.finish().size() == (kind == FG::Spline_kind::BEZIER ? 8u : 32u));

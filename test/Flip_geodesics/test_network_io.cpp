@@ -10,6 +10,7 @@
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
@@ -260,8 +261,11 @@ template <class Setting>
 void divide_first_segments(Setting& setting, Random_numbers& random)
 {
   for(Curve_index c : descriptors<Curve_index>(setting.network.number_of_curves()))
-    if(!setting.network.is_contracted(c))
-      setting.network.divide_segment(setting.network.first_segment(c), random.uniform(0.2, 0.8));
+    if(!setting.network.is_contracted(c)) {
+      const FG::Halfedge_index h = setting.network.halfedge(setting.network.first_segment(c));
+      const auto point = FG::internal::point_on_edge(setting.triangulation, h, random.uniform(0.2, 0.8));
+      setting.network.split_edge(h, point->location, point->gap);
+    }
 }
 
 template <class Setting>

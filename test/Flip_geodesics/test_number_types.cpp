@@ -192,18 +192,14 @@ private:
       return pull(s);
     });
     call("Geodesic_spline", [](Setting& s) {
-      const FG::Curve_index curve = FG::add_curve_through(s.network, locations(s));
-      FG::order_overlapping_curves(s.network);
-      FG::Geodesic_spline<Network> spline(s.network, curve);
-      spline.refine(0.05, 2);
-      spline.finish();
-      return length(s.network);
-    });
-    call("Free_geodesic_spline", [](Setting& s) {
-      FG::Free_geodesic_spline<Triangulation> spline(s.triangulation, locations(s), FG::Spline_kind::BEZIER);
+      FG::Geodesic_spline<Triangulation> spline(s.triangulation, locations(s), FG::Spline_kind::BEZIER);
       spline.refine(0.05, 2);
       spline.finish();
       return spline.length();
+    });
+    call("add_curve_along", [](Setting& s) {
+      FG::add_curve_along(s.network, FG::geodesics_through(s.triangulation, locations(s)).legs);
+      return pull(s);
     });
   }
 
@@ -321,10 +317,8 @@ void check(const Outcomes& exceptions)
 }
 
 // Where edges have been flipped, the coordinates of a point in their frames are no rational numbers.
-const Outcomes exceptions_of_exact_numbers = {{"add_curve_through after flips", insertion_error},
-                                              {"Geodesic_spline", insertion_error},
-                                              {"refine", refused},
-                                              {"refine about curves", refused}};
+const Outcomes exceptions_of_exact_numbers = {
+    {"add_curve_through after flips", insertion_error}, {"refine", refused}, {"refine about curves", refused}};
 
 } // namespace
 
@@ -343,7 +337,7 @@ BOOST_AUTO_TEST_CASE(certified_doubles_do_everything)
 
 BOOST_AUTO_TEST_CASE(rounded_numbers_do_everything) { check<Exact_traits<Rounded>>({}); }
 
-BOOST_AUTO_TEST_CASE(intervals_do_what_they_decide) { check<Exact_traits<Interval>>({{"Geodesic_spline", undecided}}); }
+BOOST_AUTO_TEST_CASE(intervals_do_what_they_decide) { check<Exact_traits<Interval>>({}); }
 
 BOOST_AUTO_TEST_CASE(rational_numbers_have_no_points_after_flips)
 {

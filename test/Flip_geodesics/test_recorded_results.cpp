@@ -142,33 +142,7 @@ BOOST_AUTO_TEST_CASE(polylines)
   });
 }
 
-// Splines by subdivision in a network.
-BOOST_AUTO_TEST_CASE(splines)
-{
-  compare<Certified>("splines", Depends_on::ARITHMETIC, [](Setting<Certified>& s, Summary& summary, Result& extra) {
-    std::size_t pieces = 0;
-    for(int i = 0; i < 2; ++i) {
-      const auto points = s.random_locations(4);
-      Setting<Certified>::Network network(s.triangulation);
-      summary.attempt([&] {
-        const FG::Curve_index curve = FG::add_curve_through(network, points);
-        FG::order_overlapping_curves(network);
-        auto spline = i == 0 ? FG::Geodesic_spline<Setting<Certified>::Network>(network, curve)
-                             : FG::Geodesic_spline<Setting<Certified>::Network>::cubic_b_spline(network, curve);
-        summary.results.add(spline.refine(0.01, 3));
-        summary.results.add_all(spline.vertices_on_curve());
-        pieces += spline.number_of_pieces();
-        summary.add(spline.finish());
-        summary.add_curves(network);
-      });
-      network.clear();
-      s.triangulation.rollback();
-    }
-    extra.count("pieces", pieces);
-  });
-}
-
-// Splines of free segments, without a network.
+// Splines, which are not part of a triangulation while they are refined.
 BOOST_AUTO_TEST_CASE(free_splines)
 {
   compare<Certified>("free_splines", Depends_on::ARITHMETIC, [](Setting<Certified>& s, Summary& summary, Result&) {
@@ -176,13 +150,35 @@ BOOST_AUTO_TEST_CASE(free_splines)
     {
       const auto points = s.random_locations(4);
       summary.attempt([&] {
-        FG::Free_geodesic_spline<Certified> spline(s.triangulation, points, kind);
+        FG::Geodesic_spline<Certified> spline(s.triangulation, points, kind);
         summary.results.add(spline.refine(0.02, 2));
         summary.lengths.add(spline.length());
         summary.add(spline.finish());
         summary.add(spline.report());
         summary.results.add(static_cast<long long>(spline.report().curves[0].verdict));
       });
+    }
+  });
+}
+
+// The same drawn into a network.
+BOOST_AUTO_TEST_CASE(drawn_splines)
+{
+  compare<Certified>("drawn_splines", Depends_on::ARITHMETIC, [](Setting<Certified>& s, Summary& summary, Result&) {
+    for(auto kind : {FG::Spline_kind::BEZIER, FG::Spline_kind::CUBIC_B_SPLINE, FG::Spline_kind::CLOSED_CUBIC_B_SPLINE})
+    {
+      const auto points = s.random_locations(4);
+      Setting<Certified>::Network network(s.triangulation);
+      summary.attempt([&] {
+        FG::Geodesic_spline<Certified> spline(s.triangulation, points, kind);
+        spline.refine(0.02, 2);
+        FG::add_curve_along(network, spline.finish(), kind == FG::Spline_kind::CLOSED_CUBIC_B_SPLINE);
+        FG::order_overlapping_curves(network);
+        summary.add_curves(network);
+        shorten_and_add(network, summary);
+      });
+      network.clear();
+      s.triangulation.rollback();
     }
   });
 }

@@ -17,6 +17,7 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
 
@@ -28,6 +29,7 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -276,12 +278,12 @@ BOOST_AUTO_TEST_CASE(drawn_polylines_and_splines)
     std::vector<FG::Surface_location> points;
     for(FG::Vertex_index v : {9_v, 12_v, 36_v, 53_v}) // in a row, so that nothing crosses itself
       points.push_back(s.triangulation.location(v));
-    const FG::Curve_index curve = FG::add_curve_through(s.network, points);
-    FG::order_overlapping_curves(s.network);
-    FG::Geodesic_spline<Setting::Network> spline(s.network, curve);
+    FG::Geodesic_spline<Triangulation> spline(s.triangulation, points, FG::Spline_kind::BEZIER);
     for(int round = 0; round < 3; ++round)
       spline.refine();
-    spline.finish();
+    FG::add_curve_along(s.network, spline.finish());
+    FG::order_overlapping_curves(s.network);
+    FG::shorten(s.network);
     check_curves(s);
     s.network.clear();
     s.triangulation.rollback();

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_PROGRAM_CURVE_REQUESTS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 
 #include <optional>

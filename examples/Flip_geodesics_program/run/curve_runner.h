@@ -254,10 +254,9 @@ private:
       }
       m_progress.enter("searching");
       if(!request.curves[c].points.empty()) {
-        if(request.curves[c].spline && has_repeated_point(m_triangulation, request.curves[c]))
-          throw CGAL::Flip_geodesics::Invalid_curve_error("a control point is repeated, which a spline in a network "
-                                                          "cannot have; leave out meshes and --stop-length");
-        const auto curve = add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
+        const auto curve = request.curves[c].spline
+                               ? add_spline(network, request.curves[c], results[c])
+                               : add_curve_through(network, request.curves[c].points, request.curves[c].is_closed);
         results[c].search_s = stopwatch.seconds();
         results[c].initial_segments = network.halfedges(curve).size();
         continue;
@@ -298,7 +297,7 @@ private:
       find_shortest(network, request.curves.front(), results.front());
     } else {
       build(network, request, results);
-      tighten(network, request, results, recorder);
+      shorten(network, results, recorder);
     }
     extract(network, results);
     m_mesh_results = improve_triangulation(m_options.meshes, network, m_progress);
@@ -339,14 +338,6 @@ private:
     result.shorten_s = stopwatch.seconds() - result.search_s;
   }
 
-  void tighten(Network& network, const Network_request& request, std::vector<Curve_result>& results, Recorder& recorder)
-  {
-    if(request.curves.front().spline)
-      subdivide(network, request.curves.front(), results.front());
-    else
-      shorten(network, results, recorder);
-  }
-
   // Records how flips alone pull the curve tight that is known by now. Results stay as they are, so that they are the same
   // with and without a page.
   void record_flips_alone(const Network_request& request, const std::vector<Curve_result>& results)
@@ -356,7 +347,7 @@ private:
     Recorder recorder;
     try {
       build(network, request, others, true);
-      tighten(network, request, others, recorder);
+      shorten(network, others, recorder);
       const double length = results.front().length;
       if(std::abs(others.front().length - length) <= 1e-9 * length) {
         record(network, recorder);
@@ -403,13 +394,7 @@ private:
     const Stopwatch stopwatch;
     FG::Free_legs path;
     if(request.spline) {
-      m_progress.enter("subdividing", "rounds", static_cast<std::size_t>(m_options.rounds));
-      FG::Free_geodesic_spline<Triangulation> spline(m_triangulation, request.points, *request.spline);
-      for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
-        spline.refine();
-      path.legs = spline.finish();
-      path.report = spline.report();
-      m_progress.add_flips(path.report.flips);
+      path = spline(request);
     } else {
       m_progress.enter("shortening", "steps");
       Progress_visitor visitor(m_progress);
@@ -424,6 +409,28 @@ private:
         result.points.push_back({p, FG::point_in_space(m_triangulation, p), i == 0 || i + 1 == leg.size()});
       }
     note_ends(result);
+  }
+
+  // Computes a spline as geodesics between points on it. \pre no network has curves in the triangulation
+  CGAL::Flip_geodesics::Free_legs spline(const Curve_request& request)
+  {
+    m_progress.enter("subdividing", "rounds", static_cast<std::size_t>(m_options.rounds));
+    CGAL::Flip_geodesics::Geodesic_spline<Triangulation> spline(m_triangulation, request.points, *request.spline);
+    for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
+      spline.refine();
+    CGAL::Flip_geodesics::Free_legs result = {spline.finish(), spline.report()};
+    m_progress.add_flips(result.report.flips);
+    return result;
+  }
+
+  // Adds a spline to a network, whose initial length is that of its control polygon.
+  Curve_index add_spline(Network& network, const Curve_request& request, Curve_result& result)
+  {
+    const CGAL::Flip_geodesics::Free_legs pieces = spline(request);
+    const Curve_index curve = add_curve_along(network, pieces.legs, request.is_closed);
+    network.set_initial_length(curve, pieces.report.curves.front().initial_length);
+    result.flips = pieces.report.flips;
+    return curve;
   }
 
   static void note(const CGAL::Flip_geodesics::Shortening_report& run, const CGAL::Flip_geodesics::Curve_report& curve,
@@ -567,24 +574,6 @@ private:
     m_record = recorder->finish();
     if(m_record->steps.empty() && number_of_points(*m_record) > m_most_recorded_points)
       m_record.reset();
-  }
-
-  // The control polygon becomes the spline.
-  void subdivide(Network& network, const Curve_request& request, Curve_result& result)
-  {
-    namespace FG = CGAL::Flip_geodesics;
-    const Stopwatch stopwatch;
-    m_progress.enter("subdividing", "rounds", static_cast<std::size_t>(m_options.rounds));
-    const Curve_index curve(0);
-    auto spline = *request.spline == FG::Spline_kind::BEZIER
-                      ? FG::Geodesic_spline<Network>(network, curve)
-                      : FG::Geodesic_spline<Network>::cubic_b_spline(network, curve);
-    for(int i = 0; i < m_options.rounds; ++i, m_progress.add_steps(1))
-      spline.refine();
-    const FG::Shortening_report& report = spline.finish();
-    m_progress.add_flips(report.flips);
-    note(report, report.curves.front(), result);
-    result.shorten_s = stopwatch.seconds();
   }
 
   // The vertices where an open curve that has been read off starts and ends.

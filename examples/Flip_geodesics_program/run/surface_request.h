@@ -71,16 +71,6 @@ bool are_in_one_place(const Triangulation& triangulation,
          });
 }
 
-/// Is a point of a curve in the place of the one before it?
-template <class Triangulation>
-bool has_repeated_point(const Triangulation& triangulation, const Curve_request& curve)
-{
-  for(std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < curve.points.size(); ++i)
-    if(are_in_one_place(triangulation, {curve.points[i], curve.points[(i + 1) % curve.points.size()]}))
-      return true;
-  return false;
-}
-
 /// Where a curve lies. Curves along edges keep the mesh's vertices, since these tell which edges are meant.
 /// \return the point, if that is all that is left of it
 template <class Triangulation>

@@ -181,18 +181,6 @@ public:
     return Division(*m_triangulation, m_segments).insert(location, close_by);
   }
 
-  /*!
-   * Makes the point that divides a segment, `t` of the way to its head, a vertex, and divides the segment there; so are
-   * the others on its edge. The point is rounded to a location on the input, and the segments bent by as much.
-   * \return the first half of the segment, whose head is the new vertex
-   * \pre 0 < `t` < 1
-   * \throws as `Intrinsic_triangulation::split_edge()`
-   */
-  Segment_index divide_segment(Segment_index s, double t)
-  {
-    return Division(*m_triangulation, m_segments).divide(s, t);
-  }
-
   /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()`.
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {

@@ -3,99 +3,113 @@
 #ifndef CGAL_FLIP_GEODESICS_GEODESIC_SPLINE_H
 #define CGAL_FLIP_GEODESICS_GEODESIC_SPLINE_H
 
-#include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Shortening_report.h>
+#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/overlapping_curves.h>
-#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 
-#include <CGAL/assertions.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 
+/// \ingroup PkgFlipGeodesicsBuilders
+/// What the control points of a spline are the control points of.
+enum class Spline_kind {
+  BEZIER,                ///< one B&eacute;zier curve, of a degree one less than their number
+  CUBIC_B_SPLINE,        ///< a uniform cubic B-spline that starts and ends at the first and last point
+  CLOSED_CUBIC_B_SPLINE, ///< a closed uniform cubic B-spline, of at least three points
+};
+
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * A chain of geodesic B&eacute;zier curves on the surface, by de Casteljau's algorithm with geodesics for straight
- * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008].
+ * A chain of geodesic B&eacute;zier curves on the surface, made by de Casteljau's algorithm with geodesics for straight
+ * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008]. In the plane
+ * the points where pieces meet are exactly those of the B&eacute;zier curve, up to rounding errors.
  *
- * A curve of a network is the control polygon: its fixed nodes are the control points, and the geodesics between them
- * its *legs*. A piece of the chain is divided at its middle. For that, the middles of its legs become vertices, and the
- * control points between them are freed. So the legs of the next level pull straight, and so on, until one leg is left.
- * Its middle is a point of the curve. All pieces are divided at once. The legs of both halves are then the control
- * polygons of the halves. In the plane the points of the curve are exactly those of the B&eacute;zier curve, up to
- * rounding.
+ * Each leg of a control polygon is a geodesic by itself, in a triangulation that is put back for the next one. Legs may
+ * therefore cross, pass over control points and over one another, and the control polygon may cross itself. A leg of the
+ * next level is shortened from a path that leads from the middle of one leg over the control point to the middle of the
+ * next: the curve stays in the homotopy class of the polygon. `add_curve_along()` makes the pieces of the finished curve
+ * a curve of a network, and so edges of a triangulation.
  *
- * Legs are pulled straight from where the control polygon was, not searched anew: the curve stays in the polygon's
- * isotopy class. The triangulation conforms to it at all times.
+ * The invariant: each leg is a geodesic that starts where the one before ends; the triangulation is as it was.
  *
- * The invariant: the fixed nodes of the curve are the control points of the pieces, in order.
- *
- * \tparam Network an `Edge_path_network`, whose triangulation is a model of `IntrinsicTriangulationOfMesh`
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`
  */
-template <class Network>
+template <class Triangulation>
 class Geodesic_spline
 {
-  using Triangulation = typename Network::Triangulation;
-
 public:
   /*!
-   * One B&eacute;zier curve, whose control points are the ends and the fixed nodes of an open curve: the degree is one
-   * less than their number. Pulls the legs straight. Where strands cross as they lie along shared edges, as after
-   * `add_curve_through()` with legs over one another, they are put in order by `order_overlapping_curves()`.
+   * The spline with these control points, joined by shortest edge paths that are pulled straight.
    *
-   * \pre the curve is not closed
-   * \throws Crossing_curves_error, Ambiguous_order_error as `order_overlapping_curves()`
-   * \throws as `shorten()`
+   * \param triangulation that of the input, without flips and curves; it has to live as long as the spline is refined
+   * \param control_points at least two; a closed spline has at least three, and does not repeat the first. Points in a
+   *        row may be in one place: the leg between them has length zero
+   * \throws Invalid_curve_error for fewer points
+   * \throws Occupied_triangulation_error if there are curves
+   * \throws Invalid_location_error, Insertion_error, Disconnected_endpoints_error, and as `refine()`
    */
-  Geodesic_spline(Network& network, Curve_index curve)
-    : m_network(network)
-    , m_curve(curve)
+  Geodesic_spline(Triangulation& triangulation, const std::vector<Surface_location>& control_points, Spline_kind kind)
+    : m_straightener(triangulation)
+    , m_measure(triangulation)
   {
-    CGAL_precondition(!network.is_closed(curve));
-    put_in_order();
-    m_legs.assign(number_of_fixed_heads(), {});
-    m_legs.back().ends_piece = true;
-    pull_straight();
+    const bool is_closed = kind == Spline_kind::CLOSED_CUBIC_B_SPLINE;
+    if(control_points.size() < (is_closed ? 3u : 2u))
+      throw Invalid_curve_error("a spline needs at least two control points, a closed one three");
+    for(std::size_t i = 0; i + (is_closed ? 0 : 1) < control_points.size(); ++i)
+      m_legs.push_back({m_straightener.shortest(control_points[i], control_points[(i + 1) % control_points.size()])});
+    start(kind);
   }
 
   /*!
-   * Makes the curve the control polygon of a uniform cubic B-spline [Farin, Curves and Surfaces for CAGD]. It divides
-   * each leg into thirds, and cuts the corners off by lines. The cubic pieces meet at the middles of these. An open
-   * spline starts and ends at the ends of the polygon; a closed one passes no control point.
+   * The spline with a control polygon whose legs are geodesics already, such as those of a `Curve_editor`: so the curve
+   * stays in the polygon's class when control points are dragged.
    *
-   * \pre a closed curve has at least three fixed nodes
-   * \throws as the constructor and `refine()`
+   * \param triangulation as above
+   * \param legs each from where the one before ends, each two places in a row in one face; of a closed spline, the last
+   *        ends where the first starts
+   * \throws Invalid_curve_error for fewer than one leg, of a closed spline three, for legs of one place, and for
+   *         places in a row in no common face
+   * \throws Invalid_location_error, Insertion_error, and as `refine()`
    */
-  static Geodesic_spline cubic_b_spline(Network& network, Curve_index curve)
+  Geodesic_spline(Triangulation& triangulation, const std::vector<std::vector<Surface_location>>& legs,
+                  Spline_kind kind)
+    : m_straightener(triangulation)
+    , m_measure(triangulation)
   {
-    return Geodesic_spline(network, curve, Cubic_tag());
+    if(legs.size() < (kind == Spline_kind::CLOSED_CUBIC_B_SPLINE ? 3u : 1u))
+      throw Invalid_curve_error("a spline needs at least one leg, a closed one three");
+    for(const std::vector<Surface_location>& leg : legs)
+      m_legs.push_back({internal::canonical_polyline(triangulation.input(), leg, false)});
+    start(kind);
   }
 
   /*!
    * Divides every piece at its middle, and so doubles their number.
    * \throws Insertion_error if the curve is divided more finely than numbers can tell
-   * \throws Crossing_curves_error if a strand crosses the curve at a control point that is freed; the network is valid
-   *         then, and the spline of no use any more
-   * \throws Invalid_curve_error if a leg has shrunk to a point
+   * \throws Crossing_curves_error, Ambiguous_order_error if two legs in a row, taken together, cross themselves
    */
   void refine()
   {
-    for(Leg& leg : m_legs)
-      leg.is_working = true;
-    bool is_working = true;
-    while(is_working) {
-      is_working = divide_working_legs();
-      pull_straight();
+    std::vector<Leg> result;
+    for(std::size_t begin = 0; begin < m_legs.size();) {
+      std::size_t end = begin + 1;
+      while(!m_legs[end - 1].ends_piece)
+        ++end;
+      divide_piece(
+          {m_legs.begin() + static_cast<std::ptrdiff_t>(begin), m_legs.begin() + static_cast<std::ptrdiff_t>(end)},
+          result);
+      begin = end;
     }
+    m_legs.swap(result);
   }
 
   /*!
@@ -107,265 +121,142 @@ public:
    */
   int refine(double tolerance, int most_rounds)
   {
-    double length = m_network.length(m_curve);
+    double before = length();
     for(int round = 1; round <= most_rounds; ++round) {
       refine();
-      const double next = m_network.length(m_curve);
-      if(std::abs(length - next) <= tolerance * next)
+      const double now = length();
+      if(std::abs(before - now) <= tolerance * now)
         return round;
-      length = next;
+      before = now;
     }
     return most_rounds;
   }
 
   /*!
-   * Frees the control points that are not on the curve, so that geodesics join those that are. With traits that decide
-   * exactly, the result is certified: a point that divides a segment is rounded, and lies on it only by definition, so
-   * that a decision about the faces beside it can be wrong by as much.
-   * \return the report of the last shortening; `PRECISION_LIMIT` for a curve that was to be exact and is not
+   * Joins the points where pieces meet, which lie on the curve, by geodesics along their control polygons.
+   * \return a polyline per piece, from where it starts to where it ends: where it crosses edges
    * \throws as `refine()`
    */
-  const Shortening_report& finish()
+  std::vector<std::vector<Surface_location>> finish()
   {
-    std::vector<Cut> cuts(m_legs.size());
-    for(std::size_t i = 0; i < m_legs.size(); ++i)
-      cuts[i].frees_end = !m_legs[i].ends_piece;
-    apply(cuts);
-    std::vector<Leg> legs;
-    for(const Leg& leg : m_legs)
-      if(leg.ends_piece)
-        legs.push_back(leg);
-    m_legs = legs;
-    pull_straight();
-    check_exactly();
-    return m_report;
-  }
-
-  /// The number of pieces.
-  std::size_t number_of_pieces() const
-  {
-    std::size_t result = 0;
-    for(const Leg& leg : m_legs)
-      result += leg.ends_piece ? 1 : 0;
-    return result;
-  }
-
-  /// The vertices where pieces start and end, which lie on the curve, in order; a closed curve repeats the first.
-  std::vector<Vertex_index> vertices_on_curve() const
-  {
-    std::vector<Vertex_index> result;
-    Segment_index s = first_segment();
-    result.push_back(m_network.triangulation().tail(m_network.halfedge(s)));
+    m_straightener.clear_report();
+    std::vector<std::vector<Surface_location>> pieces;
+    internal::Surface_polyline piece;
+    double finished_length = 0;
     for(const Leg& leg : m_legs) {
-      s = end_of_leg(s);
-      if(leg.ends_piece)
-        result.push_back(m_network.triangulation().head(m_network.halfedge(s)));
-      s = m_network.next(s);
+      append(leg.path, piece);
+      if(!leg.ends_piece)
+        continue;
+      pieces.push_back(m_straightener.straightened(piece));
+      finished_length += m_measure.length(pieces.back());
+      piece.clear();
     }
-    return result;
+    m_report = m_straightener.report();
+    m_report.curves.front().initial_length = m_control_length;
+    m_report.curves.front().length = finished_length;
+    if(finished_length == 0)
+      m_report.curves.front().status = Shortening_status::CONTRACTED;
+    return pieces;
   }
 
-  /// The report of the last shortening.
+  /// The length of the control polygons of all pieces.
+  double length() const
+  {
+    double sum = 0;
+    for(const Leg& leg : m_legs)
+      sum += m_measure.length(leg.path);
+    return sum;
+  }
+
+  /// What `finish()` has done, with the flips of all before. Its initial length is that of the first control polygon,
+  /// its verdict that of all geodesics together.
   const Shortening_report& report() const { return m_report; }
 
 private:
-  struct Cubic_tag
-  {
-  };
-
   struct Leg
   {
-    bool is_working = false; // to be divided on this level
-    bool ends_piece = false; // does it end at a point of the curve?
+    internal::Surface_polyline path;
+    bool ends_piece = false;
   };
 
-  struct Cut
+  static void append(const internal::Surface_polyline& path, internal::Surface_polyline& to)
   {
-    std::vector<double> places; // as parts of the leg, ascending
-    bool frees_end = false;
-  };
-
-  void put_in_order()
-  {
-    if(!m_network.is_valid())
-      order_overlapping_curves(m_network);
+    to.insert(to.end(), path.begin() + (to.empty() ? 0 : 1), path.end());
   }
 
-  Geodesic_spline(Network& network, Curve_index curve, Cubic_tag)
-    : m_network(network)
-    , m_curve(curve)
+  std::pair<Leg, Leg> divided(const Leg& leg, double t) const
   {
-    const bool is_closed = network.is_closed(curve);
-    const std::size_t n = number_of_fixed_heads();
-    CGAL_precondition(!is_closed || n >= 3);
-    put_in_order();
-    m_legs.assign(n, {});
-    if(is_closed)
-      m_start = network.triangulation().head(network.halfedge(end_of_leg(network.first_segment(curve))));
-    pull_straight();
-    const std::vector<Vertex_index> thirds = apply(std::vector<Cut>(n, Cut{{1.0 / 3, 2.0 / 3}, true}));
-    m_start = thirds.front();
-    const std::size_t corners = is_closed ? n : n - 1;
-    m_legs.assign(n + corners + (is_closed ? 0 : 2), {}); // the middle thirds, the corners and the outer thirds
-    pull_straight();
-
-    std::vector<Cut> cuts(m_legs.size());
-    for(std::size_t i = 0; i < corners; ++i)
-      cuts[2 * i + (is_closed ? 1 : 2)].places = {0.5};
-    const std::vector<Vertex_index> joints = apply(cuts);
-    if(is_closed)
-      m_start = joints.front();
-    m_legs.assign(3 * n, {});
-    for(std::size_t i = 2; i < m_legs.size(); i += 3)
-      m_legs[i].ends_piece = true;
-    pull_straight();
+    auto [first, second] = m_measure.divided(leg.path, t * m_measure.length(leg.path));
+    return {Leg{std::move(first)}, Leg{std::move(second)}};
   }
 
-  // ---------------------------------------------------------------- along the curve
-
-  std::size_t number_of_fixed_heads() const
+  // The geodesic from the start of a to the end of b, which starts where a ends.
+  Leg joined(const Leg& a, const Leg& b)
   {
-    std::size_t result = 0;
-    m_network.for_each_segment(m_curve, [&](Segment_index s) { result += m_network.is_head_fixed(s) ? 1 : 0; });
-    return result;
+    internal::Surface_polyline path = a.path;
+    append(b.path, path);
+    return {m_straightener.straightened(path)};
   }
 
-  // That of the first leg; on a closed curve, it leaves the start.
-  Segment_index first_segment() const
+  // De Casteljau: the outer halves of each level are the legs of the two halves.
+  void divide_piece(std::vector<Leg> legs, std::vector<Leg>& result)
   {
-    if(!m_network.is_closed(m_curve))
-      return m_network.first_segment(m_curve);
-    Segment_index result;
-    m_network.for_each_segment(m_curve, [&](Segment_index s) {
-      const bool is_start =
-          m_network.is_head_fixed(s) && m_network.triangulation().head(m_network.halfedge(s)) == m_start;
-      result = is_start ? m_network.next(s) : result;
-    });
-    return result;
-  }
-
-  // The last segment of the leg that s is on.
-  Segment_index end_of_leg(Segment_index s) const
-  {
-    while(!m_network.is_head_fixed(s))
-      s = m_network.next(s);
-    return s;
-  }
-
-  double length_of_leg(Segment_index s) const
-  {
-    double result = m_network.triangulation().length(m_network.halfedge(s));
-    for(; !m_network.is_head_fixed(s); s = m_network.next(s))
-      result += m_network.triangulation().length(m_network.halfedge(m_network.next(s)));
-    return result;
-  }
-
-  // ---------------------------------------------------------------- dividing
-
-  void pull_straight()
-  {
-    m_report = shorten(m_network);
-    if(m_network.is_contracted(m_curve) || number_of_fixed_heads() != m_legs.size())
-      throw Invalid_curve_error("a control polygon has a leg that shrinks to a point");
-  }
-
-  void check_exactly()
-  {
-    for(Curve_report& curve : m_report.curves)
-      if(curve.status == Shortening_status::FLAT_FACES ||
-         (curve.status == Shortening_status::LOCALLY_SHORTEST && curve.verdict != Certificate_verdict::NOT_CERTIFIED &&
-          !is_locally_shortest(curve.verdict)))
-        curve.status = Shortening_status::PRECISION_LIMIT;
-  }
-
-  // Divides the working legs, and joins halves of neighbours within a piece to the legs of the next level. Are there
-  // any?
-  bool divide_working_legs()
-  {
-    std::vector<Cut> cuts(m_legs.size());
-    std::vector<Leg> next_legs;
-    bool has_joined = false;
-    for(std::size_t i = 0; i < m_legs.size(); ++i) {
-      const Leg leg = m_legs[i];
-      if(!leg.is_working) {
-        next_legs.push_back(leg);
-        continue;
+    std::vector<Leg> rest; // of the second half, the last first
+    while(!legs.empty()) {
+      std::vector<Leg> next;
+      Leg half;
+      for(std::size_t i = 0; i < legs.size(); ++i) {
+        auto [first, second] = divided(legs[i], 0.5);
+        if(i == 0)
+          result.push_back(std::move(first));
+        else
+          next.push_back(joined(half, first));
+        half = std::move(second);
       }
-      const bool joins_previous = i > 0 && cuts[i - 1].frees_end;
-      const bool joins_next = !leg.ends_piece && i + 1 < m_legs.size() && m_legs[i + 1].is_working;
-      cuts[i] = {{0.5}, joins_next};
-      has_joined = has_joined || joins_next;
-      if(!joins_previous)
-        next_legs.push_back({false, !joins_next}); // a leg alone is the last of its piece: its middle is on the curve
-      next_legs.push_back({joins_next, leg.ends_piece});
+      rest.push_back(std::move(half));
+      legs.swap(next);
     }
-    apply(cuts);
-    m_legs = next_legs;
-    return has_joined;
+    result.back().ends_piece = true;
+    result.insert(result.end(), rest.rbegin(), rest.rend());
+    result.back().ends_piece = true;
   }
 
-  /*
-   * Divides the legs, in order, and frees their ends where asked. Returns the new vertices. A division can divide
-   * segments elsewhere on the curve, those on the same edge: so nothing is kept of the curve but where we are.
-   */
-  std::vector<Vertex_index> apply(const std::vector<Cut>& cuts)
+  // From the legs of the control polygon.
+  void start(Spline_kind kind)
   {
-    std::vector<Vertex_index> result;
-    Segment_index s = first_segment();
-    for(const Cut& cut : cuts) {
-      double done = 0;
-      const double length = length_of_leg(s);
-      for(double place : cut.places) {
-        s = m_network.next(divide_leg(s, place * length - done));
-        result.push_back(m_network.triangulation().tail(m_network.halfedge(s)));
-        done = place * length;
-      }
-      s = end_of_leg(s);
-      if(cut.frees_end)
-        free_head(s);
-      s = m_network.next(s);
-    }
-    return result;
+    if(kind == Spline_kind::BEZIER)
+      m_legs.back().ends_piece = true;
+    else
+      make_cubic(kind == Spline_kind::CLOSED_CUBIC_B_SPLINE);
+    m_control_length = length();
   }
 
-  // Divides a leg at a distance from the tail of s; the segment that ends there.
-  Segment_index divide_leg(Segment_index s, double distance)
+  // Legs are divided into thirds, and the lines that cut the corners off at their middles [Farin].
+  void make_cubic(bool is_closed)
   {
-    for(;; s = m_network.next(s)) {
-      const double length = m_network.triangulation().length(m_network.halfedge(s));
-      constexpr double closest = internal::dividing_vertex;
-      const double t = distance / length;
-      if(t < 1 + closest || m_network.is_head_fixed(s)) {
-        if(t > 1 - closest && !m_network.is_head_fixed(s)) {
-          m_network.set_head_fixed(s, true);
-          return s;
-        }
-        const Segment_index half = m_network.divide_segment(s, (std::min)((std::max)(t, closest), 1 - closest));
-        m_network.set_head_fixed(half, true);
-        return half;
-      }
-      distance -= length;
+    const std::size_t n = m_legs.size();
+    std::vector<Leg> first(n), middle(n), last(n);
+    for(std::size_t i = 0; i < n; ++i) {
+      auto [third, rest] = divided(m_legs[i], 1.0 / 3);
+      first[i] = std::move(third);
+      std::tie(middle[i], last[i]) = divided(rest, 0.5);
+    }
+    std::vector<Leg> before(n), after(n); // what leads to and from the middle third of each leg
+    before[0] = first[0];
+    after[n - 1] = last[n - 1];
+    for(std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)
+      std::tie(after[i], before[(i + 1) % n]) = divided(joined(last[i], first[(i + 1) % n]), 0.5);
+    m_legs.clear();
+    for(std::size_t i = 0; i < n; ++i) {
+      m_legs.insert(m_legs.end(), {before[i], middle[i], after[i]});
+      m_legs.back().ends_piece = true;
     }
   }
 
-  void free_head(Segment_index s)
-  {
-    if(m_network.next(s) == null_index)
-      return;
-    m_network.set_head_fixed(s, false);
-    const Halfedge_index h = m_network.halfedge(s);
-    if(!m_network.is_non_crossing_at({Triangulation::twin(h), s})) {
-      m_network.set_head_fixed(s, true);
-      throw Crossing_curves_error("a strand crosses the control polygon at vertex " +
-                                      std::to_string(m_network.triangulation().head(h).idx()),
-                                  {static_cast<std::size_t>(m_network.triangulation().head(h).idx())});
-    }
-  }
-
-  Network& m_network;
-  Curve_index m_curve;
-  Vertex_index m_start = null_index; // a control point, on closed curves the first
+  internal::Path_straightener<Triangulation> m_straightener;
+  internal::Polyline_measure<Triangulation> m_measure;
   std::vector<Leg> m_legs;
+  double m_control_length = 0;
   Shortening_report m_report;
 };
 

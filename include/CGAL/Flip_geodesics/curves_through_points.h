@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 #define CGAL_FLIP_GEODESICS_CURVES_THROUGH_POINTS_H
 
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
+#include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/extract.h>
@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_drawer.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Polyline_drawer.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
@@ -36,30 +37,6 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
-
-namespace internal {
-
-/* Adds a curve along the paths from each way point to the next, or along the geodesics that they are pulled tight to if
- * there are others to pass. */
-template <class Network, class Search>
-Curve_index add_legs(Network& network, const Search& search, const std::vector<Vertex_index>& way_points,
-                     bool is_closed)
-{
-  if(way_points.size() < 3)
-    return network.add_curve(shortest_halfedges_through(search, way_points, is_closed), is_closed);
-  std::vector<std::vector<Halfedge_index>> paths;
-  double length = 0;
-  for(std::size_t i = 0; i + (is_closed ? 0 : 1) < way_points.size(); ++i) {
-    paths.push_back(search(way_points[i], way_points[(i + 1) % way_points.size()]));
-    for(Halfedge_index h : paths.back())
-      length += network.triangulation().length(h);
-  }
-  const Curve_index curve = network.add_curve(Leg_drawer<Network>(network)(paths), is_closed);
-  network.set_initial_length(curve, length);
-  return curve;
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
@@ -92,18 +69,65 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
   way_points.erase(std::unique(way_points.begin(), way_points.end()), way_points.end());
   while(is_closed && way_points.size() > 1 && way_points.front() == way_points.back())
     way_points.pop_back();
-  if(are_several && way_points.size() == 1)
-    throw Invalid_curve_error("all points of a curve are in one place; the curve is a point, and has no edges");
-  const auto search = [&](Vertex_index v, Vertex_index w) { return shortest_intrinsic_edge_path(triangulation, v, w); };
-  const Curve_index curve = internal::add_legs(network, search, way_points, is_closed);
-  std::size_t next = 1;
-  Segment_index s = network.first_segment(curve);
-  for(std::size_t legs = way_points.size() - (is_closed ? 0 : 1); next <= legs; s = network.next(s))
-    if(triangulation.head(network.halfedge(s)) == way_points[next % way_points.size()]) {
-      network.set_head_fixed(s, true); // a shortest path meets its end only there
-      ++next;
-    }
+  if(way_points.size() < 2)
+    throw Invalid_curve_error(are_several
+                                  ? "all points of a curve are in one place; the curve is a point, and has no edges"
+                                  : "a curve needs at least two points");
+  std::vector<std::vector<Halfedge_index>> paths;
+  internal::Drawn_chain chain;
+  double length = 0;
+  for(std::size_t i = 0; i + (is_closed ? 0 : 1) < way_points.size(); ++i) {
+    paths.push_back(
+        shortest_intrinsic_edge_path(triangulation, way_points[i], way_points[(i + 1) % way_points.size()]));
+    for(Halfedge_index h : paths.back())
+      length += triangulation.length(h);
+    chain.halfedges.insert(chain.halfedges.end(), paths.back().begin(), paths.back().end());
+    chain.nodes.push_back(chain.halfedges.size() - 1);
+  }
+  if(way_points.size() > 2)
+    chain = internal::Leg_drawer<Network>(network)(paths);
+  const Curve_index curve = internal::add_chain(network, chain, is_closed);
+  network.set_initial_length(curve, length);
   return curve;
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * Adds a curve along geodesics on the surface, such as the pieces of a `Geodesic_spline`, the legs of a `Curve_editor` or
+ * those of `geodesics_through()`: makes their ends vertices, where the curve is fixed, and the geodesics between them
+ * edges of the triangulation, for which the edges that they cross are flipped. A leg that is not a geodesic is shortened
+ * to one in its homotopy class.
+ *
+ * \param legs each starts where the one before ends; each two points in a row lie in a common face of the input
+ * \param is_closed says whether the last leg ends where the first starts, and the curve is closed
+ * \return the curve's index
+ * \pre no edge of the triangulation in these faces crosses an input edge
+ * \throws Invalid_curve_error for a leg of fewer than two points, points in a row that lie in no common face, and legs
+ *         that are all a point
+ * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()` are the
+ *         ends of the edge that is crossed. No curve is added then, but points may have become vertices, and edges may
+ *         have been flipped
+ * \throws Ambiguous_order_error, and as `Edge_path_network::insert()`, `shorten()`
+ * \sa `draw_polyline()`, which keeps a polyline that is not a geodesic
+ */
+template <class Network>
+Curve_index add_curve_along(Network& network, const std::vector<std::vector<Surface_location>>& legs,
+                            bool is_closed = false)
+{
+  auto& triangulation = network.triangulation();
+  std::vector<internal::Surface_polyline> polylines;
+  std::vector<Vertex_index> starts, ends; // before any path is found, since an insertion can split its edges
+  for(const std::vector<Surface_location>& leg : legs) {
+    polylines.push_back(internal::canonical_polyline(triangulation.input(), leg, false));
+    starts.push_back(network.insert(leg.front()));
+    ends.push_back(network.insert(leg.back()));
+  }
+  const internal::Path_straightener<typename Network::Triangulation> straightener(triangulation);
+  std::vector<std::vector<Halfedge_index>> paths;
+  for(std::size_t i = 0; i < legs.size(); ++i)
+    paths.push_back(straightener.snapped(polylines[i], starts[i], ends[i]));
+  return internal::add_chain(network, internal::Leg_drawer<Network>(network)(paths), is_closed);
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders
@@ -315,7 +339,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
 /*!
  * \ingroup PkgFlipGeodesicsFunctions
  *
- * Computes a geodesic spline [SC20, section 6.2], see `Free_geodesic_spline`: the points where its pieces meet, which
+ * Computes a geodesic spline [SC20, section 6.2], see `Geodesic_spline`: the points where its pieces meet, which
  * lie on the curve, joined by geodesics. The control polygon, and the curve, may cross themselves.
  *
  * \param mesh a triangle mesh
@@ -327,7 +351,7 @@ Geodesic_result<OutputIterator> geodesic_path(const TriangleMesh& mesh, const So
  *        `number_of_iterations`, the number of times that the pieces are halved, a whole number from 0 to 30, 5 by default
  * \return the end of the output, and the report, which has one curve
  * \throws Invalid_curve_error if there are fewer than two points, or another number of iterations
- * \throws Invalid_location_error, and as `Free_geodesic_spline`
+ * \throws Invalid_location_error, and as `Geodesic_spline`
  */
 template <class TriangleMesh, class LocationRange, class Kind, class OutputIterator, class... NamedParameters>
 Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const LocationRange& control_points,
@@ -349,7 +373,7 @@ Geodesic_result<OutputIterator> geodesic_spline(const TriangleMesh& mesh, const 
   std::vector<Surface_location> given;
   const auto compute = [&](typename Types::Triangulation& triangulation) {
     const std::vector<Surface_location> points = internal::points_on_surface(triangulation, locate, given);
-    Free_geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
+    Geodesic_spline<typename Types::Triangulation> spline(triangulation, points, kind);
     for(int i = 0; i < static_cast<int>(rounds); ++i)
       spline.refine();
     internal::Computed_output<Form> result = {internal::polyline_forms<Form>(triangulation, mesh, spline.finish()),

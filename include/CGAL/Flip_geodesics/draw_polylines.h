@@ -22,29 +22,6 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-namespace internal {
-
-template <class Input_mesh>
-std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const std::vector<Surface_location>& polyline,
-                                                 bool is_closed)
-{
-  std::vector<Surface_location> result;
-  for(const Surface_location& location : polyline)
-    result.push_back(canonical_location(input, location));
-  if(result.size() < (is_closed ? 3u : 2u))
-    throw Invalid_curve_error("a polyline needs two points, a closed one three");
-  if(is_closed)
-    result.push_back(result.front());
-  for(std::size_t i = 0; i + 1 < result.size(); ++i)
-    if(common_face(input, result[i], result[i + 1]) == null_index)
-      throw Invalid_curve_error("points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                    " of a polyline do not lie in a common face",
-                                {i, i + 1});
-  return result;
-}
-
-} // namespace internal
-
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
@@ -108,17 +85,7 @@ template <class Network>
 Curve_index draw_polyline(Network& network, const std::vector<Surface_location>& polyline, bool is_closed = false)
 {
   const auto points = internal::canonical_polyline(network.triangulation().input(), polyline, is_closed);
-  const internal::Drawn_chain drawn = internal::Polyline_drawer<Network>(network)(points);
-  const Curve_index curve = network.add_curve(drawn.halfedges, is_closed);
-  std::size_t position = 0, next = 0;
-  network.for_each_segment(curve, [&](Segment_index s) {
-    if(next < drawn.nodes.size() && position == drawn.nodes[next]) {
-      network.set_head_fixed(s, true);
-      ++next;
-    }
-    ++position;
-  });
-  return curve;
+  return internal::add_chain(network, internal::Polyline_drawer<Network>(network)(points), is_closed);
 }
 
 /*!

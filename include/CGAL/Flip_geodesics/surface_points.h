@@ -122,7 +122,7 @@ public:
       std::array<double, 3> weights;
       for(int i = 0; i < 3; ++i)
         weights[i] = cross(corners[(i + 1) % 3].position - point, corners[(i + 2) % 3].position - point);
-      note(Point_side<Triangulation>::face_of_gap(word, gap), weights, gap);
+      note(Point_side<Triangulation>::face_of_gap(word, gap), weights);
     }
   }
 
@@ -136,7 +136,7 @@ public:
     return canonical_location(m_triangulation.input(), result);
   }
 
-  /* The best face as a gap of the word, and weights there that are all positive; those on an edge of the face keep what
+  /* The best face, and weights there that are all positive; those on an edge of the face keep what
    * is exactly zero. */
   Surface_location result_inside(bool is_on_edge = false) const
   {
@@ -148,10 +148,9 @@ public:
         weight = (std::max)(weight / sum, least);
     return result;
   }
-  std::size_t gap() const { return m_gap; }
 
 private:
-  void note(Input_halfedge_index face, const std::array<double, 3>& weights, std::size_t gap)
+  void note(Input_halfedge_index face, const std::array<double, 3>& weights)
   {
     const double sum = weights[0] + weights[1] + weights[2];
     const double smallest = (std::min)({weights[0], weights[1], weights[2]}) / sum;
@@ -159,7 +158,6 @@ private:
       return;
     m_smallest = smallest;
     m_best = {face, weights};
-    m_gap = gap;
   }
 
   // In the face on the left of an edge along an input edge, or in that which holds the edge.
@@ -175,7 +173,7 @@ private:
       weights[i] = (1 - along.real()) * (from[i] / from_sum) + along.real() * (to[i] / to_sum);
     if(along.imag() != 0)
       add_height(word, h, along.imag(), weights);
-    note(input.is_border(h) ? twin_index(h) : h, weights, 0);
+    note(input.is_border(h) ? twin_index(h) : h, weights);
   }
 
   // Moves weights to the left of the edge by a part of its length.
@@ -200,7 +198,6 @@ private:
 
   const Triangulation& m_triangulation;
   Surface_location m_best;
-  std::size_t m_gap = 0;
   double m_smallest = -std::numeric_limits<double>::infinity();
 };
 

@@ -8,7 +8,6 @@
 #include "Record.h"
 
 #include <CGAL/Flip_geodesics/Curve_editor.h>
-#include <CGAL/Flip_geodesics/Free_geodesic_spline.h>
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Geodesic_mean.h>
@@ -182,7 +181,10 @@ private:
     FG::add_straightened_path(network, search(Vertex(0), m_last));
   }
 
-  void through_points(Network& network) { add_legs(network); }
+  void through_points(Network& network)
+  {
+    add_unless_crossing([&] { FG::add_curve_through(network, points(network.triangulation())); });
+  }
 
   void drawn(Network& network)
   {
@@ -191,30 +193,26 @@ private:
     });
   }
 
-  bool add_legs(Network& network)
-  {
-    return add_unless_crossing([&] { FG::add_curve_through(network, points(network.triangulation())); });
-  }
-
-  // Adds a curve through points, which crosses itself on some of the meshes; returns whether it does not.
+  // Adds a curve through points, which crosses itself on some of the meshes.
   template <class Add>
-  bool add_unless_crossing(const Add& add)
+  void add_unless_crossing(const Add& add)
   {
     try {
       add();
     } catch(const FG::Crossing_curves_error&) {
-      return false;
     }
-    return true;
   }
 
   void spline(Network& network)
   {
-    if(!add_legs(network) || !is_ordered(network))
-      return;
-    FG::Geodesic_spline<Network> spline(network, FG::Curve_index(0));
+    Triangulation& triangulation = network.triangulation();
+    FG::Geodesic_spline<Triangulation> spline(triangulation, points(triangulation), FG::Spline_kind::BEZIER);
     spline.refine();
-    m_record.report(spline.finish());
+    const auto pieces = spline.finish();
+    for(const auto& piece : pieces)
+      m_record.polyline(piece);
+    m_record.report(spline.report());
+    add_unless_crossing([&] { FG::add_curve_along(network, pieces); });
   }
 
   void restored(Network& network)
@@ -269,10 +267,6 @@ private:
     for(const auto& leg : legs.legs)
       m_record.polyline(leg);
     m_record.report(legs.report);
-    FG::Free_geodesic_spline<Triangulation> spline(triangulation, points(triangulation), FG::Spline_kind::BEZIER);
-    spline.refine();
-    for(const auto& piece : spline.finish())
-      m_record.polyline(piece);
     const FG::Curve_editor<Triangulation> editor(triangulation, points(triangulation));
     for(const auto& leg : editor.legs())
       m_record.polyline(leg);

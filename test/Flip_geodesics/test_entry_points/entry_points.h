@@ -297,15 +297,10 @@ inline std::vector<Entry_point> building_blocks()
           {"insert", Reach::LOCAL, in_setting([](Setting& s) { s.triangulation.insert(s.locations().front()); })},
           {"surface_point", Reach::LOCAL,
            in_setting([](Setting& s) { FG::surface_point(s.triangulation, s.locations().front()); })},
-          {"Free_geodesic_spline", Reach::LOCAL, in_setting([](Setting& s) {
-             FG::Free_geodesic_spline<Triangulation> spline(s.triangulation, s.locations(), FG::Spline_kind::BEZIER);
-             spline.refine();
-             spline.finish();
-           })},
           {"Geodesic_spline", Reach::LOCAL, in_network([](Setting& s, Network& network) {
-             FG::Geodesic_spline<Network> spline(network, FG::add_curve_through(network, s.locations()));
+             FG::Geodesic_spline<Triangulation> spline(s.triangulation, s.locations(), FG::Spline_kind::BEZIER);
              spline.refine();
-             spline.finish();
+             FG::add_curve_along(network, spline.finish());
            })},
           {"Geodesic_tree", Reach::LOCAL, in_setting([](Setting& s) {
              FG::Geodesic_tree<Triangulation> tree(s.triangulation);

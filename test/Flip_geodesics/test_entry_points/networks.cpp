@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(points_on_curves_of_another_network_are_refused)
   other.add_curve(Halfedge_sequence{along}, false);
   const auto position = t.log_position();
   BOOST_CHECK_THROW(one.insert(middle), FG::Occupied_triangulation_error);
-  BOOST_CHECK_THROW(one.divide_segment(one.first_segment(0_c), 0.5), FG::Occupied_triangulation_error);
+  BOOST_CHECK_THROW(one.split_edge(along, middle, 0), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(FG::refine(one), FG::Occupied_triangulation_error);
   Network empty(t);
   BOOST_CHECK_THROW(empty.insert(middle), FG::Occupied_triangulation_error);
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(what_disturbs_a_network_is_refused)
   BOOST_CHECK_THROW(FG::refine(t), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(FG::geodesics_through(t, s.locations()), FG::Occupied_triangulation_error);
   BOOST_CHECK_THROW(FG::complete_polyline(t, s.locations()), FG::Occupied_triangulation_error);
-  BOOST_CHECK_THROW(FG::Free_geodesic_spline<Triangulation>(t, s.locations(), FG::Spline_kind::BEZIER),
+  BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, s.locations(), FG::Spline_kind::BEZIER),
                     FG::Occupied_triangulation_error);
   BOOST_TEST((network.halfedges(0_c) == before));
   BOOST_TEST(network.is_valid());

@@ -6,8 +6,11 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Followed_arcs.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Polyline_drawer.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/edges_under_curves.h>
+#include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 
 #include <algorithm>
@@ -69,15 +72,24 @@ public:
   {
   }
 
-  /* A chain along the geodesics to which the paths, one after the other, are pulled tight. */
-  Chain operator()(const std::vector<Chain>& paths)
+  /* A chain along the geodesics to which the paths, one after the other, are shortened; its nodes are their ends. */
+  Drawn_chain operator()(const std::vector<Chain>& paths)
   {
-    for(const Chain& path : paths)
+    std::vector<std::size_t> arcs_before_end;
+    for(const Chain& path : paths) {
       for(const Followed_arc& arc : arcs_of_leg(path))
         m_arcs.add(arc);
-    Chain result;
-    for(std::size_t i = 0; i < m_arcs.size(); ++i)
-      draw(i, result);
+      arcs_before_end.push_back(m_arcs.size());
+    }
+    Drawn_chain result;
+    std::size_t arc = 0;
+    for(std::size_t end : arcs_before_end) {
+      if(arc == end) // a path that contracts to a point
+        continue;
+      for(; arc < end; ++arc)
+        draw(arc, result.halfedges);
+      result.nodes.push_back(result.halfedges.size() - 1);
+    }
     return result;
   }
 
@@ -88,19 +100,15 @@ private:
     Followed_arcs<Triangulation> arcs(m_triangulation);
     {
       const Released_edges<Network> released(m_network);
-      try {
-        for(Halfedge_index h : pulled_tight(path))
-          arcs.add({h, {}});
-        arcs.roll_back(before);
-      } catch(...) {
-        m_triangulation.rollback(before);
-        throw;
-      }
+      const Rollback<Triangulation> at_end(m_triangulation);
+      for(Halfedge_index h : shortened(path))
+        arcs.add({h, {}});
+      arcs.roll_back(before);
     }
     std::vector<Followed_arc> result;
-    for(std::size_t i = 0; i < arcs.size(); ++i)
+    for(std::size_t i = 0; i < arcs.size() && is_free(arcs[i]); ++i)
       result.push_back(arcs[i]);
-    if(std::all_of(result.begin(), result.end(), [this](const Followed_arc& arc) { return is_free(arc); }))
+    if(result.size() == arcs.size())
       return result;
     result.clear();
     for(Halfedge_index h : path)
@@ -108,10 +116,13 @@ private:
     return result;
   }
 
-  Chain pulled_tight(const Chain& path)
+  Chain shortened(const Chain& path)
   {
+    if(path.empty())
+      return {};
     Edge_path_network<Triangulation> network(m_triangulation);
     const Curve_index curve = network.add_curve(path, false);
+    order_overlapping_curves(network);
     shorten(network);
     return network.halfedges(curve);
   }

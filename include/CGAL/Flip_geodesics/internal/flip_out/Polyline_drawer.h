@@ -25,12 +25,28 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* A polyline along edges of a triangulation. */
+/* A curve along edges of a triangulation. */
 struct Drawn_chain
 {
   std::vector<Halfedge_index> halfedges;
-  std::vector<std::size_t> nodes; // positions of the halfedges that end at points of the polyline
+  std::vector<std::size_t> nodes; // ascending positions of the halfedges at whose heads the curve is to be fixed
 };
+
+/* Adds a curve that is fixed at the nodes of a chain. */
+template <class Network>
+Curve_index add_chain(Network& network, const Drawn_chain& chain, bool is_closed)
+{
+  const Curve_index curve = network.add_curve(chain.halfedges, is_closed);
+  std::size_t position = 0;
+  auto node = chain.nodes.begin();
+  network.for_each_segment(curve, [&](Segment_index s) {
+    if(node != chain.nodes.end() && position++ == *node) {
+      network.set_head_fixed(s, true);
+      ++node;
+    }
+  });
+  return curve;
+}
 
 /* Sides of lines within one closed input face, exactly: vertices of a triangulation by their weights in the face. */
 template <class Triangulation>

@@ -4,15 +4,18 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_SURFACE_POLYLINE_H
 
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/surface/locations_in_faces.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +31,27 @@ inline bool is_point(const Surface_polyline& polyline)
 {
   return polyline.size() == 2 && polyline[0].halfedge == polyline[1].halfedge &&
          polyline[0].weights == polyline[1].weights;
+}
+
+/* Makes a polyline canonical; a closed one ends with its first point again.
+ * \throws Invalid_curve_error for too few points, or two in a row that lie in no common face */
+template <class Input_mesh>
+std::vector<Surface_location> canonical_polyline(const Input_mesh& input, const std::vector<Surface_location>& polyline,
+                                                 bool is_closed)
+{
+  std::vector<Surface_location> result;
+  for(const Surface_location& location : polyline)
+    result.push_back(canonical_location(input, location));
+  if(result.size() < (is_closed ? 3u : 2u))
+    throw Invalid_curve_error("a polyline needs two points, a closed one three");
+  if(is_closed)
+    result.push_back(result.front());
+  for(std::size_t i = 0; i + 1 < result.size(); ++i)
+    if(common_face(input, result[i], result[i + 1]) == null_index)
+      throw Invalid_curve_error("points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                                    " of a polyline do not lie in a common face",
+                                {i, i + 1});
+  return result;
 }
 
 /* The weights of a canonical location in the face of h, also of a vertex, summing to one. */

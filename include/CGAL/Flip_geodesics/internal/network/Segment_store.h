@@ -163,14 +163,10 @@ public:
     return first;
   }
 
-  /*
-   * Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
-   * them, in their order. Returns what the first half of a watched one has become. If it throws, nothing has changed.
-   */
-  Segment_index divide_stack(Halfedge_index h, const std::array<Halfedge_index, 2>& chain,
-                             Segment_index watched = null_index)
+  /* Moves the segments on the edge of h to a chain of two halfedges, from its tail to its head, with no vertex between
+   * them, in their order. If it throws, nothing has changed. */
+  void divide_stack(Halfedge_index h, const std::array<Halfedge_index, 2>& chain)
   {
-    Segment_index result = null_index;
     std::vector<Segment_index> segments = stack(Triangulation::edge(h));
     if(!is_first_side(h))
       std::reverse(segments.begin(), segments.end()); // from left to right as seen along h
@@ -184,9 +180,7 @@ public:
       link_outermost(a, is_along ? chain[0] : chain[1]);
       link_outermost(b, is_along ? chain[1] : chain[0]);
       replace_in_curve(s, a, b);
-      result = s == watched ? a : result;
     }
-    return result;
   }
 
   /* Replaces the one segment of a loop by two, along the other two edges of the face on the left of h, the segment's

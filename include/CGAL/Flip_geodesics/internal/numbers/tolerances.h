@@ -201,11 +201,6 @@ inline constexpr double same_start = 1e-9;
  * digits are what streams print by default. Other points are refused with an exception. */
 inline constexpr double weight_sum_tolerance = 1e-6;
 
-/* By what part of the length of an edge a point may lie off a line that is divided again, and be taken to lie on it:
- * weights are rounded by some u of a face, which may be 10^3 times as long. Across narrower faces the line is divided
- * at a new vertex next to the old one. */
-inline constexpr double on_divided_line = 1e-12;
-
 /* Radians by which the corner of a region of a subdivision may exceed pi without counting as reflex: curves have been
  * straightened up to `straight_angle_tolerance`, and were laid out from rounded angles. Regions with reflex corners
  * keep the lines that divide them. */
@@ -270,10 +265,6 @@ inline constexpr double reversal = 1e-12;
 /* The doubled area of a triangle of a map, over the square of the longest side, below which it is taken to be a line,
  * as behind a vertex at which paths bend. Positions there have errors of up to `unfolded_place_error`. */
 inline constexpr double least_map_height = 1e-9;
-
-/* A curve is divided at a vertex of it that is this close to the place asked for, as a part of the segment, and never
- * closer to a vertex than this. The place moves by no more than that. */
-inline constexpr double dividing_vertex = 1e-6;
 
 /* Where the sum of the angles of a sector is within this of 60 degrees, the order of summation would decide whether it
  * is sharp; then each of its corners decides for itself. */
