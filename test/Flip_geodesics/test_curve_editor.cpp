@@ -633,8 +633,7 @@ BOOST_AUTO_TEST_CASE(a_spline_of_dragged_legs_is_that_of_the_plane)
   BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, std::vector<Polyline>{}, FG::Spline_kind::BEZIER),
                     FG::Invalid_curve_error);
   const std::vector<Polyline> short_leg = {{editor.point(0)}};
-  BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, short_leg, FG::Spline_kind::BEZIER),
-                    FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, short_leg, FG::Spline_kind::BEZIER), FG::Invalid_curve_error);
 }
 
 // Bends that are none are dropped one after the other; each time only the line near the bend is looked at.

@@ -190,8 +190,7 @@ BOOST_AUTO_TEST_CASE(locations_that_are_no_points_are_refused)
     BOOST_CHECK_THROW(FG::geodesics_through(t, way), FG::Invalid_location_error);
     BOOST_CHECK_THROW(FG::complete_polyline(t, way), FG::Invalid_location_error);
     BOOST_CHECK_THROW(FG::snap_polyline(t, way), FG::Invalid_location_error);
-    BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, way, FG::Spline_kind::BEZIER),
-                      FG::Invalid_location_error);
+    BOOST_CHECK_THROW(FG::Geodesic_spline<Triangulation>(t, way, FG::Spline_kind::BEZIER), FG::Invalid_location_error);
     BOOST_CHECK_THROW(FG::geodesic_path_through(mesh, way, std::back_inserter(out)), FG::Invalid_location_error);
     Network network(t);
     BOOST_CHECK_THROW(FG::add_curve_through(network, way), FG::Invalid_location_error);

@@ -30,14 +30,14 @@ enum class Spline_kind {
  * \ingroup PkgFlipGeodesicsBuilders
  *
  * A chain of geodesic B&eacute;zier curves on the surface, made by de Casteljau's algorithm with geodesics for straight
- * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008]. In the plane
- * the points where pieces meet are exactly those of the B&eacute;zier curve, up to rounding errors.
+ * lines [SC20, section 6.2; Morera, Velho, Carvalho, Computing Geodesic Curves on Triangular Meshes, 2008]. In the
+ * plane the points where pieces meet are exactly those of the B&eacute;zier curve, up to rounding errors.
  *
  * Each leg of a control polygon is a geodesic by itself, in a triangulation that is put back for the next one. Legs may
- * therefore cross, pass over control points and over one another, and the control polygon may cross itself. A leg of the
- * next level is shortened from a path that leads from the middle of one leg over the control point to the middle of the
- * next: the curve stays in the homotopy class of the polygon. `add_curve_along()` makes the pieces of the finished curve
- * a curve of a network, and so edges of a triangulation.
+ * therefore cross, pass over control points and over one another, and the control polygon may cross itself. A leg of
+ * the next level is shortened from a path that leads from the middle of one leg over the control point to the middle of
+ * the next: the curve stays in the homotopy class of the polygon. `add_curve_along()` makes the pieces of the finished
+ * curve a curve of a network, and so edges of a triangulation.
  *
  * The invariant: each leg is a geodesic that starts where the one before ends; the triangulation is as it was.
  *

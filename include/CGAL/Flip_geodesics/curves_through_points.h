@@ -94,10 +94,10 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
 /*!
  * \ingroup PkgFlipGeodesicsBuilders
  *
- * Adds a curve along geodesics on the surface, such as the pieces of a `Geodesic_spline`, the legs of a `Curve_editor` or
- * those of `geodesics_through()`: makes their ends vertices, where the curve is fixed, and the geodesics between them
- * edges of the triangulation, for which the edges that they cross are flipped. A leg that is not a geodesic is shortened
- * to one in its homotopy class.
+ * Adds a curve along geodesics on the surface, such as the pieces of a `Geodesic_spline`, the legs of a `Curve_editor`
+ * or those of `geodesics_through()`: makes their ends vertices, where the curve is fixed, and the geodesics between them
+ * edges of the triangulation, for which the edges that they cross are flipped. A leg that is not a geodesic is
+ * shortened to one in its homotopy class.
  *
  * \param legs each starts where the one before ends; each two points in a row lie in a common face of the input
  * \param is_closed says whether the last leg ends where the first starts, and the curve is closed
@@ -105,9 +105,9 @@ Curve_index add_curve_through(Network& network, const LocationRange& locations, 
  * \pre no edge of the triangulation in these faces crosses an input edge
  * \throws Invalid_curve_error for a leg of fewer than two points, points in a row that lie in no common face, and legs
  *         that are all a point
- * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()` are the
- *         ends of the edge that is crossed. No curve is added then, but points may have become vertices, and edges may
- *         have been flipped
+ * \throws Crossing_curves_error if legs cross each other or a curve of the network between vertices; `elements()` are
+ *         the ends of the edge that is crossed. No curve is added then, but points may have become vertices, and edges
+ *         may have been flipped
  * \throws Ambiguous_order_error, and as `Edge_path_network::insert()`, `shorten()`
  * \sa `draw_polyline()`, which keeps a polyline that is not a geodesic
  */

@@ -41,9 +41,9 @@ namespace Flip_geodesics {
 namespace internal {
 
 /*
- * Calls `run()`, a search over faces. Returns false if it has met a degenerate one, so that there may be shorter paths than
- * it has found. The search lays out faces from many places in its innermost loops, when they are first needed, and what it
- * has found before remains valid; an exception ends it there without a test after each face.
+ * Calls `run()`, a search over faces. Returns false if it has met a degenerate one, so that there may be shorter paths
+ * than it has found. The search lays out faces when they are first needed, from many places in its innermost loops, and
+ * what it has found before remains valid; an exception ends it there without a test after each face.
  */
 template <class Run>
 bool meets_no_degenerate_face(const Run& run)

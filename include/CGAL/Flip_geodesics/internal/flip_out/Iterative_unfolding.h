@@ -150,8 +150,8 @@ public:
     append_across(0, word.crossed.size(), {word.tail, m_sleeve.tail_place()}, {word.head, m_sleeve.head_place()});
   }
 
-  /* Appends the string in the sleeve of a word. Returns false if a part of it leads nowhere, by rounding errors, or if a
-   * face has been refused. */
+  /* Appends the string in the sleeve of a word. Returns false if a part of it leads nowhere, by rounding errors, or if
+   * a face has been refused. */
   template <class Rule>
   bool append_shortened(const Crossing_word& word, Rule& rule)
   {

@@ -122,8 +122,8 @@ std::vector<Crossed_edge> crossed_edges(const Triangulation& triangulation, cons
 
 /*
  * Appends to a path the straight segment along an input halfedge, or across others as a strip crosses them. Returns
- * whether it could be: it cannot where edges of the strip have been flipped already, where it has a face twice or one that
- * is degenerate, or where the triangulation's records would take more memory than given.
+ * whether it could be: it cannot where edges of the strip have been flipped already, where it has a face twice or a
+ * degenerate one, or where the triangulation's records would take more memory than given.
  */
 template <class Triangulation>
 bool insert_leg(Triangulation& triangulation, Input_halfedge_index along, const std::vector<Crossed_edge>& crossed,

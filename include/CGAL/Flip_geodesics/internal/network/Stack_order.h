@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* The reason why the strands of curves have no order: they cross at v, or the search for an order along the edge from v to
- * w was given up. */
+/* The reason why the strands of curves have no order: they cross at v, or the search for an order along the edge from v
+ * to w was given up. */
 struct Order_conflict
 {
   Vertex_index v = null_index, w = null_index;

@@ -62,8 +62,9 @@ inline void count_before(Shortening_report& shortening, const Shortening_report&
   shortening.flip_outs += before.flip_outs;
 }
 
-/* Is there a face of which one side is as long as the two others, but for rounding errors, while the metric makes vectors
- * of all faces? Then trees of geodesics can be grown in an intrinsic Delaunay triangulation. Linear in the mesh. */
+/* Is there a face of which one side is as long as the two others, but for rounding errors, while the metric makes
+ * vectors of all faces? Then trees of geodesics can be grown in an intrinsic Delaunay triangulation. Linear in the
+ * mesh. */
 template <class Triangulation>
 bool has_flat_face(const Triangulation& triangulation)
 {

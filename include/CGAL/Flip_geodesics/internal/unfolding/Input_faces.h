@@ -39,8 +39,8 @@ struct Corner_angle
 enum class Refused_faces { WITHOUT_CORNERS, UNUSABLE };
 
 /*
- * Faces of the input mesh, laid out one by one in plain doubles. Once a face is refused, or an edge by its length, results
- * are of no use until `forget_refusals()`; whoever goes on asks `have_refused()`.
+ * Faces of the input mesh, laid out one by one in plain doubles. Once a face or the length of an edge has been refused,
+ * which `have_refused()` returns, results are of no use until `forget_refusals()`.
  */
 template <class Triangulation>
 class Input_faces
