@@ -283,8 +283,7 @@ std::optional<Logarithmic_map> logarithmic_map_of_field(const Geodesic_distance_
                                                         const Triangulation& triangulation, Vertex_index source)
 {
   const Vertex_directions<Triangulation> directions(triangulation, source);
-  const auto query = field.query();
-  Source_directions<Triangulation> starts(triangulation, query.propagation());
+  Source_directions<Triangulation> starts(field.query());
   Logarithmic_map map;
   map.vertices.resize(static_cast<std::size_t>(triangulation.number_of_vertices()));
   map.total_angle = directions.total();

@@ -57,7 +57,7 @@ public:
     , m_mesh(mesh)
     , m_logarithm(logarithm)
     , m_frame(triangulation, canonical_location(triangulation.input(), source))
-    , m_starts(triangulation, logarithm.distance_field().query().propagation())
+    , m_starts(logarithm.distance_field().query())
   {
   }
 

@@ -4,6 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_SOURCE_DIRECTIONS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/distances/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
@@ -29,8 +30,19 @@ struct Start_direction
   std::complex<double> direction;
 };
 
+/* The last part of a shortest path that is straight: from the vertex at which it bends last, or from its source. */
+struct Straight_leg
+{
+  Index root = null_index;    // where it starts, as in windows: a vertex, or a part of a source
+  Input_halfedge_index first; // of the face in which it starts; at a vertex one that starts there
+  Input_halfedge_index last;  // of the face in which it ends
+  std::complex<double> start; // from start to end, in the frame of `first`
+  std::complex<double> end;   // the same in the frame of `last`
+};
+
 /*
- * The directions in which shortest paths from one point to vertices start, from what a propagation keeps of each vertex.
+ * The directions in which shortest paths from one point to vertices start, from what a propagation keeps of each vertex;
+ * and the last legs of the paths to vertices, and to places in faces if it keeps all windows.
  * A path that bends starts as the path to the vertex at which it bends last, its root. A straight path is followed back
  * through the faces that the rays of its window have crossed. Only the angle between the frames of its first face and of
  * its last one is wanted:
@@ -49,14 +61,16 @@ struct Start_direction
 template <class Triangulation>
 class Source_directions
 {
+  using Query = Field_query<Triangulation>;
   using Propagation = Window_propagation<Triangulation>;
   using Vector = std::complex<double>;
 
 public:
-  /* \pre the sources are one point */
-  Source_directions(const Triangulation& triangulation, const Propagation& propagation)
-    : m_input(triangulation.input())
-    , m_propagation(propagation)
+  /* \pre the sources of the field are one point */
+  explicit Source_directions(const Query& query)
+    : m_query(query)
+    , m_input(query.triangulation().input())
+    , m_propagation(query.propagation())
     , m_starts(static_cast<std::size_t>(m_input.number_of_vertices()))
   {
   }
@@ -74,6 +88,37 @@ public:
     for(Vertex_index w : m_bends)
       m_starts[w] = m_starts[v];
     return m_starts[v].first == null_index ? std::nullopt : std::optional(m_starts[v]);
+  }
+
+  /* The last leg to a vertex; none if its window does not have the ray to it. \pre it is reached, and is not the source */
+  std::optional<Straight_leg> leg(Vertex_index v)
+  {
+    const Vertex_record& record = m_propagation.vertex(v);
+    if(record.along != null_index)
+      return leg_along_edge(record);
+    if(record.through == null_index) {
+      const Start_direction start = inside_face(v, part(record.root));
+      return leg_in_face(record.root, start.first, start.direction);
+    }
+    const Face_side f = side(record.through);
+    return leg_through_side(record.through, record.window, {f.x, f.y});
+  }
+
+  /* The same to a point of the face of h. \pre the propagation keeps its windows */
+  std::optional<Straight_leg> leg(Input_halfedge_index h, const Face_weights& weights)
+  {
+    const typename Query::Arrival a = m_query(h, weights);
+    if(a.root == null_index)
+      return std::nullopt;
+    if(a.through != null_index)
+      return leg_through_side(a.through, a.window, position(side(a.through), m_query.turned(weights, h, a.through)));
+    Input_halfedge_index first = h;
+    while(!is_part(a.root) && m_input.tail(first).idx() != a.root)
+      first = m_input.next(first);
+    first = is_part(a.root) ? part(a.root).halfedge : first;
+    const Face_side f = side(first);
+    const Face_weights from = m_query.turned(m_query.from(a, h, weights), h, first);
+    return leg_in_face(a.root, first, position(f, m_query.turned(weights, h, first)) - position(f, from));
   }
 
 private:
@@ -113,6 +158,32 @@ private:
     return !is_part(root) && !m_propagation.vertex(Vertex_index(root)).is_source;
   }
 
+  static std::optional<Straight_leg> leg_in_face(Index root, Input_halfedge_index h, const Vector& way)
+  {
+    return std::norm(way) > 0 ? std::optional(Straight_leg{root, h, h, way, way}) : std::nullopt;
+  }
+
+  std::optional<Straight_leg> leg_along_edge(const Vertex_record& record) const
+  {
+    if(!m_input.is_border(record.along))
+      return leg_in_face(record.root, record.along, side(record.along).length);
+    const Input_halfedge_index first = m_input.next(twin_index(record.along)); // starts at the root
+    const Face_side f = side(first);
+    return leg_in_face(record.root, first, {f.x, f.y});
+  }
+
+  std::optional<Straight_leg> leg_through_side(Input_halfedge_index through, const Window& w, const Vector& place)
+  {
+    const double crossing = w.crossing(place.real(), place.imag()),
+                 equal = unfolded_place_error * (std::abs(crossing) + side(through).length);
+    if(w.is_far || !(crossing >= w.from - equal && crossing <= w.to + equal))
+      return std::nullopt;
+    const Vector way = place - Vector(w.x, -w.y);
+    const auto face = first_face(through, w, std::abs(way));
+    return face ? std::optional(Straight_leg{w.root, face->first, through, product(way, face->turn), way})
+                : std::nullopt;
+  }
+
   // Of a path that does not bend.
   Start_direction straight(Vertex_index v)
   {
@@ -123,9 +194,9 @@ private:
       return inside_face(v, part(record.root));
     const Window& w = record.window;
     const Face_side f = side(record.through);
-    const Vector source(w.x, -w.y), target(f.x, f.y), middle((w.from + w.to) / 2, 0);
-    const auto face = first_face({record.through, source, middle - source, 1}, record.root, std::abs(target - source));
-    return face ? Start_direction{face->first, product(target - source, face->turn)} : Start_direction();
+    const Vector way = Vector(f.x, f.y) - Vector(w.x, -w.y);
+    const auto face = first_face(record.through, w, std::abs(way));
+    return face ? Start_direction{face->first, product(way, face->turn)} : Start_direction();
   }
 
   Start_direction inside_face(Vertex_index v, const Source_part& source) const
@@ -137,16 +208,19 @@ private:
     return {source.halfedge, position(f, corner) - position(f, source.ends[0])};
   }
 
-  // Follows rays back to the source, over at most as many edges as there are windows.
-  std::optional<First_face> first_face(Rays rays, Index root, double length)
+  // Follows the rays of a window, in the frame of side h, back to its root, over at most as many edges as there are
+  // windows. The length is that of the whole ray.
+  std::optional<First_face> first_face(Input_halfedge_index h, const Window& w, double length)
   {
+    const Vector source(w.x, -w.y), middle((w.from + w.to) / 2, 0);
+    Rays rays = {h, source, middle - source, 1};
     const double allowed = unfolded_place_error * length;
     std::optional<First_face> result;
     m_passed.clear();
     for(std::size_t i = 0; i < m_propagation.number_of_windows() && !result; ++i) {
       if(m_input.is_border(twin_index(rays.h)))
         return std::nullopt;
-      result = cross_backward(rays, root, allowed);
+      result = cross_backward(rays, w.root, allowed);
       if(!result && !(rays.source.imag() < 0))
         return std::nullopt;
       if(!result && is_kept(rays.h) && !(result = known(rays, allowed)))
@@ -210,6 +284,7 @@ private:
     return std::nullopt;
   }
 
+  const Query m_query;
   const typename Triangulation::Input_mesh& m_input;
   const Propagation& m_propagation;
   Indexed_by<Vertex_index, std::vector<Start_direction>> m_starts;

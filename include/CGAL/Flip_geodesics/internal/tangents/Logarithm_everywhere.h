@@ -5,8 +5,8 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/tangents/Last_legs.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
@@ -75,7 +75,7 @@ public:
   Arrival operator()(Input_halfedge_index h, const Face_weights& weights)
   {
     const Surface_location location = {h, weights};
-    const std::optional<Straight_leg> leg = m_legs(h, weights);
+    const std::optional<Straight_leg> leg = m_legs.leg(h, weights);
     if(const auto on = leg ? continued(*leg) : std::nullopt; on && on->polar.radius < m_field.reach()) {
       const Vector arriving = leg->end * direction_of_side(m_triangulation, h, leg->last);
       return {on->polar, std::arg(arriving) + on->bend};
@@ -110,7 +110,7 @@ private:
   std::optional<Straight_leg> leg_to(Vertex_index v)
   {
     const bool has_leg = m_field.distance(v) < infinity && m_field.distance(v) > 0;
-    return has_leg ? m_legs(v) : std::nullopt;
+    return has_leg ? m_legs.leg(v) : std::nullopt;
   }
 
   End end_at(Vertex_index v, const std::optional<Straight_leg>& leg)
@@ -157,7 +157,7 @@ private:
   const Geodesic_logarithm<Triangulation>& m_logarithm;
   Frame m_source;
   const Geodesic_distance_field<Triangulation>& m_field;
-  Last_legs<Triangulation> m_legs;
+  Source_directions<Triangulation> m_legs;
   Indexed_by<Vertex_index, std::vector<std::optional<End>>> m_vertices;
 };
 
