@@ -86,6 +86,7 @@ class Plain_view
 public:
   using Metric = typename Triangulation::Metric;
   using Input_mesh = typename Triangulation::Input_mesh;
+  using Traits = typename Triangulation::Traits;
 
   explicit Plain_view(const Triangulation& triangulation)
     : m_triangulation(triangulation)
@@ -95,6 +96,7 @@ public:
   static Halfedge_index twin(Halfedge_index h) { return Triangulation::twin(h); }
   const Input_mesh& input() const { return m_triangulation.input(); }
   const Metric& metric() const { return m_triangulation.metric(); }
+  const Traits& traits() const { return m_triangulation.traits(); }
   int crossings(CGAL::Flip_geodesics::Edge_index e) const { return m_triangulation.crossings(e); }
   decltype(auto) crossing_word(Halfedge_index h) const { return m_triangulation.crossing_word(h); }
   Vertex_index tail(Halfedge_index h) const { return m_triangulation.tail(h); }

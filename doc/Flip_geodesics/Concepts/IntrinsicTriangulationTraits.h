@@ -159,4 +159,13 @@ public:
   Compute_length compute_length_object() const;
 
   /// @}
+  /// \name Limit of work
+  /// @{
+
+  /// The limit of work for one sign that the traits leave open and the triangulation decides by exact arithmetic, in the
+  /// unit of `CGAL::Flip_geodesics::Certified_intrinsic_triangulation_traits::sign_work_limit()`. Needed only if
+  /// `Has_drift` is `CGAL::Tag_false`.
+  std::uint64_t sign_work_limit() const;
+
+  /// @}
 };

@@ -9,9 +9,9 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsProving
 /// What a certificate says of a curve.
 enum class Certificate_verdict {
-  PROVEN,       ///< the curve is locally shortest, exactly
-  PROBABLE,     ///< as `PROVEN`, but for angles that were taken for \f$\pi\f$ by a residue modulo a large prime,
-                ///< without a proof, see `Decision_statistics::unproven_zeros`
+  PROVEN,   ///< the curve is locally shortest, exactly
+  PROBABLE, ///< no bend was found, but an angle was taken for \f$\pi\f$ without a proof, since the limit of work was
+            ///< met, see `Decision_statistics::unproven_zeros`
   BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces, or its word is no such strip; or
                 ///< it touches a vertex, as happens along faces without area, whose angles sum up to less than
                 ///< \f$2\pi\f$

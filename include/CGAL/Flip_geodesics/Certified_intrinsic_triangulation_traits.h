@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL {
@@ -30,8 +31,9 @@ namespace Flip_geodesics {
  * bound, and by exact predicates of points where the faces lie in one plane. Then it takes 50 digits and a bound, and
  * at last exact arithmetic in the field of the roots of the faces' areas. So zeros are proven, and the flips end.
  *
- * Among more than 12 independent roots a zero can be left without a proof. It is then taken for one by its residue
- * modulo a prime that does not depend on the input, and counted in `Decision_statistics::unproven_zeros`. `certify()` says `PROBABLE`.
+ * Arithmetic with many independent roots can take too long, and has a limit of work, see `sign_work_limit()`. A sign
+ * that is still open when the limit is met is taken for zero, and counted in `Decision_statistics::unproven_zeros`.
+ * `certify()` says `PROBABLE`.
  *
  * \tparam K a kernel with `Point_3` and `FT`, convertible to double
  *
@@ -54,6 +56,23 @@ public:
   using FT = double;                   ///< squared lengths are rounded to it
   using Has_drift = Tag_false;         ///< what is certain is true
   using Point_3 = typename K::Point_3; ///< of the mesh
+
+  /// Decides with the default limit of work, which takes about a tenth of a second.
+  Certified_intrinsic_triangulation_traits() = default;
+
+  /// Decides with the limit of work `sign_work_limit`, see there; with 0, without exact arithmetic with roots.
+  explicit Certified_intrinsic_triangulation_traits(std::uint64_t sign_work_limit)
+    : m_sign_work_limit(sign_work_limit)
+  {
+  }
+
+  /*!
+   * The limit of work for one sign by exact arithmetic with roots, counted in products of two words of 64 bits; an
+   * operation with short integers counts as 32. A product of two numbers with \f$r\f$ independent roots takes
+   * \f$4^r\f$ products of integers. What comes before has no limit, and takes time that is linear in the number of
+   * faces.
+   */
+  std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
   /// The vector of a halfedge in the frame of its face, and a bound of its error relative to its length.
   struct Halfedge_geometry
@@ -291,6 +310,8 @@ public:
   Compute_length compute_length_object() const { return {}; }                           ///< a functor of this type
 
 private:
+  std::uint64_t m_sign_work_limit = internal::default_sign_work;
+
   static Face_geometry with_error(const typename Plain::Face_geometry& face, double error)
   {
     Face_geometry result;

@@ -16,15 +16,15 @@ struct Decision_statistics
   std::size_t by_memory = 0;      ///< as before: of an angle between the same two edges; counted nowhere else
   std::size_t by_strip = 0;       ///< by vectors of doubles, or of pairs of doubles, with an error bound
   std::size_t by_plane = 0;       ///< by points: all faces lie in one plane, or bend along parallel edges only
-  std::size_t by_precision = 0;   ///< by numbers of 50 digits, or as many as it takes, with an error bound
+  std::size_t by_precision = 0;   ///< by numbers of 50 digits with an error bound
   std::size_t by_roots = 0;       ///< by exact arithmetic with the roots of the faces' areas
   std::size_t zeros_by_plane = 0; ///< of `by_plane`: exactly straight
   std::size_t zeros_by_roots = 0; ///< of `by_roots`: exactly straight
-  /// Taken for exactly straight, since a residue modulo a large prime is zero: more than 12 independent roots, and
-  /// no proof found. Fewer than one in \f$2^{100}\f$ of the primes of that size would give a wrong result. The prime is
-  /// fixed, however, so this is not a probability for adversarial input.
+  /// Taken for exactly straight without a proof: 50 digits do not tell, and the limit of work was met, see
+  /// `Certified_intrinsic_triangulation_traits::sign_work_limit()`.
   std::size_t unproven_zeros = 0;
-  std::size_t most_roots = 0; ///< the largest number of independent roots that took part
+  /// The largest number of roots in one sign of which no two are rational multiples of each other.
+  std::size_t most_roots = 0;
 
   /// Adds further decisions.
   Decision_statistics& operator+=(const Decision_statistics& other)

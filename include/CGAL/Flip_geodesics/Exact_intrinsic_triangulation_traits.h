@@ -23,6 +23,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -109,6 +110,10 @@ public:
   {
     static_assert(has_radicand, "the number type has roots, and needs no radicand");
   }
+
+  /// The limit of work for signs that these traits leave open, which they never do; see
+  /// `IntrinsicTriangulationTraits::sign_work_limit()`.
+  static std::uint64_t sign_work_limit() { return internal::default_sign_work; }
 
   /// An angle, in radians, by which a straight angle may be missed and still count as straight. Zero unless `NT`
   /// rounds; then half of its digits are left for errors: about 1e-9 for `double` and 1e-51 for 100 digits.
@@ -474,7 +479,7 @@ Radicand common_radicand(const TriangleMesh& mesh, const Metric& metric)
       continue;
     if(radicand == 0)
       radicand = internal::without_squares(square);
-    if(!internal::is_perfect_square(square * radicand)) {
+    if(!internal::exact_root(square * radicand)) {
       const Index a = input.tail(h).idx(), b = input.tail(input.next(h)).idx(), c = input.tail(input.previous(h)).idx();
       throw Inexact_root_error("the area of the face with vertices " + std::to_string(a) + ", " + std::to_string(b) +
                                    ", " + std::to_string(c) + " is not a rational multiple of that of the first face",

@@ -239,7 +239,7 @@ private:
       turn.steps.push_back({Unfolding_step::Kind::CORNER, &face});
       h = twin_index(back);
     } while(h != first);
-    return Exact_sign(m_trace.statistics)({turn}) == ZERO;
+    return Exact_sign(m_trace.statistics, sign_work_limit(m_triangulation))({turn}) == ZERO;
   }
 
   void end_at_corner(Input_halfedge_index h, double angle)

@@ -6,6 +6,8 @@
 
 #include <CGAL/Flip_geodesics/certify_curve.h>
 
+#include <cstdint>
+
 using namespace Flip_geodesics_test;
 
 namespace {
@@ -53,25 +55,52 @@ FG::Network_certificate certificate_of_diagonal(Setting& setting, int n)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(zeros_of_many_roots_are_proven)
+BOOST_AUTO_TEST_CASE(zeros_of_several_roots_are_proven)
 {
-  for(int n : {5, 20, 70}) {
+  for(int n : {3, 5}) {
     Certified_setting setting(folding_screen(n, true, 0));
     const FG::Network_certificate certificate = certificate_of_diagonal(setting, n);
     BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
     BOOST_TEST(setting.network.halfedges(0_c).size() == 2u);
     BOOST_TEST(certificate.statistics.zeros_by_roots == 2u);
-    BOOST_TEST(certificate.statistics.most_roots > (n == 5 ? 3u : 12u));
+    BOOST_TEST(certificate.statistics.most_roots == std::size_t(n));
     BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
   }
 }
 
-// No order of faces closes the roots of such strips early.
+// The limit of work is a part of the traits.
+BOOST_AUTO_TEST_CASE(zeros_beyond_a_given_limit_of_work_are_probable)
+{
+  for(std::uint64_t limit : {0u, 100u, 10000u}) {
+    const FG::Certified_intrinsic_triangulation_traits<Kernel> traits(limit);
+    BOOST_TEST(traits.sign_work_limit() == limit);
+    Certified_setting setting(folding_screen(5, true, 0), traits);
+    const FG::Network_certificate certificate = certificate_of_diagonal(setting, 5);
+    BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
+    BOOST_TEST(certificate.statistics.unproven_zeros == 2u);
+    BOOST_TEST(certificate.statistics.zeros_by_roots == 0u);
+    BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros > 0u);
+  }
+}
+
+// A bend that digits show is found without exact arithmetic.
+BOOST_AUTO_TEST_CASE(bends_are_found_within_any_limit_of_work)
+{
+  for(double lift : {0x1p-40, -0x1p-40}) {
+    Certified_setting setting(folding_screen(20, true, lift), FG::Certified_intrinsic_triangulation_traits<Kernel>(0));
+    const FG::Network_certificate certificate = certificate_of_diagonal(setting, 20);
+    BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST(setting.network.halfedges(0_c).size() == 1u);
+  }
+}
+
+// Arithmetic with twenty roots takes more than the limit of work.
 BOOST_AUTO_TEST_CASE(zeros_without_a_proof_are_probable)
 {
-  Certified_setting few(folding_screen(8, false, 0));
-  BOOST_TEST((certificate_of_diagonal(few, 8).curves[0].verdict == FG::Certificate_verdict::PROVEN));
-
+  for(bool is_reversed : {true, false}) {
+    Certified_setting setting(folding_screen(20, is_reversed, 0));
+    BOOST_TEST((certificate_of_diagonal(setting, 20).curves[0].verdict == FG::Certificate_verdict::PROBABLE));
+  }
   Certified_setting many(folding_screen(20, false, 0));
   const FG::Network_certificate certificate = certificate_of_diagonal(many, 20);
   BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROBABLE));
@@ -111,38 +140,18 @@ BOOST_AUTO_TEST_CASE(legs_are_as_certain_as_the_least_of_them)
   BOOST_TEST((verdict({at(40, 2), at(39, 2)}) == FG::Certificate_verdict::PROVEN));
 }
 
-// The line misses the middle point by 1e-90: what is not zero has a sign, after as many digits as it takes.
-BOOST_AUTO_TEST_CASE(almost_zeros_of_many_roots_have_signs)
+// The line misses the middle point by 1e-90, which 50 digits do not tell. With few roots it has a sign all the same;
+// with many it is not said to have been proven.
+BOOST_AUTO_TEST_CASE(almost_zeros_have_signs_or_are_probable)
 {
   for(bool is_reversed : {true, false})
     for(double lift : {0x1p-300, -0x1p-300}) {
-      Certified_setting setting(folding_screen(20, is_reversed, lift));
-      const FG::Network_certificate certificate = certificate_of_diagonal(setting, 20);
-      BOOST_TEST((certificate.curves[0].verdict == FG::Certificate_verdict::PROVEN));
-      BOOST_TEST(setting.network.halfedges(0_c).size() == 1u);
-      BOOST_TEST(setting.triangulation.decision_statistics().unproven_zeros == 0u);
+      Certified_setting few(folding_screen(5, is_reversed, lift));
+      BOOST_TEST((certificate_of_diagonal(few, 5).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+      BOOST_TEST(few.network.halfedges(0_c).size() == 1u);
+      Certified_setting many(folding_screen(20, is_reversed, lift));
+      many.add(vertex_path_on_grid(40, {{0, 0}, {0, 1}, {40, 1}, {40, 2}}), false);
+      many.pull();
+      BOOST_TEST((FG::certify(many.network).curves[0].verdict == FG::Certificate_verdict::PROBABLE));
     }
-}
-
-BOOST_AUTO_TEST_CASE(residues_of_roots_multiply_as_roots_do)
-{
-  const std::vector<FG::internal::Integer> squares = {2, 3, 6, 8, 12, 49, 1001, 7 * 1001};
-  const FG::internal::Root_base base(squares);
-  for(unsigned bits : {61u, 64u, 150u}) {
-    const FG::internal::Integer prime = FG::internal::fixed_prime(bits);
-    BOOST_TEST(prime.highest_bit() + 1 == bits);
-    BOOST_TEST(prime % 4 == 3);
-    const FG::internal::Residue_ring ring(base, prime);
-    const auto root = [&](int d) { return ring.side(0, d, 1, 1).root; };
-    const auto difference = [&](const auto& a, const auto& b) { return ring.add(a, ring.negate(b)); };
-    for(const FG::internal::Integer& d : squares) {
-      const auto r = ring.side(0, d, 1, 1).root;
-      BOOST_TEST(ring.is_zero(difference(ring.multiply(r, r), ring.integer(d))));
-    }
-    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(2), root(3)), root(6))));
-    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(8), root(2)), ring.integer(4))));
-    BOOST_TEST(ring.is_zero(difference(ring.multiply(root(12), root(8)), ring.multiply(root(6), ring.integer(4)))));
-    BOOST_TEST(!ring.is_zero(difference(ring.multiply(root(2), root(3)), root(12))));
-    BOOST_TEST(!ring.is_zero(difference(root(2), root(3))));
-  }
 }

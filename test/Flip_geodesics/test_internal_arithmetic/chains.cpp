@@ -154,8 +154,8 @@ private:
 };
 
 using Chains = std::vector<Unfolding_chain>;
-using Roots = FI::Complex_pairs<FI::Multiquadratic_ring>;
-using Residues = FI::Complex_pairs<FI::Residue_ring>;
+using Roots = FI::Multiquadratic_ring;
+using Digits = FI::Ball_ring<50>;
 
 std::vector<Integer> squared_roots(const Chains& chains)
 {
@@ -166,21 +166,19 @@ std::vector<Integer> squared_roots(const Chains& chains)
   return result;
 }
 
-// All kinds of arithmetic at once; a sign where it is zero takes a proof.
+// Both kinds of arithmetic, and the stages.
 void check_sign(const Chains& chains, int expected)
 {
-  const FI::Root_base base(squared_roots(chains));
-  const Roots roots(base);
-  BOOST_TEST(roots.sign(FI::Chain_arithmetic<Roots>(roots).sine(chains)) == expected);
-  BOOST_TEST(FI::Vanishing_proof(chains, base)() == (expected == 0));
-  const Residues residues(base, FI::fixed_prime(80));
-  BOOST_TEST(residues.is_zero(FI::Chain_arithmetic<Residues>(residues).sine(chains)) == (expected == 0));
-  const Fixed fixed(400);
-  const CGAL::Uncertain<CGAL::Sign> by_digits = fixed.sign(FI::Chain_arithmetic<Fixed>(fixed).sine(chains));
+  FI::Work_limit work;
+  const Roots roots(squared_roots(chains), work);
+  BOOST_TEST((roots.sign(FI::Chain_arithmetic<Roots>(roots).sine(chains)) == CGAL::Sign(expected)));
+  const Digits digits;
+  const CGAL::Uncertain<CGAL::Sign> by_digits = digits.sign(FI::Chain_arithmetic<Digits>(digits).sine(chains));
   BOOST_TEST(by_digits.is_certain() == (expected != 0));
   BOOST_TEST((expected == 0 || by_digits.make_certain() == expected));
   FG::Decision_statistics statistics;
   BOOST_TEST(FI::Exact_sign(statistics)(chains) == expected);
+  BOOST_TEST(statistics.unproven_zeros == 0u);
 }
 
 int sign_of(int n) { return n > 0 ? 1 : (n < 0 ? -1 : 0); }
@@ -241,8 +239,8 @@ BOOST_AUTO_TEST_CASE(strips_with_many_roots_cancel_only_if_each_does)
   }
 }
 
-// Strips that pass the same faces from either end: all roots are open at a time.
-BOOST_AUTO_TEST_CASE(products_with_four_open_roots_are_proven)
+// Strips that pass the same faces from either end.
+BOOST_AUTO_TEST_CASE(products_with_their_conjugates_are_real)
 {
   std::vector<Exact_face> faces;
   for(int n : {2, 3, 5, 7})
@@ -257,8 +255,9 @@ BOOST_AUTO_TEST_CASE(products_with_four_open_roots_are_proven)
     Unfolding_chain opposite_there = there, opposite_back = back;
     opposite_there.is_conjugate = opposite_back.is_conjugate = true;
     const Chains chains = {there, back, opposite_there, opposite_back}, half = {there, back, opposite_there};
-    BOOST_TEST(FI::Vanishing_proof(chains, FI::Root_base(squared_roots(chains)))());
-    BOOST_TEST(!FI::Vanishing_proof(half, FI::Root_base(squared_roots(half)))());
+    FG::Decision_statistics statistics;
+    check_sign(chains, 0);
+    BOOST_TEST(FI::Exact_sign(statistics)(half) != CGAL::ZERO);
   }
 }
 
@@ -276,6 +275,43 @@ BOOST_AUTO_TEST_CASE(the_largest_number_of_roots_is_kept)
   BOOST_TEST(sign(one) == CGAL::ZERO);
   BOOST_TEST(statistics.most_roots == 2u);
   BOOST_TEST(statistics.zeros_by_roots == 3u);
+}
+
+// A zero is one only as far as the limit of work allows to prove it; what digits tell needs no proof.
+BOOST_AUTO_TEST_CASE(signs_beyond_the_limit_of_work_are_counted)
+{
+  Random_numbers random(9);
+  Random_strip a({2}, true, 2, random), b({3}, true, 2, random);
+  const Chains zero = {a.chain(true), a.vector(a.to_left()), b.chain(true), b.vector(b.to_left())};
+  const Chains positive = {a.chain(true), a.vector(a.to_left()), b.chain(true)};
+  for(std::uint64_t limit : {std::uint64_t(0), std::uint64_t(1000), FI::default_sign_work}) {
+    FG::Decision_statistics statistics;
+    const FI::Exact_sign sign(statistics, limit);
+    const bool is_enough = limit == FI::default_sign_work;
+    BOOST_TEST(sign(zero) == CGAL::ZERO);
+    BOOST_TEST(statistics.unproven_zeros == (is_enough ? 0u : 1u));
+    BOOST_TEST(statistics.zeros_by_roots == (is_enough ? 1u : 0u));
+    BOOST_TEST(sign(positive) != CGAL::ZERO);
+    BOOST_TEST(statistics.by_precision == 1u);
+    BOOST_TEST(statistics.unproven_zeros == (is_enough ? 0u : 1u));
+  }
+}
+
+// With one root exact numbers come first, and then digits.
+BOOST_AUTO_TEST_CASE(digits_decide_what_is_beyond_the_limit_of_work)
+{
+  Random_numbers random(10);
+  const Plane plane = {2};
+  const Exact_face face = plane.face({0, 0}, {3, 1}, {1, 2});
+  Unfolding_chain corner;
+  corner.steps.push_back({Kind::CORNER, &face});
+  FG::Decision_statistics by_roots, by_digits;
+  const CGAL::Sign sign = FI::Exact_sign(by_roots)({corner});
+  BOOST_TEST(sign != CGAL::ZERO);
+  BOOST_TEST(by_roots.by_roots == 1u);
+  BOOST_TEST(FI::Exact_sign(by_digits, 0)({corner}) == sign);
+  BOOST_TEST(by_digits.by_precision == 1u);
+  BOOST_TEST(by_digits.unproven_zeros == 0u);
 }
 
 // ---------------------------------------------------------------- corners
@@ -300,7 +336,8 @@ bool is_real(const std::vector<Corner>& corners)
     chains.back().is_conjugate = corner.is_conjugate;
     chains.back().steps.push_back({Kind::CORNER, &faces.back()});
   }
-  return FI::Corner_product::is_real(chains);
+  FG::Decision_statistics statistics;
+  return FI::Exact_sign(statistics)(chains) == CGAL::ZERO && statistics.unproven_zeros == 0;
 }
 
 } // namespace
@@ -320,6 +357,6 @@ BOOST_AUTO_TEST_CASE(products_of_corners_that_are_real_are_found)
   BOOST_TEST(is_real({{1, 2}, {2, 8, true}, {3, 5}, {-3, 5}})); // roots that are multiples of each other
   BOOST_TEST(!is_real({{1, 2}, {2, 8}}));                       // the same, not back
   BOOST_TEST(!is_real({{1, 2}, {1, 3, true}}));                 // roots that are not
-  BOOST_TEST(!is_real({{1, 0}}));                               // no area: left to others
+  BOOST_TEST(is_real({{1, 0}}));                                // no area
   BOOST_TEST(is_real({{3, 18}, {1, 2, true}, {2, 50}, {2, 50, true}, {5, 50}, {-1, 2}}));
 }

@@ -84,7 +84,7 @@ inline void check_precise_face(const std::array<double, 3>& l)
   }
 }
 
-inline Real real(const Integer& n) { return Real(n.number()); }
+inline Real real(const Integer& n) { return Real(n); }
 
 inline Integer random_integer(Random_numbers& random, int bits)
 {
@@ -99,17 +99,8 @@ inline void check_root(const Integer& n)
   const Integer root = FI::rounded_root(n);
   BOOST_TEST((root * root <= n && n < (root + 1) * (root + 1)));
   const bool is_square = root * root == n;
-  BOOST_TEST(FI::is_perfect_square(n) == is_square);
+  BOOST_TEST(FI::exact_root(n).has_value() == is_square);
   BOOST_TEST((!is_square || *FI::exact_root(n) == root));
-}
-
-using Fixed = FI::Fixed_point_ring;
-
-constexpr int fixed_bits = 12;
-
-inline bool holds(const Fixed::Number& a, const Real& value)
-{
-  return abs(real(a.middle) - ldexp(value, fixed_bits)) <= real(a.radius);
 }
 
 } // namespace Flip_geodesics_test

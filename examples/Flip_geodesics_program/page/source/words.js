@@ -21,7 +21,7 @@ const statuses = {
 };
 const verdicts = {
   PROVEN: 'proven by exact arithmetic',
-  PROBABLE: 'proven up to a tiny probability',
+  PROBABLE: 'no bend found, the proof takes too long',
   BENT_SEGMENT: 'not straight within a face strip',
   BENT_JOINT: 'not straight at a joint',
 };

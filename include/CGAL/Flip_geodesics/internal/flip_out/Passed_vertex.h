@@ -72,7 +72,8 @@ private:
   Order order_in_one_face(const Crossing_word& from, const Crossing_word& to) const
   {
     const Unfolding_chains<Places> unfolding(m_places);
-    const Sign sine = Exact_sign(m_statistics)({unfolding.head(from, false), unfolding.head(to, true)});
+    const Sign sine =
+        Exact_sign(m_statistics, sign_work_limit(m_places))({unfolding.head(from, false), unfolding.head(to, true)});
     if(sine != ZERO)
       return sine == POSITIVE ? Order::CLOCKWISE : Order::COUNTERCLOCKWISE;
     const std::complex<double> a = Strip<Places>(m_places, from).end(), b = Strip<Places>(m_places, to).end();

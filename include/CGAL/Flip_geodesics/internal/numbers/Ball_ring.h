@@ -53,10 +53,10 @@ public:
     if(!(m_squared_root == squared_root && m_divisor == divisor)) {
       m_squared_root = squared_root;
       m_divisor = divisor;
-      m_inverse = 1 / Float(divisor.number());
+      m_inverse = 1 / Float(divisor);
       m_root = root_of(squared_root) * m_inverse;
     }
-    const Float x = Float(dot.number()) * m_inverse;
+    const Float x = Float(dot) * m_inverse;
     const double size = std::hypot(as_double(x), as_double(m_root));
     return {x, sign > 0 ? m_root : Float(-m_root), size * (1 + radius_rounding)};
   }
@@ -65,7 +65,7 @@ public:
   Complex zero() const { return {0, 0, 0, 0}; }
 
   /* The dot of a side, and its root times n. */
-  Complex combination(const Side& q, const Integer& n) const { return rounded(q.dot, q.root * Float(n.number()), 0); }
+  Complex combination(const Side& q, const Integer& n) const { return rounded(q.dot, q.root * Float(n), 0); }
 
   Complex rescale(const Complex& z, const Integer& /* factor */) const { return z; }
   Complex add(const Complex& a, const Complex& b) const
@@ -87,7 +87,7 @@ public:
 
   Complex times_integer(const Complex& z, const Integer& n) const
   {
-    const Float factor(n.number());
+    const Float factor(n);
     return rounded(z.re * factor, z.im * factor, z.radius * std::abs(as_double(factor)));
   }
 
@@ -106,8 +106,8 @@ private:
   {
     if(n == 0)
       return 0;
-    const int half_exponent = static_cast<int>(n.highest_bit()) / 2;
-    const Float x = boost::multiprecision::ldexp(Float(n.number()), -2 * half_exponent); // from 1 to 4
+    const int half_exponent = static_cast<int>(highest_bit(n)) / 2;
+    const Float x = boost::multiprecision::ldexp(Float(n), -2 * half_exponent); // from 1 to 4
     Float inverse = 1 / std::sqrt(x.template convert_to<double>());
     for(int bits = 50; bits < std::numeric_limits<Float>::digits; bits = 2 * bits - 2)
       inverse += boost::multiprecision::ldexp(Float(inverse * (1 - x * inverse * inverse)), -1);

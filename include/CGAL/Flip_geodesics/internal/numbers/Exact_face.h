@@ -52,7 +52,7 @@ std::array<Integer, N> to_integers(const std::array<double, N>& numbers)
 inline std::array<Integer, 3> integer_weights(const std::array<double, 3>& weights)
 {
   std::array<Integer, 3> result = to_integers(weights);
-  const Integer common = greatest_common_divisor(greatest_common_divisor(result[0], result[1]), result[2]);
+  const Integer common = boost::multiprecision::gcd(boost::multiprecision::gcd(result[0], result[1]), result[2]);
   for(Integer& weight : result)
     weight /= common;
   return result;
@@ -65,7 +65,7 @@ inline void take_out_power_of_two(std::array<std::array<Integer, 3>, 3>& vectors
   for(const auto& v : vectors)
     for(const Integer& n : v)
       if(n != 0)
-        power = (std::min)(power, n.lowest_bit());
+        power = (std::min)(power, lowest_bit(n));
   for(auto& v : vectors)
     for(Integer& n : v)
       if(n != 0)

@@ -3,112 +3,227 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_MULTIQUADRATIC_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_NUMBERS_MULTIQUADRATIC_H
 
-#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Root_base.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Root_sum.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
-/* Exact arithmetic in Z[sqrt g_1, ..., sqrt g_r]: one integer per product of distinct roots. */
+/*
+ * Exact complex numbers over Z[sqrt d_1, ..., sqrt d_r], for `Chain_arithmetic`: an integer for each set of roots, the
+ * product of which it multiplies. No product of two of the d is a square; a product of more can be, which `Root_sum`
+ * finds out.
+ *
+ * Once the limit of work is met, numbers are empty, and the sign is uncertain.
+ */
 class Multiquadratic_ring
 {
 public:
-  using Number = std::vector<Integer>;
+  using Number = std::vector<Integer>; // by masks: bit i stands for root i
 
-  explicit Multiquadratic_ring(const Root_base& base)
-    : m_base(base)
-    , m_products(std::size_t(1) << base.generators().size(), Integer(1))
+  struct Complex
   {
-    for(std::size_t mask = 0; mask < m_products.size(); ++mask)
-      for(std::size_t i = 0; i < base.generators().size(); ++i)
-        if((mask >> i & 1) != 0)
-          m_products[mask] *= base.generators()[i];
-  }
+    Number re, im;
+  };
 
-  Number integer(const Integer& n) const
+  /* A root of an integer, as a multiple of one of the ring or of 1. */
+  struct Root
   {
-    Number result(m_products.size());
-    result[0] = n;
-    return result;
-  }
+    Integer factor;
+    std::size_t mask;
+  };
 
-  Number add(Number a, const Number& b) const
-  {
-    for(std::size_t i = 0; i < a.size(); ++i)
-      a[i] += b[i];
-    return a;
-  }
-
-  Number negate(Number a) const
-  {
-    for(Integer& c : a)
-      c = -c;
-    return a;
-  }
-
-  /* The factor dot + sign i sqrt(squared_root), for numbers that are rescaled by the divisor instead. */
+  /* The factor dot + i root, for numbers that are rescaled by the divisor instead. */
   struct Side
   {
-    Integer dot, factor;
-    std::size_t mask; // bit i: the root of generator i
+    Integer dot;
+    Root root;
   };
+
+  Multiquadratic_ring(const std::vector<Integer>& radicands, Work_limit& work)
+    : m_work(work)
+  {
+    for(const Integer& d : radicands)
+      add_radicand(d);
+    charge_product_of_numbers();
+    if(m_work.is_met())
+      return;
+    for(const Integer& d : radicands)
+      m_roots.emplace(d, root_of(d));
+    for(std::size_t i = 1; i < m_radicands.size(); ++i)
+      for(std::size_t mask = 0, end = m_products.size(); mask < end; ++mask)
+        m_products.push_back(m_products[mask] * m_radicands[i]);
+  }
+
+  /* The number of roots of which no two are rational multiples of each other. */
+  std::size_t number_of_roots() const { return m_radicands.size() - 1; }
 
   Side side(const Integer& dot, const Integer& squared_root, int sign, const Integer& /* divisor */) const
   {
-    const Root_base::Root& root = m_base.root(squared_root);
-    Side result = {dot, root.factor * sign, 0};
-    for(std::size_t i : root.generators)
-      result.mask |= std::size_t(1) << i;
+    if(m_work.is_met())
+      return {};
+    const Root& root = m_roots.at(squared_root);
+    return {dot, {root.factor * sign, root.mask}};
+  }
+
+  Complex one() const { return {integer(1), integer(0)}; }
+  Complex zero() const { return {integer(0), integer(0)}; }
+
+  /* The dot of a side, and its root times n. */
+  Complex combination(const Side& q, const Integer& n) const
+  {
+    return {integer(q.dot), times_integer(times_root(integer(1), q.root), n)};
+  }
+
+  Complex add(const Complex& a, const Complex& b) const { return {add(a.re, b.re, 1), add(a.im, b.im, 1)}; }
+  Complex negate(const Complex& z) const { return {times_integer(z.re, -1), times_integer(z.im, -1)}; }
+  Complex conjugate(const Complex& z) const { return {z.re, times_integer(z.im, -1)}; }
+  Complex rescale(const Complex& z, const Integer& factor) const { return times_integer(z, factor); }
+
+  Complex multiply(const Complex& a, const Complex& b) const
+  {
+    return {add(multiply(a.re, b.re), multiply(a.im, b.im), -1), add(multiply(a.re, b.im), multiply(a.im, b.re), 1)};
+  }
+
+  Complex times_side(const Complex& z, const Side& q) const
+  {
+    return {add(times_integer(z.re, q.dot), times_root(z.im, q.root), -1),
+            add(times_integer(z.im, q.dot), times_root(z.re, q.root), 1)};
+  }
+
+  Complex times_integer(const Complex& z, const Integer& n) const
+  {
+    return {times_integer(z.re, n), times_integer(z.im, n)};
+  }
+
+  Number imaginary_part(const Complex& z) const { return z.im; }
+
+  Uncertain<Sign> sign(const Number& a) const
+  {
+    Root_sum sum;
+    if(m_work.is_met())
+      return Uncertain<Sign>::indeterminate();
+    for(std::size_t i = 0; i < a.size(); ++i)
+      sum.add(a[i], m_products[i]);
+    return sum.sign(m_work);
+  }
+
+private:
+  // ---------------------------------------------------------------- roots
+
+  // A product of two numbers is 4^r products of integers: with 29 roots, the work has more than 64 bits.
+  void charge_product_of_numbers()
+  {
+    constexpr std::size_t far_too_many = 29;
+    const std::size_t r = number_of_roots();
+    m_work.charge(r < far_too_many ? Work_limit::of_operation << (2 * r) : UINT64_MAX);
+  }
+
+  // Of a class of integers whose products in pairs are squares, the ring has the root of their greatest common divisor:
+  // it is in the class as well, and divides the others by squares. The first class is that of squares.
+  void add_radicand(const Integer& d)
+  {
+    if(d == 0)
+      return;
+    for(Integer& g : m_radicands) {
+      if(m_work.is_met())
+        return;
+      m_work.charge_product(g, d);
+      if(exact_root(g * d)) {
+        if(d % g != 0)
+          g = boost::multiprecision::gcd(g, d);
+        return;
+      }
+    }
+    m_radicands.push_back(d);
+  }
+
+  Root root_of(const Integer& d) const
+  {
+    for(std::size_t i = 0; i < m_radicands.size() && d != 0; ++i)
+      if(const std::optional<Integer> root = exact_root(d * m_radicands[i]))
+        return {*root / m_radicands[i], (std::size_t(1) << i) >> 1};
+    return {0, 0};
+  }
+
+  // ---------------------------------------------------------------- real numbers
+
+  Number integer(const Integer& n) const
+  {
+    Number result(m_work.is_met() ? 0 : m_products.size());
+    if(!result.empty())
+      result[0] = n;
     return result;
   }
 
-  Number rescale(Number a, const Integer& factor) const
+  // a + sign b
+  Number add(Number a, const Number& b, int sign) const
   {
-    for(Integer& c : a)
-      c *= factor;
+    if(m_work.is_met())
+      return {};
+    for(std::size_t i = 0; i < a.size(); ++i)
+      sign > 0 ? a[i] += b[i] : a[i] -= b[i];
     return a;
   }
 
-  Number times_integer(const Number& a, const Integer& n) const { return rescale(a, n); }
-  Number times_dot(const Number& a, const Side& side) const { return rescale(a, side.dot); }
-
-  Number times_root(const Number& a, const Side& side) const
+  Number times_integer(Number a, const Integer& n) const
   {
-    Number result(m_products.size());
+    if(m_work.is_met())
+      return {};
+    for(Integer& c : a) {
+      m_work.charge_product(c, n);
+      c *= n;
+    }
+    return a;
+  }
+
+  Number times_root(const Number& a, const Root& root) const
+  {
+    if(m_work.is_met())
+      return {};
+    Number result(a.size());
     for(std::size_t i = 0; i < a.size(); ++i)
-      if(a[i] != 0)
-        result[i ^ side.mask] += a[i] * side.factor * m_products[i & side.mask];
+      add_product(a[i], root.factor, i, root.mask, result);
     return result;
   }
 
   Number multiply(const Number& a, const Number& b) const
   {
-    Number result(m_products.size());
+    Number result(a.size());
     for(std::size_t i = 0; i < a.size(); ++i)
-      for(std::size_t j = 0; a[i] != 0 && j < b.size(); ++j)
-        if(b[j] != 0)
-          result[i ^ j] += a[i] * b[j] * m_products[i & j];
+      for(std::size_t j = 0; j < b.size(); ++j) {
+        if(m_work.is_met())
+          return {};
+        add_product(a[i], b[j], i, j, result);
+      }
     return result;
   }
 
-  Sign sign(const Number& a) const
+  // Adds the product of two coefficients.
+  void add_product(const Integer& a, const Integer& b, std::size_t i, std::size_t j, Number& result) const
   {
-    Root_sum sum;
-    for(std::size_t i = 0; i < a.size(); ++i)
-      sum.add(a[i], m_products[i]);
-    return sum.sign();
+    m_work.charge_product(a, b);
+    if(a == 0 || b == 0)
+      return;
+    const Integer product = a * b;
+    m_work.charge_product(product, m_products[i & j]);
+    result[i ^ j] += product * m_products[i & j];
   }
 
-private:
-  const Root_base& m_base;
-  std::vector<Integer> m_products; // of the base elements in a mask
+  Work_limit& m_work;
+  std::vector<Integer> m_radicands = {1};
+  std::map<Integer, Root> m_roots;       // of the given integers
+  std::vector<Integer> m_products = {1}; // of the radicands in a mask
 };
 
 } // namespace internal

@@ -9,6 +9,8 @@
  * comment names. test/Flip_geodesics/check_tolerances.py refuses such literals in other headers.
  */
 
+#include <cstdint>
+
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
@@ -51,6 +53,10 @@ inline constexpr double largest_derived_error = 0x1p-64;
 /* The enlargement of a radius of a ball, itself computed in few operations: about 90 u, and 9000 u where it has been
  * multiplied repeatedly. A larger one costs nothing but a repetition with more digits. */
 inline constexpr double radius_rounding = 1e-14, product_radius_rounding = 1e-12;
+
+/* The default limit of work for one sign by exact arithmetic, in products of two words of 64 bits, each of which takes
+ * about a nanosecond: a tenth of a second. */
+inline constexpr std::uint64_t default_sign_work = std::uint64_t(1) << 27;
 
 /* The error of a distance in the plane or in space as a lower bound: the difference, the sum of squares, its root and
  * the factor take fewer than 8 roundings. */

@@ -113,7 +113,7 @@ inline Integer without_squares(Integer n)
     while(n % (p * p) == 0)
       n /= p * p;
   for(int factor = 1; factor < limit; ++factor)
-    if(n % factor == 0 && is_perfect_square(n / factor))
+    if(n % factor == 0 && exact_root(n / factor))
       return factor;
   return n;
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Root_sum.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <array>
@@ -48,7 +49,8 @@ public:
   {
   }
 
-  Sign operator()(const Unrolled_line& a, const Unrolled_line& b) const
+  /* Uncertain if the default limit of work is met. */
+  Uncertain<Sign> operator()(const Unrolled_line& a, const Unrolled_line& b) const
   {
     const Sign first = a.height * b.side, second = CGAL::opposite(b.height * a.side);
     if(first == second || second == ZERO)
@@ -129,7 +131,7 @@ private:
 
   static Vector difference(const Integer* p, const Integer* q) { return {q[0] - p[0], q[1] - p[1], q[2] - p[2]}; }
 
-  Sign exact(const Unrolled_line& a, const Unrolled_line& b) const
+  Uncertain<Sign> exact(const Unrolled_line& a, const Unrolled_line& b) const
   {
     std::vector<double> coordinates;
     const auto append = [&](const Place& p) { coordinates.insert(coordinates.end(), p.begin(), p.end()); };
@@ -145,13 +147,13 @@ private:
     Root_sum sum;
     add_widths(u, of_b, b, height(u, of_a, a), sum);
     add_widths(u, of_a, a, -height(u, of_b, b), sum);
-    return sum.sign();
+    Work_limit work;
+    return sum.sign(work);
   }
 
   static Vector shortened(Vector v)
   {
-    const Integer common =
-        greatest_common_divisor(greatest_common_divisor(absolute(v[0]), absolute(v[1])), absolute(v[2]));
+    const Integer common = boost::multiprecision::gcd(boost::multiprecision::gcd(v[0], v[1]), v[2]);
     for(Integer& x : v)
       x /= common;
     return v;

@@ -11,6 +11,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/surface/Unrolled_line.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
 #include <array>
@@ -96,8 +97,9 @@ private:
     Unrolled_line line_a, line_b;
     if(!unroll(a, bend, line_a) || !unroll(b, bend, line_b))
       return false;
-    sine = Unrolled_sine(place_of_tail(bend), place_of_tail(twin_index(bend)))(line_a, line_b);
-    return true;
+    const Uncertain<Sign> result = Unrolled_sine(place_of_tail(bend), place_of_tail(twin_index(bend)))(line_a, line_b);
+    sine = result.is_certain() ? result.make_certain() : ZERO;
+    return result.is_certain();
   }
 
   // Returns false if the numbers are too small or too large, or the line turns back.

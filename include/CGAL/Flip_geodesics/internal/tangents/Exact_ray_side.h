@@ -81,7 +81,7 @@ public:
     }
     Unfolding_chain corner = state.corner;
     corner.steps.push_back(last);
-    return Exact_sign(statistics)({state.direction, corner});
+    return Exact_sign(statistics, sign_work_limit(triangulation))({state.direction, corner});
   }
 
   /* The ray runs into a corner that it is going to pass. If it has passed one before, it is the line from there. */

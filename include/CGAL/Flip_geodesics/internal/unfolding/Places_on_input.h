@@ -25,6 +25,7 @@ public:
   using Triangle_mesh = typename Triangulation::Triangle_mesh;
   using Input_mesh = typename Triangulation::Input_mesh;
   using Metric = typename Triangulation::Metric;
+  using Traits = typename Triangulation::Traits;
 
   /* The triangulation must outlive this. */
   explicit Places_on_input(const Triangulation& triangulation)
@@ -34,6 +35,7 @@ public:
 
   const Input_mesh& input() const { return m_triangulation.input(); }
   const Metric& metric() const { return m_triangulation.metric(); }
+  const Traits& traits() const { return m_triangulation.traits(); }
   bool is_inserted(Vertex_index v) const { return v.idx() >= input().number_of_vertices(); }
   const Surface_location& location(Vertex_index v) const
   {

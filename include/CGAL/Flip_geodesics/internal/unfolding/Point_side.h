@@ -121,7 +121,8 @@ private:
   Sign exactly(const Crossing_word& word, std::size_t gap, const std::array<double, 3>& weights) const
   {
     const Unfolding_chains<Triangulation> unfolding(m_triangulation);
-    return Exact_sign(m_statistics)({unfolding.point(word, gap, weights), unfolding.head(word, true)});
+    return Exact_sign(m_statistics, sign_work_limit(m_triangulation))(
+        {unfolding.point(word, gap, weights), unfolding.head(word, true)});
   }
 
   const Triangulation& m_triangulation;

@@ -305,7 +305,8 @@ private:
     Sign sign(const Crossing_word& word, std::size_t gate, bool is_left) const
     {
       const Unfolding_chains<Triangulation> unfolding(m_triangulation);
-      return Exact_sign(m_statistics)({unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
+      return Exact_sign(m_statistics, sign_work_limit(m_triangulation))(
+          {unfolding.gate(word, gate, is_left), unfolding.head(word, true)});
     }
 
     // Is a vertex on the line through the last two that have been found on the line, or the tail and the only one? The

@@ -179,7 +179,7 @@ private:
     if(std::abs(excess) > (count + 4) * input_corner_error)
       return excess > 0;
     const Unfolding_chains<Triangulation> unfolding(m_triangulation);
-    return Exact_sign(m_statistics)({unfolding.corners(first, count)}) != NEGATIVE;
+    return Exact_sign(m_statistics, sign_work_limit(m_triangulation))({unfolding.corners(first, count)}) != NEGATIVE;
   }
 
   const Triangulation& m_triangulation;

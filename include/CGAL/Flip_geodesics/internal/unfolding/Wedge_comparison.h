@@ -160,7 +160,7 @@ private:
       else // at a point of an edge, corners are straight angles
         is_opposite = is_opposite != (w.steps % 2 != 0);
     }
-    const Sign sine = Exact_sign(m_statistics)(chains);
+    const Sign sine = Exact_sign(m_statistics, sign_work_limit(m_triangulation))(chains);
     return is_opposite ? CGAL::opposite(sine) : sine;
   }
 
