@@ -69,8 +69,8 @@ public:
   /*!
    * The limit of work for one sign by exact arithmetic with roots, counted in products of two words of 64 bits; an
    * operation with short integers counts as 32. A product of two numbers with \f$r\f$ independent roots takes
-   * \f$4^r\f$ products of integers. What comes before has no limit, and takes time that is linear in the number of
-   * faces.
+   * \f$4^r\f$ products of integers. What comes before takes time that is linear in the number of faces, but for sums of
+   * roots over walls, which have the default limit.
    */
   std::uint64_t sign_work_limit() const { return m_sign_work_limit; }
 
