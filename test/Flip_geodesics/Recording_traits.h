@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_comparison.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

@@ -9,8 +9,8 @@
 #include "random_curves.h"
 #include "test_certified_traits/judged_meshes.h"
 
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_wedge.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 
 #include <boost/test/unit_test.hpp>
 

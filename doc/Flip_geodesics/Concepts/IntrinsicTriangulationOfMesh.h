@@ -12,6 +12,9 @@
  * The words of crossed edges are exact. An edge runs straight through the faces that its word names. So it is known
  * from the word and the input alone, whatever the numbers of the triangulation do.
  *
+ * `shorten()` and `certify()` measure edges of a model `t` by the object that `edge_straightness(t)` returns, which is
+ * found in the namespaces of the model's type. `Intrinsic_triangulation.h` declares that function for all models.
+ *
  * The mesh may have non-manifold vertices, in which several umbrellas of faces meet. Curves and trees lead through them
  * from one umbrella to another. Directions in different umbrellas have no angles between them.
  *

@@ -12,16 +12,17 @@
 #include <CGAL/Flip_geodesics/internal/surface/Default_traits.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Flip_log.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Insertion_editor.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_insertion.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Compared_wedges.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Remembered_decisions.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_comparison.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Kernel_traits.h>

@@ -7,7 +7,6 @@
 #include <CGAL/Flip_geodesics/Shortening_report.h>
 #include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
@@ -157,32 +156,24 @@ private:
     return found;
   }
 
-  // What decides exactly has verdicts, too.
+  // Where decisions are exact, and numbers are not rounded, there are verdicts, too.
   Straightnesses measured([[maybe_unused]] Verdicts& verdicts) const
   {
     Straightnesses result(static_cast<std::size_t>(m_network.number_of_curves()));
     if constexpr(internal::Has_words<typename Network::Triangulation>::value) {
-      if constexpr(Traits::Has_drift::value)
-        measure(result);
-      else
-        certify(result, verdicts);
+      Straightness_meter<Network> meter(m_network);
+      [[maybe_unused]] Decision_statistics statistics;
+      [[maybe_unused]] const bool is_certified = !Traits::Has_drift::value && !is_rounded();
+      for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves())) {
+        if constexpr(!Traits::Has_drift::value)
+          if(is_certified) {
+            verdicts[c] = meter.certify(c, result[c], statistics).verdict;
+            continue;
+          }
+        result[c] = meter(c);
+      }
     }
     return result;
-  }
-
-  void measure(Straightnesses& straightness) const
-  {
-    Straightness_meter<Network> meter(m_network);
-    for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
-      straightness[c] = meter(c);
-  }
-
-  void certify(Straightnesses& straightness, Verdicts& verdicts) const
-  {
-    Decision_statistics statistics;
-    internal::Certifier<Network> certifier(m_network, statistics);
-    for(Curve_index c : internal::descriptors<Curve_index>(m_network.number_of_curves()))
-      verdicts[c] = certifier(c, straightness[c]).verdict;
   }
 
   // Measures the curves, and goes on until they are as straight as the input says, or fresh vectors no longer help.
@@ -192,8 +183,8 @@ private:
     constexpr int most_rounds = 50;
     m_straightness.clear();
     for(int round = 0; !flip_out.has_ended(); ++round) {
-      m_straightness = Straightnesses(static_cast<std::size_t>(m_network.number_of_curves()));
-      measure(m_straightness);
+      Verdicts none;
+      m_straightness = measured(none);
       bool has_refreshed = false;
       for(Curve_index c(0); c.idx() < m_network.number_of_curves() && round < most_rounds; ++c)
         if(m_state.curves[c].status == Shortening_status::LOCALLY_SHORTEST && !m_straightness[c].is_locally_shortest())

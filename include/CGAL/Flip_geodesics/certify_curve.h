@@ -3,19 +3,20 @@
 #ifndef CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H
 #define CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H
 
+#include <CGAL/Flip_geodesics/Certificate_verdict.h>
 #include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Joint.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Passed_vertex.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Words_of_places.h>
 #include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Word_angle.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -25,11 +26,12 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -225,12 +227,20 @@ private:
 
   void look_at_joint(const Crossing_word& before, const Segment_of_places& segment)
   {
-    const Passed_vertex<Places> vertex(m_curve.places(), m_result.statistics);
     const Crossing_word back = before.reversed();
-    if(const std::optional<double> left = vertex.missing_angle(back, segment.word))
-      note(Certificate_verdict::BENT_JOINT, *left, segment.word.tail, segment.start, Side::LEFT);
-    if(const std::optional<double> right = vertex.missing_angle(segment.word, back))
-      note(Certificate_verdict::BENT_JOINT, *right, segment.word.tail, segment.start, Side::RIGHT);
+    const Seen_word in = {back, true, tail_angle(Strip<Places>(m_curve.places(), back))},
+                    out = {segment.word, true, tail_angle(Strip<Places>(m_curve.places(), segment.word))};
+    look_at_side(in, out, segment, Side::LEFT);
+    look_at_side(out, in, segment, Side::RIGHT);
+  }
+
+  // The angle at a side of the tail of a segment, clockwise.
+  void look_at_side(const Seen_word& from, const Seen_word& to, const Segment_of_places& segment, Side side)
+  {
+    constexpr double pi = boost::math::constants::pi<double>();
+    const Compared_angle angle = compared_angle_clockwise(m_curve.places(), m_result.statistics, from, to);
+    if(angle.with_straight == SMALLER)
+      note(Certificate_verdict::BENT_JOINT, (std::max)(pi - angle.value, 0.0), segment.word.tail, segment.start, side);
   }
 
   // The first bend, and each that is larger.

@@ -6,8 +6,8 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 
 #include <CGAL/assertions.h>
 
@@ -73,8 +73,9 @@ void measure_first_edges(const Tree& tree, const Directions& directions, const F
                                                  ? spokes(triangulation, source)
                                                  : spokes_beside(triangulation, triangulation.input().outgoing(source));
   Straightness straightness(tree, measured);
-  for(const Fan_leg& leg : straightness.legs(around, directions, Spoke_place()))
-    function(leg.head, leg.is_found ? directions.of_input(leg.reference) + leg.angle : directions(leg.halfedge));
+  for(const Fan_leg& leg : straightness.legs(around, Edge_end()))
+    function(leg.head, leg.is_found ? directions.of_input(leg.reference()) + leg.start.direction.angle
+                                    : directions(leg.start.halfedge));
 }
 
 } // namespace internal

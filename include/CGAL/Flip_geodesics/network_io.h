@@ -8,8 +8,8 @@
 #include <CGAL/Flip_geodesics/internal/network/Network_state.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 
 #include <CGAL/assertions.h>
 

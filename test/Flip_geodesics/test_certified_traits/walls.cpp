@@ -6,7 +6,7 @@
 #include "mesh_soup.h"
 
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_comparison.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/enum.h>

@@ -9,6 +9,7 @@
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <boost/test/unit_test.hpp>
@@ -36,7 +37,7 @@ struct Measured_fan
   Straightness& straightness;
   const FG::internal::Vertex_directions<Triangulation>& directions;
   const std::vector<Halfedge_index>& around;
-  const FG::internal::Spoke_place& arrival; // of the path to the vertex
+  const FG::internal::Edge_end& arrival; // of the path to the vertex
   const std::vector<FG::internal::Fan_leg>& legs;
 };
 
@@ -49,13 +50,13 @@ Index for_each_fan(const Mesh_soup& soup, const Visit& visit)
   setting.tree.grow(17_v);
   Measured_legs measured(static_cast<std::size_t>(t.number_of_vertices()));
   Straightness straightness(setting.tree, measured);
-  std::vector<std::pair<Vertex_index, FG::internal::Spoke_place>> open = {{17_v, {}}};
+  std::vector<std::pair<Vertex_index, FG::internal::Edge_end>> open = {{17_v, {}}};
   while(!open.empty()) {
     const auto [u, arrival] = open.back();
     open.pop_back();
     const FG::internal::Vertex_directions<Triangulation> directions(t, u);
     const std::vector<Halfedge_index> around = FG::internal::spokes(t, u);
-    const std::vector<FG::internal::Fan_leg> legs = straightness.legs(around, directions, arrival);
+    const std::vector<FG::internal::Fan_leg> legs = straightness.legs(around, arrival);
     for(const FG::internal::Fan_leg& leg : legs)
       open.emplace_back(leg.head, leg.arrival);
     visit(Measured_fan{t, straightness, directions, around, arrival, legs});
@@ -72,18 +73,18 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once)
   const auto compare = [&](const Measured_fan& fan) {
     const Triangulation& t = fan.triangulation;
     for(const FG::internal::Fan_leg& leg : fan.legs) {
-      BOOST_TEST(leg.head == t.head(leg.halfedge));
+      BOOST_TEST(leg.head == t.head(leg.start.halfedge));
       ++all;
       if(!leg.is_found)
         continue;
-      const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(leg.halfedge));
+      const FG::internal::Strip<Triangulation> strip(t, t.crossing_word(leg.start.halfedge));
       BOOST_TEST(strip.bend() == 0);
-      const double direction = fan.directions.of_input(leg.reference) + leg.angle;
+      const double direction = fan.directions.of_input(leg.reference()) + leg.start.direction.angle;
       BOOST_TEST(is_same_angle(direction, fan.directions(strip), fan.directions.total()));
       const FG::internal::Vertex_directions<Triangulation> at_head(t, leg.head);
-      const double back = at_head.of_input(leg.arrival.reference) + leg.arrival.angle;
-      BOOST_TEST(is_same_angle(back, at_head(t.twin(leg.halfedge)), at_head.total()));
-      BOOST_TEST(leg.arrival.is_along == (t.crossings(t.edge(leg.halfedge)) < 0));
+      const double back = at_head.of_input(leg.arrival.direction.reference) + leg.arrival.direction.angle;
+      BOOST_TEST(is_same_angle(back, at_head(t.twin(leg.start.halfedge)), at_head.total()));
+      BOOST_TEST(leg.arrival.is_along == (t.crossings(t.edge(leg.start.halfedge)) < 0));
       ++(leg.arrival.is_along ? along : found);
     }
   };
@@ -107,21 +108,21 @@ BOOST_AUTO_TEST_CASE(edges_are_measured_all_at_once_where_angles_have_drifted)
   int together = 0, all = 0;
   const auto compare = [&](const Measured_fan& fan) {
     const std::vector<FG::internal::Fan_leg>& legs = fan.legs;
-    FG::internal::Spoke_place arrival = fan.arrival;
-    arrival.angle += drift;
-    const std::vector<FG::internal::Fan_leg> drifted = fan.straightness.legs(fan.around, fan.directions, arrival);
+    FG::internal::Edge_end arrival = fan.arrival;
+    arrival.direction.angle += drift;
+    const std::vector<FG::internal::Fan_leg> drifted = fan.straightness.legs(fan.around, arrival);
     BOOST_REQUIRE(drifted.size() == legs.size());
     for(std::size_t i = 0; i < legs.size(); ++i) {
       if(!legs[i].is_found || legs[i].arrival.is_along)
         continue;
       const auto has_same_place = [&](std::size_t j) {
-        return j < legs.size() && j != i && legs[j].reference == legs[i].reference && !legs[j].arrival.is_along;
+        return j < legs.size() && j != i && legs[j].reference() == legs[i].reference() && !legs[j].arrival.is_along;
       };
       ++all;
       if(!has_same_place(i + 1) && !has_same_place(i - 1))
         continue;
       BOOST_TEST(drifted[i].is_found);
-      BOOST_TEST(std::abs(drifted[i].angle - legs[i].angle) < 1e-13);
+      BOOST_TEST(std::abs(drifted[i].start.direction.angle - legs[i].start.direction.angle) < 1e-13);
       ++together;
     }
   };
@@ -136,9 +137,9 @@ BOOST_AUTO_TEST_CASE(edges_are_found_within_a_margin_of_their_directions)
   constexpr double drift = 0.75 * FG::internal::near_leg_angle;
   int found = 0;
   const auto compare = [&](const Measured_fan& fan) {
-    FG::internal::Spoke_place arrival = fan.arrival;
-    arrival.angle += drift;
-    const std::vector<FG::internal::Fan_leg> drifted = fan.straightness.legs(fan.around, fan.directions, arrival);
+    FG::internal::Edge_end arrival = fan.arrival;
+    arrival.direction.angle += drift;
+    const std::vector<FG::internal::Fan_leg> drifted = fan.straightness.legs(fan.around, arrival);
     BOOST_REQUIRE(drifted.size() == fan.legs.size());
     for(std::size_t i = 0; i < fan.legs.size(); ++i) {
       BOOST_TEST(drifted[i].is_found == fan.legs[i].is_found);
@@ -185,7 +186,7 @@ BOOST_AUTO_TEST_CASE(measurements_are_remembered)
     std::vector<FG::Halfedge_index> before;
     for(Vertex_index v : setting.vertices()) {
       before.push_back(setting.tree.incoming(v));
-      measured[v].arrival.angle += 1e-13; // so that it can be told from what is measured again
+      measured[v].arrival.direction.angle += 1e-13; // so that it can be told from what is measured again
     }
     FG::make_shortest(setting.tree);
     const Measured_legs old = copied(measured, n);
@@ -197,9 +198,10 @@ BOOST_AUTO_TEST_CASE(measurements_are_remembered)
         continue;
       least = (std::min)(least, afresh[v].angle);
       BOOST_TEST((measured[v].last == setting.tree.incoming(v)));
-      BOOST_TEST((measured[v].arrival.angle == old[v].arrival.angle) == is_of_these_edges(old[v], setting, v));
+      BOOST_TEST((measured[v].arrival.direction.angle == old[v].arrival.direction.angle) ==
+                 is_of_these_edges(old[v], setting, v));
       BOOST_TEST((measured[v].angle == afresh[v].angle || std::abs(measured[v].angle - afresh[v].angle) < 1e-12));
-      remembered += measured[v].arrival.angle != afresh[v].arrival.angle ? 1 : 0;
+      remembered += measured[v].arrival.direction.angle != afresh[v].arrival.direction.angle ? 1 : 0;
       replaced += before[static_cast<std::size_t>(v.idx())] != setting.tree.incoming(v) ? 1 : 0;
       // If it were of other edges.
       const auto leg = afresh[v];

@@ -5,11 +5,11 @@
 #include "test_intrinsic_triangulation/inserted_vertices.h"
 
 #include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 using namespace Flip_geodesics_test;
@@ -39,13 +39,10 @@ BOOST_AUTO_TEST_CASE(directions_at_vertices_are_those_in_the_plane)
         for(FG::Halfedge_index h : spokes) {
           if(g == h)
             continue;
-          const double angle = planar_angle(vector(g), vector(h)), back = 2 * pi - angle;
+          const double angle = planar_angle(vector(g), vector(h));
           const double found = directions.counterclockwise(directions(g), directions(h));
-          const double smaller = directions.smaller_wedge(directions(g), directions(h));
           const bool is_inner = is_inner_turn(t, g, h);
           BOOST_TEST((is_inner ? std::abs(found - angle) < tolerance : std::isinf(found)));
-          const double expected = !is_border ? (std::min)(angle, back) : (is_inner ? angle : back);
-          BOOST_TEST(std::abs(smaller - expected) < tolerance);
         }
       }
     }
@@ -376,8 +373,7 @@ BOOST_AUTO_TEST_CASE(words_of_other_edges_are_no_strips)
   const Mesh mesh = to_mesh<Mesh>(jittered_grid(4, 4, Diagonal_rule::RANDOM, 0.2, 9));
   Triangulation t(mesh);
   flip_at_random(t, 60, random);
-  FG::Decision_statistics statistics;
-  const FG::internal::Straight_strip<Triangulation> straight(t, statistics);
+  const FG::internal::Edge_straightness<Triangulation> straight(t);
   for(FG::Halfedge_index h : descriptors<FG::Halfedge_index>(t.number_of_halfedges())) {
     const FG::Crossing_word word = t.crossing_word(h);
     BOOST_TEST(straight.is_strip(h, word));

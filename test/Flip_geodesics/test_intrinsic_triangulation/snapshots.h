@@ -16,11 +16,11 @@
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Crossing_words.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Word_tracer.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 

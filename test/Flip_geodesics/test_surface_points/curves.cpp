@@ -4,7 +4,7 @@
 
 #include "test_surface_points/inserted_points.h"
 
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_measurement.h>
+#include <CGAL/Flip_geodesics/Straightness_meter.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -12,18 +12,22 @@ using namespace Flip_geodesics_test;
 
 namespace {
 
-// Angles from directions of segments that are measured once are those of the joints, also beside inserted points.
+// The smallest angle from directions of segments that are measured once is that of a joint, also beside inserted
+// points.
 template <class Network>
 void check_measured_angles(const Network& network)
 {
-  FG::internal::Curve_measurement<Network> measure(network);
-  for(FG::Curve_index c : descriptors<FG::Curve_index>(network.number_of_curves()))
-    measure(
-        c, [](FG::Segment_index, const FG::Crossing_word&) { return true; }, [](const auto&...) {},
-        [&](const FG::Joint& joint, const FG::internal::Wedge_angle& angle) {
-          const double expected = measure.angle(joint).value;
-          BOOST_TEST((angle.value == expected || std::abs(angle.value - expected) < 1e-9));
-        });
+  FG::Straightness_meter<Network> meter(network);
+  for(FG::Curve_index c : descriptors<FG::Curve_index>(network.number_of_curves())) {
+    double expected = std::numeric_limits<double>::infinity();
+    network.for_each_segment(c, [&](FG::Segment_index s) {
+      if(network.next(s) != FG::null_index)
+        for(FG::Side side : {FG::Side::LEFT, FG::Side::RIGHT})
+          expected = std::min(expected, meter.angle({s, side}));
+    });
+    const double angle = meter(c).smallest_angle;
+    BOOST_TEST((angle == expected || std::abs(angle - expected) < 1e-9));
+  }
 }
 
 } // namespace

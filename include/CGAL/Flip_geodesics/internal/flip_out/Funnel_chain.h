@@ -10,8 +10,8 @@
 #include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_comparison.h>
 
 #include <CGAL/enum.h>
 

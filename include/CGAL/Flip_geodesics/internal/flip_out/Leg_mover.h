@@ -11,8 +11,8 @@
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/word_turns.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Word_angle.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Word_angle.h>
 
 #include <algorithm>
 #include <cstddef>

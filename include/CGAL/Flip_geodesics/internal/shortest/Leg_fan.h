@@ -3,11 +3,15 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_LEG_FAN_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_LEG_FAN_H
 
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Spoke_places.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <algorithm>
@@ -21,17 +25,82 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/*
+ * Where the halfedges of a triangulation at a vertex of the input start, told one from the next: in which corner by
+ * counting the input edges that start in between, at which angle there by the lengths that the triangulation has.
+ */
+template <class Triangulation>
+class Spoke_places
+{
+public:
+  explicit Spoke_places(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  /* The place of one of the halfedges around a vertex, and its number: of an edge of the input, if there is one, or
+   * else of the one that crosses least. */
+  Edge_end known_place(const std::vector<Halfedge_index>& around, std::size_t& number) const
+  {
+    const auto is_of_input = [this](Halfedge_index h) { return m_triangulation.version(Triangulation::edge(h)) == 0; };
+    const auto crosses_less = [this](Halfedge_index g, Halfedge_index h) { return crossings(g) < crossings(h); };
+    const auto of_input = std::find_if(around.begin(), around.end(), is_of_input);
+    const bool is_known = of_input != around.end();
+    const auto nearest = is_known ? of_input : std::min_element(around.begin(), around.end(), crosses_less);
+    number = static_cast<std::size_t>(nearest - around.begin());
+    return is_known ? Edge_end{*nearest, {as_input(*nearest), 0, 0}, true}
+                    : Edge_straightness<Triangulation>(m_triangulation)(*nearest).tail;
+  }
+
+  /* From the place of the spoke before to that of h, the next one clockwise, over the input edges that start in
+   * between. */
+  void turn_clockwise(Halfedge_index h, Edge_end& place) const
+  {
+    const Halfedge_index opposite = m_triangulation.next(h), before = m_triangulation.next(opposite);
+    const Index between = Triangle_crossings(crossings(opposite), crossings(before), crossings(h)).emanating[0];
+    for(Index i = place.is_along ? 0 : 1; i <= between && place.direction.reference != null_index; ++i)
+      pass_input_edge(place.direction);
+    place.halfedge = h;
+    place.direction.angle -=
+        corner(m_triangulation.length(h), m_triangulation.length(opposite), m_triangulation.length(before));
+    place.is_along = crossings(h) < 0;
+    place.direction.angle = place.is_along ? 0 : place.direction.angle;
+  }
+
+private:
+  Index crossings(Halfedge_index h) const { return m_triangulation.crossings(Triangulation::edge(h)); }
+
+  void pass_input_edge(Word_angle& place) const
+  {
+    const auto& input = m_triangulation.input();
+    const Input_halfedge_index t = twin_index(place.reference);
+    place.reference = input.is_border(t) ? Input_halfedge_index(null_index) : clockwise_of(input, place.reference);
+    if(place.reference != null_index)
+      place.angle += input_corner(m_triangulation, input.next(input.next(place.reference)));
+  }
+
+  // The angle of a face between its first edge and its last one, from their lengths.
+  static double corner(double first, double opposite, double last)
+  {
+    using Double_traits = Intrinsic_triangulation_traits<typename Triangulation::Metric::Kernel>;
+    const auto face = Double_traits().construct_face_from_lengths_object()(first, opposite, last);
+    return std::atan2(-face[2].y, -face[2].x);
+  }
+
+  const Triangulation& m_triangulation;
+};
+
 /* An edge of the triangulation that starts at some vertex, and what is known of it. */
 struct Fan_leg
 {
-  Halfedge_index halfedge;
+  Edge_end start; // as the triangulation's lengths say, and measured once it is found
   Vertex_index head;
-  Index crossings;                // of input edges
-  double length;                  // as the triangulation has it
-  Input_halfedge_index reference; // the input halfedge clockwise of it, or along which it lies
-  double angle;                   // from there: as the triangulation has it, and measured once it is found
-  Spoke_place arrival;            // of the path at its head, backward
+  Index crossings;  // of input edges
+  double length;    // as the triangulation has it
+  Edge_end arrival; // at its head, backward
   bool is_found;
+
+  Input_halfedge_index reference() const { return start.direction.reference; }
 };
 
 /*
@@ -68,9 +137,9 @@ public:
   {
     m_directions.clear();
     for(Fan_leg* leg = first; leg != last; ++leg)
-      m_directions.push_back(std::polar(1.0, leg->angle));
+      m_directions.push_back(std::polar(1.0, leg->start.direction.angle));
     m_legs = first;
-    const Input_halfedge_index h = first->reference;
+    const Input_halfedge_index h = first->reference();
     const Face& face = known_face(h);
     const Vector right(face[0].real(), 0), gate = face[1], left = -face[2];
     m_gates.push_back({m_triangulation.input().next(h), right, left, -gate, right, left, 0, m_directions.size(), 1});
@@ -173,8 +242,8 @@ private:
                    std::abs(std::sqrt(std::norm(apex)) - leg.length) <= near_leg_length * leg.length;
     if(!leg.is_found)
       return;
-    leg.angle = angle_from_reference(apex);
-    leg.arrival = {h, angle_from_reference(product(-apex, std::conj(along_h))), false};
+    leg.start.direction.angle = angle_from_reference(apex);
+    leg.arrival.direction = {h, angle_from_reference(product(-apex, std::conj(along_h))), 0};
   }
 
   const Triangulation& m_triangulation;

@@ -8,11 +8,11 @@
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Spoke_places.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Leg_fan.h>
 #include <CGAL/Flip_geodesics/internal/shortest/last_leg_of_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -314,13 +314,13 @@ private:
     const Spoke_places<Triangulation> places(m_triangulation);
     const bool has_inserted_vertices =
         m_triangulation.number_of_vertices() != m_triangulation.input().number_of_vertices();
-    Spoke_place place = has_inserted_vertices || around.empty() ? Spoke_place() : places.known_place(around, first);
+    Edge_end place = has_inserted_vertices || around.empty() ? Edge_end() : places.known_place(around, first);
     for(std::size_t i = 0; i < around.size(); ++i) {
       const std::size_t k = (first + i) % around.size();
       if(i > 0)
         places.turn_clockwise(around[k], place);
-      result[k] =
-          place.reference == null_index ? directions(around[k]) : directions.of_input(place.reference) + place.angle;
+      const Word_angle& p = place.direction;
+      result[k] = p.reference == null_index ? directions(around[k]) : directions.of_input(p.reference) + p.angle;
     }
     return result;
   }

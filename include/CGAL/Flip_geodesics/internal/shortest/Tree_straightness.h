@@ -6,17 +6,15 @@
 #include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Leg_fan.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Spoke_places.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
-#include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -28,8 +26,8 @@ namespace internal {
 /* The last edge of a path of a tree, and the one before, as they were measured. */
 struct Measured_leg
 {
-  double angle;        // between the two
-  Spoke_place arrival; // of the path, backward
+  double angle;     // between the two
+  Edge_end arrival; // of the path, backward
   Halfedge_index last, before;
   Index last_version, before_version; // by which an edge is told from one that has been flipped in between
   bool is_measured, is_bent;
@@ -44,7 +42,6 @@ template <class Tree>
 class Tree_straightness
 {
   using Triangulation = typename Tree::Triangulation;
-  using Directions = Vertex_directions<Triangulation>;
 
 public:
   using Measured_legs = Indexed_by<Vertex_index, Lazy_array<Measured_leg>>;
@@ -54,6 +51,7 @@ public:
     : m_tree(tree)
     , m_triangulation(tree.triangulation())
     , m_measured(measured)
+    , m_edges(tree.triangulation())
     , m_places(tree.triangulation())
     , m_fan(tree.triangulation())
   {
@@ -63,7 +61,7 @@ public:
   template <class OutputIterator>
   double operator()(OutputIterator bent)
   {
-    double smallest = std::numeric_limits<double>::infinity();
+    double smallest = infinity;
     m_bent.clear();
     m_open = {{m_tree.source(), {}}};
     while(!m_open.empty()) {
@@ -84,62 +82,56 @@ public:
    * \param around the halfedges that start there, clockwise, from the border if there is one
    * \param arrival how the path comes there, if that is known
    */
-  const std::vector<Fan_leg>& legs(const std::vector<Halfedge_index>& around, const Directions& directions,
-                                   const Spoke_place& arrival)
+  const std::vector<Fan_leg>& legs(const std::vector<Halfedge_index>& around, const Edge_end& arrival)
   {
     m_legs.clear();
-    const bool has_inserted_vertices =
-        m_triangulation.number_of_vertices() != m_triangulation.input().number_of_vertices();
+    const bool are_places_known = m_triangulation.number_of_vertices() == m_triangulation.input().number_of_vertices();
     std::size_t first = 0;
-    Spoke_place place = has_inserted_vertices ? Spoke_place() : known_place(around, directions, arrival, first);
+    Edge_end place = are_places_known ? known_place(around, arrival, first) : Edge_end();
     for(std::size_t i = 0; i < around.size(); ++i) {
       const Halfedge_index h = around[(first + i) % around.size()];
-      if(i > 0)
+      if(i > 0 && are_places_known && m_triangulation.is_border(h)) // of another umbrella
+        place = {h, {as_input(h), 0, 0}, true};
+      else if(i > 0)
         m_places.turn_clockwise(h, place);
       if(is_leg(h) && !is_measured(h))
         add_leg(h, place);
     }
     for(std::size_t i = 0; i < m_legs.size();) {
       const auto has_other_place = [first = m_legs[i]](const Fan_leg& other) {
-        return other.reference != first.reference || other.is_found;
+        return other.reference() != first.reference() || other.is_found;
       };
       const auto end = std::find_if(m_legs.begin() + static_cast<std::ptrdiff_t>(i) + 1, m_legs.end(), has_other_place);
       const auto last = static_cast<std::size_t>(end - m_legs.begin());
-      if(m_legs[i].reference != null_index && !m_legs[i].is_found)
+      if(m_legs[i].reference() != null_index && !m_legs[i].is_found)
         find(i, last);
       i = last;
     }
     return m_legs;
   }
 
-  /* Lays the faces afresh in the bent wedge before v; false if flips were wrong already. */
+  /* Lays the faces afresh in the bent wedge before v; false if flips were wrong already, or the border intervenes. */
   bool refresh(Vertex_index v)
   {
     const Halfedge_index h = m_tree.incoming(v);
-    const Vertex_index u = m_triangulation.tail(h);
-    if(m_tree.incoming(u) == null_index)
+    const Halfedge_index before = m_tree.incoming(m_triangulation.tail(h));
+    if(before == null_index)
       return false;
-    const Halfedge_index back = Triangulation::twin(m_tree.incoming(u));
-    Halfedge_index first = h;
-    while(!m_triangulation.is_border(first) && m_triangulation.counterclockwise(first) != h)
-      first = m_triangulation.counterclockwise(first);
-    const Directions directions = directions_from(first);
-    const bool is_bent_behind =
-        directions.counterclockwise(directions(h), directions(back)) < Straightness::straight_angle();
-    const Refreshed_wedge refreshed =
-        is_bent_behind ? refresh_wedge(m_triangulation, back, h) : refresh_wedge(m_triangulation, h, back);
-    return refreshed == Refreshed_wedge::ALL;
+    Edge_end from = m_edges(Triangulation::twin(before)).tail, to = m_edges(h).tail;
+    if(!(angle_clockwise(from, to) < Straightness::straight_angle()))
+      std::swap(from, to);
+    return angle_clockwise(from, to) < infinity && refresh_wedge(m_triangulation, from.halfedge, to.halfedge);
   }
 
 private:
   struct Open_vertex
   {
     Vertex_index vertex;
-    Spoke_place arrival; // of the path there
+    Edge_end arrival; // of the path there
   };
 
   // The smallest angle where paths go on from u; opens the vertices that they lead to.
-  double measure(Vertex_index u, const Spoke_place& arrival)
+  double measure(Vertex_index u, const Edge_end& arrival)
   {
     collect_spokes(m_triangulation, u, m_around);
     m_leg_spokes.clear();
@@ -147,52 +139,55 @@ private:
                  [this](Halfedge_index h) { return is_leg(h); });
     if(std::all_of(m_leg_spokes.begin(), m_leg_spokes.end(), [this](Halfedge_index h) { return is_measured(h); }))
       return remember();
-    const auto is_border = [this](Halfedge_index h) { return m_triangulation.is_border(h); };
-    for(auto first = m_around.begin(); first != m_around.end();) {
-      const auto last = std::find_if(first + 1, m_around.end(), is_border);
-      m_umbrella.assign(first, last);
-      measure_umbrella(arrival);
-      first = last;
+    legs(m_around, arrival);
+    const Halfedge_index before = m_tree.incoming(u);
+    const Vertex_fan umbrella = arrival.direction.reference == null_index ? Vertex_fan() : umbrella_with(arrival, u);
+    for(Fan_leg& leg : m_legs) {
+      const double bend = leg.is_found ? 0 : measure_by_word(leg);
+      const double angle = before == null_index ? infinity : smaller_angle(umbrella, arrival, leg.start);
+      const bool is_bent = angle < Straightness::straight_angle() || bend > Straightness::tolerance();
+      const Halfedge_index h = leg.start.halfedge;
+      m_measured[leg.head] = {angle, leg.arrival, h, before, version(h), version(before), true, is_bent};
     }
     return remember();
   }
 
-  // Measures the edges with which paths go on from a vertex in one of its umbrellas. A path that comes in another one
-  // has the border on both sides.
-  void measure_umbrella(const Spoke_place& arrival)
+  // The input halfedges about a vertex, in the umbrella by which a path arrives.
+  Vertex_fan umbrella_with(const Edge_end& arrival, Vertex_index u) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Directions directions = directions_from(m_umbrella.front());
-    const Halfedge_index before = m_tree.incoming(m_triangulation.tail(m_umbrella.front()));
-    const bool is_here = before != null_index && std::find(m_umbrella.begin(), m_umbrella.end(),
-                                                           Triangulation::twin(before)) != m_umbrella.end();
-    legs(m_umbrella, directions, is_here ? arrival : Spoke_place());
-    const double back = !is_here                          ? 0
-                        : arrival.reference != null_index ? directions.of_input(arrival.reference) + arrival.angle
-                                                          : directions(Triangulation::twin(before));
-    for(Fan_leg& leg : m_legs) {
-      const double bend = leg.is_found ? 0 : measure_by_word(leg, directions);
-      const double direction = leg.reference == null_index ? leg.angle : directions.of_input(leg.reference) + leg.angle;
-      const double angle = is_here ? directions.smaller_wedge(back, direction) : infinity;
-      const bool is_bent = angle < Straightness::straight_angle() || bend > Straightness::tolerance();
-      m_measured[leg.head] = {angle,           leg.arrival, leg.halfedge, before, version(leg.halfedge),
-                              version(before), true,        is_bent};
-    }
+    Vertex_fan result = umbrella_of(m_triangulation, m_triangulation.input().outgoing(u));
+    return result.has(arrival.direction.reference) ? result : umbrella_of(m_triangulation, arrival.direction.reference);
   }
 
-  // In the umbrella of a halfedge of the triangulation, which lies on the border if the umbrella has one.
-  Directions directions_from(Halfedge_index first) const
+  // The smaller one of the angles between a path and the edge with which it goes on; from angles that are added up once
+  // for all edges, if both are told from the input.
+  double smaller_angle(const Vertex_fan& umbrella, const Edge_end& arrival, const Edge_end& start) const
   {
-    const Vertex_index u = m_triangulation.tail(first);
-    if(!m_triangulation.is_border(first) || m_triangulation.is_inserted(u))
-      return Directions(m_triangulation, u);
-    return Directions(m_triangulation, m_triangulation.crossing_word(first).along);
+    const Word_angle &a = arrival.direction, &b = start.direction;
+    if(a.reference == null_index || b.reference == null_index)
+      return (std::min)(angle_clockwise(arrival, start), angle_clockwise(start, arrival));
+    const Vertex_index u = m_triangulation.tail(start.halfedge);
+    return umbrella.has(b.reference) ? umbrella.smaller_wedge(umbrella.angle_of(a.reference, u) + a.angle,
+                                                              umbrella.angle_of(b.reference, u) + b.angle)
+                                     : infinity;
+  }
+
+  // Infinite if the border intervenes.
+  double angle_clockwise(const Edge_end& from, const Edge_end& to) const
+  {
+    Halfedge_index h = from.halfedge;
+    do {
+      h = m_triangulation.clockwise(h);
+      if(h == null_index)
+        return infinity;
+    } while(h != to.halfedge);
+    return m_edges.clockwise(from, to).value;
   }
 
   // The smallest angle where paths go on from a vertex, all of which have been measured; opens their ends.
   double remember()
   {
-    double smallest = std::numeric_limits<double>::infinity();
+    double smallest = infinity;
     for(Halfedge_index h : m_leg_spokes) {
       const Vertex_index v = m_triangulation.head(h);
       const Measured_leg& leg = m_measured[v];
@@ -220,29 +215,30 @@ private:
   bool is_leg(Halfedge_index h) const { return m_tree.incoming(m_triangulation.head(h)) == h; }
 
   // Where one of the spokes of a vertex lies in the input, and which one that is.
-  Spoke_place known_place(const std::vector<Halfedge_index>& around, const Directions& directions,
-                          const Spoke_place& arrival, std::size_t& number) const
+  Edge_end known_place(const std::vector<Halfedge_index>& around, const Edge_end& arrival, std::size_t& number) const
   {
-    const Halfedge_index before = m_tree.incoming(m_triangulation.tail(around.front()));
-    const bool is_anchored = before != null_index && arrival.reference != null_index && !directions.has_border();
-    if(!is_anchored)
+    if(arrival.direction.reference == null_index || m_triangulation.is_border(around.front()))
       return m_places.known_place(around, number);
-    const auto back = std::find(around.begin(), around.end(), Triangulation::twin(before));
-    number = static_cast<std::size_t>(back - around.begin());
+    number = static_cast<std::size_t>(std::find(around.begin(), around.end(), arrival.halfedge) - around.begin());
     return arrival;
   }
 
-  void add_leg(Halfedge_index h, const Spoke_place& place)
+  void add_leg(Halfedge_index h, const Edge_end& place)
   {
-    const Index crossings = m_triangulation.crossings(Triangulation::edge(h));
     const Vertex_index head = m_triangulation.head(h);
-    Fan_leg leg = {h, head, crossings, m_triangulation.length(h), place.reference, place.angle, Spoke_place(), false};
-    if(place.is_along && place.reference != null_index &&
-       m_triangulation.input().tail(twin_index(place.reference)) == head) {
-      leg.arrival = {twin_index(place.reference), 0, true};
+    const Halfedge_index t = Triangulation::twin(h);
+    const Input_halfedge_index reference = place.direction.reference;
+    Fan_leg leg = {{h, place.direction, place.is_along},
+                   head,
+                   m_triangulation.crossings(Triangulation::edge(h)),
+                   m_triangulation.length(h),
+                   {t, {}, false},
+                   false};
+    if(place.is_along && reference != null_index && m_triangulation.input().tail(twin_index(reference)) == head) {
+      leg.arrival = {t, {twin_index(reference), 0, 0}, true};
       leg.is_found = true;
     } else if(place.is_along) {
-      leg.reference = null_index;
+      leg.start.direction.reference = null_index;
     }
     m_legs.push_back(leg);
   }
@@ -267,7 +263,7 @@ private:
       const double drift = end - missed > 1 ? drift_of(*missed) : 0;
       if(!(std::abs(drift) > near_leg_angle / 2))
         continue;
-      std::for_each(missed, end, [drift](Fan_leg& leg) { leg.angle += drift; });
+      std::for_each(missed, end, [drift](Fan_leg& leg) { leg.start.direction.angle += drift; });
       m_fan(&*missed, &*missed + (end - missed));
       ++turns;
     }
@@ -276,29 +272,28 @@ private:
   // What its angle lacks.
   double drift_of(const Fan_leg& leg) const
   {
-    const Strip<Triangulation> strip(m_triangulation, m_triangulation.crossing_word(leg.halfedge));
-    return strip.reference() == leg.reference ? angle_from_reference(strip.end()) - leg.angle : 0;
+    const Word_angle measured = m_edges(leg.start.halfedge).tail.direction;
+    return measured.reference == leg.reference() ? measured.angle - leg.start.direction.angle : 0;
   }
 
   // Of a leg that is not found; returns by how much it is bent.
-  double measure_by_word(Fan_leg& leg, const Directions& directions) const
+  double measure_by_word(Fan_leg& leg) const
   {
-    const Crossing_word word = m_triangulation.crossing_word(leg.halfedge);
-    const Strip<Triangulation> strip(m_triangulation, word);
-    leg.reference = null_index;
-    leg.angle = directions(strip);
-    if(strip.arrival_reference() != null_index)
-      leg.arrival = {strip.arrival_reference(), angle_from_reference(strip.arrival()), word.along != null_index};
-    return strip.bend();
+    const Measured_edge edge = m_edges(leg.start.halfedge);
+    leg.start = edge.tail;
+    leg.arrival = edge.head;
+    return edge.bend;
   }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   const Tree& m_tree;
   Triangulation& m_triangulation;
   Measured_legs& m_measured;
+  Edge_straightness<Triangulation> m_edges;
   Spoke_places<Triangulation> m_places;
   Leg_fan<Triangulation> m_fan;
   std::vector<Halfedge_index> m_around, m_leg_spokes; // of the vertex that is measured
-  std::vector<Halfedge_index> m_umbrella;             // a part of the former
   std::vector<Fan_leg> m_legs;
   std::vector<Open_vertex> m_open;
   std::vector<std::pair<Vertex_index, Vertex_index>> m_bent; // and their parents

@@ -8,7 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_directions.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
 #include <CGAL/Flip_geodesics/logarithmic_map.h>
 
 #include <boost/math/constants/constants.hpp>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 
 #include <cstddef>
 #include <deque>

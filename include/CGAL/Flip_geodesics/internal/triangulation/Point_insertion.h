@@ -12,7 +12,7 @@
 #include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <algorithm>

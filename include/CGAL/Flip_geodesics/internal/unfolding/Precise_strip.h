@@ -210,16 +210,6 @@ Precise_edge unfolded_edge(const Triangulation& triangulation, const Crossing_wo
   return precise_input_edge(h, precise_input_halfedge(triangulation, inside));
 }
 
-/* The edge of halfedge h, as the triangulation derives and keeps it, or unfolded. */
-template <class Triangulation>
-Precise_edge precise_edge(const Triangulation& triangulation, Halfedge_index h)
-{
-  if constexpr(Keeps_precise_numbers<Triangulation>::value)
-    return triangulation.precise_edge(h);
-  else
-    return unfolded_edge(triangulation, triangulation.crossing_word(h));
-}
-
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL

@@ -56,10 +56,27 @@ public:
   {
   }
 
-  /* Is what is said to be the word of halfedge h one of a strip from its tail to its head? */
-  bool is_strip(Halfedge_index h, const Crossing_word& word) const
+  /* Do the faces of a word follow on one another, from one that has the tail to one that has the head? Numbers have no
+   * say here. */
+  bool is_strip(const Crossing_word& word) const
   {
-    return word.tail == m_triangulation.tail(h) && word.head == m_triangulation.head(h) && is_strip(word);
+    if(word.along != null_index)
+      return is_on_halfedge(m_triangulation, word.tail, word.along) &&
+             is_on_halfedge(m_triangulation, word.head, twin_index(word.along));
+    if(word.crossed.empty())
+      return word.face != null_index && is_in_face(m_triangulation, word.tail, word.face) &&
+             is_in_face(m_triangulation, word.head, word.face);
+    const auto& input = m_triangulation.input();
+    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
+      const Input_halfedge_index entered = twin_index(word.crossed[i]);
+      if(input.is_border(word.crossed[i]) || input.is_border(entered))
+        return false;
+      const Input_halfedge_index right_side = input.next(entered), left_side = input.next(right_side);
+      if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
+        return false;
+    }
+    return is_opposite_vertex(m_triangulation, word.tail, word.crossed.front()) &&
+           is_opposite_vertex(m_triangulation, word.head, twin_index(word.crossed.back()));
   }
 
   /* Is the line of a word of a strip, which is at hand in double? */
@@ -110,28 +127,6 @@ private:
   {
     Sign left, right;
   };
-
-  // Do the faces follow on one another, from one that has the tail to one that has the head? Numbers have no say here.
-  bool is_strip(const Crossing_word& word) const
-  {
-    if(word.along != null_index)
-      return is_on_halfedge(m_triangulation, word.tail, word.along) &&
-             is_on_halfedge(m_triangulation, word.head, twin_index(word.along));
-    if(word.crossed.empty())
-      return word.face != null_index && is_in_face(m_triangulation, word.tail, word.face) &&
-             is_in_face(m_triangulation, word.head, word.face);
-    const auto& input = m_triangulation.input();
-    for(std::size_t i = 0; i < word.crossed.size(); ++i) {
-      const Input_halfedge_index entered = twin_index(word.crossed[i]);
-      if(input.is_border(word.crossed[i]) || input.is_border(entered))
-        return false;
-      const Input_halfedge_index right_side = input.next(entered), left_side = input.next(right_side);
-      if(i + 1 < word.crossed.size() && word.crossed[i + 1] != right_side && word.crossed[i + 1] != left_side)
-        return false;
-    }
-    return is_opposite_vertex(m_triangulation, word.tail, word.crossed.front()) &&
-           is_opposite_vertex(m_triangulation, word.head, twin_index(word.crossed.back()));
-  }
 
   // All of the input edge, of which the segment can be a part.
   void add_edge_along(const Crossing_word& word, Touched& touched) const

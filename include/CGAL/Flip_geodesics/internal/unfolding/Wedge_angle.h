@@ -52,56 +52,42 @@ struct Wedge_rotation
   std::complex<double> rotation;
 };
 
-/*
- * The angle clockwise from halfedge a to halfedge b about an inserted point inside an input face: the directions are
- * told from one halfedge of the face, and how often they pass it is seen from edge to edge, in corners below pi.
- */
-template <class Triangulation>
-Wedge_rotation wedge_rotation_inside_face(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
-{
-  constexpr double pi = boost::math::constants::pi<double>();
-  const auto strip = [&](Halfedge_index h) {
-    return Strip<Triangulation>(triangulation, triangulation.crossing_word(h));
-  };
-  const Strip<Triangulation> from = strip(a);
-  double sum = 0, error = from.relative_error(), direction = std::arg(from.end());
-  std::complex<double> end;
-  Halfedge_index h = a;
-  do {
-    h = triangulation.clockwise(h);
-    const Strip<Triangulation> to = strip(h);
-    const double next_direction = std::arg(to.end()), corner = direction - next_direction;
-    sum += corner < -pi / 2 ? corner + 2 * pi : (corner > 3 * pi / 2 ? corner - 2 * pi : corner);
-    error += measured_angle_error;
-    direction = next_direction;
-    if(h == b) {
-      error += to.relative_error();
-      end = to.end();
-    }
-  } while(h != b);
-  return {{sum, 1.6 * error}, product(from.end(), std::conj(end))};
-}
-
-/* Two edges of one vertex by their words, and how many input corners lie between their references, clockwise. */
+/* Two straight lines from one vertex by their words, and how many input corners lie between their references,
+ * clockwise. */
 struct Wedge_words
 {
   Crossing_word from, to;
   Index steps;
 };
 
-/* The words of the wedge clockwise from one halfedge of a vertex to another. */
-template <class Triangulation>
-Wedge_words wedge_words(const Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
-{
-  Wedge_words result = {triangulation.crossing_word(from), triangulation.crossing_word(to), 0};
-  result.steps = triangulation.input_edges_in_wedge(from, to) + (result.from.along != null_index ? 1 : 0);
-  return result;
-}
-
 /* From those of the strips at both ends, relative to their lengths, and of so many corners in between. */
 inline double error_of_wedge_angle(double from, double to, Index steps)
 {
   return 1.6 * (from + to) + static_cast<double>(steps + 4) * input_corner_error; // of the arc sine as well
+}
+
+/* The angle counterclockwise from a halfedge of the input to the straight line of a word that starts at the same
+ * vertex, and a bound of its error. Only at vertices of the input. */
+struct Word_angle
+{
+  Input_halfedge_index reference = null_index;
+  double angle = 0;
+  double error = 0;
+};
+
+/* At the tail of a word. */
+template <class Triangulation>
+Word_angle tail_angle(const Strip<Triangulation>& strip)
+{
+  return {strip.reference(), angle_from_reference(strip.end()), strip.relative_error()};
+}
+
+/* The angle clockwise from one straight line to another, with so many input corners between their references. */
+template <class Triangulation>
+Wedge_angle wedge_angle(const Triangulation& triangulation, const Word_angle& from, const Word_angle& to, Index steps)
+{
+  return {from.angle - to.angle + sum_of_input_corners(triangulation, from.reference, steps).value(),
+          error_of_wedge_angle(from.error, to.error, steps)};
 }
 
 /* The wedge between two words, afresh from the input: the input corners between their reference halfedges, corrected by
@@ -126,21 +112,6 @@ template <class Triangulation>
 Wedge_angle wedge_angle(const Triangulation& triangulation, const Wedge_words& words)
 {
   return wedge_rotation(triangulation, words).angle;
-}
-
-/* The wedge clockwise from halfedge a to halfedge b of one vertex, afresh. a == b means all the way round. */
-template <class Triangulation>
-Wedge_rotation wedge_rotation(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
-{
-  if(vertex_kind(triangulation, triangulation.tail(a)) == Location_kind::FACE)
-    return wedge_rotation_inside_face(triangulation, a, b);
-  return wedge_rotation(triangulation, wedge_words(triangulation, a, b));
-}
-
-template <class Triangulation>
-Wedge_angle wedge_angle(const Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
-{
-  return wedge_rotation(triangulation, a, b).angle;
 }
 
 } // namespace internal

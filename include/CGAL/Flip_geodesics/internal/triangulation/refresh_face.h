@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_REFRESH_FACE_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_REFRESH_FACE_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_REFRESH_FACE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_REFRESH_FACE_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -113,27 +113,25 @@ bool refresh_face(Triangulation& triangulation, Halfedge_index h)
   return geometry.has_value();
 }
 
-/* How far the faces of a wedge could be laid out afresh. */
-enum class Refreshed_wedge { ALL, UP_TO_BORDER, UP_TO_WRONG_FACE };
-
-/* Lays out the faces afresh clockwise from halfedge a to halfedge b of a vertex. */
+/* Lays out the faces afresh clockwise from halfedge a to halfedge b of a vertex, up to the border if it
+ * intervenes. Returns false at a face where flips were wrong already. */
 template <class Triangulation>
-Refreshed_wedge refresh_wedge(Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
+bool refresh_wedge(Triangulation& triangulation, Halfedge_index a, Halfedge_index b)
 {
   Halfedge_index h = a;
   do {
     const Halfedge_index t = Triangulation::twin(h);
     if(triangulation.is_border(t))
-      return Refreshed_wedge::UP_TO_BORDER;
+      return true;
     if(!refresh_face(triangulation, t))
-      return Refreshed_wedge::UP_TO_WRONG_FACE;
+      return false;
     h = triangulation.next(t);
   } while(h != b);
-  return Refreshed_wedge::ALL;
+  return true;
 }
 
 } // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_REFRESH_FACE_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_REFRESH_FACE_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_VERTEX_DIRECTIONS_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_VERTEX_DIRECTIONS_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_VERTEX_DIRECTIONS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_VERTEX_DIRECTIONS_H
 
 #include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Surface_location.h>
@@ -68,9 +68,6 @@ public:
     return (*this)(Strip<Triangulation>(m_triangulation, m_triangulation.crossing_word(h)));
   }
 
-  /* The smaller of the angles between two directions on their two sides; a side that holds the border is infinite. */
-  double smaller_wedge(double a, double b) const { return m_fan.smaller_wedge(a, b); }
-
   /* The angle counterclockwise from one direction to another; infinite if the border intervenes. */
   double counterclockwise(double from, double to) const { return m_fan.counterclockwise(from, to); }
 
@@ -93,4 +90,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_VERTEX_DIRECTIONS_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_VERTEX_DIRECTIONS_H

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PRECISE_WEDGE_H
-#define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PRECISE_WEDGE_H
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_PRECISE_WEDGE_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_PRECISE_WEDGE_H
 
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
@@ -20,6 +20,16 @@ namespace Flip_geodesics {
 namespace internal {
 
 inline std::complex<double> in_double(const Double_double_vector& v) { return {v.x.high, v.y.high}; }
+
+/* The edge of halfedge h, as the triangulation derives and keeps it, or unfolded. */
+template <class Triangulation>
+Precise_edge precise_edge(const Triangulation& triangulation, Halfedge_index h)
+{
+  if constexpr(Keeps_precise_numbers<Triangulation>::value)
+    return triangulation.precise_edge(h);
+  else
+    return unfolded_edge(triangulation, triangulation.crossing_word(h));
+}
 
 /* The wedge clockwise from one edge of an input vertex to another; all the way round if they are the same. */
 template <class Triangulation>
@@ -130,4 +140,4 @@ private:
 } // namespace Flip_geodesics
 } // namespace CGAL
 
-#endif // CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PRECISE_WEDGE_H
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_PRECISE_WEDGE_H

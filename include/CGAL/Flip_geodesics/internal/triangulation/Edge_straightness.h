@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_STRAIGHTNESS_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_STRAIGHTNESS_H
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+
+#include <CGAL/enum.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* How a halfedge leaves its tail, as the input says. Without a reference if an end of its edge is an inserted
+ * vertex. */
+struct Edge_end
+{
+  Halfedge_index halfedge = null_index;
+  Word_angle direction;
+  bool is_along = false; // an edge of the input
+};
+
+/* How straight an edge is. */
+struct Measured_edge
+{
+  Edge_end tail, head;                       // that at the head is of the other direction
+  double bend = 0;                           // the angle by which the edge leaves its strip of input faces
+  bool has_strip = true, is_straight = true; // exactly; true if that was not asked
+};
+
+/*
+ * Measures edges of a triangulation, and the wedges between them, afresh from the input: of what flips computed, only
+ * integers enter. Curves, chains of halfedges and paths of a tree are as straight as their edges and joints are.
+ */
+template <class Triangulation>
+class Edge_straightness
+{
+public:
+  using Measured_edge = internal::Measured_edge;
+
+  explicit Edge_straightness(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  Measured_edge operator()(Halfedge_index h) const
+  {
+    const Crossing_word word = m_triangulation.crossing_word(h);
+    return measured(h, word, Strip<Triangulation>(m_triangulation, word));
+  }
+
+  /* The same, and whether it is straight if that is asked. A word that is not one of a strip between the ends of
+   * h is not measured. */
+  Measured_edge certified(Halfedge_index h, bool is_asked, Decision_statistics& statistics) const
+  {
+    const Crossing_word word = m_triangulation.crossing_word(h);
+    const Straight_strip<Triangulation> is_straight(m_triangulation, statistics);
+    Measured_edge result;
+    result.has_strip = is_strip(h, word);
+    if(!result.has_strip)
+      return result;
+    const Strip<Triangulation> strip(m_triangulation, word);
+    result = measured(h, word, strip);
+    result.is_straight = !is_asked || is_straight(word, strip);
+    return result;
+  }
+
+  /* Is what is said to be the word of h one of a strip from its tail to its head? */
+  bool is_strip(Halfedge_index h, const Crossing_word& word) const
+  {
+    Decision_statistics none;
+    return word.tail == m_triangulation.tail(h) && word.head == m_triangulation.head(h) &&
+           Straight_strip<Triangulation>(m_triangulation, none).is_strip(word);
+  }
+
+  /* The angle clockwise from one halfedge of a vertex to another. */
+  Wedge_angle clockwise(const Edge_end& from, const Edge_end& to) const
+  {
+    if(from.direction.reference == null_index || to.direction.reference == null_index)
+      return wedge_angle(m_triangulation, from.halfedge, to.halfedge);
+    const Index steps = m_triangulation.input_edges_in_wedge(from.halfedge, to.halfedge) + (from.is_along ? 1 : 0);
+    return wedge_angle(m_triangulation, from.direction, to.direction, steps);
+  }
+
+  /* Is such an angle below pi, exactly? */
+  bool is_below_straight(const Edge_end& from, const Edge_end& to, const Wedge_angle& angle,
+                         Decision_statistics& statistics) const
+  {
+    const Comparison_result quick = angle.compare_with_straight();
+    if(quick == EQUAL)
+      return Wedge_comparison<Triangulation>(m_triangulation, statistics)(from.halfedge, to.halfedge) == SMALLER;
+    ++statistics.by_strip;
+    return quick == SMALLER;
+  }
+
+  /* As the function of that name. */
+  static bool refresh_wedge(Triangulation& triangulation, Halfedge_index from, Halfedge_index to)
+  {
+    return internal::refresh_wedge(triangulation, from, to);
+  }
+
+private:
+  static Measured_edge measured(Halfedge_index h, const Crossing_word& word, const Strip<Triangulation>& strip)
+  {
+    const bool is_along = word.along != null_index;
+    Measured_edge result = {{h, {}, is_along}, {Triangulation::twin(h), {}, is_along}, strip.bend()};
+    if(strip.arrival_reference() != null_index) {
+      result.tail.direction = tail_angle(strip);
+      result.head.direction = {strip.arrival_reference(), angle_from_reference(strip.arrival()), strip.arrival_error()};
+    }
+    return result;
+  }
+
+  const Triangulation& m_triangulation;
+};
+
+} // namespace internal
+
+/* What measures the edges of a triangulation. It comes with the triangulation: what shortens curves finds it by the
+ * type of its argument, and need not know of exact arithmetic. */
+template <class Triangulation>
+internal::Edge_straightness<Triangulation> edge_straightness(const Triangulation& triangulation)
+{
+  return internal::Edge_straightness<Triangulation>(triangulation);
+}
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_STRAIGHTNESS_H

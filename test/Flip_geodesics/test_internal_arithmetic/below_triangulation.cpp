@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What unfolds rows of faces asks for a mesh, its metric and points on it, and for no triangulation: it gives the same
+// with an archetype that has nothing else.
+
+#include "Surface_archetype.h"
+#include "generated_meshes.h"
+#include "test_internal_arithmetic/numbers.h"
+
+#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Sleeve.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/largest_turn.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <vector>
+
+using namespace Flip_geodesics_test;
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+/* The words that cross two edges in a row, the second one on the right. */
+template <class Input_mesh>
+std::vector<FG::Crossing_word> words_across(const Input_mesh& input)
+{
+  std::vector<FG::Crossing_word> result;
+  for(FG::Input_halfedge_index h : FI::descriptors<FG::Input_halfedge_index>(input.number_of_halfedges())) {
+    const FG::Input_halfedge_index t = FI::twin_index(h);
+    if(input.is_border(h) || input.is_border(t) || input.is_border(FI::twin_index(input.next(t))))
+      continue;
+    FG::Crossing_word word;
+    word.crossed = {h, input.next(t)};
+    word.tail = input.tail(input.next(input.next(h)));
+    const FG::Input_halfedge_index last = FI::twin_index(input.next(t));
+    word.head = input.tail(input.next(input.next(last)));
+    result.push_back(word);
+  }
+  return result;
+}
+
+/* Numbers that depend on all that is computed from the words. */
+template <class Places>
+std::vector<double> unfolded(const Places& places)
+{
+  std::vector<double> result;
+  FG::Decision_statistics statistics;
+  const FI::Straight_strip<Places> is_straight(places, statistics);
+  FI::Sleeve<Places> sleeve(places);
+  for(const FG::Crossing_word& word : words_across(places.input())) {
+    const FI::Strip<Places> strip(places, word);
+    const FI::Portal_turn turn = FI::largest_turn(places, strip);
+    result.insert(result.end(), {strip.length(), strip.bend(), strip.crossing(1), turn.angle,
+                                 FI::tail_angle(strip).angle, is_straight(word) ? 1.0 : 0.0});
+    result.push_back(FI::unfolded_edge(places, word).length);
+    const FI::Unfolding_chains<Places> unfolding(places);
+    result.push_back(FI::Exact_sign(statistics)({unfolding.gate(word, 0, true), unfolding.head(word, true)}));
+    FG::Crossing_word along;
+    along.along = strip.reference();
+    along.tail = word.tail;
+    along.head = places.input().tail(FI::twin_index(along.along));
+    const FI::Wedge_words wedge = {word, along, 0};
+    result.push_back(FI::wedge_angle(places, wedge).value);
+    result.push_back(FI::umbrella_of(places, along.along).total());
+    sleeve.edges().assign(word.crossed.begin(), word.crossed.end());
+    sleeve.unfold(word.tail, word.head);
+    result.push_back(static_cast<double>(sleeve.portals().size()));
+  }
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(strips_ask_for_the_input_of_a_triangulation_alone)
+{
+  for(const Mesh_soup& soup : {bumpy_sphere(4, 0.3, 1), flat_grid(4, 4, Diagonal_rule::RISING)}) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    const Surface_archetype<Mesh> surface(mesh);
+    const FI::Places_on_input<Surface_archetype<Mesh>> places(surface);
+    const FG::Intrinsic_triangulation<Mesh> triangulation(mesh);
+    const std::vector<double> result = unfolded(places);
+    BOOST_TEST(!result.empty());
+    BOOST_TEST(result == unfolded(triangulation));
+  }
+}
