@@ -270,16 +270,11 @@ private:
   // The key of the angle clockwise from a to c, if it is below pi and holds no edge of the tree.
   double key(const Walker& a, const Walker& c) const
   {
-    typename Triangulation::Turn turn;
-    for(Walker h = a;;) {
-      h = h.extend_turn_clockwise(turn);
-      if(h.is_none() || m_triangulation->is_straight(turn, a.index(), h.index()))
-        return straight;
-      if(h == c)
-        return m_triangulation->traits().turn_key_object()(turn);
-      if(incoming(h.twin().tail()) == h.index()) // only where rounding hides that the path to there is bent
-        return straight;
-    }
+    typename Triangulation::Turn turn; // an edge of the tree is there only where rounding hides that its path is bent
+    const auto is_in_tree = [this](const Walker& h) { return incoming(h.twin().tail()) == h.index(); };
+    return internal::is_free_wedge(*m_triangulation, a, c, turn, is_in_tree)
+               ? m_triangulation->traits().turn_key_object()(turn)
+               : straight;
   }
 
   // Makes room for a shorter path to v, which arrives along a or c. The path along the outer arc is shorter, but its

@@ -40,21 +40,6 @@ std::vector<Halfedge_index> left_side_of_strip(const Triangulation& triangulatio
   return chain;
 }
 
-/* Is the angle clockwise from halfedge a to halfedge c below pi, with no border in between? */
-template <class Triangulation>
-bool is_bent_clockwise(const Triangulation& triangulation, Halfedge_index a, Halfedge_index c)
-{
-  typename Triangulation::Turn turn;
-  const auto last = triangulation.walker(c);
-  auto h = triangulation.walker(a);
-  do {
-    h = h.extend_turn_clockwise(turn);
-    if(h.is_none() || triangulation.is_straight(turn, a, h.index()))
-      return false;
-  } while(h != last);
-  return true;
-}
-
 /*
  * Flips edges on the right of a chain until all angles there are at least pi. If the chain is the left side of a strip
  * of different faces that holds the straight segment between its ends, then only edges inside the strip are flipped,
@@ -69,7 +54,10 @@ std::size_t straighten_on_the_right(const Triangulation& triangulation, std::vec
   std::vector<Halfedge_index> arc;
   for(std::size_t i = 0; i + 1 < chain.size();) {
     const Halfedge_index back = Triangulation::twin(chain[i]), on = chain[i + 1];
-    if(on == back || !is_bent_clockwise(triangulation, on, back)) {
+    typename Triangulation::Turn turn;
+    const auto is_blocked = [](const auto&) { return false; };
+    if(on == back ||
+       !is_free_wedge(triangulation, triangulation.walker(on), triangulation.walker(back), turn, is_blocked)) {
       ++i;
       continue;
     }

@@ -12,6 +12,22 @@ namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
 
+/* Is the angle clockwise from one halfedge of a vertex to another below pi, with neither the border in between nor a
+ * halfedge that `is_blocked`? Then `turn` is that angle. */
+template <class Triangulation, class IsBlocked>
+bool is_free_wedge(const Triangulation& triangulation, const typename Triangulation::Walker& a,
+                   const typename Triangulation::Walker& c, typename Triangulation::Turn& turn,
+                   const IsBlocked& is_blocked)
+{
+  auto h = a;
+  do {
+    h = h.extend_turn_clockwise(turn);
+    if(h.is_none() || triangulation.is_straight(turn, a.index(), h.index()) || (h != c && is_blocked(h)))
+      return false;
+  } while(h != c);
+  return true;
+}
+
 /* So many edges of a wedge are flipped in order. */
 constexpr std::size_t few_flips_of_wedge = 64;
 
