@@ -54,27 +54,26 @@ struct Shortest_tree_report
 
 namespace internal {
 
-/* Which paths are longer than shortest ones, and by how much. False if one is shorter, so that the search has failed. */
+/* Counts the paths that are longer than those that a search has found, and by how much they are. False if one is
+ * shorter, so that the search has failed. */
 template <class Tree, class Search>
-bool count_longer(const Tree& tree, const Search& search, double tolerance, std::size_t& count, double& excess)
+bool count_longer(const Tree& tree, const Search& search, Shortest_tree_report& report)
 {
-  count = 0;
-  excess = 0;
+  constexpr double tolerance = Shortest_path_report::tolerance();
+  report.vertices = report.longer = 0;
+  report.largest_excess = 0;
   bool is_consistent = true;
-  for(Vertex_index v : internal::descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices())) {
+  for(Vertex_index v : descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices())) {
     if(!search.is_reached(v) || search.distance(v) > tree.max_distance() || v == tree.source())
       continue;
+    ++report.vertices;
     const double ratio = tree.distance(v) / search.distance(v) - 1;
-    count += ratio > tolerance ? 1 : 0;
-    excess = (std::max)(excess, tree.is_reached(v) ? ratio : 0);
+    report.longer += ratio > tolerance ? 1 : 0;
+    report.largest_excess = (std::max)(report.largest_excess, tree.is_reached(v) ? ratio : 0);
     is_consistent = is_consistent && ratio >= -tolerance;
   }
   return is_consistent;
 }
-
-} // namespace internal
-
-namespace internal {
 
 /* No path that is wanted is longer: neither than the tree's limit, nor than its longest path if that has all vertices.
  */
@@ -90,17 +89,13 @@ double longest_wanted(const Tree& tree)
   return longest;
 }
 
-/* Compares the paths of a tree with those that a search has found. False if the search has missed shorter ones. */
+/* The same before any path is replaced. */
 template <class Tree, class Search>
 bool compare(const Tree& tree, const Search& search, Shortest_tree_report& report)
 {
-  report.vertices = 0;
-  for(Vertex_index v : descriptors<Vertex_index>(tree.triangulation().input().number_of_vertices()))
-    report.vertices += v != tree.source() && search.distance(v) <= tree.max_distance() && search.is_reached(v) ? 1 : 0;
-  const bool is_consistent =
-      count_longer(tree, search, Shortest_path_report::tolerance(), report.longer_before, report.largest_excess_before);
-  report.longer = report.longer_before;
-  report.largest_excess = report.largest_excess_before;
+  const bool is_consistent = count_longer(tree, search, report);
+  report.longer_before = report.longer;
+  report.largest_excess_before = report.largest_excess;
   return is_consistent;
 }
 
@@ -108,13 +103,12 @@ bool compare(const Tree& tree, const Search& search, Shortest_tree_report& repor
 template <class Tree, class Search>
 void replace_longer(Tree& tree, const Search& search, Interruption& interruption, Shortest_tree_report& report)
 {
-  constexpr double tolerance = Shortest_path_report::tolerance();
-  Shortest_tree_repair<Tree, Search> repair(tree, search, tolerance, &interruption);
+  Shortest_tree_repair<Tree, Search> repair(tree, search, Shortest_path_report::tolerance(), &interruption);
   const std::vector<Vertex_index> longer = repair.longer();
   if(!longer.empty())
     report.status = repair.run(longer);
   report.flips = repair.flips();
-  count_longer(tree, search, tolerance, report.longer, report.largest_excess);
+  count_longer(tree, search, report);
 }
 
 /* The paths that a search has found that is rounded outward, with lengths that they do not exceed. */
