@@ -120,7 +120,8 @@ public:
     Edge_end from = m_edges(Triangulation::twin(before)).tail, to = m_edges(h).tail;
     if(!(angle_clockwise(from, to) < Straightness::straight_angle()))
       std::swap(from, to);
-    return angle_clockwise(from, to) < infinity && refresh_wedge(m_triangulation, from.halfedge, to.halfedge);
+    const bool is_inside = angle_clockwise(from, to) < infinity;
+    return refresh_wedge(m_triangulation, from.halfedge, to.halfedge) && is_inside; // up to the border, if there is one
   }
 
 private:
