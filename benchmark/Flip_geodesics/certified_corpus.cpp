@@ -200,7 +200,7 @@ void race(const std::string& file, const Options& options, Row& row)
 }
 
 const std::vector<std::string> statuses = {"LOCALLY_SHORTEST", "CONTRACTED", "STOPPED_BY_VISITOR", "PRECISION_LIMIT",
-                                           "FLAT_FACES"};
+                                           "DEGENERATE_FACES"};
 const std::vector<std::string> verdicts = {"PROVEN", "PROBABLE", "BENT_SEGMENT", "BENT_JOINT"};
 
 void write_header()

@@ -14,7 +14,7 @@
 //   compare_slicing [--paths N] [--angle DEGREES] [MESH...]
 
 #include <CGAL/Flip_geodesics.h>
-#include <CGAL/Flip_geodesics/Dirichlet_problem.h>
+#include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -28,7 +28,7 @@ READ = """#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <iterator>
 #include <vector>
 """
-PATH = "#include <CGAL/Flip_geodesics/geodesic_curves.h>\n"
+PATH = "#include <CGAL/Flip_geodesics/geodesic_path.h>\n"
 MAIN = """
 int main(int argc, char** argv)
 {{

@@ -10,8 +10,8 @@
 #include "benchmark_meshes.h"
 #include "processor_time.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <cstddef>
 #include <iostream>

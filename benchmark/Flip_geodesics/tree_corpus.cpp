@@ -102,7 +102,7 @@ bool measure(const std::string& name, const Mesh& mesh)
     std::cout << ' ' << milliseconds_since(start) << ' ' << grown.flips << ' ' << grown.reopened << ' '
               << FG::to_string(grown.status) << (is_valid ? "" : ",INVALID") << std::flush;
     start = Clock::now();
-    const FG::Shortest_tree_report report = FG::make_shortest(tree);
+    const FG::Distances_report report = FG::make_shortest(tree);
     const bool is_valid_then = tree.is_valid(1e-8);
     is_valid = is_valid && is_valid_then;
     const auto share = [&](std::size_t longer) {

@@ -8,7 +8,7 @@
 // Writes edge_length_metric.vtp, the geodesic.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 

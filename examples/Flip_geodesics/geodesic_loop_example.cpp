@@ -7,7 +7,7 @@
 // Writes geodesic_loop.vtp, the curve, if it has not contracted.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 

@@ -7,7 +7,7 @@
 // Writes geodesic_path.vtp, the curve.
 
 #include <CGAL/Flip_geodesics/IO/VTP.h>
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

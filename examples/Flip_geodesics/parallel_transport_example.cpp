@@ -7,9 +7,9 @@
 // Prints the coordinates of the vertices that are nearer than the radius to the middle of the face, and traces a short
 // line from each in the direction that is carried there. Writes the lines to arrows.vtp, with the mesh.
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
-#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
+#include <CGAL/Flip_geodesics/tangent_vectors.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -9,7 +9,7 @@
 // Writes poisson.ply, the mesh with the property `u` at its vertices.
 
 #include <CGAL/Flip_geodesics.h>
-#include <CGAL/Flip_geodesics/Dirichlet_problem.h>
+#include <CGAL/Flip_geodesics/Operators.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

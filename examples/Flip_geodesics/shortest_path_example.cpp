@@ -64,7 +64,7 @@ try {
 
   //! [Distances]
   auto distances = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
-  const FG::Shortest_tree_report report = FG::geodesic_distances(mesh, source, distances);
+  const FG::Distances_report report = FG::geodesic_distances(mesh, source, distances);
   //! [Distances]
   std::cout << "The distances of " << report.vertices << " vertices are "
             << (report.is_confirmed ? "those of shortest paths\n" : "not confirmed\n")

@@ -7,52 +7,31 @@
  * \file Flip_geodesics.h
  * \ingroup PkgFlipGeodesicsRef
  * Includes the headers of the package but these, which are to be included by themselves:
- * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`, `Tangent_spaces.h`,
- * `Dirichlet_problem.h`, `Direction_field.h`, `Conformal_flattening.h`), and `polygon_soup_to_triangle_mesh.h`, which
+ * `Exact_intrinsic_triangulation_traits.h`, those that need Eigen (`Operators.h`, `Operators.h`,
+ * `Operators.h`, `Direction_field.h`, `Conformal_flattening.h`), and `polygon_soup_to_triangle_mesh.h`, which
  * includes packages of CGAL under the GPL.
  */
 
-#include <CGAL/Flip_geodesics/Certificate_verdict.h>
 #include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Curve_point.h>
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
-#include <CGAL/Flip_geodesics/Geodesic_mean.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
-#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>
-#include <CGAL/Flip_geodesics/IO/Tubes.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
-#include <CGAL/Flip_geodesics/Interpolated_distances.h>
+#include <CGAL/Flip_geodesics/IO/appearance.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
-#include <CGAL/Flip_geodesics/Joint.h>
-#include <CGAL/Flip_geodesics/Landmark_distances.h>
-#include <CGAL/Flip_geodesics/Located_curve.h>
-#include <CGAL/Flip_geodesics/Located_polyline.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
-#include <CGAL/Flip_geodesics/Mollified_metric.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
-#include <CGAL/Flip_geodesics/Shortener.h>
-#include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
-#include <CGAL/Flip_geodesics/Shortest_path_report.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
-#include <CGAL/Flip_geodesics/Straightness_meter.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/Surface_subdivision.h>
-#include <CGAL/Flip_geodesics/Weighted_metric.h>
-#include <CGAL/Flip_geodesics/Window_limit.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/certify_curve.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
@@ -60,31 +39,30 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/derived_metrics.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
-#include <CGAL/Flip_geodesics/geodesic_loop_basis.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
+#include <CGAL/Flip_geodesics/geodesic_mean.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/geodesic_paths.h>
 #include <CGAL/Flip_geodesics/graph_traits.h>
 #include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
 #include <CGAL/Flip_geodesics/intrinsic_edge_path.h>
 #include <CGAL/Flip_geodesics/intrinsic_faces.h>
 #include <CGAL/Flip_geodesics/isolines.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
-#include <CGAL/Flip_geodesics/means.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
-#include <CGAL/Flip_geodesics/nearest_location.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shorten.h>
-#include <CGAL/Flip_geodesics/shorten_cut_graph.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/shortest_loop.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -96,6 +74,5 @@
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/texture_coordinates.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
-#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 
 #endif // CGAL_FLIP_GEODESICS_H

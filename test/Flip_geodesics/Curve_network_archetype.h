@@ -4,7 +4,6 @@
 #define FLIP_GEODESICS_TEST_CURVE_NETWORK_ARCHETYPE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Joint.h>
 
 #include <utility>
 #include <vector>

@@ -3,7 +3,6 @@
 #ifndef FLIP_GEODESICS_TEST_METRIC_ARCHETYPE_H
 #define FLIP_GEODESICS_TEST_METRIC_ARCHETYPE_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 
 #include <CGAL/enum.h>

@@ -4,7 +4,6 @@
 #define FLIP_GEODESICS_TEST_SURFACE_ARCHETYPE_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Numbered_mesh.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/boost/graph/properties.h>

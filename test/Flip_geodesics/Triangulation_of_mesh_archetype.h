@@ -3,10 +3,9 @@
 #ifndef FLIP_GEODESICS_TEST_TRIANGULATION_OF_MESH_ARCHETYPE_H
 #define FLIP_GEODESICS_TEST_TRIANGULATION_OF_MESH_ARCHETYPE_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 
 #include <CGAL/boost/graph/properties.h>
 

@@ -9,7 +9,6 @@
 #include "random_curves.h"
 #include "test_certified_traits/judged_meshes.h"
 
-#include <CGAL/Flip_geodesics/internal/triangulation/Precise_wedge.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 
 #include <boost/test/unit_test.hpp>

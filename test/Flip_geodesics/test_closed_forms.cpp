@@ -10,8 +10,8 @@
 #include "random_curves.h"
 #include "test_scale.h"
 
-#include <CGAL/Flip_geodesics/Weighted_metric.h>
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/derived_metrics.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -8,7 +8,6 @@
 #include "test_geodesic_tree/trees.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 
 #include <boost/test/unit_test.hpp>
 

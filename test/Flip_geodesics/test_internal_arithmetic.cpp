@@ -7,8 +7,8 @@
 
 #include "test_internal_arithmetic/numbers.h"
 
-#include <CGAL/Flip_geodesics/internal/numbers/Exact_vector.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Root_sum.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
 
 using namespace Flip_geodesics_test;
 

@@ -11,11 +11,11 @@
 #include "test_interruption/stopping.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
+#include <CGAL/Flip_geodesics/tangent_vectors.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(values_at_vertices)
     const auto check = [&](const auto& compute) {
       const std::size_t calls = stop_at_each_call([&](Stopping_visitor& visitor, bool is_stopped) {
         std::size_t number = 0;
-        const FG::Shortest_tree_report report = compute(&number, CGAL::parameters::visitor(std::ref(visitor)));
+        const FG::Distances_report report = compute(&number, CGAL::parameters::visitor(std::ref(visitor)));
         BOOST_TEST(is_stopped_by_visitor(report) == is_stopped);
         BOOST_TEST(number == (is_stopped ? 0 : num_vertices(mesh)));
         BOOST_TEST((!is_stopped || !report.is_confirmed));

@@ -9,7 +9,7 @@
 
 #include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
-#include <CGAL/Flip_geodesics/geodesic_loop_basis.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_loop.h>

@@ -15,10 +15,8 @@
 
 #include <CGAL/Flip_geodesics/Conformal_flattening.h>
 #include <CGAL/Flip_geodesics/Direction_field.h>
-#include <CGAL/Flip_geodesics/Dirichlet_problem.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/Operators.h>
-#include <CGAL/Flip_geodesics/Tangent_spaces.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 

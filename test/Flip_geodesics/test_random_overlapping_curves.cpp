@@ -7,7 +7,7 @@
 
 #include "overlapping_world.h"
 
-#include <CGAL/Flip_geodesics/internal/network/Parity_elimination.h>
+#include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/network/Stack_order.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>

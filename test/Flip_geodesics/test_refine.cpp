@@ -7,7 +7,6 @@
 
 #include "test_refine/checked_refinement.h"
 
-#include <CGAL/Flip_geodesics/Straightness_meter.h>
 #include <CGAL/Flip_geodesics/certify.h>
 
 #include <boost/math/constants/constants.hpp>

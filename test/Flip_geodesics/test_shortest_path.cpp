@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(curved_meshes)
     Setting setting(soup);
     Tree tree(setting.triangulation);
     tree.grow(3_v);
-    const FG::Shortest_tree_report report = FG::make_shortest(tree);
+    const FG::Distances_report report = FG::make_shortest(tree);
     BOOST_TEST(report.is_confirmed);
     BOOST_TEST(report.longer == 0u);
     BOOST_TEST(tree.is_valid(tolerance));
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
     Setting setting(terrain(seed));
     Tree tree(setting.triangulation);
     tree.grow(3_v);
-    const FG::Shortest_tree_report report = FG::make_shortest(tree);
+    const FG::Distances_report report = FG::make_shortest(tree);
     BOOST_TEST(report.is_confirmed);
     BOOST_TEST(report.longer_before > 200u);
     BOOST_TEST(report.longer == 0u);
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(no_geodesic_is_shorter_than_a_confirmed_path)
       Distances distances;
       for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
         distances.push_back(tree.distance(v));
-      const FG::Shortest_tree_report report = FG::make_shortest(tree);
+      const FG::Distances_report report = FG::make_shortest(tree);
       BOOST_TEST(report.is_confirmed, "source " << source.idx());
       BOOST_TEST(report.longer == 0u);
       setting.triangulation.rollback();
@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(vertices_that_a_tree_missed_are_added)
     if(part.is_reached(last))
       continue;
     ++missed;
-    const FG::Shortest_tree_report report = FG::make_shortest(part);
+    const FG::Distances_report report = FG::make_shortest(part);
     BOOST_TEST(part.is_reached(last));
     BOOST_TEST(report.longer == 0u);
     BOOST_TEST((report.largest_excess_before >= 0 && report.largest_excess_before < 100));
@@ -397,7 +397,7 @@ BOOST_AUTO_TEST_CASE(tree_with_limited_effort)
     Tree tree(setting.triangulation);
     const auto grown = tree.grow(0_v);
     const auto position = setting.triangulation.log_position();
-    const FG::Shortest_tree_report report = FG::make_shortest(tree, FG::Window_limit(100));
+    const FG::Distances_report report = FG::make_shortest(tree, FG::Window_limit(100));
     BOOST_TEST(!report.is_confirmed);
     BOOST_TEST(report.flips == 0u);
     BOOST_TEST(report.longer == report.longer_before);
@@ -418,7 +418,7 @@ BOOST_AUTO_TEST_CASE(inserted_vertices)
         {FG::Input_halfedge_index(random.below(setting.triangulation.input().number_of_halfedges())), {{1, 1, 1}}});
   Tree tree(setting.triangulation);
   tree.grow(0_v);
-  const FG::Shortest_tree_report report = FG::make_shortest(tree);
+  const FG::Distances_report report = FG::make_shortest(tree);
   BOOST_TEST(report.longer == 0u);
   BOOST_TEST(report.longer_before > 0u);
   BOOST_TEST(tree.is_valid(tolerance));

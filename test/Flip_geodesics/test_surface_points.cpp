@@ -6,7 +6,7 @@
 
 #include "test_surface_points/inserted_points.h"
 
-#include <CGAL/Flip_geodesics/internal/flip_out/Path_in_face.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

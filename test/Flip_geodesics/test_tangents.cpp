@@ -7,10 +7,9 @@
 
 #include "test_tangents/surfaces.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
-#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -11,7 +11,6 @@
 #include "test_trace_geodesic/rays.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 

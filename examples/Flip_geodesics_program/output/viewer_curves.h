@@ -6,7 +6,7 @@
 #include "program_mesh.h"
 #include "scene.h"
 
-#include <CGAL/Flip_geodesics/IO/Tubes.h>
+#include <CGAL/Flip_geodesics/IO/appearance.h>
 
 #include <boost/range/adaptor/transformed.hpp>
 

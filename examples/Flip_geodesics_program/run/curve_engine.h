@@ -11,8 +11,8 @@
 #include "scene.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <cstddef>

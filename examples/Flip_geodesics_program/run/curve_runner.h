@@ -22,7 +22,6 @@
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
@@ -479,7 +478,7 @@ private:
     Progress_visitor visitor(m_progress);
     FG::Geodesic_tree<Triangulation> tree(m_triangulation);
     const FG::Geodesic_tree_report report = tree.grow(source, std::numeric_limits<double>::infinity(), visitor);
-    FG::Shortest_tree_report shortest;
+    FG::Distances_report shortest;
     shortest.status = report.status;
     if(m_options.is_shortest) {
       m_progress.enter("looking for shorter paths");

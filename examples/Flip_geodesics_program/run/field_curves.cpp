@@ -8,7 +8,6 @@
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
-#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "program_mesh.h"
 
-#include <CGAL/Flip_geodesics/Mollified_metric.h>
+#include <CGAL/Flip_geodesics/derived_metrics.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <optional>

@@ -5,7 +5,7 @@
 
 #include "readable.h"
 
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <atomic>
 #include <chrono>

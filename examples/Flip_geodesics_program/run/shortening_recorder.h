@@ -6,8 +6,8 @@
 #include "run/progress.h"
 #include "scene.h"
 
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/extract.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <algorithm>
 #include <array>

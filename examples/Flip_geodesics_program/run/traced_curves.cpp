@@ -4,9 +4,9 @@
 
 #include "advice.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <cstddef>
 #include <sstream>

@@ -35,7 +35,7 @@ std::string describe_tree(const Tree& tree, std::size_t flips)
 }
 
 /// What was done to make the paths of a tree shortest, in a line for people.
-inline std::string describe_shortest_paths(const CGAL::Flip_geodesics::Shortest_tree_report& report)
+inline std::string describe_shortest_paths(const CGAL::Flip_geodesics::Distances_report& report)
 {
   if(!report.is_confirmed)
     return "shortest not confirmed: the search for shorter paths was given up, or met faces without area\n";

@@ -3,14 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_CURVE_EDITOR_H
 #define CGAL_FLIP_GEODESICS_CURVE_EDITOR_H
 
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Leg_mover.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
-#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
 
 #include <CGAL/assertions.h>

@@ -9,10 +9,13 @@
 
 #include <boost/iterator/iterator_facade.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <ostream>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -293,5 +296,131 @@ struct hash<CGAL::Flip_geodesics::Edge_index>
 };
 
 } // namespace std
+
+namespace CGAL {
+namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsCurves
+ *
+ * The input edges that an intrinsic edge crosses, from its tail to its head. With its ends, it determines the edge: the
+ * straight line in the unfolded faces.
+ *
+ * There are three cases. The edge lies along the input halfedge `along`, or along a part of it, and crosses nothing. Or
+ * it crosses nothing and lies inside the input face of the halfedge `face`. Or `crossed` lists input halfedges, each as
+ * a side of the face that is left through it. Then `along` and `face` are `null_index`. Edges inside a face end at an
+ * inserted vertex.
+ */
+struct Crossing_word
+{
+  Input_halfedge_index along = null_index;   ///< the input halfedge that the edge lies along, if it does
+  std::vector<Input_halfedge_index> crossed; ///< in order; empty if nothing is crossed
+  Input_halfedge_index face = null_index;    ///< a halfedge of the face that holds the whole edge
+  Vertex_index tail = null_index;            ///< the vertex at which the edge starts
+  Vertex_index head = null_index;            ///< the vertex at which the edge ends
+
+  /// Turns it into the word of the other direction.
+  void reverse()
+  {
+    along = along == null_index ? null_index : internal::twin_index(along);
+    std::swap(tail, head);
+    std::reverse(crossed.begin(), crossed.end());
+    for(Input_halfedge_index& h : crossed)
+      h = internal::twin_index(h);
+  }
+
+  /// The word of the other direction.
+  Crossing_word reversed() const
+  {
+    Crossing_word result = *this;
+    result.reverse();
+    return result;
+  }
+
+  /// A halfedge of the input face at the tail. \pre the edge does not lie along an input edge
+  Input_halfedge_index first_face() const { return crossed.empty() ? face : crossed.front(); }
+  /// A halfedge of the input face at the head. \pre the edge does not lie along an input edge
+  Input_halfedge_index last_face() const { return crossed.empty() ? face : internal::twin_index(crossed.back()); }
+};
+
+/// \ingroup PkgFlipGeodesicsCurves
+/// The side of a curve, as seen along it.
+enum class Side { LEFT, RIGHT };
+
+/// \ingroup PkgFlipGeodesicsCurves
+/// The other side.
+inline Side opposite_side(Side side) { return side == Side::LEFT ? Side::RIGHT : Side::LEFT; }
+
+/// \ingroup PkgFlipGeodesicsCurves
+/// One side of the joint between a segment and the next one of its curve.
+struct Joint
+{
+  Segment_index incoming; ///< the segment that arrives at the node
+  Side side;              ///< on which side of the curve
+};
+
+/// \ingroup PkgFlipGeodesicsCurves
+/// The end of a segment at a node: an outgoing halfedge, which tells the ends of a loop edge apart, and the segment.
+struct Strand_end
+{
+  Halfedge_index halfedge = null_index; ///< outgoing at the node; null if there is no end
+  Segment_index segment = null_index;   ///< which starts or ends there along `halfedge`
+
+  /// Is it no end at all?
+  bool is_none() const { return halfedge == null_index; }
+  /// Is it the same end?
+  bool operator==(const Strand_end& other) const { return halfedge == other.halfedge && segment == other.segment; }
+  /// Is it another end?
+  bool operator!=(const Strand_end& other) const { return !(*this == other); }
+};
+
+/// \ingroup PkgFlipGeodesicsCurves
+/// What stands in the wedge at one side of a joint.
+enum class Wedge_state {
+  FREE,     ///< nothing, and the angle is below \f$\pi\f$: the joint can be shortened
+  STRAIGHT, ///< the angle is \f$\pi\f$ or more
+  BLOCKED,  ///< another strand, or an edge that another network holds, is in the wedge, at an angle below \f$\pi\f$
+  BORDER,   ///< the border of the surface is in the wedge, whose angle is infinite
+  FIXED     ///< the node is fixed: the wedge is not looked at
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsCurves
+ *
+ * What the log of an `Intrinsic_triangulation` keeps of a flip: enough to take it back, and to derive the crossings of
+ * the new edge. If `hp` is `null_index`, nothing was flipped. Either the face of `h` was laid out afresh: then `tn` is
+ * `null_index` as well, and the first three vectors are the old ones. Or a point was inserted: then `number` is the
+ * number of the insertion, `version_hp` the `gap()`, and `tn` is `h` if its face was split, its twin if its edge was.
+ *
+ * \tparam Halfedge_geometry that of the triangulation
+ */
+template <class Halfedge_geometry>
+struct Flip_record
+{
+  Halfedge_index h;         ///< the flipped halfedge, i->j before and l->k after
+  Halfedge_index hp;        ///< k->i
+  Halfedge_index tn;        ///< i->l
+  Index version_hp;         ///< the version of `hp` at the time
+  Index version_tn;         ///< the version of `tn` at the time
+  Index number;             ///< of input edges that the new edge crosses; -1 if it lies along one
+  Index old_version;        ///< of the edge, before
+  Index old_crossings;      ///< one more than the number of input edges that the edge crossed before
+  Halfedge_geometry old_h;  ///< what `h` stored before
+  Halfedge_geometry old_t;  ///< what the other side of the edge stored before
+  Halfedge_geometry old_tn; ///< what `tn` stored before
+  Halfedge_geometry old_tp; ///< what the halfedge l->j stored before
+
+  /// Was an edge flipped?
+  bool is_flip() const { return hp != null_index; }
+  /// Was a point inserted?
+  bool is_insertion() const { return hp == null_index && tn != null_index; }
+  /// Was the point inserted on the edge of `h`, rather than into its face? \pre `is_insertion()`
+  bool is_on_edge() const { return tn != h; }
+  /// The gap of the crossing word of `h` whose input face holds the inserted point. \pre `is_insertion()`
+  Index gap() const { return version_hp; }
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
 
 #endif // CGAL_FLIP_GEODESICS_DESCRIPTORS_H

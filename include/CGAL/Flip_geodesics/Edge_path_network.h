@@ -4,14 +4,10 @@
 #define CGAL_FLIP_GEODESICS_EDGE_PATH_NETWORK_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Joint.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/network/Joint_replacement.h>
-#include <CGAL/Flip_geodesics/internal/network/Network_validity.h>
-#include <CGAL/Flip_geodesics/internal/network/Segment_division.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
-#include <CGAL/Flip_geodesics/internal/network/check_chain.h>
+#include <CGAL/Flip_geodesics/internal/network/network_parts.h>
 
 #include <CGAL/assertions.h>
 

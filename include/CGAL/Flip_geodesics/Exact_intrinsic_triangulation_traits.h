@@ -6,9 +6,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Number_operations.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/Area_unit.h>
-#include <CGAL/Flip_geodesics/internal/surface/Squared_length_geometry.h>
-#include <CGAL/Flip_geodesics/internal/surface/Vector_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/exact_geometries.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/Simple_cartesian.h>

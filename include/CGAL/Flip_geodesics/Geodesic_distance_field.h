@@ -4,19 +4,16 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_DISTANCE_FIELD_H
 
 #include <CGAL/Flip_geodesics/Curve_point.h>
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
-#include <CGAL/Flip_geodesics/Window_limit.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/internal/distances/Field_query.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
-#include <CGAL/Flip_geodesics/internal/surface/locations_in_faces.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

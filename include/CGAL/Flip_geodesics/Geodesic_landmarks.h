@@ -4,18 +4,16 @@
 #define CGAL_FLIP_GEODESICS_GEODESIC_LANDMARKS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
-#include <CGAL/Flip_geodesics/internal/distances/Goal_bound.h>
-#include <CGAL/Flip_geodesics/internal/distances/Landmark_choice.h>
 #include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/tags.h>
 

@@ -3,11 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_GEODESIC_SPLINE_H
 #define CGAL_FLIP_GEODESICS_GEODESIC_SPLINE_H
 
-#include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Surface_polyline.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <cmath>
 #include <cstddef>

@@ -6,17 +6,23 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
-#include <CGAL/Flip_geodesics/internal/operators/Matrix_pattern.h>
+#include <CGAL/Flip_geodesics/internal/operators/Constrained_system.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
 #include <CGAL/Flip_geodesics/intrinsic_faces.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <Eigen/Core>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -172,6 +178,182 @@ private:
   std::vector<Intrinsic_face> m_faces;
   std::vector<internal::Plane_triangle> m_triangles;
   internal::Matrix_pattern<ConcurrencyTag> m_pattern;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsOperators
+ *
+ * Directions at the vertices of an intrinsic triangulation: the angle of each halfedge counterclockwise from the
+ * reference direction at its tail, in radians. About a vertex inside the surface the angles are scaled to sum up to
+ * \f$2\pi\f$ [KCPS13]. At the border they are left as they are, and the reference is the first halfedge
+ * counterclockwise from the border. A snapshot: flips of the triangulation do not reach it. Linear in the mesh.
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulation`
+ */
+template <class Triangulation>
+class Tangent_spaces
+{
+public:
+  /// Lays out the tangent plane of each vertex.
+  /// \param faces all faces, from `intrinsic_faces()`
+  /// \throws Invalid_mesh_error for a non-manifold vertex, at which several umbrellas meet
+  Tangent_spaces(const Triangulation& triangulation, const std::vector<Intrinsic_face>& faces)
+    : m_angles(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0)
+    , m_corners(m_angles.size(), 0)
+    , m_references(static_cast<std::size_t>(triangulation.number_of_vertices()), null_index)
+  {
+    for(const Intrinsic_face& face : faces) {
+      const internal::Plane_triangle triangle(face.lengths);
+      for(int i = 0; i < 3; ++i)
+        m_corners[face.halfedges[i]] = triangle.angle(i);
+    }
+    Marks is_laid_out(static_cast<std::size_t>(triangulation.number_of_halfedges()), 0);
+    for(Vertex_index v : internal::descriptors<Vertex_index>(triangulation.number_of_vertices()))
+      lay_out(triangulation, v, is_laid_out);
+    check_umbrellas(triangulation, is_laid_out);
+  }
+
+  /// The halfedge in the reference direction of vertex `v`, `null_index` if it is isolated.
+  Halfedge_index reference(Vertex_index v) const { return m_references[v]; }
+
+  /// The angle of halfedge `h` at its tail.
+  double angle(Halfedge_index h) const { return m_angles[h]; }
+
+  /// The corner at the tail of `h` in the face on its left, scaled as the angles are.
+  double corner(Halfedge_index h) const { return m_corners[h]; }
+
+  /// By how much a direction turns when it is carried along `h`, from the reference of the tail to that of the head.
+  double transport(Halfedge_index h) const
+  {
+    return m_angles[Triangulation::twin(h)] + boost::math::constants::pi<double>() - m_angles[h];
+  }
+
+private:
+  using Marks = internal::Indexed_by<Halfedge_index, std::vector<char>>;
+
+  void lay_out(const Triangulation& triangulation, Vertex_index v, Marks& is_laid_out)
+  {
+    const Halfedge_index some = triangulation.outgoing(v);
+    if(some == null_index)
+      return;
+    Halfedge_index first = some;
+    bool is_border = false;
+    for(Halfedge_index h = triangulation.clockwise(first); h != some; h = triangulation.clockwise(h)) {
+      if(h == null_index) {
+        is_border = true;
+        break;
+      }
+      first = h;
+    }
+    if(!is_border)
+      first = some;
+    m_references[v] = first;
+
+    double sum = 0;
+    Halfedge_index h = first;
+    do {
+      m_angles[h] = sum;
+      is_laid_out[h] = 1;
+      sum += triangulation.is_border(h) ? 0 : m_corners[h];
+      h = triangulation.counterclockwise(h);
+    } while(h != first && h != null_index);
+    if(is_border)
+      return;
+    const double scale = boost::math::constants::two_pi<double>() / sum;
+    do {
+      m_angles[h] *= scale;
+      m_corners[h] *= scale;
+      h = triangulation.counterclockwise(h);
+    } while(h != first);
+  }
+
+  // A vertex is laid out by the umbrella of one of its halfedges.
+  static void check_umbrellas(const Triangulation& triangulation, const Marks& is_laid_out)
+  {
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(triangulation.number_of_halfedges()))
+      if(is_laid_out[h] == 0) {
+        const Vertex_index v = triangulation.tail(h);
+        throw Invalid_mesh_error("several umbrellas of faces meet at vertex " + std::to_string(v.idx()) +
+                                     ", which has no tangent space; duplicate it for each of them",
+                                 {static_cast<std::size_t>(v.idx())});
+      }
+  }
+
+  internal::Indexed_by<Halfedge_index, std::vector<double>> m_angles, m_corners;
+  internal::Indexed_by<Vertex_index, std::vector<Halfedge_index>> m_references;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsOperators
+ *
+ * The Poisson problem \f$-\Delta u = \rho\f$ with \f$u\f$ given at some vertices, for instance along geodesics
+ * [SC20, section 6.4, Figure 26]; no flow across the rest of the border. Linear finite elements with the cotangent
+ * Laplacian. The matrix is factored once (sparse Cholesky), for as many right-hand sides as wanted.
+ *
+ * \tparam Operators_ an instance of `Operators`
+ */
+template <class Operators_>
+class Dirichlet_problem
+{
+public:
+  using Vector = Eigen::VectorXd; ///< a number per vertex
+
+  /*!
+   * Factorizes the matrix of the problem.
+   *
+   * \param operators of the triangulation; needed only here
+   * \param given the vertices where values are given, in any order, each once or more
+   * \throws Vertex_out_of_range_error
+   * \throws Singular_problem_error if a component with faces has no vertex in `given`; `elements()` is a vertex of it
+   */
+  Dirichlet_problem(const Operators_& operators, const std::vector<Vertex_index>& given)
+    : m_is_given(internal::marked_vertices(operators.number_of_vertices(), given))
+    , m_is_isolated(internal::isolated_vertices(operators.number_of_vertices(), operators.faces()))
+    , m_mass(operators.consistent_mass())
+    , m_system(operators.weak_laplacian(), m_is_given, m_is_isolated)
+  {
+    internal::check_every_component(internal::components(m_is_given.size(), operators.faces()), m_is_given,
+                                    m_is_isolated);
+    if(m_system.inner().rows() > 0)
+      m_factors.compute(m_system.inner());
+    if(m_system.inner().rows() > 0 && m_factors.info() != Eigen::Success)
+      throw Singular_problem_error("the Laplacian cannot be factored: the triangulation has faces too thin for double; "
+                                   "flip it to Delaunay or refine it first");
+  }
+
+  /*!
+   * Solves the problem for a density and values.
+   *
+   * \param density \f$\rho\f$, a value per vertex, or empty for 0
+   * \param values a number per vertex, read at the given ones
+   * \return the solution, a value per vertex; NaN at isolated vertices that are not given
+   * \throws Invalid_coordinate_error if a number that is read is not finite
+   */
+  Vector solve(const Vector& density, const Vector& values) const
+  {
+    const Eigen::Index n = static_cast<Eigen::Index>(m_is_given.size());
+    CGAL_precondition((density.size() == 0 || density.size() == n) && values.size() == n);
+    Vector result = Vector::Constant(n, std::numeric_limits<double>::quiet_NaN());
+    Vector fixed = Vector::Zero(n);
+    for(Eigen::Index v = 0; v < n; ++v) {
+      if(m_is_given[v] != 0)
+        result[v] = fixed[v] = values[v];
+      if(!std::isfinite(fixed[v]) || (density.size() != 0 && !std::isfinite(density[v])))
+        throw Invalid_coordinate_error("the value at vertex " + std::to_string(v) + " is not finite",
+                                       {static_cast<std::size_t>(v)});
+    }
+    if(m_system.inner().rows() == 0)
+      return result;
+    const Vector load = density.size() == 0 ? Vector(Vector::Zero(n)) : Vector(m_mass * density);
+    m_system.insert(m_factors.solve(m_system.right_hand_side(load, fixed)), result);
+    return result;
+  }
+
+private:
+  std::vector<char> m_is_given, m_is_isolated;
+  typename Operators_::Matrix m_mass;
+  internal::Constrained_system<double> m_system;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factors;
 };
 
 } // namespace Flip_geodesics

@@ -3,7 +3,6 @@
 #ifndef CGAL_FLIP_GEODESICS_PARALLEL_TRANSPORT_H
 #define CGAL_FLIP_GEODESICS_PARALLEL_TRANSPORT_H
 
-#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/extract.h>

@@ -3,14 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
 #define CGAL_FLIP_GEODESICS_CONTRACTED_SURFACE_H
 
-#include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contraction.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -244,7 +244,7 @@ template <class Triangulation>
 bool are_curves_folded(const Triangulation& triangulation, const Shortening_report& report)
 {
   const auto is_hindered = [](const Curve_report& curve) {
-    return curve.status == Shortening_status::FLAT_FACES || curve.status == Shortening_status::PRECISION_LIMIT;
+    return curve.status == Shortening_status::DEGENERATE_FACES || curve.status == Shortening_status::PRECISION_LIMIT;
   };
   if(triangulation.input().is_contracted() || std::none_of(report.curves.begin(), report.curves.end(), is_hindered))
     return false;

@@ -4,8 +4,8 @@
 #define CGAL_FLIP_GEODESICS_DELAUNAY_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <algorithm>
 #include <cstddef>

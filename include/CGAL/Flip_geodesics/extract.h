@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_EXTRACT_H
 #define CGAL_FLIP_GEODESICS_EXTRACT_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Curve_point.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>

@@ -5,16 +5,13 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/compiled_instances.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/compute_on_surface.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/curve_computations_impl.h>
-#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 
@@ -123,9 +120,9 @@ namespace internal {
 
 /* Values at the vertices of a mesh, in the order of `vertices(mesh)`, and what is known of them. */
 template <class Value>
-using Computed_values = Computed_output<Value, Shortest_tree_report>;
+using Computed_values = Computed_output<Value, Distances_report>;
 
-inline bool is_stopped_by_visitor(const Shortest_tree_report& report)
+inline bool is_stopped_by_visitor(const Distances_report& report)
 {
   return report.status == Shortening_status::STOPPED_BY_VISITOR;
 }
@@ -207,16 +204,16 @@ std::size_t number_of_finite(const Triangulation& triangulation, const Distances
 
 /* Computes a field from vertices, and returns what is known of the distances. */
 template <class Triangulation, class Visitor>
-Shortest_tree_report compute_from_vertices(Geodesic_distance_field<Triangulation>& field,
-                                           const Triangulation& triangulation, const std::vector<Vertex_index>& sources,
-                                           const Window_limit& limit, Visitor& visitor)
+Distances_report compute_from_vertices(Geodesic_distance_field<Triangulation>& field,
+                                       const Triangulation& triangulation, const std::vector<Vertex_index>& sources,
+                                       const Window_limit& limit, Visitor& visitor)
 {
   for(Vertex_index source : sources)
     field.add_source(source);
   Distance_field_limits limits;
   limits.windows = limit;
   const Distance_field_report computed = field.compute(limits, visitor);
-  Shortest_tree_report report;
+  Distances_report report;
   if(computed.status == Distance_field_status::STOPPED_BY_VISITOR)
     report.status = Shortening_status::STOPPED_BY_VISITOR;
   report.windows = computed.windows;
@@ -422,8 +419,8 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
  */
 template <class TriangleMesh, class Sources = std::vector<Mesh_vertex<TriangleMesh>>, class VertexDistanceMap,
           class... NamedParameters>
-Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
-                                        const NamedParameters&... np)
+Distances_report geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
+                                    const NamedParameters&... np)
 {
   const auto& options = internal::surface_options<internal_np::visitor_t, internal::Limit_parameter>(np...);
   const auto computed = internal::compute_distances(mesh, internal::source_vertices(mesh, sources),
@@ -450,8 +447,8 @@ Shortest_tree_report geodesic_distances(const TriangleMesh& mesh, const Sources&
  * Complexity: that of `Geodesic_distance_field::compute()`, and where a tree is grown that of `make_shortest()`.
  */
 template <class TriangleMesh, class Source, class VertexPolarMap, class... NamedParameters>
-Shortest_tree_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
-                                       const NamedParameters&... np)
+Distances_report polar_coordinates(const TriangleMesh& mesh, const Source& source, VertexPolarMap coordinates,
+                                   const NamedParameters&... np)
 {
   static_assert(internal::is_mesh_vertex<TriangleMesh, Source>,
                 "no vertex of the mesh where it belongs; the order is mesh, source, property map");

@@ -3,18 +3,24 @@
 #ifndef CGAL_FLIP_GEODESICS_ISOLINES_H
 #define CGAL_FLIP_GEODESICS_ISOLINES_H
 
-#include <CGAL/Flip_geodesics/Located_polyline.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Isoline_tracer.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -22,6 +28,32 @@
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsIsolines
+/// The type of points that a mesh has of its own.
+template <class TriangleMesh>
+using Mesh_point =
+    typename boost::property_traits<typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type;
+
+/*!
+ * \ingroup PkgFlipGeodesicsIsolines
+ *
+ * A polyline on a surface: each two points in a row are in one face, or on its border. A closed one repeats its first
+ * point at the end.
+ */
+template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
+struct Located_polyline
+{
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< of the mesh
+  /// A `CGAL::Polygon_mesh_processing::Face_location`: a face and barycentric coordinates, which belong to the source,
+  /// target and third vertex of `halfedge(face, mesh)`.
+  using Face_location = std::pair<face_descriptor, std::array<double, 3>>;
+
+  bool is_closed = false;               ///< does it end where it began?
+  std::vector<Face_location> locations; ///< of the points; one on an edge of the mesh in one of the two faces, always
+                                        ///< the same one
+  std::vector<Point> points;            ///< in space
+};
 
 /*!
  * \ingroup PkgFlipGeodesicsIsolines
@@ -122,6 +154,152 @@ OutputIterator isolines(const TriangleMesh& mesh, const Field& field, const Leve
             internal::write_samples(surface, curve, result.back());
           });
         }
+      });
+}
+
+/*!
+ * \ingroup PkgFlipGeodesicsIsolines
+ *
+ * A distance field made of distances at vertices, such as `geodesic_distances()` writes, one property map per source:
+ * linear in each face for each source, and the least of these.
+ *
+ * Distances on a surface are not linear in faces, so this is as good as the faces are small, and best far from the
+ * sources. In faces with obtuse angles its slope may be larger than one. Then the bounds of `isolines()` need not hold.
+ * What a sign at vertices shows is still found, and curves are closed or end on the border.
+ *
+ * \cgalModels{GeodesicDistanceField}
+ *
+ * \tparam TriangleMesh a model of `FaceGraph`
+ * \tparam VertexDistanceMap a model of `ReadablePropertyMap` with the mesh's vertices as keys and numbers as values
+ */
+template <class TriangleMesh, class VertexDistanceMap>
+class Interpolated_distances
+{
+public:
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor; ///< of the mesh
+
+  /// What is known of a place.
+  struct Answer
+  {
+    double distance = std::numeric_limits<double>::infinity(); ///< from the nearest source
+    std::size_t source = 0;                                    ///< its position among the maps
+  };
+
+  /// Interpolates between the distances of vertices.
+  /// \param mesh must outlive the field
+  /// \param distances of the vertices, from each of the sources
+  Interpolated_distances(const TriangleMesh& mesh, std::vector<VertexDistanceMap> distances)
+    : m_mesh(&mesh)
+    , m_distances(std::move(distances))
+  {
+  }
+
+  /// The distance from the nearest source, and which one it is; of two that are equally near the first.
+  Answer operator()(face_descriptor face, const std::array<double, 3>& weights) const
+  {
+    Answer result;
+    for(std::size_t i = 0; i < m_distances.size(); ++i) {
+      const double distance = interpolated(m_distances[i], face, weights);
+      if(!(result.distance <= distance)) // not a number is passed on
+        result = {distance, i};
+    }
+    return result;
+  }
+
+private:
+  double interpolated(const VertexDistanceMap& distances, face_descriptor face,
+                      const std::array<double, 3>& weights) const
+  {
+    double sum = 0;
+    std::size_t i = 0;
+    for(const auto h : halfedges_around_face(halfedge(face, *m_mesh), *m_mesh)) {
+      if(weights[i] != 0) // zero times infinity is not a number
+        sum += weights[i] * get(distances, source(h, *m_mesh));
+      ++i;
+    }
+    return sum;
+  }
+
+  const TriangleMesh* m_mesh;
+  std::vector<VertexDistanceMap> m_distances;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsIsolines
+ *
+ * A boundary between two regions of a Voronoi diagram: a curve between two junctions or ends on the border of the mesh,
+ * or a closed one without any.
+ */
+template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
+struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
+{
+  /// The number of what does not exist: the source where no distance is finite, the junction at an end on the border.
+  static constexpr std::size_t none = internal::no_source;
+
+  /// The nearest sources on its left and on its right, as seen from the side from which the faces of the mesh are
+  /// counterclockwise.
+  std::array<std::size_t, 2> sources = {{none, none}};
+
+  /// The junctions at its first and at its last point, counted from 0 over all boundaries. Boundaries that end at the
+  /// same junction have the same point there, to the bit.
+  std::array<std::size_t, 2> junctions = {{none, none}};
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsIsolines
+ *
+ * Computes the boundaries of the Voronoi diagram of a distance field's sources, by which of them is the nearest.
+ *
+ * Boundaries end at junctions, where three regions meet, or on the border of the mesh, or are closed. Where more than
+ * three regions meet there are several junctions within the tolerance. The vertices of a boundary are on the true one,
+ * but for roundings; between them it is nowhere farther than the tolerance from it. A junction, and vertices beside it,
+ * may be off by some hundredths of the tolerance. As with `isolines()`, the number of vertices inside faces grows like
+ * the inverse square root of the tolerance.
+ *
+ * Faces are divided where the nearest source changes until their parts are as small as the tolerance. Faces in which
+ * the field knows one source to be the nearest everywhere, by `GeodesicDistanceField::has_one_source()`, are not
+ * divided further. So the boundaries of one source take no time. Apart from that, a field does not return the distance
+ * of the second source, so no bound excludes that a region reaches between places with one nearest source. Therefore
+ * all other faces are divided until parts have no side longer than the square root of tolerance times size. The size is
+ * the square root of the area. The surroundings of sources with distance zero are divided as finely as the tolerance.
+ * So a region, or a finger of one, is found unless it is narrower than that square root and free of such sources.
+ *
+ * What no source reaches is a region, too, with source `Voronoi_boundary::none`.
+ *
+ * \param mesh a triangle mesh; its distances are those of its points in space
+ * \param field a model of `GeodesicDistanceField`
+ * \param out receives a `Voronoi_boundary<TriangleMesh, Point>` for each, `Point` being the points' type
+ * \param tolerance a distance on the surface, a number
+ * \param np named parameters: `vertex_point_map` and `visitor`, as for `isolines()`
+ * \return the end of the output
+ * \throws Invalid_parameter_error if the tolerance is not a positive number or less than 1e-14 of a side of a face, or
+ *         the field is not a number somewhere
+ * \throws Invalid_mesh_error if a face is no triangle
+ * \throws Invalid_coordinate_error if a coordinate is no finite number
+ *
+ * Complexity: the field is evaluated about fifty times for each piece of boundary as long as the tolerance. It is
+ * evaluated a few times for each piece of a curve as long as the size, and once per vertex.
+ */
+template <class TriangleMesh, class Field, class OutputIterator, class Tolerance, class... NamedParameters>
+OutputIterator voronoi_boundaries(const TriangleMesh& mesh, const Field& field, OutputIterator out,
+                                  const Tolerance& tolerance, const NamedParameters&... np)
+{
+  const auto& options = internal::options_of<internal_np::vertex_point_t, internal_np::visitor_t>(np...);
+  static_assert(internal::are_in_order<TriangleMesh, Field, Tolerance>());
+  internal::check_tolerance(tolerance);
+  using Curve = Voronoi_boundary<TriangleMesh, internal::Point_of<TriangleMesh, internal::Joined<NamedParameters...>>>;
+  return internal::write_curves<Curve>(
+      options, out, [&](std::vector<Curve>& result, internal::Interruption& interruption) {
+        auto surface = internal::make_refined_surface(mesh, field, options, tolerance, interruption);
+        internal::Voronoi_tracer<decltype(surface)> tracer(surface, tolerance);
+        internal::throw_if_interrupted_before_part(&interruption);
+        tracer.trace([&](const internal::Followed_curve& curve, const std::array<std::size_t, 2>& sources,
+                         const std::array<std::size_t, 2>& junctions) {
+          result.emplace_back();
+          result.back().sources = sources;
+          result.back().junctions = junctions;
+          internal::write_samples(surface, curve, result.back());
+        });
       });
 }
 

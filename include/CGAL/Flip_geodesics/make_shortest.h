@@ -4,18 +4,16 @@
 #define CGAL_FLIP_GEODESICS_MAKE_SHORTEST_H
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/distances/Precise_unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_propagation.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/shortest/Shortest_tree_repair.h>
-#include <CGAL/Flip_geodesics/internal/shortest/last_leg_of_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/imported_number.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/assertions.h>
 
@@ -33,7 +31,7 @@ namespace Flip_geodesics {
 /// \ingroup PkgFlipGeodesicsTree
 /// How many paths of a tree are globally shortest. Paths are compared with those that the search found, and with nothing
 /// else: unless `is_confirmed`, it may have missed vertices, or shorter paths, and 0 longer ones then prove nothing.
-struct Shortest_tree_report
+struct Distances_report
 {
   std::size_t vertices = 0;         ///< that the search reached within the tree's limit; without the source
   std::size_t longer_before = 0;    ///< of them, whose path was longer than the one found, or missing
@@ -57,7 +55,7 @@ namespace internal {
 /* Counts the paths that are longer than those that a search has found, and by how much they are. False if one is
  * shorter, so that the search has failed. */
 template <class Tree, class Search>
-bool count_longer(const Tree& tree, const Search& search, Shortest_tree_report& report)
+bool count_longer(const Tree& tree, const Search& search, Distances_report& report)
 {
   constexpr double tolerance = Shortest_path_report::tolerance();
   report.vertices = report.longer = 0;
@@ -91,7 +89,7 @@ double longest_wanted(const Tree& tree)
 
 /* The same before any path is replaced. */
 template <class Tree, class Search>
-bool compare(const Tree& tree, const Search& search, Shortest_tree_report& report)
+bool compare(const Tree& tree, const Search& search, Distances_report& report)
 {
   const bool is_consistent = count_longer(tree, search, report);
   report.longer_before = report.longer;
@@ -101,7 +99,7 @@ bool compare(const Tree& tree, const Search& search, Shortest_tree_report& repor
 
 /* Replaces the paths of a tree that are longer than those that a search has found. */
 template <class Tree, class Search>
-void replace_longer(Tree& tree, const Search& search, Interruption& interruption, Shortest_tree_report& report)
+void replace_longer(Tree& tree, const Search& search, Interruption& interruption, Distances_report& report)
 {
   Shortest_tree_repair<Tree, Search> repair(tree, search, Shortest_path_report::tolerance(), &interruption);
   const std::vector<Vertex_index> longer = repair.longer();
@@ -182,7 +180,7 @@ Search_outcome confirm_by_search(const Triangulation& triangulation, const std::
 /* Replaces the paths of a tree that are longer than those of a search, if the search confirms its own. */
 template <class Tree, class Search>
 Search_outcome replace_by_search(Tree& tree, Search& search, double longest, std::size_t most_windows,
-                                 Interruption& interruption, Shortest_tree_report& report)
+                                 Interruption& interruption, Distances_report& report)
 {
   const Index n = tree.triangulation().input().number_of_vertices();
   const bool is_sound =
@@ -202,7 +200,7 @@ Search_outcome replace_by_search(Tree& tree, Search& search, double longest, std
  * are not accurate. Are they confirmed to be shortest then? */
 template <class Tree>
 bool prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interruption& interruption,
-                    Shortest_tree_report& report)
+                    Distances_report& report)
 {
   const auto replace = [&](auto& search, std::size_t most) {
     return replace_by_search(tree, search, longest, most, interruption, report);
@@ -215,10 +213,10 @@ bool prove_shortest(Tree& tree, double longest, std::size_t most_windows, Interr
  * far as its longest path unless it was given up, or met an edge of length zero.
  */
 template <class Triangulation>
-Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_propagation<Triangulation>& field,
-                                   bool is_sound, std::size_t most_windows, Interruption& interruption)
+Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_propagation<Triangulation>& field,
+                               bool is_sound, std::size_t most_windows, Interruption& interruption)
 {
-  Shortest_tree_report report;
+  Distances_report report;
   report.status = tree.report().status;
   report.windows = field.number_of_windows();
   const double longest = longest_wanted(tree);
@@ -264,8 +262,8 @@ Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Win
  * is said about.
  */
 template <class Triangulation, class Visitor = Default_shortening_visitor>
-Shortest_tree_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_limit& limit = Window_limit(),
-                                   Visitor&& visitor = Visitor())
+Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_limit& limit = Window_limit(),
+                               Visitor&& visitor = Visitor())
 {
   CGAL_precondition(tree.source() != null_index);
   if(tree.triangulation().is_inserted(tree.source()))

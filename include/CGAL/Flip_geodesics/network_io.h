@@ -5,10 +5,10 @@
 
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/network/Network_state.h>
+#include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/check_has_no_curves.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 
 #include <CGAL/assertions.h>

@@ -13,9 +13,6 @@
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/Near_borders.h>
-#include <CGAL/Flip_geodesics/internal/surface/Near_points.h>
-#include <CGAL/Flip_geodesics/internal/surface/Soup_polygons.h>
 #include <CGAL/Flip_geodesics/internal/surface/Soup_repair.h>
 #include <CGAL/Flip_geodesics/internal/surface/Triangle_soup.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>

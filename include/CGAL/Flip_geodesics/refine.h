@@ -3,13 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_REFINE_H
 #define CGAL_FLIP_GEODESICS_REFINE_H
 
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Is_curve_network.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/edges_under_curves.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/assertions.h>
 

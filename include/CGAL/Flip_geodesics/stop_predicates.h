@@ -5,12 +5,14 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -281,6 +283,65 @@ public:
 
 private:
   std::tuple<Predicates...> m_predicates;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsStop
+ *
+ * A visitor that does nothing; derive from it and hide what you need.
+ *
+ * \cgalModels{FlipOutVisitor}
+ * \cgalModels{RefinementVisitor}
+ */
+struct Default_shortening_visitor
+{
+  /// After the edge of halfedge `h` was flipped. A step that is not taken after all flips back without a call.
+  template <class Triangulation>
+  void on_flip(const Triangulation&, Halfedge_index /* h */)
+  {
+  }
+
+  /// After a step: a joint of `curve` has been moved over its wedge.
+  template <class Network>
+  void after_flip_out(const Network&, Curve_index /* curve */)
+  {
+  }
+
+  /// After `refine()` has inserted vertex `v`, with the flips around it.
+  template <class Triangulation>
+  void on_insertion(const Triangulation&, Vertex_index /* v */)
+  {
+  }
+
+  /// Asked before each step: shall the shortening go on?
+  bool go_further() { return true; }
+};
+
+/// \ingroup PkgFlipGeodesicsFunctions
+/// How many windows a search for shortest paths may make, of some 60 bytes each, and along how many edges rays may start
+/// from vertices; beyond either the search is given up.
+class Window_limit
+{
+public:
+  /// For \f$n\f$ vertices \f$10^6 + 500 n + 2 n^{3/2}\f$: several times the number for meshes whose faces are not needles. On smooth
+  /// ones all distances from a vertex take up to about \f$0.7 n^{3/2}\f$.
+  Window_limit() = default;
+
+  /// At most about so many.
+  explicit Window_limit(std::size_t windows)
+    : m_windows(windows)
+  {
+  }
+
+  /// The limit for a mesh with a number of vertices.
+  std::size_t operator()(std::size_t number_of_vertices) const
+  {
+    const double n = static_cast<double>(number_of_vertices);
+    return m_windows.value_or(static_cast<std::size_t>(1000000 + 500 * n + 2 * n * std::sqrt(n)));
+  }
+
+private:
+  std::optional<std::size_t> m_windows;
 };
 
 } // namespace Flip_geodesics

@@ -3,15 +3,367 @@
 #ifndef CGAL_FLIP_GEODESICS_SUBDIVIDE_H
 #define CGAL_FLIP_GEODESICS_SUBDIVIDE_H
 
-#include <CGAL/Flip_geodesics/Surface_subdivision.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Overlay_layout.h>
 
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <set>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+/// \ingroup PkgFlipGeodesicsSubdivision
+/// Where a vertex of a `Surface_subdivision` comes from.
+struct Subdivision_vertex
+{
+  Surface_point on_input;                     ///< its place on the input mesh
+  Vertex_index intrinsic_vertex = null_index; ///< the triangulation's vertex; or else:
+  Halfedge_index intrinsic_halfedge =
+      null_index;         ///< the first halfedge of the intrinsic edge on which the vertex lies,
+  double intrinsic_t = 0; ///< and where on it, strictly between 0 at its tail and 1 at its head
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsSubdivision
+ *
+ * A triangle mesh that subdivides the input mesh along edges of an intrinsic triangulation, with maps back to both.
+ * Made by `common_subdivision()`, `insert_curves()` and `cut_along_curves()`.
+ *
+ * Each face lies in one face of the input. Vertices are those of the triangulation, in its order, then crossings of
+ * intrinsic with input edges. Then come middles of edges of curves that were split, see `cut_along_curves()`, and after
+ * a cut also copies of vertices. Connectivity is exact, whatever the rounding of positions. The mesh is oriented and
+ * manifold, with the components, borders and genus of the input unless it is cut open. Positions are rounded, and faces
+ * that are thinner than rounding may be degenerate in them.
+ *
+ * No two edges have the same two ends, with one exception: a common subdivision of a mesh on which two faces share all
+ * three vertices, or two edges both ends. It can have such edges, and files of points and faces cannot.
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; it must outlive the subdivision, and not be flipped
+ *         meanwhile
+ * \tparam OutputMesh a model of `MutableFaceGraph` with dynamic properties and a vertex point property, for instance
+ *         `CGAL::Surface_mesh<Point_3>`
+ */
+template <class Triangulation, class OutputMesh>
+class Surface_subdivision
+{
+  using Graph = boost::graph_traits<OutputMesh>;
+  template <class Tag>
+  using Map = typename boost::property_map<OutputMesh, Tag>::type;
+
+public:
+  using vertex_descriptor = typename Graph::vertex_descriptor;     ///< of `OutputMesh`
+  using halfedge_descriptor = typename Graph::halfedge_descriptor; ///< of `OutputMesh`
+  using edge_descriptor = typename Graph::edge_descriptor;         ///< of `OutputMesh`
+  using face_descriptor = typename Graph::face_descriptor;         ///< of `OutputMesh`
+  /// Of the input mesh.
+  using Input_face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
+  /// A model of `ReadablePropertyMap`, for the parameter `edge_is_constrained_map` of \cgal's functions.
+  using Edge_is_constrained_map = Map<CGAL::dynamic_edge_property_t<bool>>;
+
+  /// \name Elements
+  /// @{
+
+  /// The mesh.
+  const OutputMesh& mesh() const { return m_mesh; }
+  /// The mesh, to be moved out or refined further; the maps back hold for its elements as long as they exist.
+  OutputMesh& mesh() { return m_mesh; }
+
+  /// Where a vertex comes from.
+  Subdivision_vertex vertex_origin(vertex_descriptor v) const { return get(m_vertex_origin, v); }
+
+  /// The smallest halfedge of the input face that a face lies in. In the input mesh, it is the halfedge
+  /// `triangulation.input().halfedge(input_face(f))`, and the input face is the face of that.
+  Input_halfedge_index input_face(face_descriptor f) const { return get(m_faces, f).input; }
+
+  /// The smallest halfedge of the intrinsic face that a face lies in; `null_index` if not all intrinsic edges are in
+  /// the mesh.
+  Halfedge_index intrinsic_face(face_descriptor f) const { return get(m_faces, f).intrinsic; }
+
+  /// The area of a face, measured in the input face's plane. It is not negative, and 0 if the rounding errors of the
+  /// corners would turn the face over.
+  double area(face_descriptor f) const { return get(m_faces, f).area; }
+
+  /// The barycentric coordinates of a face's corners in its input face: of the source, the target and the third vertex
+  /// of `halfedge(f, mesh())`, each by the tails of `input_face(f)` and the two halfedges after it.
+  const std::array<std::array<double, 3>, 3>& corners(face_descriptor f) const { return get(m_faces, f).corners; }
+
+  /// The input halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
+  Input_halfedge_index input_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).input; }
+
+  /// The intrinsic halfedge that a halfedge lies on and has the direction of, `null_index` if there is none.
+  Halfedge_index intrinsic_halfedge(halfedge_descriptor h) const { return get(m_halfedges, h).intrinsic; }
+
+  /// The mesh's halfedges along intrinsic halfedge `h`, in its direction; empty if the edge is not in the mesh. Where
+  /// the mesh is cut open along it: the border of the side on the left of `h`, as seen from its faces.
+  std::vector<halfedge_descriptor> halfedges_along(Halfedge_index h) const
+  {
+    const std::size_t i = static_cast<std::size_t>(h.idx());
+    return {m_along.begin() + m_first_along[i], m_along.begin() + m_first_along[i + 1]};
+  }
+
+  /// Marks the edges that lie on curves; none in a common subdivision.
+  const Edge_is_constrained_map& edge_is_constrained_map() const { return m_is_constrained; }
+
+  /// @}
+  /// \name Carrying Data
+  /// The maps `in` are models of `ReadablePropertyMap`, the maps `out` of `WritablePropertyMap`; there are no defaults.
+  /// The keys of `VertexMap` and `FaceMap` are vertices and faces of the mesh, of type `vertex_descriptor` and
+  /// `face_descriptor`. Those of `InputMap` are vertices or faces of the input mesh. Those of `IntrinsicMap` are
+  /// `Vertex_index` for vertices, and `Halfedge_index` for faces, the smallest of a face. Values of `out` are made of
+  /// those of `in`; where they are interpolated or averaged, these need sums and products with `double`. Linear time,
+  /// with a logarithm where values are averaged.
+  /// @{
+
+  /// Vertex values of the input, keys of type `vertex_descriptor` of the input mesh, interpolated linearly in its faces.
+  template <class InputMap, class VertexMap>
+  void interpolate_from_input(InputMap in, VertexMap out) const
+  {
+    for(vertex_descriptor v : vertices(m_mesh)) {
+      const Surface_point p = vertex_origin(v).on_input;
+      const auto a = get(in, m_triangulation->input().vertex(p.a));
+      if(p.is_vertex())
+        put(out, v, a);
+      else if(!p.is_inside_face())
+        put(out, v, mixed(a, get(in, m_triangulation->input().vertex(p.b)), p.t));
+      else
+        put(out, v,
+            a * (1 - p.t - p.u) + get(in, m_triangulation->input().vertex(p.b)) * p.t +
+                get(in, m_triangulation->input().vertex(p.c)) * p.u);
+    }
+  }
+
+  /// Values of intrinsic vertices, interpolated linearly in the intrinsic faces, which are flat.
+  /// \pre all intrinsic edges are in the mesh
+  template <class IntrinsicMap, class VertexMap>
+  void interpolate_from_intrinsic(IntrinsicMap in, VertexMap out) const
+  {
+    for(vertex_descriptor v : vertices(m_mesh)) {
+      const Subdivision_vertex origin = vertex_origin(v);
+      if(origin.intrinsic_vertex != null_index)
+        put(out, v, get(in, origin.intrinsic_vertex));
+      else
+        put(out, v,
+            mixed(get(in, m_triangulation->tail(origin.intrinsic_halfedge)),
+                  get(in, m_triangulation->head(origin.intrinsic_halfedge)), origin.intrinsic_t));
+    }
+  }
+
+  /// Vertex values of the mesh at the triangulation's vertices, which are all vertices of the mesh.
+  template <class VertexMap, class IntrinsicMap>
+  void restrict_to_intrinsic(VertexMap in, IntrinsicMap out) const
+  {
+    for(vertex_descriptor v : vertices(m_mesh))
+      if(vertex_origin(v).intrinsic_vertex != null_index)
+        put(out, vertex_origin(v).intrinsic_vertex, get(in, v));
+  }
+
+  /// Face values of the input mesh, keys of type `Input_face`, to the faces that lie in each.
+  template <class InputMap, class FaceMap>
+  void spread_from_input(InputMap in, FaceMap out) const
+  {
+    for(face_descriptor f : faces(m_mesh))
+      put(out, f, get(in, input_face_descriptor(f)));
+  }
+
+  /// Values of intrinsic faces, to the faces that lie in each. \pre all intrinsic edges are in the mesh
+  template <class IntrinsicMap, class FaceMap>
+  void spread_from_intrinsic(IntrinsicMap in, FaceMap out) const
+  {
+    for(face_descriptor f : faces(m_mesh))
+      put(out, f, get(in, intrinsic_face(f)));
+  }
+
+  /// For each face of the input mesh, the mean of the values of the faces in it, weighted by area.
+  template <class FaceMap, class InputMap>
+  void average_to_input(FaceMap in, InputMap out) const
+  {
+    average(
+        in, [this](face_descriptor f) { return input_face(f); },
+        [&](Input_halfedge_index h, const auto& value) {
+          put(out, internal::graph_face(m_triangulation->input().halfedge(h), *m_input_mesh), value);
+        });
+  }
+
+  /// For each intrinsic face, the mean of the values of the faces in it, weighted by area.
+  /// \pre all intrinsic edges are in the mesh
+  template <class FaceMap, class IntrinsicMap>
+  void average_to_intrinsic(FaceMap in, IntrinsicMap out) const
+  {
+    average(
+        in, [this](face_descriptor f) { return intrinsic_face(f); },
+        [&](Halfedge_index h, const auto& value) { put(out, h, value); });
+  }
+
+  /// The face of the input mesh that a face lies in.
+  Input_face input_face_descriptor(face_descriptor f) const
+  {
+    return internal::graph_face(m_triangulation->input().halfedge(input_face(f)), *m_input_mesh);
+  }
+
+  /// @}
+
+  /// Takes over a finished overlay; `original[v]` is the overlay vertex that vertex `v` is a copy of. For the functions
+  /// that make subdivisions.
+  template <class IsConstrained>
+  Surface_subdivision(const internal::Overlay<Triangulation>& overlay,
+                      const internal::Overlay_layout<Triangulation>& layout,
+                      const internal::Per_overlay_vertex<internal::Overlay_vertex>& original,
+                      const typename Triangulation::Triangle_mesh& input_mesh, IsConstrained is_constrained)
+    : m_triangulation(&overlay.triangulation())
+    , m_input_mesh(&input_mesh)
+  {
+    const internal::Overlay_to_mesh<Triangulation, OutputMesh> built(overlay, m_mesh);
+    make_maps();
+    for(internal::Overlay_vertex v : overlay.vertices())
+      if(built.vertex(v) != Graph::null_vertex())
+        set_vertex(built.vertex(v), overlay, layout, original[v]);
+    for(internal::Overlay_halfedge h : overlay.halfedges())
+      if(overlay.is_alive(h))
+        put(m_halfedges, built.halfedge(h), Lines{overlay.input_halfedge(h), overlay.intrinsic_halfedge(h)});
+    for(internal::Overlay_halfedge h : overlay.halfedges())
+      if(internal::is_first_side(h) && overlay.is_alive(h))
+        put(m_is_constrained, edge(built.halfedge(h), m_mesh), is_constrained(overlay.intrinsic_halfedge(h)));
+    overlay.for_each_polygon([&](internal::Overlay_halfedge h) { set_face(overlay, layout, h, built); });
+    list_halfedges_along(overlay, built);
+  }
+
+private:
+  struct Lines
+  {
+    Input_halfedge_index input;
+    Halfedge_index intrinsic;
+  };
+
+  struct Face
+  {
+    Input_halfedge_index input;
+    Halfedge_index intrinsic;
+    double area = 0;
+    std::array<std::array<double, 3>, 3> corners;
+  };
+
+  using Overlay = internal::Overlay<Triangulation>;
+  using Layout = internal::Overlay_layout<Triangulation>;
+  using Built = internal::Overlay_to_mesh<Triangulation, OutputMesh>;
+
+  void make_maps()
+  {
+    m_vertex_origin = get(CGAL::dynamic_vertex_property_t<Subdivision_vertex>(), m_mesh);
+    m_halfedges = get(CGAL::dynamic_halfedge_property_t<Lines>(), m_mesh);
+    m_faces = get(CGAL::dynamic_face_property_t<Face>(), m_mesh);
+    m_is_constrained = get(CGAL::dynamic_edge_property_t<bool>(), m_mesh);
+  }
+
+  // A place on an edge, told as strictly between its ends.
+  static double inside_edge(double t)
+  {
+    return (std::min)((std::max)(internal::least_weight, t), internal::largest_below_one);
+  }
+
+  void set_vertex(vertex_descriptor to, const Overlay& overlay, const Layout& layout, internal::Overlay_vertex v)
+  {
+    Subdivision_vertex origin;
+    if(overlay.is_crossing(v)) {
+      origin.on_input =
+          internal::surface_point_on_edge(*m_triangulation, overlay.crossed_halfedge(v), layout.on_input(v));
+      origin.intrinsic_halfedge = layout.intrinsic_halfedge(v);
+      origin.intrinsic_t = inside_edge(layout.on_intrinsic(v));
+    } else if(overlay.is_midpoint(v)) {
+      const typename Layout::Midpoint& midpoint = layout.midpoint(v);
+      origin = {midpoint.on_input, null_index, midpoint.intrinsic_halfedge, inside_edge(midpoint.on_intrinsic)};
+    } else {
+      origin.intrinsic_vertex = Vertex_index(v.idx());
+      origin.on_input = internal::surface_point_at_vertex(*m_triangulation, origin.intrinsic_vertex);
+    }
+    put(m_vertex_origin, to, origin);
+    if constexpr(internal::Has_points<typename Triangulation::Metric>::value)
+      put(get(CGAL::vertex_point, m_mesh), to, point_in_space(*m_triangulation, origin.on_input));
+  }
+
+  void set_face(const Overlay& overlay, const Layout& layout, internal::Overlay_halfedge h, const Built& built)
+  {
+    Face face;
+    face.input = layout.face(h);
+    face.intrinsic = layout.intrinsic_face(h);
+    const auto corners = layout.corners(face.input);
+    std::array<typename Layout::Point_2, 3> p;
+    internal::Overlay_halfedge side = h;
+    for(int i = 0; i < 3; ++i, side = overlay.next(side)) {
+      face.corners[i] = layout.weights(side);
+      p[i] = Layout::point(corners, face.corners[i]);
+    }
+    const double signed_area =
+        0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]));
+    face.area = (std::max)(0.0, signed_area); // closer to the area, which is not negative
+    put(m_faces, internal::graph_face(built.halfedge(h), m_mesh), face);
+  }
+
+  void list_halfedges_along(const Overlay& overlay, const Built& built)
+  {
+    for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
+      m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
+      for(Index i = 0; i <= overlay.crossings(Triangulation::edge(h)); ++i)
+        overlay.for_each_part(h, i, [&](internal::Overlay_halfedge part) {
+          if(overlay.is_alive(part) && overlay.intrinsic_halfedge(part) == h)
+            m_along.push_back(built.halfedge(part));
+        });
+    }
+    m_first_along.push_back(static_cast<std::ptrdiff_t>(m_along.size()));
+  }
+
+  template <class Value>
+  static Value mixed(const Value& a, const Value& b, double t)
+  {
+    return a * (1 - t) + b * t;
+  }
+
+  template <class FaceMap, class KeyOf, class Put>
+  void average(FaceMap in, KeyOf key_of, Put put_value) const
+  {
+    using Value = std::decay_t<decltype(get(in, face_descriptor()) * 1.0)>;
+    struct Sum
+    {
+      Value weighted, plain;
+      double area;
+      int count;
+    };
+    std::map<decltype(key_of(face_descriptor())), Sum> sums;
+    for(face_descriptor f : faces(m_mesh)) {
+      const double weight = area(f);
+      const Value value = get(in, f) * 1.0;
+      const auto [found, is_new] = sums.emplace(key_of(f), Sum{value * weight, value, weight, 1});
+      Sum& sum = found->second;
+      if(!is_new)
+        sum = {sum.weighted + value * weight, sum.plain + value, sum.area + weight, sum.count + 1};
+    }
+    for(const auto& [key, sum] : sums)
+      put_value(key, sum.area > 0 ? sum.weighted * (1 / sum.area) : sum.plain * (1.0 / sum.count));
+  }
+
+  const Triangulation* m_triangulation;
+  const typename Triangulation::Triangle_mesh* m_input_mesh;
+  OutputMesh m_mesh;
+  Map<CGAL::dynamic_vertex_property_t<Subdivision_vertex>> m_vertex_origin;
+  Map<CGAL::dynamic_halfedge_property_t<Lines>> m_halfedges;
+  Map<CGAL::dynamic_face_property_t<Face>> m_faces;
+  Edge_is_constrained_map m_is_constrained;
+  std::vector<halfedge_descriptor> m_along;
+  std::vector<std::ptrdiff_t> m_first_along;
+};
 
 namespace internal {
 

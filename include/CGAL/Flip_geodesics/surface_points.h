@@ -3,16 +3,18 @@
 #ifndef CGAL_FLIP_GEODESICS_SURFACE_POINTS_H
 #define CGAL_FLIP_GEODESICS_SURFACE_POINTS_H
 
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -241,6 +243,159 @@ Surface_location location_in_face(const Triangulation& triangulation, Halfedge_i
     finder.look_along(triangulation.crossing_word(h), coordinates[(i + 1) % 3] + coordinates[(i + 2) % 3] * apex);
   }
   return finder.result();
+}
+
+namespace internal {
+
+using Place_in_space = std::array<double, 3>;
+
+inline double dot(const Place_in_space& u, const Place_in_space& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+inline Place_in_space cross(const Place_in_space& u, const Place_in_space& v)
+{
+  return {{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}};
+}
+
+inline Place_in_space difference(const Place_in_space& u, const Place_in_space& v)
+{
+  return {{u[0] - v[0], u[1] - v[1], u[2] - v[2]}};
+}
+
+/* The barycentric coordinates of a point of a triangle, and how far it is from the origin. */
+struct Nearest_weights
+{
+  std::array<double, 3> weights = {{1, 0, 0}};
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+using Triangle_places = std::array<Place_in_space, 3>;
+
+inline double distance_of(const Triangle_places& corners, const std::array<double, 3>& weights)
+{
+  Place_in_space p = {{0, 0, 0}};
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t k = 0; k < 3; ++k)
+      p[k] += weights[i] * corners[i][k];
+  return std::sqrt(dot(p, p));
+}
+
+/* The point of side i, from corner i to the next, that is nearest to the origin. */
+inline std::array<double, 3> nearest_on_side(const Triangle_places& corners, std::size_t i)
+{
+  const std::size_t j = (i + 1) % 3;
+  const Place_in_space d = difference(corners[j], corners[i]);
+  const double squared_length = dot(d, d);
+  const double t = squared_length > 0 ? -dot(corners[i], d) / squared_length : 0;
+  std::array<double, 3> weights = {{0, 0, 0}};
+  weights[j] = (std::min)((std::max)(t, 0.0), 1.0);
+  weights[i] = 1 - weights[j];
+  return weights;
+}
+
+/* The foot of the perpendicular from the origin, by the areas that it cuts off; not finite without an area. */
+inline std::array<double, 3> foot_of_perpendicular(const Triangle_places& corners)
+{
+  const Place_in_space u = difference(corners[1], corners[0]), v = difference(corners[2], corners[0]);
+  const Place_in_space normal = cross(u, v), &from = corners[0]; // to the origin it is minus that
+  const double squared = dot(normal, normal);
+  const double at_1 = dot(cross(v, from), normal) / squared, at_2 = dot(cross(from, u), normal) / squared;
+  return {{1 - at_1 - at_2, at_1, at_2}};
+}
+
+/*
+ * The point of a triangle that is nearest to the origin: the foot of the perpendicular if that lies inside, or a point
+ * of a side; the nearest of these, so that in needles, where the first is inaccurate, another one is taken. Computed at
+ * the triangle's own scale, so that no square is too small or too large.
+ */
+inline Nearest_weights nearest_weights(Triangle_places corners)
+{
+  double scale = 0;
+  for(const Place_in_space& p : corners)
+    scale = (std::max)({scale, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  if(scale == 0)
+    return {{{1, 0, 0}}, 0};
+  for(Place_in_space& p : corners)
+    for(double& x : p)
+      x /= scale;
+  Nearest_weights result;
+  const auto consider = [&](const std::array<double, 3>& weights) {
+    const double distance = scale * distance_of(corners, weights);
+    if(distance < result.distance) {
+      result.distance = distance;
+      result.weights = weights;
+    }
+  };
+  for(std::size_t i = 0; i < 3; ++i)
+    consider(nearest_on_side(corners, i));
+  const std::array<double, 3> foot = foot_of_perpendicular(corners);
+  if(*std::min_element(foot.begin(), foot.end()) > 0) // never without an area
+    consider(foot);
+  return result;
+}
+
+/* Half the coordinates of a point: differences of such numbers are finite. */
+template <class Point>
+Place_in_space half_of(const Point& p)
+{
+  return {{CGAL::to_double(p.x()) / 2, CGAL::to_double(p.y()) / 2, CGAL::to_double(p.z()) / 2}};
+}
+
+/* The corner of a face of the mesh at the tail of a halfedge, as seen from a place. */
+template <class Triangulation>
+Place_in_space corner_seen_from(const Triangulation& triangulation, Input_halfedge_index h, const Place_in_space& from)
+{
+  const auto& input = triangulation.input().uncontracted();
+  const Vertex_index v = input.tail(h);
+  const Place_in_space p = half_of(triangulation.metric().point(input, v));
+  if(!are_finite(p))
+    throw Invalid_coordinate_error("vertex " + std::to_string(v.idx()) + " has a coordinate that is no finite number",
+                                   {static_cast<std::size_t>(v.idx())});
+  return {{p[0] - from[0], p[1] - from[1], p[2] - from[2]}};
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsBuilders
+ *
+ * The location of the point of the mesh that is nearest to a point in space, up to rounding. Where several are as near,
+ * it is one of them. It is put on an edge or a vertex where barycentric coordinates are at most 1e-9.
+ *
+ * All faces are looked at. For many points, `CGAL::Polygon_mesh_processing::locate_with_AABB_tree()` saves time; it
+ * gives `Face_location`s.
+ *
+ * \throws Invalid_location_error if the mesh has no face, or a coordinate of the point is no finite number
+ * \throws Invalid_coordinate_error if one of the mesh is not
+ * \throws Invalid_mesh_error if a face is not a triangle
+ *
+ * Complexity: linear in the faces of the mesh.
+ */
+template <class Triangulation>
+Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                                  const typename Triangulation::Metric::Point_3& point)
+{
+  using Face = typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor;
+  const internal::Place_in_space from = internal::half_of(point);
+  if(!internal::are_finite(from))
+    throw Invalid_location_error("a point in space has a coordinate that is no finite number");
+  const auto& input = triangulation.input().uncontracted();
+  internal::Nearest_weights nearest;
+  Face found{};
+  for(const Face f : CGAL::make_range(faces(mesh))) {
+    const Input_halfedge_index h = input.index(internal::graph_halfedge(f, mesh));
+    internal::check_triangle(input, h);
+    const internal::Nearest_weights here =
+        internal::nearest_weights({{internal::corner_seen_from(triangulation, h, from),
+                                    internal::corner_seen_from(triangulation, input.next(h), from),
+                                    internal::corner_seen_from(triangulation, input.next(input.next(h)), from)}});
+    if(here.distance < nearest.distance) {
+      nearest = here;
+      found = f;
+    }
+  }
+  if(nearest.distance == std::numeric_limits<double>::infinity())
+    throw Invalid_location_error("a mesh without faces has no point nearest to one in space");
+  return surface_location(triangulation, mesh, std::make_pair(found, nearest.weights), internal::nearest_point_snap);
 }
 
 } // namespace Flip_geodesics

@@ -3,12 +3,18 @@
 #ifndef CGAL_FLIP_GEODESICS_TANGENT_VECTORS_H
 #define CGAL_FLIP_GEODESICS_TANGENT_VECTORS_H
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
+#include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/tangents/Corridor.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -16,15 +22,244 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
+
+/*!
+ * \ingroup PkgFlipGeodesicsTangents
+ *
+ * The logarithmic map of a place anywhere: for any other place how long the shortest path there is, and in which
+ * direction it starts. It is the inverse of the exponential map, which `Geodesic_tracer` is:
+ *
+ * \code
+ * const Geodesic_logarithm<Triangulation> logarithm(triangulation, mesh, source);
+ * const Polar_coordinates p = logarithm(target);
+ * Geodesic_tracer<Triangulation>(triangulation).trace(source, logarithm.halfedge(), p.angle, Trace_limits<>{p.radius});
+ * \endcode
+ *
+ * comes to the target, unless the shortest path bends at a vertex, which straightest geodesics do not do. A
+ * `Geodesic_distance_field` finds the edges that a path crosses. These are laid out in a plane from the source on, and
+ * the target's place there is the result. So its errors are those of some roundings per edge, not those of distances.
+ *
+ * The map tears where shortest paths arrive from two sides. Which of them counts there is left to roundings.
+ *
+ * It is not safe to be used from two threads at once, not even by `const` members; the `const` members of its
+ * triangulation and of its `distance_field()` are.
+ *
+ * \tparam Triangulation a model of `IntrinsicTriangulationOfMesh`; its flips do not matter
+ */
+template <class Triangulation>
+class Geodesic_logarithm
+{
+  using Corridor = internal::Corridor<Triangulation>;
+
+public:
+  using Triangle_mesh = typename Triangulation::Triangle_mesh; ///< the mesh
+
+  /*!
+   * Computes the distances from the source.
+   *
+   * \param triangulation of the mesh; both must outlive the map
+   * \param mesh the mesh
+   * \param source any location
+   * \param limits how far the map is wanted
+   * \param visitor as for `Geodesic_distance_field::compute()`, which it can stop; then `report()` has the status
+   *        `Distance_field_status::STOPPED_BY_VISITOR`, and the map is known as far as `distance_field().reach()`
+   *
+   * Complexity: that of `Geodesic_distance_field::compute()`.
+   *
+   * \throws Invalid_location_error for a source that is none
+   * \throws what `Geodesic_distance_field::compute()` throws
+   */
+  template <class Visitor = Default_shortening_visitor>
+  Geodesic_logarithm(const Triangulation& triangulation, const Triangle_mesh& mesh, const Surface_location& source,
+                     const Distance_field_limits& limits = Distance_field_limits(), Visitor&& visitor = Visitor())
+    : m_triangulation(triangulation)
+    , m_place(internal::canonical_location(triangulation.input(), source))
+    , m_frame(triangulation, m_place)
+    , m_halfedge(m_frame.reference(source))
+    , m_field(triangulation, mesh)
+  {
+    m_field.add_source(source);
+    m_report = m_field.compute(limits, visitor);
+  }
+
+  /// The halfedge from which angles are told: that of the source's location, or its twin if that is on the border.
+  Input_halfedge_index halfedge() const { return m_halfedge; }
+
+  /// The sum of the angles about the source: \f$2\pi\f$ but at vertices, \f$\pi\f$ on an edge of the border.
+  double total_angle() const { return m_frame.total(); }
+
+  /// Is the source on the border? Then angles are not reduced to \f$[0, \mathtt{total\_angle()})\f$.
+  bool is_on_border() const { return m_frame.has_border(); }
+
+  /// The distances from the source.
+  const Geodesic_distance_field<Triangulation>& distance_field() const { return m_field; }
+
+  /// What became of the distances.
+  const Distance_field_report& report() const { return m_report; }
+
+  /*!
+   * The length of the shortest path to a location, and the angle of its direction at the source, counterclockwise from
+   * `halfedge()`. The radius is infinite where there is no path, or none within the limits.
+   *
+   * Where the path bends at a vertex, the angle is that of the way to the first such vertex: all places in the shadow
+   * of a vertex have one angle.
+   *
+   * Complexity: linear in the edges that the path crosses, each with the windows on it.
+   *
+   * \throws Invalid_location_error
+   */
+  Polar_coordinates operator()(const Surface_location& location) const
+  {
+    const std::optional<Corridor> path = path_to(location);
+    if(!path)
+      return {};
+    if(path->legs().empty())
+      return {0, std::numeric_limits<double>::quiet_NaN()};
+    const double position = m_frame.position(path->legs().front().face, path->start(0).unit());
+    return {path_length(*path), m_frame.angle(position, m_halfedge)};
+  }
+
+  /// The same for a vertex of the input. \throws Vertex_out_of_range_error
+  Polar_coordinates operator()(Vertex_index v) const
+  {
+    internal::check_vertex(v, m_triangulation.input().number_of_vertices());
+    if(m_triangulation.input().outgoing(v) == null_index)
+      return {};
+    return (*this)(internal::canonical_location(m_triangulation.input(), m_triangulation.location(v)));
+  }
+
+  /// The same in the plane in which `halfedge()` is the positive first axis, with the angles about an inner source
+  /// stretched evenly to \f$2\pi\f$. The origin for the source, NaN where there is no path.
+  std::array<double, 2> in_plane(const Polar_coordinates& p) const
+  {
+    if(p.radius == 0)
+      return {0, 0};
+    const double angle = m_frame.stretch() * p.angle;
+    return {p.radius * std::cos(angle), p.radius * std::sin(angle)};
+  }
+
+  /// The polar coordinates of a vector in that plane: the inverse of `in_plane()`. At a vertex of the border with
+  /// angles of more than \f$2\pi\f$, of those of one vector the ones nearest to the middle of the surface.
+  Polar_coordinates from_plane(const std::array<double, 2>& vector) const
+  {
+    const double angle = std::atan2(vector[1], vector[0]) / m_frame.stretch();
+    return {std::hypot(vector[0], vector[1]), m_frame.same_direction(angle, m_halfedge)};
+  }
+
+  /*!
+   * A place on the shortest path to a location, at a part of its length: the midpoint for 1/2.
+   *
+   * \throws Invalid_location_error
+   * \throws Invalid_parameter_error if the part is not between 0 and 1
+   * \throws Disconnected_endpoints_error if there is no path, or none within the limits
+   */
+  Surface_location between(const Surface_location& location, double part) const
+  {
+    if(!(part >= 0 && part <= 1))
+      throw Invalid_parameter_error("the part of a path is not between 0 and 1");
+    const std::optional<Corridor> path = path_to(location);
+    if(!path)
+      throw_no_path(location);
+    double length = part * path_length(*path);
+    for(std::size_t i = 0; i < path->legs().size(); ++i) {
+      const auto start = path->start(i);
+      if(length <= std::abs(start.vector))
+        return traced(*path, i, start.position, length);
+      length -= std::abs(start.vector);
+    }
+    return path->places().back();
+  }
+
+  /*!
+   * Carries a direction at the source along the shortest path to a location, as `Parallel_transport` does.
+   *
+   * \param location where to
+   * \param angle of the direction, from `halfedge()`
+   * \return the direction, told from the location's halfedge, or its twin if that is on the border; the angle is NaN
+   *         where there is no path
+   * \throws Invalid_location_error
+   * \throws Invalid_parameter_error if the angle is no finite number
+   */
+  Surface_direction transported(const Surface_location& location, double angle) const
+  {
+    if(!std::isfinite(angle))
+      throw Invalid_parameter_error("the angle of a direction is no finite number");
+    const internal::Place_frame<Triangulation> frame(m_triangulation,
+                                                     internal::canonical_location(m_triangulation.input(), location));
+    const Input_halfedge_index h = frame.reference(location);
+    const std::optional<Corridor> path = path_to(location);
+    if(!path)
+      return {h, std::numeric_limits<double>::quiet_NaN()};
+    return {h, frame.angle(path->transported(m_frame.position(m_halfedge) + angle), h)};
+  }
+
+private:
+  static double path_length(const Corridor& path)
+  {
+    double length = 0;
+    for(std::size_t i = path.legs().size(); i-- > 0;)
+      length += std::abs(path.start(i).vector);
+    return length;
+  }
+
+  // On from the start of a leg, which is straight, along it.
+  Surface_location traced(const Corridor& path, std::size_t leg, double position, double length) const
+  {
+    const Surface_location& place = path.places()[leg];
+    const Input_halfedge_index face = path.legs()[leg].face;
+    const auto frame = path.frame(leg, face);
+    const Input_halfedge_index from = frame.has(place.halfedge) ? place.halfedge : face;
+    const Trace_limits<> limits = {length, At_vertices::GO_STRAIGHT, (std::numeric_limits<std::size_t>::max)(), {}};
+    return Geodesic_tracer<Triangulation>(m_triangulation)
+        .trace(place, from, frame.angle(position, from), limits)
+        .location;
+  }
+
+  [[noreturn]] void throw_no_path(const Surface_location& location) const
+  {
+    const Vertex_index v = m_triangulation.input().tail(m_place.halfedge),
+                       w = m_triangulation.input().tail(location.halfedge);
+    throw Disconnected_endpoints_error("no path joins a point in a face of vertex " + std::to_string(v.idx()) +
+                                           " and one in a face of vertex " + std::to_string(w.idx()),
+                                       {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())});
+  }
+
+  // The shortest path, pulled tight.
+  std::optional<Corridor> path_to(const Surface_location& location) const
+  {
+    std::vector<Surface_location> locations;
+    for(const Surface_point& p : m_field.surface_points(location))
+      locations.push_back(internal::surface_location(m_triangulation, p));
+    if(locations.empty())
+      return std::nullopt;
+    locations.front() = location; // with all its digits
+    locations.back() = m_place;
+    Corridor path(m_triangulation, locations);
+    path.reverse();
+    path.straighten();
+    return path;
+  }
+
+  const Triangulation& m_triangulation;
+  Surface_location m_place;
+  internal::Place_frame<Triangulation> m_frame;
+  Input_halfedge_index m_halfedge;
+  Geodesic_distance_field<Triangulation> m_field;
+  Distance_field_report m_report;
+};
 
 /// \ingroup PkgFlipGeodesicsTangents
 /// What `logarithmic_map()` of a place returns.

@@ -3,18 +3,18 @@
 #ifndef CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H
 #define CGAL_FLIP_GEODESICS_TEXTURE_COORDINATES_H
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
-#include <CGAL/Flip_geodesics/Located_curve.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -2,7 +2,7 @@
 //
 // Calls with a stop predicate what the compiled library has without one.
 
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

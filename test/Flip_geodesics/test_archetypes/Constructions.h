@@ -9,32 +9,32 @@
 
 #include <CGAL/Flip_geodesics/Curve_editor.h>
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
-#include <CGAL/Flip_geodesics/Geodesic_mean.h>
 #include <CGAL/Flip_geodesics/Geodesic_spline.h>
-#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
-#include <CGAL/Flip_geodesics/Landmark_distances.h>
-#include <CGAL/Flip_geodesics/Located_curve.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Parallel_transport.h>
-#include <CGAL/Flip_geodesics/Shortener.h>
+#include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/cut_graph.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/draw_polylines.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
+#include <CGAL/Flip_geodesics/geodesic_mean.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/refine.h>
-#include <CGAL/Flip_geodesics/shorten_cut_graph.h>
+#include <CGAL/Flip_geodesics/shorten.h>
+#include <CGAL/Flip_geodesics/shortest_edge_path.h>
 #include <CGAL/Flip_geodesics/shortest_loop.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
 #include <CGAL/Flip_geodesics/surface_points.h>
+#include <CGAL/Flip_geodesics/tangent_vectors.h>
+#include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>
@@ -336,7 +336,7 @@ private:
   std::vector<FG::Surface_location> points(const Triangulation& triangulation) const
   {
     FG::Shortening_report hindered;
-    hindered.curves.emplace_back().status = FG::Shortening_status::FLAT_FACES;
+    hindered.curves.emplace_back().status = FG::Shortening_status::DEGENERATE_FACES;
     BOOST_TEST(!FG::are_curves_folded(triangulation, hindered));
     BOOST_TEST((FG::report_of_point(triangulation).verdict == FG::Certificate_verdict::PROVEN));
     const auto h = triangulation.input().halfedge(FG::Input_halfedge_index(0));

@@ -5,14 +5,13 @@
 
 #include "Curve_setting.h"
 
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/Loop_basis.h>
-#include <CGAL/Flip_geodesics/Straightness_meter.h>
-#include <CGAL/Flip_geodesics/Tangent_spaces.h>
+#include <CGAL/Flip_geodesics/Operators.h>
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
 #include <CGAL/Flip_geodesics/extract.h>
 #include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 #include <CGAL/Flip_geodesics/network_io.h>
 #include <CGAL/Flip_geodesics/networks_from_data.h>
@@ -165,7 +164,7 @@ public:
     report(shortest.shortening);
   }
 
-  void report(const FG::Shortest_tree_report& tree)
+  void report(const FG::Distances_report& tree)
   {
     m_out << tree.vertices << ' ' << tree.longer_before << ' ' << tree.longer << ' ' << tree.flips << '\n';
   }

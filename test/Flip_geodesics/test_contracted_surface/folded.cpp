@@ -9,7 +9,7 @@
 #include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/contracted_surface.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
-#include <CGAL/Flip_geodesics/geodesic_curves.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/shortest_path.h>
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(curves_that_are_bent_by_folded_faces_are_told)
   strict.flip(FG::internal::halfedge_between(strict, FG::Vertex_index(grid.c), FG::Vertex_index(grid.d)));
   network.add_curve(FG::halfedges_through(strict, Vertex_sequence{v, w}, false), false);
   const FG::Shortening_report report = FG::shorten(network);
-  BOOST_CHECK(report.curves[0].status == FG::Shortening_status::FLAT_FACES);
+  BOOST_CHECK(report.curves[0].status == FG::Shortening_status::DEGENERATE_FACES);
   BOOST_CHECK(report.curves[0].verdict == FG::Certificate_verdict::BENT_SEGMENT);
   BOOST_CHECK(!report.is_complete());
   BOOST_CHECK(FG::are_curves_folded(strict, report));

@@ -7,11 +7,8 @@
 #include "test_distance_field/asked_surface.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_landmarks.h>
-#include <CGAL/Flip_geodesics/Interpolated_distances.h>
-#include <CGAL/Flip_geodesics/Landmark_distances.h>
 #include <CGAL/Flip_geodesics/isolines.h>
 #include <CGAL/Flip_geodesics/shortest_edge_path.h>
-#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 
 using namespace Flip_geodesics_test;
 

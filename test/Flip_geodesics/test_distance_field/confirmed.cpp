@@ -11,7 +11,7 @@ namespace {
 using Vertex = Mesh::Vertex_index;
 
 template <class Sources>
-FG::Shortest_tree_report compute_distances(const Mesh& mesh, const Sources& sources, std::vector<double>& distances)
+FG::Distances_report compute_distances(const Mesh& mesh, const Sources& sources, std::vector<double>& distances)
 {
   distances.assign(num_vertices(mesh), -1);
   const auto map = boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh));

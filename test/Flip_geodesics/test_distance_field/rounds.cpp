@@ -4,7 +4,7 @@
 
 #include "test_distance_field/asked_surface.h"
 
-#include <CGAL/Flip_geodesics/internal/distances/Round_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
 #include <CGAL/Flip_geodesics/internal/distances/Team.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -7,7 +7,7 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Hindered_joints.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/make_shortest.h>
 
 #include <boost/test/unit_test.hpp>
@@ -64,7 +64,7 @@ std::map<std::string, int> statuses(FG::Zero_length_edges zero_length_edges)
       ++result[FG::to_string(tree.grow(source).status)];
       BOOST_TEST(tree.is_valid());
       BOOST_TEST(tree.report().flip_outs < 1000u); // a joint is flipped out in vain once
-      const FG::Shortest_tree_report report = FG::make_shortest(tree, FG::Window_limit(2000));
+      const FG::Distances_report report = FG::make_shortest(tree, FG::Window_limit(2000));
       BOOST_TEST(tree.is_valid());
       BOOST_TEST((report.status == tree.report().status));
       BOOST_TEST(has_finite_lengths(triangulation));
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(trees_among_folded_vertices)
 {
   const auto certified = statuses<Certified>(FG::Zero_length_edges::REFUSE);
   BOOST_TEST(certified.size() == 2u);
-  BOOST_TEST(certified.at("FLAT_FACES") > 0);
+  BOOST_TEST(certified.at("DEGENERATE_FACES") > 0);
   BOOST_TEST(certified.at("LOCALLY_SHORTEST") > 150);
   const auto rounded = statuses<Plain>(FG::Zero_length_edges::REFUSE);
   BOOST_TEST(rounded.size() == 2u);

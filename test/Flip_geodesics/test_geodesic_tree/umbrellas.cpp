@@ -76,7 +76,7 @@ void check_distances(const Mesh_soup& soup, Surface::Vertex_index source)
       mesh, source, boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh)));
   BOOST_TEST(report.is_confirmed);
   setting.tree.grow(Vertex_index(static_cast<Index>(source)));
-  const FG::Shortest_tree_report shortest = FG::make_shortest(setting.tree);
+  const FG::Distances_report shortest = FG::make_shortest(setting.tree);
   BOOST_TEST(shortest.is_confirmed);
   BOOST_TEST(shortest.longer == 0u);
   BOOST_TEST(setting.tree.is_valid());

@@ -14,10 +14,10 @@
 #include "test_scale.h"
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
-#include <CGAL/Flip_geodesics/Shortener.h>
-#include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/certify.h>
 #include <CGAL/Flip_geodesics/curves_through_points.h>
 #include <CGAL/Flip_geodesics/refine.h>
+#include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/straightened_path.h>
 
 #include <boost/test/unit_test.hpp>

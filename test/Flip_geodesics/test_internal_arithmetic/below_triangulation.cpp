@@ -7,17 +7,17 @@
 #include "generated_meshes.h"
 #include "test_internal_arithmetic/numbers.h"
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Words_of_places.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Input_faces.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Sleeve.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/largest_turn.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

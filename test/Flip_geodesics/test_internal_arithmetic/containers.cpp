@@ -4,17 +4,16 @@
 // records.
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
-#include <CGAL/Flip_geodesics/internal/distances/Scratch.h>
-#include <CGAL/Flip_geodesics/internal/distances/Search_labels.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
-#include <CGAL/Flip_geodesics/internal/distances/Written_records.h>
+#include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
+#include <CGAL/Flip_geodesics/internal/distances/Round_worker.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
 #include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Version_cache.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
-#include <CGAL/Flip_geodesics/internal/distances/Search_labels.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -5,8 +5,8 @@
 #include "test_internal_arithmetic/numbers.h"
 
 #include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
-#include <CGAL/Flip_geodesics/internal/surface/is_valid_halfedge.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Face_shape.h>
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 
 using namespace Flip_geodesics_test;
 

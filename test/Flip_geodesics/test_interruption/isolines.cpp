@@ -8,7 +8,6 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_distance_field.h>
 #include <CGAL/Flip_geodesics/isolines.h>
-#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -6,7 +6,7 @@
 #include "Curve_setting.h"
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Shortening_visitor.h>
+#include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <boost/test/unit_test.hpp>
 

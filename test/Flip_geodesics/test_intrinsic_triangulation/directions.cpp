@@ -4,13 +4,13 @@
 
 #include "test_intrinsic_triangulation/inserted_vertices.h"
 
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_straightness.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 using namespace Flip_geodesics_test;
 

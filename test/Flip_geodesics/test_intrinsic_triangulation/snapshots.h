@@ -13,11 +13,11 @@
 #include "random_curves.h"
 #include "test_scale.h"
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Crossing_words.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Word_tracer.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>

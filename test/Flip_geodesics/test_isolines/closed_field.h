@@ -10,9 +10,7 @@
 #include "generated_meshes.h"
 #include "invalid_meshes.h"
 
-#include <CGAL/Flip_geodesics/Interpolated_distances.h>
 #include <CGAL/Flip_geodesics/isolines.h>
-#include <CGAL/Flip_geodesics/voronoi_boundaries.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

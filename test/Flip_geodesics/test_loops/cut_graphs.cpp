@@ -5,9 +5,9 @@
 #include "test_loops/loop_setting.h"
 
 #include <CGAL/Flip_geodesics/cut_graph.h>
+#include <CGAL/Flip_geodesics/geodesic_loops.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
-#include <CGAL/Flip_geodesics/shorten_cut_graph.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "test_loops/loop_setting.h"
 
 #include <CGAL/Flip_geodesics/handle_and_tunnel_loops.h>
-#include <CGAL/Flip_geodesics/internal/topology/Places_in_space.h>
+#include <CGAL/Flip_geodesics/internal/topology/Linking_matrix.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/shorten.h>
 

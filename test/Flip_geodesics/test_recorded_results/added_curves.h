@@ -210,7 +210,7 @@ struct Add_trees
       summary.lengths.add(report.smallest_angle);
       reopened += report.reopened;
       add_tree(tree, summary);
-      const FG::Shortest_tree_report shortest = FG::make_shortest(tree);
+      const FG::Distances_report shortest = FG::make_shortest(tree);
       summary.results.add(static_cast<long long>(shortest.status));
       windows += shortest.windows;
       vertices += shortest.vertices;

@@ -4,8 +4,7 @@
 
 #include "test_refine/checked_refinement.h"
 
-#include <CGAL/Flip_geodesics/internal/triangulation/Refinement_outlook.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Segment_points.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Delaunay_refiner.h>
 
 #include <array>
 

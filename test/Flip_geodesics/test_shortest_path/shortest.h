@@ -73,7 +73,7 @@ void check_against(const char* name, const Mesh_soup& soup, const Distance& dist
     for(Vertex_index source : {0_v, Vertex_index(n / 2), Vertex_index(n - 1)}) {
       Tree tree(setting.triangulation);
       tree.grow(source);
-      const FG::Shortest_tree_report report = FG::make_shortest(tree);
+      const FG::Distances_report report = FG::make_shortest(tree);
       BOOST_TEST(report.is_confirmed);
       BOOST_TEST(report.longer == 0u);
       BOOST_TEST(report.largest_excess <= tolerance);

@@ -9,7 +9,7 @@
 
 #include <CGAL/Flip_geodesics/Loop_basis.h>
 #include <CGAL/Flip_geodesics/Slit_mesh.h>
-#include <CGAL/Flip_geodesics/Weighted_metric.h>
+#include <CGAL/Flip_geodesics/derived_metrics.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
 #include <CGAL/Flip_geodesics/shortest_paths_by_class.h>
 

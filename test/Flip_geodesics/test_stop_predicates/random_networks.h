@@ -12,7 +12,7 @@
 #include "random_curves.h"
 #include "test_scale.h"
 
-#include <CGAL/Flip_geodesics/Shortener.h>
+#include <CGAL/Flip_geodesics/shorten.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <boost/test/unit_test.hpp>

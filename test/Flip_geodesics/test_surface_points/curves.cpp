@@ -4,7 +4,7 @@
 
 #include "test_surface_points/inserted_points.h"
 
-#include <CGAL/Flip_geodesics/Straightness_meter.h>
+#include <CGAL/Flip_geodesics/certify.h>
 
 #include <boost/math/constants/constants.hpp>
 

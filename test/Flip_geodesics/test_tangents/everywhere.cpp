@@ -4,9 +4,9 @@
 
 #include "surfaces.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Logarithm_everywhere.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
+#include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/texture_coordinates.h>
 
 #include <boost/test/unit_test.hpp>

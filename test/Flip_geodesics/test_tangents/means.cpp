@@ -5,12 +5,10 @@
 
 #include "surfaces.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_mean.h>
-#include <CGAL/Flip_geodesics/Located_curve.h>
 #include <CGAL/Flip_geodesics/curve_samples.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/geodesic_distances.h>
-#include <CGAL/Flip_geodesics/means.h>
+#include <CGAL/Flip_geodesics/geodesic_mean.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <boost/test/unit_test.hpp>

@@ -7,7 +7,6 @@
 #include "generated_curves.h"
 #include "surfaces.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/metrics.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/tangent_vectors.h>

@@ -8,7 +8,6 @@
 #include "mesh_soup.h"
 
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 
 #include <CGAL/Simple_cartesian.h>

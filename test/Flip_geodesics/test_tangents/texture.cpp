@@ -5,9 +5,9 @@
 
 #include "surfaces.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
+#include <CGAL/Flip_geodesics/tangent_vectors.h>
 #include <CGAL/Flip_geodesics/texture_coordinates.h>
 
 #include <boost/test/unit_test.hpp>

@@ -7,7 +7,6 @@
 #include "mesh_soup.h"
 #include "rays.h"
 
-#include <CGAL/Flip_geodesics/Geodesic_tracer.h>
 #include <CGAL/Flip_geodesics/trace_geodesic.h>
 
 #include <CGAL/boost/graph/generators.h>

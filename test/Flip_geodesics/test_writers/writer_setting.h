@@ -12,8 +12,8 @@
 #include <CGAL/Flip_geodesics/IO/GLB.h>
 #include <CGAL/Flip_geodesics/IO/OBJ.h>
 #include <CGAL/Flip_geodesics/IO/PLY.h>
-#include <CGAL/Flip_geodesics/IO/Tubes.h>
 #include <CGAL/Flip_geodesics/IO/VTP.h>
+#include <CGAL/Flip_geodesics/IO/appearance.h>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/PLY.h>

@@ -105,7 +105,7 @@ public:
     m_hash = Integer_hash();
     FG::Geodesic_tree<Triangulation> tree(m_triangulation);
     m_hash.add(static_cast<long long>(tree.grow(random_vertex()).status));
-    const FG::Shortest_tree_report report = FG::make_shortest(tree);
+    const FG::Distances_report report = FG::make_shortest(tree);
     m_hash.add(static_cast<long long>(report.status));
     for(FG::Vertex_index v : FG::internal::descriptors<FG::Vertex_index>(number_of_vertices())) {
       for(const auto h : tree.path(v)) {

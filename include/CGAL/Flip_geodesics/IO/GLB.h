@@ -5,8 +5,7 @@
 
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/io/Figure.h>
-#include <CGAL/Flip_geodesics/internal/io/Number_writer.h>
-#include <CGAL/Flip_geodesics/internal/io/write_parts.h>
+#include <CGAL/Flip_geodesics/internal/io/figure_of_parts.h>
 
 #include <algorithm>
 #include <array>

@@ -3,18 +3,118 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_EDGE_CONES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_EDGE_CONES_H
 
-#include <CGAL/Flip_geodesics/internal/distances/Cone.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * Distances along an edge, which is the x-axis from 0 on: those from a point in the plane of a face, plus what is before
+ * that point, `sigma`. As a function of the place on the edge it is convex, and nowhere steeper than 1.
+ */
+struct Cone
+{
+  double x, y; // y >= 0
+  double sigma;
+
+  double operator()(double q) const { return sigma + std::sqrt((q - x) * (q - x) + y * y); }
+
+  /* The least value between two places. */
+  double least(double from, double to) const { return (*this)((std::min)((std::max)(x, from), to)); }
+
+  /* The least sum with another cone, which lies on the other side of the edge: straight through, if that is possible. */
+  double least_sum(const Cone& other, double from, double to) const
+  {
+    const double height = y + other.y;
+    const double straight = height > 0 ? x + (other.x - x) * (y / height) : (std::max)(x, other.x);
+    const double q = (std::min)((std::max)(straight, from), to);
+    return (*this)(q) + other(q);
+  }
+};
+
+/* The least value of `a - b` between two places: at an end, or where both have the same slope. */
+struct Least_difference
+{
+  double place, value;
+};
+
+inline Least_difference least_difference(const Cone& a, const Cone& b, double from, double to)
+{
+  Least_difference least = {from, a(from) - b(from)};
+  if(const double value = a(to) - b(to); value < least.value)
+    least = {to, value};
+  const double q = (a.x * b.y - b.x * a.y) / (b.y - a.y);
+  if(q > from && q < to)
+    if(const double value = a(q) - b(q); least.value > value)
+      least = {q, value};
+  return least;
+}
+
+/* The cones with given values at the two ends of an edge; the larger sigma is, the lower they are in between. */
+class Cones_through_ends
+{
+public:
+  Cones_through_ends(double length, double at_start, double at_end)
+    : m_length(length)
+    , m_start(at_start)
+    , m_end(at_end)
+  {
+  }
+
+  double length() const { return m_length; }
+  double at_start() const { return m_start; }
+  double at_end() const { return m_end; }
+
+  /* That of the lowest, which falls and rises with slope 1. */
+  double largest_sigma() const { return 0.5 * (m_start + m_end - m_length); }
+
+  /* That of the one with a third value in between; minus infinity if no cone is that high. */
+  double sigma(double place, double value) const
+  {
+    const double t = place / m_length, sag = (1 - t) * m_start + t * m_end - value;
+    if(!(sag > cone_sag_rounding * m_length))
+      return -std::numeric_limits<double>::infinity();
+    // Stewart's theorem for the distances from the point to the three places. Squares of differences do not cancel.
+    const double a = m_start - value, b = m_end - value;
+    return value + ((1 - t) * a * a + t * b * b - place * (m_length - place)) / (2 * sag);
+  }
+
+  /* That of the flattest one that does not rise more than this at the first end; minus infinity if all do not. */
+  double sigma_at_start(double slope) const { return m_start + sigma_from_end(slope * m_length + m_start - m_end); }
+
+  /* That of the flattest one that does not rise less than this at the second end; minus infinity if all do not. */
+  double sigma_at_end(double slope) const { return m_end + sigma_from_end(m_end - m_start - slope * m_length); }
+
+  Cone operator()(double sigma) const
+  {
+    const double a = m_start - sigma, b = m_end - sigma;
+    const double x = 0.5 * (m_length + (a - b) * ((a + b) / m_length));
+    return {x, std::sqrt((std::max)((a - x) * (a + x), 0.0)), sigma};
+  }
+
+private:
+  // Less the distance from the first end to the point: the slope there, times the length, is what the values rise from
+  // that end on, less `(length^2 - rise^2) / (2 distance)`. `steepness` is what it may be, less the rise.
+  double sigma_from_end(double steepness) const
+  {
+    const double rise = m_end - m_start;
+    return steepness < 0 ? 0.5 * (std::max)((m_length - rise) * (m_length + rise), 0.0) / steepness
+                         : -std::numeric_limits<double>::infinity();
+  }
+
+  double m_length, m_start, m_end;
+};
 
 /* A part of an edge, and what lights it. */
 struct Lit_part
@@ -199,6 +299,116 @@ inline Edge_cones fitted_cones(const Lit_parts& parts, double length, double err
     return result;
   return {fitted_cone(start, middle, parts, error), fitted_cone(middle, end, parts, error), place};
 }
+
+/* What a `Cone_sweep` has brought to a halfedge: its cones, and what they were fitted to. */
+struct Cone_wave
+{
+  Edge_cones cones;
+  double at_tail = 0, at_split = 0, at_head = 0;
+  double apex_distance = std::numeric_limits<double>::infinity(); // of the opposite corner, when it was last looked at
+  std::array<std::int32_t, 2> seen = {0, 0};                      // which version of what comes over the other sides
+  std::int32_t version = 0, number_of_updates = 0;
+  bool is_set = false, is_waiting = false;
+  bool is_borrowed = false; // from the other halfedge, and lower than need be
+
+  /* In the queue: nearer to the less, since it is at that end that what comes over the edge goes on first. */
+  std::uint64_t key() const
+  {
+    const double less = (std::min)(at_tail, at_head), more = (std::max)(at_tail, at_head);
+    return ordered_bits((std::max)(0.75 * less + 0.25 * more, 0.0));
+  }
+};
+
+/* What a sweep knows of a vertex. */
+struct Swept_vertex
+{
+  double distance = 0, to_goal = 0;
+  bool is_reached = false, is_waiting = false, has_bound = false;
+};
+
+/* A wave that is to be carried on, or a vertex from which waves are to start. */
+struct Queued_wave
+{
+  std::uint64_t key;
+  Index id; // of a side, or -1 less that of a vertex
+
+  static std::size_t is_before(const Queued_wave& a, const Queued_wave& b)
+  {
+    return a.key == b.key ? static_cast<std::size_t>(a.id < b.id) : static_cast<std::size_t>(a.key < b.key);
+  }
+};
+
+/*
+ * What comes in through a side of a face, from the points of its cones, and lights another side, which lies on the x-axis
+ * from 0 on. The first one leaves 0 in some direction, and ends at the apex.
+ */
+class Light_through_side
+{
+  using Vector = std::complex<double>;
+
+public:
+  Light_through_side(const Edge_cones& cones, double side_length, const Vector& direction, double error)
+    : m_cones(cones)
+    , m_side_length(side_length)
+    , m_direction(direction)
+    , m_error(error)
+  {
+  }
+
+  /* Adds it to what lights a side of some length, or its mirror image; returns up to where, if that is one cone. */
+  double add_to(Lit_parts& parts, double length, bool is_mirrored) const
+  {
+    const int number = m_cones.split < m_side_length ? 2 : 1;
+    double end = 0;
+    for(int i = 0; i < number; ++i) {
+      Cone cone = seen(i == 0 ? m_cones.first : m_cones.second);
+      const bool is_first = i + 1 < number;
+      // No gap is left between what two cones light, nor where the second one lights nothing.
+      const bool is_alone = is_first && seen(m_cones.second).y < -m_error && cone.y >= -m_error;
+      const double lit = lit_length(cone, is_first ? m_cones.split : m_side_length, length);
+      const double to = is_alone ? length : lit;
+      const double from = i == 0 ? 0 : (std::min)(lit_length(cone, m_cones.split, length) - cone_overlap * length, end);
+      cone.y = std::abs(cone.y); // what lies below the edge sends nothing up, up to rounding
+      const Cone turned = is_mirrored ? Cone{length - cone.x, cone.y, cone.sigma} : cone;
+      if(is_mirrored)
+        parts.add(turned, length - to, length - (std::max)(from, 0.0));
+      else
+        parts.add(turned, (std::max)(from, 0.0), to);
+      end = (std::max)(end, to);
+    }
+    return number == 1 ? end : 0;
+  }
+
+private:
+  // A cone over the side it comes in through, in the frame of the side that is lit.
+  Cone seen(const Cone& cone) const
+  {
+    const Vector place = Vector(cone.x, cone.y) * m_direction;
+    return {place.real(), place.imag(), cone.sigma};
+  }
+
+  /*
+   * How much of a side from 0 on is lit from a point, past a place on the side it comes in through that is farther on: up
+   * to where the line through there ends, and a little more.
+   */
+  double lit_length(const Cone& cone, double place, double length) const
+  {
+    if(cone.y < -m_error)
+      return 0;
+    const Vector past = place * m_direction;
+    const double fall = cone.y - past.imag();
+    if(!(fall > 8 * m_error))
+      return length;
+    const double end = past.real() + (past.real() - cone.x) * (past.imag() / fall);
+    const double enlargement = cone_enlargement + 8 * m_error / fall; // of the edge
+    return (std::min)((std::max)(end, 0.0) + enlargement * length, length);
+  }
+
+  const Edge_cones& m_cones;
+  double m_side_length;
+  Vector m_direction;
+  double m_error;
+};
 
 } // namespace internal
 } // namespace Flip_geodesics

@@ -8,9 +8,12 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -129,6 +132,202 @@ private:
   const std::vector<double>& m_levels;
   double m_tolerance;
   std::vector<Crossings> m_crossings; // by level
+};
+
+/*
+ * The boundaries of Voronoi regions on a refined surface. A piece whose corners have three sources has a junction.
+ *
+ * Some fields know faces in which one source is the nearest everywhere, and these are not divided. Otherwise a field
+ * gives the nearest source, but not the distance of the next one. So no bound excludes a boundary in a piece whose
+ * corners have one source: pieces have sides of sqrt(tolerance * size) at most, and a boundary that bends no more than
+ * a circle of an eighth of the size leaves such a piece by less than the tolerance, through one side and back.
+ */
+template <class Surface>
+class Voronoi_tracer
+{
+public:
+  Voronoi_tracer(Surface& surface, double tolerance)
+    : m_surface(surface)
+    , m_tolerance(tolerance)
+  {
+    const double largest_side = side_by_tolerance * tolerance, largest_junction = junction_by_tolerance * tolerance,
+                 largest_distance = std::sqrt(tolerance * std::sqrt(surface.area()));
+    std::vector<char> has_one_source;
+    for(Index face = 0; face < surface.number_of_faces(); ++face)
+      has_one_source.push_back(surface.has_one_source(face) ? 1 : 0);
+    surface.refine([&](const auto& piece) {
+      const double length = surface.length(surface.longest(piece));
+      if(length <= largest_side)
+        return length <= largest_junction || !is_junction(piece);
+      if(is_divided(piece))
+        return false;
+      if(has_one_source[piece.face] != 0)
+        return true;
+      const Field_bounds bounds(surface, piece);
+      return (length <= largest_distance || std::isinf(bounds.least)) &&
+             !(bounds.least <= 0 && 0 <= bounds.largest); // a source may be inside
+    });
+    find_crossings();
+    find_junctions();
+  }
+
+  /* Calls `write(curve, {left source, right source}, {first junction, last junction})`. */
+  template <class Write>
+  void trace(const Write& write)
+  {
+    follow_boundaries();
+    Curve_thinner<Surface>(m_surface, m_tolerance, m_tolerance).thin(m_curves);
+    for(std::size_t i = 0; i < m_curves.size(); ++i)
+      write(m_curves[i], m_ends[i].sources, m_ends[i].junctions);
+  }
+
+private:
+  using Piece = typename Surface::Piece;
+
+  void follow_boundaries()
+  {
+    for(std::size_t j = 0; j < m_junctions.size(); ++j)
+      for(Index half : m_surface.piece(m_junctions[j].piece).halves)
+        if(!m_crossings[half / 2].is_visited)
+          trace_from(Surface::twin(half), m_surface.sample(m_surface.head(half)).source,
+                     m_surface.sample(m_surface.tail(half)).source, j);
+    for(bool is_from_border : {true, false})
+      for(const Crossing& crossing : m_crossings) {
+        const Index half = m_surface.telling_half(2 * crossing.side);
+        if(!crossing.is_visited && (!is_from_border || m_surface.is_border(Surface::twin(half))))
+          trace_from(half, m_surface.sample(m_surface.tail(half)).source, m_surface.sample(m_surface.head(half)).source,
+                     no_source);
+      }
+  }
+
+  // Pieces with three sources have sides of this length at most, in tolerances.
+  static constexpr double junction_by_tolerance = 0.01;
+
+  struct Junction
+  {
+    Index piece;
+    Sample sample;
+  };
+
+  struct Ends
+  {
+    std::array<std::size_t, 2> sources, junctions; // left and right; first and last
+  };
+
+  bool is_divided(const Piece& piece) const
+  {
+    const std::size_t source = m_surface.corner(piece, 0).source;
+    return m_surface.corner(piece, 1).source != source || m_surface.corner(piece, 2).source != source;
+  }
+
+  bool is_junction(const Piece& piece) const
+  {
+    const std::size_t a = m_surface.corner(piece, 0).source, b = m_surface.corner(piece, 1).source,
+                      c = m_surface.corner(piece, 2).source;
+    return a != b && b != c && c != a;
+  }
+
+  void find_crossings()
+  {
+    for(Index half = 0; half < m_surface.number_of_halves(); half += 2) {
+      if(m_surface.is_border(half) && m_surface.is_border(half + 1))
+        continue;
+      const Index h = m_surface.telling_half(half);
+      const Sample &tail = m_surface.sample(m_surface.tail(h)), &head = m_surface.sample(m_surface.head(h));
+      if(tail.source != head.source)
+        m_crossings.push_back(half / 2, change(h, tail, head));
+    }
+  }
+
+  // The nearest known place on one side of a change of sources, and how the distance goes on from there.
+  struct Approach
+  {
+    double t, distance, slope;
+
+    void come_to(double other, double d)
+    {
+      slope = (d - distance) / (other - t);
+      t = other;
+      distance = d;
+    }
+    double at(double other) const { return distance + slope * (other - t); }
+  };
+
+  // Where two distances are equal if they go on as straight lines; not a number if nothing is known of that.
+  static double guess(const Approach& from, const Approach& to)
+  {
+    return from.t + (to.at(from.t) - from.distance) / (from.slope - to.slope);
+  }
+
+  // Where the source at the tail of a half ceases to be the nearest. Two guesses, a little short of and beyond where
+  // the distances seem to be equal, have it between them when they are good; the middle halves the rest when they are
+  // not.
+  Sample change(Index half, const Sample& tail, const Sample& head) const
+  {
+    const double unknown = std::numeric_limits<double>::quiet_NaN(), length = m_surface.length(half),
+                 scale = (std::max)(length, (std::min)(tail.distance, head.distance));
+    const double precision = root_precision * scale / length;
+    Approach from = {0, tail.distance, unknown}, to = {1, head.distance, unknown};
+    const auto ask = [&](double t) {
+      if(!(from.t < t && t < to.t))
+        return;
+      const Sample sample = m_surface.sampled(half, t);
+      (sample.source == tail.source ? from : to).come_to(t, sample.distance);
+    };
+    for(double last = 0.5; length > 0 && to.t - from.t > precision;) {
+      const double width = to.t - from.t, t = guess(from, to),
+                   margin = (std::max)(precision / 4, (std::min)(width / 8, std::abs(t - last)));
+      ask(t - margin);
+      ask(t + margin);
+      if(!(to.t - from.t <= width / 2))
+        ask(from.t + (to.t - from.t) / 2);
+      last = t;
+    }
+    return from.t == 0 ? tail : (to.t == 1 ? head : m_surface.sampled(half, to.t));
+  }
+
+  Sample center(const Piece& piece) const
+  {
+    const std::array<Weights_in_face, 3>& w = piece.weights;
+    return m_surface.sampled(piece.face, between(between(w[0], w[1], 0.5), w[2], 1.0 / 3));
+  }
+
+  void find_junctions()
+  {
+    for(Index p = 0; p < m_surface.number_of_pieces(); ++p)
+      if(is_junction(m_surface.piece(p))) {
+        m_junction_of_piece[p] = m_junctions.size();
+        m_junctions.push_back({p, center(m_surface.piece(p))});
+      }
+  }
+
+  void trace_from(Index half, std::size_t left, std::size_t right, std::size_t first_junction)
+  {
+    const auto is_inside = [&](const Sample& sample) { return sample.source == left; };
+    const auto is_end = [&](const Piece& piece) { return is_junction(piece); };
+    Followed_curve curve = follow(m_surface, half, m_crossings, is_inside, is_end);
+    std::size_t last_junction = no_source;
+    if(first_junction != no_source) {
+      const Junction& junction = m_junctions[first_junction];
+      curve.samples.insert(curve.samples.begin(), junction.sample);
+      curve.faces.insert(curve.faces.begin(), m_surface.piece(junction.piece).face);
+    }
+    if(curve.last_piece != null_index) {
+      last_junction = m_junction_of_piece.at(curve.last_piece);
+      curve.samples.push_back(m_junctions[last_junction].sample);
+      curve.faces.push_back(m_surface.piece(curve.last_piece).face);
+    }
+    m_curves.push_back(std::move(curve));
+    m_ends.push_back({{{left, right}}, {{first_junction, last_junction}}});
+  }
+
+  const Surface& m_surface;
+  double m_tolerance;
+  Crossings m_crossings;
+  std::vector<Junction> m_junctions;
+  std::unordered_map<Index, std::size_t> m_junction_of_piece;
+  std::vector<Followed_curve> m_curves;
+  std::vector<Ends> m_ends; // of the curves
 };
 
 } // namespace internal

@@ -4,16 +4,157 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_LABEL_SETTING_SEARCH_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/distances/Search_labels.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * What a search knows of the vertices that it has reached: the distance, through which halfedge the path arrives, and
+ * whether the vertex is settled. Only vertices that were once reached take memory, with their neighbors in a cache
+ * line, which holds the labels of four, in the order in which they were first written.
+ *
+ * A label knows in which search it was written, so that a new search forgets all labels in constant time.
+ *
+ * \tparam Halfedge `Input_halfedge_index` or `Halfedge_index`
+ */
+template <class Halfedge>
+class Search_labels
+{
+public:
+  /* What is known of one vertex. */
+  struct Label
+  {
+    double distance;
+    Index arrival;       // the halfedge through which the path arrives
+    std::uint32_t stamp; // twice the number of the search, and one more if the vertex is settled
+
+    /* `null_index` at the source. */
+    Halfedge incoming() const { return Halfedge(arrival); }
+  };
+
+  explicit Search_labels(std::size_t size)
+    : m_size(size)
+    , m_slots(size / block_size + 1)
+    , m_blocks(new Block[m_slots.largest_number_of_slots()]) // not written before they are used
+  {
+    m_blocks[0] = Block();
+  }
+
+  /* Forgets all labels. */
+  void clear()
+  {
+    m_stamp += 2;
+    if(m_stamp == 0) // all numbers have been used
+      *this = Search_labels(m_size);
+  }
+
+  /* The label of a vertex, which says something if the vertex is reached. */
+  const Label& operator[](Vertex_index v) const { return m_blocks[index(v)].labels[position(v)]; }
+
+  bool is_settled(const Label& label) const { return label.stamp == m_stamp + 1; }
+  /* \pre the vertex is not settled */
+  bool is_reached(const Label& label) const { return label.stamp == m_stamp; }
+
+  /* Labels a vertex, which is not settled then. */
+  void reach(Vertex_index v, double distance, Halfedge incoming)
+  {
+    if(!m_slots.has_slot(block(v)))
+      m_blocks[static_cast<std::size_t>(m_slots.add(block(v)))] = Block();
+    m_blocks[index(v)].labels[position(v)] = {distance, incoming.idx(), m_stamp};
+  }
+
+  /* \pre `v` is reached */
+  void settle(Vertex_index v) { m_blocks[index(v)].labels[position(v)].stamp = m_stamp + 1; }
+
+private:
+  static constexpr std::uint32_t block_size = 4;
+
+  struct alignas(64) Block
+  {
+    std::array<Label, block_size> labels;
+  };
+  static_assert(sizeof(Block) == 64, "a block fills a cache line");
+  static_assert(std::is_trivially_default_constructible<Block>::value, "to make blocks must not write them");
+
+  static Index block(Vertex_index v) { return static_cast<Index>(static_cast<std::uint32_t>(v.idx()) / block_size); }
+  static std::size_t position(Vertex_index v) { return static_cast<std::uint32_t>(v.idx()) % block_size; }
+
+  std::size_t index(Vertex_index v) const { return static_cast<std::size_t>(m_slots[block(v)]); }
+
+  std::size_t m_size;
+  // Of blocks; the first is of no search.
+  Slot_table<1> m_slots;
+  std::unique_ptr<Block[]> m_blocks;
+  std::uint32_t m_stamp = 2;
+};
+
+/*
+ * A queue of vertices by priority, the smallest first, and of equal priorities the smallest vertex: a total order, so
+ * that what comes out does not depend on the shape of the heap. Priorities are kept as integers, which compare without
+ * branches.
+ */
+class Vertex_queue
+{
+public:
+  bool empty() const { return m_heap.empty(); }
+  void clear() { m_heap.clear(); }
+
+  /* \pre priority >= 0 */
+  void push(double priority, Vertex_index vertex)
+  {
+    CGAL_precondition(priority >= 0);
+    m_heap.push({ordered_bits(priority), vertex});
+  }
+
+  /* The priority of the first vertex. \pre not empty */
+  double priority()
+  {
+    double result;
+    std::memcpy(&result, &m_heap.top().key, sizeof result);
+    return result;
+  }
+
+  /* Removes the first vertex. */
+  Vertex_index pop()
+  {
+    const Vertex_index result = m_heap.top().vertex;
+    m_heap.pop();
+    return result;
+  }
+
+private:
+  struct Entry
+  {
+    std::uint64_t key;
+    Vertex_index vertex;
+
+    // The branch is foretold, since equal keys are rare, and the other comparison is none.
+    static std::size_t is_before(const Entry& a, const Entry& b)
+    {
+      if(a.key == b.key)
+        return a.vertex < b.vertex ? 1 : 0;
+      return static_cast<std::size_t>(a.key < b.key);
+    }
+  };
+
+  Heap_of_four<Entry> m_heap;
+};
 
 /*
  * The default members of a policy of `Label_setting_search`, which hides those that it defines itself. A policy plays
@@ -163,6 +304,100 @@ private:
   Labels m_labels;
   Queue m_queue;
   std::size_t m_number_of_settled = 0;
+};
+
+/* The length of a halfedge of the input in the metric of a triangulation, for a search that only passes by. */
+template <class Triangulation>
+class Metric_weight
+{
+public:
+  explicit Metric_weight(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  double operator()(Input_halfedge_index h) const
+  {
+    return m_triangulation.metric().weight(m_triangulation.input(), h);
+  }
+
+private:
+  const Triangulation& m_triangulation;
+};
+
+/*
+ * The policy of a search over the whole input mesh, along its edges. Derived classes hide the members that differ.
+ *
+ * \tparam Weight `weight(h)` is the length of a halfedge, which is refused unless it is zero or usable
+ */
+template <class Input_mesh, class Weight>
+class Input_edge_policy : public Search_policy
+{
+public:
+  struct Origin
+  {
+    Vertex_index vertex;
+    double distance;
+  };
+
+  struct Step
+  {
+    double distance;
+  };
+
+  /* \param interruption null if the search cannot be interrupted */
+  Input_edge_policy(const Input_mesh& input, const Weight& weight, Interruption* interruption)
+    : m_input(input)
+    , m_weight(weight)
+    , m_interruption(interruption)
+  {
+  }
+
+  /* \throws Interrupted */
+  bool settle(Vertex_index) const
+  {
+    throw_if_interrupted(m_interruption);
+    return true;
+  }
+
+  template <class Label>
+  Origin origin(Vertex_index v, const Label& label) const
+  {
+    return {v, label.distance};
+  }
+
+  /* Clockwise, and along the border to the next umbrella. */
+  template <class Function>
+  void for_each_halfedge(const Origin& origin, const Function& function) const
+  {
+    const Input_halfedge_index first = m_input.outgoing(origin.vertex);
+    Input_halfedge_index h = first;
+    do {
+      function(h);
+      h = m_input.next(twin_index(h));
+    } while(h != first);
+  }
+
+  Vertex_index head(Input_halfedge_index h) const { return m_input.tail(twin_index(h)); }
+
+  Step step(const Origin& origin, Input_halfedge_index h, Vertex_index w) const
+  {
+    return {origin.distance + length(origin, h, w)};
+  }
+
+  /* \throws Invalid_coordinate_error */
+  double length(const Origin& origin, Input_halfedge_index h, Vertex_index w) const
+  {
+    const double result = m_weight(h);
+    if(!is_zero_or_usable_length(result))
+      throw_unusable_length(result, origin.vertex, w);
+    return result;
+  }
+
+private:
+  const Input_mesh& m_input;
+  Weight m_weight;
+  Interruption* m_interruption;
 };
 
 } // namespace internal

@@ -3,13 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_REFINED_SURFACE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_REFINED_SURFACE_H
 
-#include <CGAL/Flip_geodesics/Numbered_mesh.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
-#include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/metrics.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>

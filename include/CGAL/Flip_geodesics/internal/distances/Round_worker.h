@@ -3,21 +3,126 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_DISTANCES_ROUND_WORKER_H
 
-#include <CGAL/Flip_geodesics/internal/distances/Edge_windows.h>
-#include <CGAL/Flip_geodesics/internal/distances/Field_state.h>
 #include <CGAL/Flip_geodesics/internal/distances/Round_items.h>
-#include <CGAL/Flip_geodesics/internal/distances/Scratch.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_openings.h>
+#include <CGAL/Flip_geodesics/internal/distances/Window.h>
+#include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* What is known of an edge while windows are propagated. */
+struct Edge_record
+{
+  double due;        // the least distance of the windows that are waiting
+  Round_place left;  // when it was left
+  std::uint32_t tag; // of the last note: the bearing, and how many were made before
+  bool is_waiting;   // are there windows that wait?
+  bool is_noted;     // is it in the queue for when the front has passed it?
+};
+
+/* What is known of the vertices and edges of the input, while windows are propagated and afterwards. */
+template <class Triangulation>
+struct Field_state
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  explicit Field_state(const Triangulation& t)
+    : triangulation(t)
+    , sides(t)
+    , windows(number_of_edges(t))
+    , edges(number_of_edges(t))
+    , left(static_cast<std::size_t>(t.input().number_of_vertices()))
+    , vertices(static_cast<std::size_t>(t.input().number_of_vertices()))
+  {
+  }
+
+  static std::size_t number_of_edges(const Triangulation& t)
+  {
+    return static_cast<std::size_t>(t.input().number_of_halfedges()) / 2;
+  }
+  static Index edge_of(Input_halfedge_index h) { return h.idx() / 2; }
+  Edge_record& edge(Index e) { return edges[static_cast<std::size_t>(e)]; }
+
+  bool is_reached(Vertex_index v) const { return vertices[v].is_reached; }
+  double distance(Vertex_index v) const { return is_reached(v) ? vertices[v].distance : infinity; }
+  bool is_shorter(Vertex_index v, double d) const { return !is_reached(v) || d < vertices[v].distance; }
+
+  /* Notes when an edge is due. \param place has a member `bearing()` */
+  template <class Place>
+  void note_waiting(Index e, double due, const Place& place, Array_part<Noted>& noted)
+  {
+    Edge_record& record = edge(e);
+    if(due == infinity || (record.is_waiting && record.due <= due))
+      return;
+    record.is_waiting = true;
+    record.due = due;
+    record.tag = record.tag / Bearing::number * Bearing::number + Bearing::number + place.bearing();
+    *noted.last++ = {due, e, record.tag};
+  }
+
+  const Triangulation& triangulation;
+  Face_sides<Triangulation> sides;
+  Edge_windows windows;
+  Lazy_array<Edge_record> edges;
+  Indexed_by<Vertex_index, Lazy_array<Round_place>> left; // when paths started there
+  Indexed_by<Vertex_index, Lazy_array<Vertex_record>> vertices;
+};
+
+/*
+ * A memory arena for small arrays, which are all released at once and stay in their places until then. As
+ * `std::pmr::monotonic_buffer_resource`, which libc++ has only since its version 16.
+ */
+template <class T>
+class Scratch
+{
+  static_assert(std::is_trivially_copyable<T>::value, "elements are not destroyed");
+
+public:
+  /* Returns memory for some elements, which have no defined values. */
+  T* allocate(std::size_t size)
+  {
+    while(m_at == m_blocks.size() || m_blocks[m_at].size - m_used < size)
+      enter_next_block(size);
+    T* const result = m_blocks[m_at].first.get() + m_used;
+    m_used += size;
+    return result;
+  }
+
+  void release() { m_at = m_used = 0; }
+
+private:
+  static constexpr std::size_t least = 256;
+
+  struct Block
+  {
+    std::unique_ptr<T[]> first;
+    std::size_t size;
+  };
+
+  void enter_next_block(std::size_t size)
+  {
+    if(m_at == m_blocks.size()) {
+      const std::size_t larger = m_blocks.empty() ? least : 2 * m_blocks.back().size;
+      const std::size_t room = (std::max)(size, larger);
+      m_blocks.push_back({std::unique_ptr<T[]>(new T[room]), room});
+    } else {
+      ++m_at;
+    }
+    m_used = 0;
+  }
+
+  std::vector<Block> m_blocks;
+  std::size_t m_at = 0, m_used = 0; // the block that is being used, and how much of it
+};
 
 /*
  * What a member of a team does in a round, and has for itself. First `leave()` carries what goes on from vertices and

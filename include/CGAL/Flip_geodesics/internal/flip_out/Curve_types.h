@@ -3,15 +3,102 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_TYPES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_TYPES_H
 
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Intrinsic_triangulation.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_options.h>
-#include <CGAL/Flip_geodesics/internal/surface/Default_traits.h>
-#include <CGAL/Flip_geodesics/internal/surface/make_visitor.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
+#include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
+#include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/metrics.h>
+#include <CGAL/Flip_geodesics/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+// What the named parameters of the one-call functions are, as far as their declarations need it.
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* The metric's type: as it is given, or of the points that are given, or of the mesh's own. */
+template <class TriangleMesh, class NamedParameters, bool HAS_METRIC, bool HAS_POINTS>
+struct Metric_of
+{
+  using type = Given<NamedParameters, Metric_parameter>;
+};
+
+template <class TriangleMesh, class NamedParameters>
+struct Metric_of<TriangleMesh, NamedParameters, false, true>
+{
+  using type = Embedded_metric<TriangleMesh, Given<NamedParameters, internal_np::vertex_point_t>>;
+};
+
+template <class TriangleMesh, class NamedParameters>
+struct Metric_of<TriangleMesh, NamedParameters, false, false>
+{
+  static_assert(graph_has_property<TriangleMesh, boost::vertex_point_t>::value,
+                "the mesh has no points of its own: give vertex_point_map() or metric()");
+  using type =
+      Embedded_metric<TriangleMesh, typename property_map_selector<TriangleMesh, boost::vertex_point_t>::const_type>;
+};
+
+struct No_graph
+{
+  struct vertex_descriptor
+  {
+  };
+};
+
+/* The vertices of what a function is given first. */
+template <class TriangleMesh>
+struct Vertex_of
+{
+  static_assert(Has_faces<TriangleMesh>::value,
+                "the first argument is no mesh; the order is mesh, ends or curves, output, named parameters");
+  using Graph = std::conditional_t<Has_faces<TriangleMesh>::value, boost::graph_traits<TriangleMesh>, No_graph>;
+  using type = typename Graph::vertex_descriptor;
+};
+
+template <class TriangleMesh>
+using Vertex_in = typename Vertex_of<TriangleMesh>::type;
+
+template <class TriangleMesh, class T>
+constexpr bool is_mesh_vertex = std::is_convertible<T, Vertex_in<TriangleMesh>>::value;
+
+/* The metric of a mesh with these named parameters, and the form in which an output takes points. */
+template <class TriangleMesh, class NamedParameters>
+using Metric_by_name = typename Metric_of<TriangleMesh, NamedParameters, is_given<NamedParameters, Metric_parameter>,
+                                          is_given<NamedParameters, internal_np::vertex_point_t>>::type;
+template <class TriangleMesh, class NamedParameters, class Output, template <class> class Container = Itself>
+using Form_by_name = typename Curve_form_of<Curve_forms_of<TriangleMesh, Metric_by_name<TriangleMesh, NamedParameters>>,
+                                            Output, Container>::type;
+
+/* The named parameter number_of_iterations, a whole number, which may be given with a sign. */
+template <class NamedParameters>
+std::size_t number_of_iterations(const NamedParameters& np, std::size_t standard)
+{
+  const auto number =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations), standard);
+  using Number = std::decay_t<decltype(number)>;
+  static_assert(std::is_integral<Number>::value, "number_of_iterations() is a whole number");
+  if constexpr(std::is_signed<Number>::value)
+    if(number < 0)
+      throw Invalid_parameter_error("number_of_iterations is " + std::to_string(number) + ", and not at least 0");
+  return static_cast<std::size_t>(number);
+}
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
 
 // The types that the named parameters of the one-call functions stand for, in one place.
 
@@ -55,6 +142,85 @@ auto make_triangulation(const TriangleMesh& mesh, const NamedParameters& np,
   const auto traits =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits), typename Types::Traits());
   return typename Types::Triangulation(mesh, make_metric(mesh, np), traits, zero_length_edges);
+}
+
+/* Triangulations of a mesh as it is, and of what is left of it when edges of length zero are contracted. Each is made
+ * when it is first used. */
+template <class TriangleMesh, class NamedParameters>
+class Mesh_surfaces
+{
+public:
+  using Triangulation = typename Curve_types<TriangleMesh, NamedParameters>::Triangulation;
+
+  Mesh_surfaces(const TriangleMesh& mesh, const NamedParameters& np)
+    : m_mesh(mesh)
+    , m_np(np)
+  {
+  }
+
+  Triangulation& as_is() { return get(m_as_is, Zero_length_edges::REFUSE); }
+  Triangulation& contracted() { return get(m_contracted, Zero_length_edges::CONTRACT); }
+
+private:
+  // Constructs a triangulation in place.
+  struct Surface
+  {
+    Surface(const TriangleMesh& mesh, const NamedParameters& np, Zero_length_edges zero_length_edges)
+      : triangulation(make_triangulation(mesh, np, zero_length_edges))
+    {
+    }
+
+    Triangulation triangulation;
+  };
+
+  Triangulation& get(std::optional<Surface>& surface, Zero_length_edges zero_length_edges) const
+  {
+    if(!surface)
+      surface.emplace(m_mesh, m_np, zero_length_edges);
+    return surface->triangulation;
+  }
+
+  const TriangleMesh& m_mesh;
+  const NamedParameters& m_np;
+  std::optional<Surface> m_as_is, m_contracted;
+};
+
+/* Returns the error for a pair of end points that become disconnected when degenerate edges are contracted, made from the
+ * error that was thrown before the contraction. */
+inline Degenerate_face_error contracted_in_vain(const Degenerate_face_error& error)
+{
+  if(error.remedy() != Degeneracy_remedy::CONTRACT)
+    return error;
+  return {error.problem() + "; once such edges are contracted, no surface joins the ends of the curve, since faces "
+                            "without area are gone",
+          error.elements(), Degeneracy_remedy::MOLLIFY};
+}
+
+/*
+ * Decides for a computation whether edges of length zero have to be contracted; all functions that take a mesh decide
+ * here. Returns `compute(triangulation)` for the mesh as it is, or, where that meets such an edge, for the surface that
+ * is left.
+ *
+ * Comparing the ends of all edges beforehand would take linear time, whereas a triangulation of a `Surface_mesh` takes
+ * constant time, and a path time for the vertices that its search visits.
+ *
+ * \throws Degenerate_face_error the first one if the contraction does not help
+ */
+template <class Surfaces, class Compute>
+auto compute_on_surface(Surfaces&& surfaces, const Compute& compute)
+{
+  try {
+    return compute(surfaces.as_is());
+  } catch(const Degenerate_face_error& error) {
+    auto& contracted = surfaces.contracted();
+    if(!contracted.input().is_contracted())
+      throw;
+    try {
+      return compute(contracted);
+    } catch(const Disconnected_endpoints_error&) { // joined by degenerate faces or a single point only
+      throw contracted_in_vain(error);
+    }
+  }
 }
 
 } // namespace internal

@@ -3,15 +3,19 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_WORDS_OF_PLACES_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <array>
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -168,6 +172,48 @@ private:
   bool m_is_started = false;
   std::vector<Segment_of_places> m_segments;
 };
+
+/* A turn of a path at an end of a portal, in radians, between 0 and pi. */
+struct Portal_turn
+{
+  std::size_t portal = 0; // the first one with that end
+  Portal_side side = LEFT_END;
+  double angle = 0;
+};
+
+/* The gates of a strip as portals of a funnel: the right end of the first one becomes the origin. \pre there are gates */
+template <class Triangulation>
+std::vector<Portal> portals_of(const Triangulation& triangulation, const Strip<Triangulation>& strip)
+{
+  const auto& gates = strip.gates();
+  std::vector<Portal> result = {{gates[0].left - gates[0].right, LEFT_END}};
+  for(std::size_t i = 1; i < gates.size(); ++i) {
+    const bool is_right_kept = gates[i].crossed == triangulation.input().next(twin_index(gates[i - 1].crossed));
+    result.push_back(
+        {(is_right_kept ? gates[i].left : gates[i].right) - gates[0].right, is_right_kept ? LEFT_END : RIGHT_END});
+  }
+  return result;
+}
+
+/* The largest turn of the shortest path through the gates of a strip, rounded; an angle of 0 if it is straight. */
+template <class Triangulation>
+Portal_turn largest_turn(const Triangulation& triangulation, const Strip<Triangulation>& strip)
+{
+  const Plane_vector origin = strip.gates()[0].right, target = strip.end() - origin;
+  Funnel funnel;
+  funnel.pull(portals_of(triangulation, strip), -origin, target);
+  Portal_turn result;
+  Plane_vector before = -origin;
+  for(std::size_t i = 0; i < funnel.bends().size(); ++i) {
+    const Funnel::Bend& bend = funnel.bends()[i];
+    const Plane_vector after = i + 1 < funnel.bends().size() ? funnel.bends()[i + 1].position : target;
+    const double angle = std::abs(std::arg((after - bend.position) * std::conj(bend.position - before)));
+    if(angle > result.angle)
+      result = {bend.first, bend.side, angle};
+    before = bend.position;
+  }
+  return result;
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

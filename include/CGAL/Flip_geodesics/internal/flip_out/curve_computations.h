@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_CURVE_COMPUTATIONS_H
 
-#include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Curve_options.h>
+#include <CGAL/Flip_geodesics/internal/flip_out/Curve_types.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <utility>
 #include <vector>
@@ -48,7 +48,7 @@ Vertices_of<TriangleMesh> vertices_of_mesh(const TriangleMesh&, const VertexRang
 }
 
 /*
- * The computations of the functions of `geodesic_curves.h`, which then write the output. They are not inline, and depend
+ * The computations of the functions of `geodesic_path.h`, which then write the output. They are not inline, and depend
  * on the form of the output alone, so that the compiled library can have instances of them; see
  * `internal/flip_out/compiled.h`.
  */

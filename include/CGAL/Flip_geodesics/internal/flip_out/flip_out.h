@@ -4,21 +4,159 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_FLIP_OUT_FLIP_OUT_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Joint.h>
-#include <CGAL/Flip_geodesics/Shortening_report.h>
-#include <CGAL/Flip_geodesics/internal/flip_out/Free_wedges.h>
+#include <CGAL/Flip_geodesics/internal/distances/Heap_of_four.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/flip_out_wedge.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * A wedge that was free when it was queued: its joint, told by both segments, since the one that arrives can get
+ * another to follow it. The smallest angle comes first, then the older segment, then the left side. In 16 bytes, so
+ * that the siblings of the heap share a cache line.
+ */
+class Queued_wedge
+{
+public:
+  /* A key that rounding has made negative counts as 0. */
+  Queued_wedge(double key, const Joint& joint, Segment_index outgoing)
+    : m_key(ordered_bits((std::max)(key, 0.0)))
+    , m_segment_and_side(2 * static_cast<std::uint32_t>(joint.incoming.idx()) + (joint.side == Side::LEFT ? 0 : 1))
+    , m_outgoing(outgoing)
+  {
+  }
+
+  double key() const
+  {
+    double key;
+    std::memcpy(&key, &m_key, sizeof key);
+    return key;
+  }
+
+  Joint joint() const
+  {
+    return {Segment_index(static_cast<Index>(m_segment_and_side / 2)),
+            m_segment_and_side % 2 == 0 ? Side::LEFT : Side::RIGHT};
+  }
+
+  Segment_index outgoing() const { return m_outgoing; }
+
+  // Without branches: on symmetric meshes many keys are equal.
+  static std::size_t is_before(const Queued_wedge& a, const Queued_wedge& b)
+  {
+    const std::size_t is_older = static_cast<std::size_t>(a.m_segment_and_side < b.m_segment_and_side);
+    return static_cast<std::size_t>(a.m_key < b.m_key) | (static_cast<std::size_t>(a.m_key == b.m_key) & is_older);
+  }
+
+private:
+  std::uint64_t m_key; // the bits of the number
+  std::uint32_t m_segment_and_side;
+  Segment_index m_outgoing;
+};
+
+using Wedge_queue = Heap_of_four<Queued_wedge>;
+
+/*
+ * The wedges of a network that are free and below pi, the smallest angle first, then the older segment, then the left
+ * side, so that the order is determined by the input.
+ *
+ * A wedge's angle does not change while its joint lives, since flips elsewhere keep the angle between two edges that
+ * stay. So a key never goes stale. Whether the wedge is free does change: what comes out of the queue is to be looked
+ * at again, and `EdgePathGraph::replace_joint()` names the wedges that may have become free.
+ */
+template <class Network>
+class Free_wedges
+{
+public:
+  explicit Free_wedges(Network& network)
+    : m_network(network)
+  {
+  }
+
+  bool empty() const { return m_queue.empty() && m_held.empty(); }
+
+  /* Can another wedge be had? */
+  bool has_next() const { return !m_queue.empty(); }
+
+  /* Takes the first wedge out. It may not be free any more, nor its joint be there. \pre has_next() */
+  Queued_wedge pop()
+  {
+    const Queued_wedge first = m_queue.top();
+    m_queue.pop();
+    return first;
+  }
+
+  /* Keeps a wedge that was taken out until `release()`. */
+  void hold(const Queued_wedge& wedge) { m_held.push_back(wedge); }
+
+  /* Queues what is held, and calls `function(wedge)` for each. */
+  template <class Function>
+  void release(Function function)
+  {
+    for(const Queued_wedge& wedge : m_held) {
+      m_queue.push(wedge);
+      function(wedge);
+    }
+    m_held.clear();
+  }
+
+  bool is_free(const Joint& joint) const { return m_network.wedge(joint).state == Wedge_state::FREE; }
+
+  /* Is a wedge that was queued still free? Its angle is what it was, but strands may have come in. */
+  bool is_still_free(const Joint& joint) const
+  {
+    const auto [a, b] = m_network.ends(joint);
+    return !m_network.is_head_fixed(joint.incoming) && m_network.next_clockwise(a) == b;
+  }
+
+  /* Looks at all joints of a curve, whatever was known of them. */
+  void look_at_curve(Curve_index curve)
+  {
+    // A fan of faces is a chain of loads, each waiting for the one before; these do not wait for each other.
+    m_network.for_each_segment(curve, [&](Segment_index s) {
+      m_network.triangulation().prefetch_face(m_network.halfedge(s));
+      m_network.triangulation().prefetch_face(Network::Triangulation::twin(m_network.halfedge(s)));
+    });
+    m_network.for_each_segment(curve, [&](Segment_index s) {
+      look_at({s, Side::LEFT});
+      look_at({s, Side::RIGHT});
+    });
+  }
+
+  /* Looks at joints that have been named, if they are there. */
+  void look_at_all(const std::vector<Joint>& named)
+  {
+    for(const Joint& joint : named)
+      look_at(joint);
+  }
+
+private:
+  void look_at(const Joint& joint)
+  {
+    const Segment_index x = joint.incoming;
+    if(!m_network.is_alive(x) || m_network.next(x) == null_index)
+      return;
+    const typename Network::Wedge wedge = m_network.wedge(joint);
+    if(wedge.state == Wedge_state::FREE)
+      m_queue.push({m_network.triangulation().traits().turn_key_object()(wedge.turn), joint, m_network.next(x)});
+  }
+
+  Network& m_network;
+  Wedge_queue m_queue;
+  std::vector<Queued_wedge> m_held;
+};
 
 /* How far the shortening of a curve has come. */
 struct Curve_state

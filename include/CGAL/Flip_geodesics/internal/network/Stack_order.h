@@ -6,7 +6,6 @@
 #include <CGAL/Flip_geodesics/Edge_path_network.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Parity_classes.h>
-#include <CGAL/Flip_geodesics/internal/network/Parity_elimination.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 

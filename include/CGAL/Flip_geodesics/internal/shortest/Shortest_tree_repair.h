@@ -5,14 +5,15 @@
 
 #include <CGAL/Flip_geodesics/Geodesic_tree.h>
 #include <CGAL/Flip_geodesics/delaunay.h>
+#include <CGAL/Flip_geodesics/internal/distances/Last_leg.h>
 #include <CGAL/Flip_geodesics/internal/distances/Window_search.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Segment_insertion.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/shortest/Leg_fan.h>
-#include <CGAL/Flip_geodesics/internal/shortest/last_leg_of_search.h>
+#include <CGAL/Flip_geodesics/internal/shortest/Tree_straightness.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Face_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,21 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/* How a shortest path arrives that a search has found. \pre the path has an edge */
+template <class Triangulation, class Search>
+Last_leg last_leg(const Triangulation&, const Search& search, Vertex_index v)
+{
+  return search.last_leg(v);
+}
+
+template <class Triangulation, class Faces>
+Last_leg last_leg(const Triangulation& triangulation, const Window_search<Triangulation, Faces>& search, Vertex_index v)
+{
+  const auto leg = search.leg(v);
+  const Strip<Triangulation> strip(triangulation, leg.word.reversed());
+  return {leg.from, strip.reference(), angle_from_reference(strip.end()), strip.length()};
+}
 
 /*
  * Replaces the paths of a tree that are not shortest by shortest ones.

@@ -4,7 +4,7 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SHORTEST_TREE_LABELS_H
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Lazy_array.h>
 
 #include <CGAL/assertions.h>

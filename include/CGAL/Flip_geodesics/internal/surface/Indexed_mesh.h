@@ -6,7 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contraction.h>
-#include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 
 #include <CGAL/boost/graph/properties.h>

@@ -3,10 +3,16 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_INTERRUPTION_H
 
+#include <CGAL/Flip_geodesics/stop_predicates.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <thread>
+#include <type_traits>
 
 namespace CGAL {
 namespace Flip_geodesics {
@@ -107,6 +113,33 @@ inline void throw_if_interrupted_before_part(Interruption* interruption)
 inline bool has_been_interrupted(const Interruption* interruption)
 {
   return interruption != nullptr && interruption->has_occurred();
+}
+
+template <class T>
+struct Visitor_holder
+{
+  T visitor;
+  T& get() { return visitor; }
+};
+
+template <class T>
+struct Visitor_holder<std::reference_wrapper<T>>
+{
+  static_assert(!std::is_const<T>::value, "a visitor that cannot be copied is given as std::ref(visitor)");
+  std::reference_wrapper<T> visitor;
+  T& get() { return visitor.get(); }
+};
+
+/* The visitor of the named parameters: a copy, the caller's own by `std::ref()`, or one that does nothing. */
+template <class NamedParameters>
+auto make_visitor(const NamedParameters& np)
+{
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
+    using Visitor = std::decay_t<decltype(parameters::get_parameter(np, internal_np::visitor))>;
+    return Visitor_holder<Visitor>{parameters::get_parameter(np, internal_np::visitor)};
+  } else {
+    return Visitor_holder<Default_shortening_visitor>{};
+  }
 }
 
 } // namespace internal

@@ -4,22 +4,352 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_SOUP_REPAIR_H
 
 #include <CGAL/Flip_geodesics/Repair_report.h>
-#include <CGAL/Flip_geodesics/internal/surface/Soup_flips.h>
-#include <CGAL/Flip_geodesics/internal/surface/Soup_mesh.h>
-#include <CGAL/Flip_geodesics/internal/surface/Soup_stitcher.h>
 #include <CGAL/Flip_geodesics/internal/surface/Triangle_soup.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+template <class Kernel>
+using Soup_mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
+
+/*
+ * A soup as a mesh, for what needs neighbors: vertex v of the soup has index v, triangle t index t.
+ *
+ * \pre the soup is an oriented manifold
+ */
+template <class Kernel>
+Soup_mesh<Kernel> make_soup_mesh(const Triangle_soup<Kernel>& soup)
+{
+  std::vector<typename Kernel::Point_3> points;
+  points.reserve(soup.origins.size());
+  for(std::size_t v = 0; v < soup.origins.size(); ++v)
+    points.push_back(soup.point(v));
+  Soup_mesh<Kernel> mesh;
+  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.triangles, mesh);
+  return mesh;
+}
+
+/* The corners of a face, from the head of its halfedge on. */
+template <class Mesh>
+std::array<std::size_t, 3> corners(const Mesh& mesh, typename Mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return {static_cast<std::size_t>(mesh.target(h)), static_cast<std::size_t>(mesh.target(mesh.next(h))),
+          static_cast<std::size_t>(mesh.source(h))};
+}
+
+/* For each face its component, connected by edges, counted from 0 in the order of their first faces. */
+template <class Mesh>
+std::vector<std::size_t> face_components(Mesh& mesh)
+{
+  const auto map = mesh.template add_property_map<typename Mesh::Face_index, std::size_t>("f:component", 0).first;
+  Polygon_mesh_processing::connected_components(mesh, map);
+  std::vector<std::size_t> result;
+  for(const auto f : mesh.faces())
+    result.push_back(get(map, f));
+  return result;
+}
+
+/*
+ * Stitches borders of a soup that lie in the same place in opposite directions: first pairs of border edges of one
+ * component, so that what was cut open where parts touch closes again, then those of any two components. Where more
+ * than two edges remain in one place, none is stitched, as there is no telling which belong together. Pairs stay open if
+ * their vertices, once merged, would be the ends of two edges, which had to be cut again.
+ *
+ * \pre the soup is an oriented manifold, which it is afterwards, too
+ */
+template <class Kernel>
+class Soup_stitcher
+{
+  using Soup = Triangle_soup<Kernel>;
+  using Mesh = Soup_mesh<Kernel>;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Pair = std::pair<Halfedge, Halfedge>;
+  using Triangle = typename Soup::Triangle;
+
+  struct Border_edge
+  {
+    std::size_t component, low, high; // places
+    bool is_ascending;
+    Halfedge h;
+
+    auto key() const { return std::tie(component, low, high); }
+    bool operator<(const Border_edge& other) const
+    {
+      return std::make_tuple(component, low, high, h) <
+             std::make_tuple(other.component, other.low, other.high, other.h);
+    }
+  };
+
+public:
+  explicit Soup_stitcher(Soup& soup)
+    : m_soup(soup)
+    , m_mesh(make_soup_mesh(soup))
+  {
+  }
+
+  /* Were borders stitched? */
+  bool operator()()
+  {
+    collect_border_edges();
+    std::vector<Pair> pairs;
+    take_pairs(pairs);
+    for(Border_edge& edge : m_edges)
+      edge.component = 0;
+    take_pairs(pairs);
+    std::sort(pairs.begin(), pairs.end()); // an order that does not depend on the numbers of points
+    while(!pairs.empty() && Polygon_mesh_processing::stitch_borders(m_mesh, pairs) > 0) {
+      find_stitched();
+      const std::vector<char> is_doubled = ends_of_doubled_edges();
+      if(is_doubled.empty()) {
+        read_back();
+        return true;
+      }
+      m_mesh = make_soup_mesh(m_soup);
+      remove_pairs_at(is_doubled, pairs);
+    }
+    return false;
+  }
+
+private:
+  void collect_border_edges()
+  {
+    const std::vector<std::size_t> components = face_components(m_mesh);
+    for(const Halfedge h : m_mesh.halfedges()) {
+      if(!m_mesh.is_border(h))
+        continue;
+      const std::size_t p = m_soup.place(m_mesh.source(h)), q = m_soup.place(m_mesh.target(h));
+      m_edges.push_back({components[m_mesh.face(m_mesh.opposite(h))], (std::min)(p, q), (std::max)(p, q), p < q, h});
+    }
+  }
+
+  // Moves edges of which there are two with the same key, of opposite directions, to the pairs.
+  void take_pairs(std::vector<Pair>& pairs)
+  {
+    std::sort(m_edges.begin(), m_edges.end());
+    std::vector<Border_edge> rest;
+    for(std::size_t begin = 0, end = 0; begin < m_edges.size(); begin = end) {
+      while(end < m_edges.size() && m_edges[end].key() == m_edges[begin].key())
+        ++end;
+      if(end - begin == 2 && m_edges[begin].is_ascending != m_edges[begin + 1].is_ascending)
+        pairs.emplace_back(m_edges[begin].h, m_edges[begin + 1].h);
+      else
+        rest.insert(rest.end(), m_edges.begin() + static_cast<std::ptrdiff_t>(begin),
+                    m_edges.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    m_edges = std::move(rest);
+  }
+
+  // Stitching keeps faces and places, but neither vertices nor where the corners of a face begin.
+  void find_stitched()
+  {
+    m_stitched.clear();
+    m_now.assign(m_soup.origins.size(), Soup::none);
+    for(std::size_t t = 0; t < m_soup.triangles.size(); ++t) {
+      const Triangle& before = m_soup.triangles[t];
+      Triangle now = corners(m_mesh, typename Mesh::Face_index(static_cast<typename Mesh::size_type>(t)));
+      while(m_soup.place(now[0]) != m_soup.place(before[0]))
+        std::rotate(now.begin(), now.begin() + 1, now.end());
+      for(int i = 0; i < 3; ++i)
+        m_now[before[i]] = now[i];
+      m_stitched.push_back(now);
+    }
+  }
+
+  // Marks vertices of the stitched mesh that are the ends of a side of two triangles, in the same direction; empty if
+  // there are none. Two borders from one vertex to another in opposite directions are one edge of the soup.
+  std::vector<char> ends_of_doubled_edges() const
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> edges;
+    edges.reserve(3 * m_stitched.size());
+    for(const Triangle& t : m_stitched)
+      for(int i = 0; i < 3; ++i)
+        edges.emplace_back(t[i], t[(i + 1) % 3]);
+    std::sort(edges.begin(), edges.end());
+    std::vector<char> result;
+    for(auto it = edges.begin(); (it = std::adjacent_find(it, edges.end())) != edges.end(); ++it) {
+      result.resize(m_soup.origins.size(), 0);
+      result[it->first] = result[it->second] = 1;
+    }
+    return result;
+  }
+
+  // An edge is doubled since a pair at one of its ends was stitched.
+  void remove_pairs_at(const std::vector<char>& is_doubled, std::vector<Pair>& pairs) const
+  {
+    const auto is_removed = [&](const Pair& pair) {
+      const Halfedge h = pair.first, o = pair.second;
+      const auto is_marked = [&](typename Mesh::Vertex_index v) { return is_doubled[m_now[v]] != 0; };
+      return is_marked(m_mesh.source(h)) || is_marked(m_mesh.target(h)) || is_marked(m_mesh.source(o)) ||
+             is_marked(m_mesh.target(o));
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_removed), pairs.end());
+  }
+
+  // The vertices of a stitched triangle become the least of those that they were made of.
+  void read_back()
+  {
+    std::vector<std::size_t> representative(m_soup.origins.size(), Soup::none);
+    for(std::size_t v = 0; v < m_now.size(); ++v)
+      if(m_now[v] != Soup::none)
+        representative[m_now[v]] = (std::min)(representative[m_now[v]], v);
+    for(std::size_t t = 0; t < m_stitched.size(); ++t)
+      for(int i = 0; i < 3; ++i)
+        m_soup.triangles[t][i] = representative[m_stitched[t][i]];
+    for(std::size_t v = 0; v < m_now.size(); ++v)
+      if(m_now[v] != Soup::none)
+        m_soup.merged_into[v] = representative[m_now[v]];
+  }
+
+  Soup& m_soup;
+  Mesh m_mesh;
+  std::vector<Border_edge> m_edges;
+  std::vector<Triangle> m_stitched;
+  std::vector<std::size_t> m_now; // for each vertex of the soup that of the stitched mesh, none if it has no faces
+};
+
+/*
+ * Removes triangles whose corners are collinear, which have their middle corner B on their longest edge AC. Where a
+ * triangle ACD with area lies beyond that edge, a flip makes two triangles with area of both, and the surface stays as
+ * it is:
+ *
+ *        D                 D
+ *      /   \             / | \
+ *     A-----C    ->     A--B--C
+ *      \-B-/
+ *
+ * Where ACD is collinear too and AC its longest edge, a flip makes the sum of lengths smaller; if another one is, that
+ * is looked at first, which is longer. So there is an end. What no flip can help is dropped: at a border the surface is
+ * the same without it; elsewhere it leaves a slit.
+ *
+ * \pre the soup is an oriented manifold, which it may not be afterwards, and no triangle has two corners in one place
+ */
+template <class Kernel>
+class Soup_flips
+{
+  using Soup = Triangle_soup<Kernel>;
+  using Mesh = Soup_mesh<Kernel>;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Face = typename Mesh::Face_index;
+
+public:
+  Soup_flips(Soup& soup, Repair_record& record)
+    : m_soup(soup)
+    , m_record(record)
+  {
+  }
+
+  /* Was anything changed? */
+  bool operator()()
+  {
+    for(std::size_t t = 0; t < m_soup.triangles.size(); ++t)
+      if(m_soup.is_collinear(m_soup.triangles[t]))
+        m_stack.emplace_back(static_cast<typename Mesh::size_type>(t));
+    if(m_stack.empty())
+      return false;
+    m_mesh = make_soup_mesh(m_soup);
+    m_is_dropped.assign(m_soup.triangles.size(), 0);
+    m_flips_left = 100 * m_stack.size();
+    while(!m_stack.empty()) {
+      const Face f = m_stack.back();
+      m_stack.pop_back();
+      if(!is_done(f))
+        remove(f);
+    }
+    for(char is_dropped : m_is_dropped)
+      m_record.add(Repair::FACES_WITHOUT_AREA_DROPPED, is_dropped != 0 ? 1 : 0);
+    m_soup.remove(m_is_dropped);
+    return true;
+  }
+
+private:
+  bool is_done(Face f) const { return m_is_dropped[f] != 0 || !m_soup.is_collinear(m_soup.triangles[f]); }
+
+  void remove(Face f)
+  {
+    const Halfedge h = longest(f), o = m_mesh.opposite(h);
+    if(m_mesh.is_border(o) || m_flips_left == 0)
+      return drop(f);
+    const Face g = m_mesh.face(o);
+    if(m_is_dropped[g] != 0) // as good as a border
+      return drop(f);
+    if(!is_done(g) && longest(g) != o)
+      m_stack.insert(m_stack.end(), {f, g});
+    else
+      flip_or_drop(f, h, g);
+  }
+
+  void drop(Face f) { m_is_dropped[f] = 1; }
+
+  void flip_or_drop(Face f, Halfedge h, Face g)
+  {
+    const auto b = m_mesh.target(m_mesh.next(h)), d = m_mesh.target(m_mesh.next(m_mesh.opposite(h)));
+    if(are_neighbors(b, d) || m_soup.place(b) == m_soup.place(d)) {
+      drop(f);
+      if(m_soup.is_collinear(m_soup.triangles[g]))
+        drop(g);
+      return;
+    }
+    if(!m_soup.is_collinear(m_soup.triangles[g]))
+      m_record.add(Repair::FACES_WITHOUT_AREA_FLIPPED);
+    Euler::flip_edge(h, m_mesh);
+    --m_flips_left;
+    m_soup.polygons[f] = m_soup.polygons[g];
+    m_soup.is_reversed[f] = m_soup.is_reversed[g];
+    for(const Face face : {f, g}) {
+      m_soup.triangles[face] = corners(m_mesh, face);
+      m_stack.push_back(face);
+    }
+  }
+
+  // The halfedge of a collinear face opposite to the corner between the others.
+  Halfedge longest(Face f) const
+  {
+    const auto is_ordered = Kernel().collinear_are_ordered_along_line_3_object();
+    Halfedge h = m_mesh.halfedge(f);
+    for(int i = 0; i < 2; ++i, h = m_mesh.next(h))
+      if(is_ordered(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))),
+                    m_mesh.point(m_mesh.target(h))))
+        return h;
+    return h;
+  }
+
+  // Linear in the smaller of the degrees.
+  bool are_neighbors(typename Mesh::Vertex_index u, typename Mesh::Vertex_index v) const
+  {
+    Halfedge g = m_mesh.halfedge(u), h = m_mesh.halfedge(v);
+    const Halfedge first_of_u = g, first_of_v = h;
+    do {
+      if(m_mesh.source(g) == v || m_mesh.source(h) == u)
+        return true;
+      g = m_mesh.opposite(m_mesh.next(g));
+      h = m_mesh.opposite(m_mesh.next(h));
+    } while(g != first_of_u && h != first_of_v);
+    return false;
+  }
+
+  Soup& m_soup;
+  Repair_record& m_record;
+  Mesh m_mesh;
+  std::vector<Face> m_stack;
+  std::vector<char> m_is_dropped;
+  std::size_t m_flips_left = 0;
+};
 
 /* Notes which triangles CGAL's orientation turns over, and which edges it finds to have more than two. */
 class Orientation_recorder : public Polygon_mesh_processing::Default_orientation_visitor

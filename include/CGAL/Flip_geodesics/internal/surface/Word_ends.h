@@ -3,9 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_WORD_ENDS_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 
 #include <array>

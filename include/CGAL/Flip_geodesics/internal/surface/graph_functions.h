@@ -3,8 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_GRAPH_FUNCTIONS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_GRAPH_FUNCTIONS_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -46,6 +50,20 @@ bool is_face(typename Surface_mesh<P>::Face_index f, const Surface_mesh<P>& mesh
 {
   const std::size_t end = mesh.number_of_faces() + mesh.number_of_removed_faces();
   return static_cast<std::size_t>(f) < end && !mesh.is_removed(f);
+}
+
+/* Does the face on the left of h close, and, if the twin's face is known, do both sides have one length and vertex? */
+template <class Triangulation>
+bool is_valid_halfedge(const Triangulation& triangulation, Halfedge_index h, double tolerance, bool is_twin_known)
+{
+  const Halfedge_index t = Triangulation::twin(h), hn = triangulation.next(h), hp = triangulation.next(hn);
+  if(triangulation.next(hp) != h || (is_twin_known && triangulation.tail(t) != triangulation.tail(hn)))
+    return false;
+  const double a = triangulation.length(h), b = triangulation.length(hn), c = triangulation.length(hp);
+  const double scale = tolerance * (std::max)({a, b, c});
+  if(a > b + c + scale)
+    return false;
+  return !is_twin_known || triangulation.is_border(t) || std::abs(a - triangulation.length(t)) <= scale;
 }
 
 } // namespace internal

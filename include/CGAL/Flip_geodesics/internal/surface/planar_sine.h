@@ -3,13 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_PLANAR_SINE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_PLANAR_SINE_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Exact_vector.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Orientation_of_places.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
-#include <CGAL/Flip_geodesics/internal/surface/Unrolled_line.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -17,11 +17,176 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * A line over walls: faces that bend along parallel edges only, the rulings, as those of an extrusion or a prism. They
+ * are unrolled into a plane with the direction of the rulings as one axis. There the line leads up by the difference of
+ * two places along that direction, a rational number; and sideways by the distances from ruling to ruling, a sum of
+ * roots.
+ */
+struct Unrolled_line
+{
+  using Place = std::array<double, 3>;
+
+  std::vector<Place> places; // its start, one on each ruling that it crosses, and its end
+  Sign side = ZERO;          // POSITIVE if it leads to the right of the rulings' direction
+  Sign height = ZERO;        // POSITIVE if it leads along that direction
+};
+
+/* The sign of the sine of the angle clockwise from one line to another, over walls with rulings of some direction. */
+class Unrolled_sine
+{
+  using Place = Unrolled_line::Place;
+
+public:
+  /* From one place to another along the rulings' direction. */
+  Unrolled_sine(const Place& from, const Place& to)
+    : m_from(from)
+    , m_to(to)
+  {
+  }
+
+  /* Uncertain if the default limit of work is met. */
+  Uncertain<Sign> operator()(const Unrolled_line& a, const Unrolled_line& b) const
+  {
+    const Sign first = a.height * b.side, second = CGAL::opposite(b.height * a.side);
+    if(first == second || second == ZERO)
+      return first;
+    if(first == ZERO)
+      return second;
+    const Bounded left = product(a, b), right = product(b, a);
+    const double difference = (left.value - right.value).high;
+    if(std::abs(difference) > 2 * (left.error + right.error))
+      return difference > 0 ? first : second;
+    return exact(a, b);
+  }
+
+private:
+  // Values that are not negative, and bounds of their errors, up to rounding of the bounds.
+  struct Bounded
+  {
+    Double_double value;
+    double error;
+  };
+
+  using Precise_vector = std::array<Double_double, 3>;
+
+  // Differences are exact, and a product of two vectors errs by less than 30 double_double_error of their lengths.
+  static constexpr double unit = 64 * double_double_error;
+
+  static Precise_vector precise_difference(const Place& p, const Place& q)
+  {
+    return {exact_sum(q[0], -p[0]), exact_sum(q[1], -p[1]), exact_sum(q[2], -p[2])};
+  }
+
+  static Double_double dot(const Precise_vector& u, const Precise_vector& v)
+  {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  }
+
+  // What the error of a product is relative to; infinite where what underflows may show.
+  static double size_of_product(const Precise_vector& u, const Precise_vector& v)
+  {
+    const auto length = [](const Precise_vector& w) { return std::hypot(w[0].high, w[1].high, w[2].high); };
+    const double size = length(u) * length(v);
+    return size == 0 || (size > least_unscaled && size < greatest_unscaled) ? size
+                                                                            : std::numeric_limits<double>::infinity();
+  }
+
+  // How far a line leads up, times how far another one leads sideways.
+  Bounded product(const Unrolled_line& up, const Unrolled_line& sideways) const
+  {
+    const Bounded h = height(up), w = width(sideways);
+    const Double_double value = h.value * w.value;
+    return {value, h.value.high * w.error + h.error * w.value.high + h.error * w.error + unit * value.high};
+  }
+
+  Bounded height(const Unrolled_line& line) const
+  {
+    const Precise_vector u = precise_difference(m_from, m_to),
+                         v = precise_difference(line.places.front(), line.places.back());
+    const Double_double value = dot(u, v);
+    return {value.high < 0 ? -value : value, unit * size_of_product(u, v)};
+  }
+
+  Bounded width(const Unrolled_line& line) const
+  {
+    const Precise_vector u = precise_difference(m_from, m_to);
+    Bounded sum = {{0, 0}, 0};
+    for(std::size_t i = 1; i < line.places.size(); ++i) {
+      const Precise_vector v = precise_difference(line.places[i - 1], line.places[i]),
+                           cross = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      sum.value = sum.value + internal::sqrt(dot(cross, cross));
+      sum.error += unit * (size_of_product(u, v) + sum.value.high);
+    }
+    return sum;
+  }
+
+  // ---------------------------------------------------------------- in integers
+
+  using Vector = std::array<Integer, 3>;
+
+  static Vector difference(const Integer* p, const Integer* q) { return {q[0] - p[0], q[1] - p[1], q[2] - p[2]}; }
+
+  Uncertain<Sign> exact(const Unrolled_line& a, const Unrolled_line& b) const
+  {
+    std::vector<double> coordinates;
+    const auto append = [&](const Place& p) { coordinates.insert(coordinates.end(), p.begin(), p.end()); };
+    append(m_from);
+    append(m_to);
+    for(const Unrolled_line* line : {&a, &b})
+      for(const Place& p : line->places)
+        append(p);
+    std::vector<Integer> integers(coordinates.size());
+    to_integers(coordinates.data(), coordinates.size(), integers.data());
+    const Vector u = shortened(difference(&integers[0], &integers[3]));
+    const Integer *of_a = &integers[6], *of_b = of_a + 3 * a.places.size();
+    Root_sum sum;
+    add_widths(u, of_b, b, height(u, of_a, a), sum);
+    add_widths(u, of_a, a, -height(u, of_b, b), sum);
+    Work_limit work;
+    return sum.sign(work);
+  }
+
+  static Vector shortened(Vector v)
+  {
+    const Integer common = boost::multiprecision::gcd(boost::multiprecision::gcd(v[0], v[1]), v[2]);
+    for(Integer& x : v)
+      x /= common;
+    return v;
+  }
+
+  static Integer height(const Vector& u, const Integer* places, const Unrolled_line& line)
+  {
+    const Vector v = difference(places, places + 3 * (line.places.size() - 1));
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  }
+
+  static void add_widths(const Vector& u, const Integer* places, const Unrolled_line& line, const Integer& factor,
+                         Root_sum& sum)
+  {
+    for(std::size_t i = 1; i < line.places.size(); ++i, places += 3) {
+      const Vector v = difference(places, places + 3);
+      Integer square = 0;
+      for(std::size_t k = 0; k < 3; ++k) {
+        const Integer c = u[k] * v[(k + 1) % 3] - u[(k + 1) % 3] * v[k];
+        square += c * c;
+      }
+      sum.add(line.side == POSITIVE ? factor : Integer(-factor), square);
+    }
+  }
+
+  Place m_from, m_to;
+};
 
 /*
  * The sign of the sine of a wedge whose input faces lie unfolded in one plane of space, by exact predicates of points; or
@@ -250,6 +415,89 @@ private:
   PlaceOf m_place_of;
   Flat_edges& m_flat_edges;
 };
+
+/* Lengths whose squares and products of squares are normal doubles, by the range in tolerances.h. */
+inline bool is_usable_length(double length) { return length > least_length && length < greatest_length; }
+
+/* The same for searches along edges, which pass edges of length zero. */
+inline bool is_zero_or_usable_length(double length) { return length == 0 || is_usable_length(length); }
+
+/* Is a > b + c, exactly? By the rounding error of the sum, which is a double [Knuth, TwoSum]. */
+inline bool is_longer_than_sum(double a, double b, double c)
+{
+  const double sum = b + c, rest = sum - b;
+  const double error = (b - (sum - rest)) + (c - rest);
+  return a > sum || (a == sum && error < 0);
+}
+
+[[noreturn]] inline void throw_unusable_length(double length, Vertex_index v, Vertex_index w)
+{
+  const std::string edge = "the edge between vertices " + std::to_string(v.idx()) + " and " + std::to_string(w.idx());
+  const std::vector<std::size_t> elements = {static_cast<std::size_t>(v.idx()), static_cast<std::size_t>(w.idx())};
+  if(length == 0)
+    throw Degenerate_face_error(edge + " has length zero", elements, Degeneracy_remedy::CONTRACT);
+  std::ostringstream number;
+  number << length;
+  throw Invalid_coordinate_error(
+      edge + " has the length " + number.str() + ", which is not a number between 1e-70 and 1e70", elements);
+}
+
+inline bool satisfy_triangle_inequality(double a, double b, double c)
+{
+  return !is_longer_than_sum(a, b, c) && !is_longer_than_sum(b, c, a) && !is_longer_than_sum(c, a, b);
+}
+
+/* Returns whether a metric makes the vectors of a face, without throwing an exception. */
+template <class Metric, class Input_mesh>
+bool is_usable_face(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
+{
+  const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+  const double a = metric.weight(mesh, h), b = metric.weight(mesh, hn), c = metric.weight(mesh, hp);
+  constexpr bool has_places = std::is_same<typename Metric::Place, std::array<double, 3>>::value;
+  return is_usable_length(a) && is_usable_length(b) && is_usable_length(c) &&
+         (has_places || satisfy_triangle_inequality(a, b, c));
+}
+
+/* Throws if the lengths of a face, from `h` on, violate the triangle inequality. */
+template <class Input_mesh>
+void check_triangle_inequality(const Input_mesh& mesh, Input_halfedge_index h, double a, double b, double c)
+{
+  if(satisfy_triangle_inequality(a, b, c))
+    return;
+  const Index u = mesh.tail(h).idx(), v = mesh.tail(mesh.next(h)).idx(), w = mesh.tail(mesh.previous(h)).idx();
+  throw Degenerate_face_error("the edge lengths of the face with vertices " + std::to_string(u) + ", " +
+                                  std::to_string(v) + ", " + std::to_string(w) + " violate the triangle inequality",
+                              {static_cast<std::size_t>(u), static_cast<std::size_t>(v), static_cast<std::size_t>(w)});
+}
+
+/* The length of a halfedge that a metric tells, if faces can be made of it. \throws Invalid_coordinate_error,
+ * Degenerate_face_error */
+template <class Metric, class Input_mesh>
+double usable_length(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
+{
+  const double length = metric.weight(mesh, h);
+  if(!is_usable_length(length))
+    throw_unusable_length(length, mesh.tail(h), mesh.tail(twin_index(h)));
+  return length;
+}
+
+/* Those of the halfedges h, next(h), previous(h) of a face. */
+template <class Metric, class Input_mesh>
+std::array<double, 3> face_lengths(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h)
+{
+  const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+  return {metric.length(mesh, h), metric.length(mesh, hn), metric.length(mesh, hp)};
+}
+
+/* The vectors of a face that only its lengths tell, which may violate the triangle inequality. */
+template <class Metric, class Input_mesh, class Traits>
+typename Traits::Face_geometry face_from_lengths(const Metric& metric, const Input_mesh& mesh, Input_halfedge_index h,
+                                                 const Traits& traits)
+{
+  const auto [a, b, c] = face_lengths(metric, mesh, h);
+  check_triangle_inequality(mesh, h, a, b, c);
+  return traits.construct_face_from_lengths_object()(a, b, c);
+}
 
 } // namespace internal
 } // namespace Flip_geodesics

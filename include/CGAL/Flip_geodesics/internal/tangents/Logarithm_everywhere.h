@@ -3,13 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_LOGARITHM_EVERYWHERE_H
 
-#include <CGAL/Flip_geodesics/Geodesic_logarithm.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Geodesic_tree.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/distances/Source_directions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/tangents/Place_frame.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Vertex_directions.h>
-#include <CGAL/Flip_geodesics/logarithmic_map.h>
+#include <CGAL/Flip_geodesics/tangent_vectors.h>
 
 #include <boost/math/constants/constants.hpp>
 

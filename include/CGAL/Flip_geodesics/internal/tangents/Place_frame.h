@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_PLACE_FRAME_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TANGENTS_PLACE_FRAME_H
 
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <boost/math/constants/constants.hpp>

@@ -5,14 +5,13 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
+#include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
-#include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
-#include <CGAL/Flip_geodesics/internal/topology/Cotree.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
-#include <CGAL/Flip_geodesics/internal/topology/Path_words.h>
+#include <CGAL/Flip_geodesics/internal/topology/Reduced_words.h>
 
 #include <algorithm>
 #include <cstddef>

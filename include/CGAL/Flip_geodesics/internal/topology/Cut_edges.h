@@ -4,7 +4,6 @@
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_CUT_EDGES_H
 
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/topology/Cotree.h>
 #include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 

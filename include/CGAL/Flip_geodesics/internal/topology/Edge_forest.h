@@ -3,18 +3,20 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_EDGE_FOREST_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_EDGE_FOREST_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
-#include <CGAL/Flip_geodesics/internal/distances/Input_edge_policy.h>
 #include <CGAL/Flip_geodesics/internal/distances/Label_setting_search.h>
-#include <CGAL/Flip_geodesics/internal/distances/Vertex_queue.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_vertex.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -304,6 +306,216 @@ private:
   Indexed_by<Vertex_index, std::vector<double>> m_distance;
   Indexed_by<Vertex_index, std::vector<Index>> m_component;
   std::vector<Vertex_index> m_roots;
+};
+
+/*
+ * Searches for loops along edges through a vertex, its root. A shortest one of a kind consists of a shortest path, an
+ * edge and a shortest path back [Erickson, Har-Peled 2004]. Both ends of the edge are nearer than half of its length,
+ * so that a search ends at half of the best length so far. The class of a path is kept at its end; the classes of the
+ * two paths and of the edge determine that of the loop.
+ */
+template <class Triangulation, class PathClass>
+class Loop_search
+{
+  using Input_mesh = std::decay_t<decltype(std::declval<Triangulation>().input())>;
+
+public:
+  /* \param interruption null if searches cannot be interrupted */
+  Loop_search(const Triangulation& triangulation, Interruption* interruption)
+    : m_triangulation(triangulation)
+    , m_interruption(interruption)
+    , m_search(number_of_vertices())
+    , m_classes(number_of_vertices())
+  {
+  }
+
+  /*
+   * The policy of a search, from which those for loops of some kind are derived. They provide the class of a path that
+   * goes on over a halfedge, `extended(path, h)`, and `meet()`, which looks at the loop that an edge closes.
+   */
+  template <class Derived>
+  class Policy : public Input_edge_policy<Input_mesh, Metric_weight<Triangulation>>
+  {
+    using Base = Input_edge_policy<Input_mesh, Metric_weight<Triangulation>>;
+
+  public:
+    explicit Policy(Loop_search& search)
+      : Base(search.input(), Metric_weight<Triangulation>(search.m_triangulation), search.m_interruption)
+      , m_loops(search)
+    {
+    }
+
+    /* \throws Interrupted */
+    void reach(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w, bool)
+    {
+      m_loops.m_classes[w] = class_over(origin, h);
+    }
+
+  protected:
+    PathClass class_over(const typename Base::Origin& origin, Input_halfedge_index h) const
+    {
+      return static_cast<const Derived&>(*this).extended(m_loops.m_classes[origin.vertex], h);
+    }
+
+    const PathClass& class_of_path(Vertex_index v) const { return m_loops.m_classes[v]; }
+
+    /* The length of the loop that a halfedge to a settled vertex closes. */
+    double length_of_loop(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w) const
+    {
+      return this->step(origin, h, w).distance + m_loops.m_search[w].distance;
+    }
+
+  private:
+    Loop_search& m_loops;
+  };
+
+  /* Searches from a vertex, whose path has a class. \throws Interrupted, Invalid_coordinate_error */
+  template <class SearchPolicy>
+  void run(Vertex_index root, const PathClass& of_root, SearchPolicy& policy)
+  {
+    m_search.clear();
+    m_search.add_source(root);
+    m_classes[root] = of_root;
+    m_search.run(policy);
+  }
+
+  /* The path to the tail of a halfedge and over it, and the path to its head, of the last search. */
+  Edge_forest::Legs legs(Input_halfedge_index h) const
+  {
+    Edge_forest::Legs result = {path(input().tail(h)), path(input().tail(twin_index(h)))};
+    result.first.push_back(as_intrinsic(h));
+    return result;
+  }
+
+private:
+  const Input_mesh& input() const { return m_triangulation.input(); }
+  std::size_t number_of_vertices() const { return static_cast<std::size_t>(input().number_of_vertices()); }
+
+  std::vector<Halfedge_index> path(Vertex_index v) const
+  {
+    return m_search.template path<Halfedge_index>(v, [this](Input_halfedge_index h) { return input().tail(h); });
+  }
+
+  const Triangulation& m_triangulation;
+  Interruption* m_interruption;
+  Label_setting_search<Search_labels<Input_halfedge_index>> m_search;
+  Indexed_by<Vertex_index, std::vector<PathClass>> m_classes; // of the paths to vertices that are reached
+};
+
+/* Sets of indices, which begin as sets of one. */
+using Disjoint_sets = boost::disjoint_sets_with_storage<>;
+
+inline bool are_united(Disjoint_sets& sets, Index a, Index b)
+{
+  return sets.find_set(static_cast<std::size_t>(a)) == sets.find_set(static_cast<std::size_t>(b));
+}
+
+/* Unites the sets of two indices; returns whether they were different. */
+inline bool unite(Disjoint_sets& sets, Index a, Index b)
+{
+  if(are_united(sets, a, b))
+    return false;
+  sets.union_set(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+  return true;
+}
+
+/* What is done with the borders of the surface. */
+enum class Borders {
+  CLOSED_BY_ONE_FACE, // all borders of a component belong to one more face, outside: loops are to be told apart
+  LEFT_OPEN           // edges of the border are not crossed: the surface is to be cut open
+};
+
+/*
+ * A spanning tree of the faces of each component, over edges that are not on the paths of a forest: that which leaves
+ * the shortest loops [Erickson, Whittlesey 2005]. The loop of an edge is the path to its one end, the edge, and the path
+ * back from its other end. The edges that are neither in the forest nor crossed by the cotree are the *generators*, and
+ * their loops a shortest basis.
+ *
+ *         v        w          path - v - w - path back is the loop of edge vw
+ *          \_____ /
+ *          /     \.
+ *         root of the forest
+ */
+class Cotree
+{
+public:
+  /* None. */
+  Cotree() = default;
+
+  /* \throws Interrupted */
+  template <class Input_mesh, class Weight>
+  Cotree(const Input_mesh& input, const Edge_forest& forest, Borders borders, const Weight& weight,
+         Interruption* interruption = nullptr)
+    : m_is_crossed(static_cast<std::size_t>(input.number_of_halfedges() / 2), 0)
+    , m_face(static_cast<std::size_t>(input.number_of_halfedges()), -1)
+  {
+    throw_if_interrupted_before_part(interruption);
+    number_faces(input, forest);
+    std::vector<Loop> loops;
+    for(Index e = 0; e < input.number_of_halfedges() / 2; ++e) {
+      throw_if_interrupted(interruption);
+      const Input_halfedge_index h(2 * e), t = twin_index(h);
+      const Vertex_index v = input.tail(h), w = input.tail(t);
+      if(!forest.contains(input, h))
+        loops.push_back({forest.component(v), forest.distance(v) + forest.distance(w) + weight(h), h});
+    }
+    throw_if_interrupted_before_part(interruption);
+    span(input, borders, std::move(loops), interruption);
+  }
+
+  /* An edge whose loop belongs to the basis. */
+  struct Loop
+  {
+    Index component;
+    double length;
+    Input_halfedge_index halfedge; // the first of the edge
+
+    friend bool operator<(const Loop& a, const Loop& b)
+    {
+      return std::tie(a.component, a.length, a.halfedge) < std::tie(b.component, b.length, b.halfedge);
+    }
+  };
+
+  /* The loops of the basis, by component, and the shortest first. */
+  const std::vector<Loop>& generators() const { return m_generators; }
+  /* Does the cotree cross the edge of a halfedge? */
+  bool is_crossed(Input_halfedge_index h) const { return m_is_crossed[static_cast<std::size_t>(h.idx() / 2)] != 0; }
+
+private:
+  template <class Input_mesh>
+  void number_faces(const Input_mesh& input, const Edge_forest& forest)
+  {
+    m_number_of_faces = static_cast<Index>(forest.roots().size()); // those outside
+    for(Input_halfedge_index h : descriptors<Input_halfedge_index>(input.number_of_halfedges())) {
+      if(input.is_border(h))
+        m_face[h] = forest.component(input.tail(h));
+      else if(m_face[h] < 0)
+        m_face[h] = m_face[input.next(h)] = m_face[input.previous(h)] = m_number_of_faces++;
+    }
+  }
+
+  // The longest loops first: their edges are crossed wherever they can be.
+  template <class Input_mesh>
+  void span(const Input_mesh& input, Borders borders, std::vector<Loop> loops, Interruption* interruption)
+  {
+    std::sort(loops.begin(), loops.end());
+    Disjoint_sets sets(static_cast<std::size_t>(m_number_of_faces));
+    for(std::size_t i = loops.size(); i-- > 0;) {
+      throw_if_interrupted(interruption);
+      const Input_halfedge_index h = loops[i].halfedge, t = twin_index(h);
+      const bool is_closed = borders == Borders::LEFT_OPEN && (input.is_border(h) || input.is_border(t));
+      if(!is_closed && unite(sets, m_face[h], m_face[t]))
+        m_is_crossed[static_cast<std::size_t>(h.idx() / 2)] = 1;
+      else
+        m_generators.push_back(loops[i]);
+    }
+    std::reverse(m_generators.begin(), m_generators.end());
+  }
+
+  std::vector<char> m_is_crossed;                              // by edge
+  Indexed_by<Input_halfedge_index, std::vector<Index>> m_face; // left of a halfedge
+  Index m_number_of_faces = 0;
+  std::vector<Loop> m_generators;
 };
 
 } // namespace internal

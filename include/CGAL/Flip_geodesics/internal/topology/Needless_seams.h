@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_NEEDLESS_SEAMS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_NEEDLESS_SEAMS_H
 
-#include <CGAL/Flip_geodesics/internal/topology/Cotree.h>
+#include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/network_builders.h>
 
 #include <algorithm>

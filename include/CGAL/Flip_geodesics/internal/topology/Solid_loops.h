@@ -3,12 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_SOLID_LOOPS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TOPOLOGY_SOLID_LOOPS_H
 
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
-#include <CGAL/Flip_geodesics/internal/topology/Bounding_loop_search.h>
+#include <CGAL/Flip_geodesics/internal/topology/Edge_forest.h>
 #include <CGAL/Flip_geodesics/internal/topology/Generator_words.h>
 #include <CGAL/Flip_geodesics/internal/topology/Linking_matrix.h>
-#include <CGAL/Flip_geodesics/internal/topology/Primitive_rows.h>
 
 #include <CGAL/number_utils.h>
 
@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
@@ -26,6 +27,252 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * Vectors of integers that are part of a basis of all of them, taken one by one.
+ *
+ * A unimodular matrix U is kept, such that the k vectors times U have nothing but zeros from column k on. So another one
+ * can be taken if what it has there, times U, has no common divisor.
+ */
+class Primitive_rows
+{
+public:
+  using Row = std::vector<std::int64_t>;
+
+  explicit Primitive_rows(std::size_t n)
+    : m_matrix(n, std::vector<Integer>(n, Integer(0)))
+  {
+    for(std::size_t i = 0; i < n; ++i)
+      m_matrix[i][i] = Integer(1);
+  }
+
+  std::size_t size() const { return m_size; }
+
+  /* Takes a vector if it is part of a basis together with those that are there. Is it? */
+  bool add(const Row& row)
+  {
+    std::vector<Integer> rest = rest_of(row);
+    std::size_t pivot = smallest(rest);
+    if(pivot == rest.size())
+      return false;
+    // Euclid's algorithm for columns of the matrix
+    for(bool is_one_left = false; !is_one_left; pivot = smallest(rest)) {
+      is_one_left = true;
+      for(std::size_t c = 0; c < rest.size(); ++c) {
+        if(c == pivot || rest[c].sign() == 0)
+          continue;
+        const Integer q = rest[c] / rest[pivot];
+        rest[c] -= q * rest[pivot];
+        for(std::vector<Integer>& r : m_matrix)
+          r[m_size + c] -= q * r[m_size + pivot];
+        is_one_left = is_one_left && rest[c].sign() == 0;
+      }
+    }
+    if(absolute(rest[pivot]) != Integer(1))
+      return false;
+    for(std::vector<Integer>& r : m_matrix)
+      r[m_size].swap(r[m_size + pivot]);
+    ++m_size;
+    return true;
+  }
+
+  /* Combinations of rows that generate the same as all of them, together with the vectors that are there.
+   * \pre those are combinations of the rows, which have a basis that is part of one of all vectors */
+  std::vector<Row> completed_by(const std::vector<Row>& rows) const
+  {
+    std::vector<Pair> pairs;
+    for(const Row& row : rows)
+      pairs.push_back({rest_of(row), std::vector<Integer>(row.begin(), row.end())});
+    std::vector<Row> result;
+    for(std::size_t c = 0; c < m_matrix.size() - m_size; ++c) {
+      // Euclid's algorithm for rows: one is left with something in this column, and taken.
+      auto pivot = smallest(pairs, c);
+      if(pivot == pairs.end())
+        continue;
+      for(bool is_one_left = false; !is_one_left; pivot = smallest(pairs, c)) {
+        is_one_left = true;
+        for(Pair& pair : pairs)
+          if(&pair != &*pivot && pair.rest[c].sign() != 0) {
+            subtract(pair.rest[c] / pivot->rest[c], *pivot, pair);
+            is_one_left = is_one_left && pair.rest[c].sign() == 0;
+          }
+      }
+      result.emplace_back();
+      for(const Integer& x : pivot->row)
+        result.back().push_back(static_cast<std::int64_t>(x));
+      pairs.erase(pivot);
+    }
+    return result;
+  }
+
+private:
+  struct Pair
+  {
+    std::vector<Integer> rest, row;
+  };
+
+  // A row times the columns of the matrix that are not used up.
+  std::vector<Integer> rest_of(const Row& row) const
+  {
+    std::vector<Integer> result(row.size() - m_size, Integer(0));
+    for(std::size_t i = 0; i < row.size(); ++i)
+      if(row[i] != 0)
+        for(std::size_t c = 0; c < result.size(); ++c)
+          if(m_matrix[i][m_size + c].sign() != 0)
+            result[c] += Integer(row[i]) * m_matrix[i][m_size + c];
+    return result;
+  }
+
+  static bool is_smaller(const Integer& a, const Integer& b)
+  {
+    return a.sign() != 0 && (b.sign() == 0 || absolute(a) < absolute(b));
+  }
+
+  // The smallest number that is not zero, the end if there is none.
+  static std::size_t smallest(const std::vector<Integer>& numbers)
+  {
+    const auto found = std::min_element(numbers.begin(), numbers.end(), is_smaller);
+    return found == numbers.end() || found->sign() == 0 ? numbers.size()
+                                                        : static_cast<std::size_t>(found - numbers.begin());
+  }
+
+  static std::vector<Pair>::iterator smallest(std::vector<Pair>& pairs, std::size_t column)
+  {
+    const auto found = std::min_element(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
+      return is_smaller(a.rest[column], b.rest[column]);
+    });
+    return found == pairs.end() || found->rest[column].sign() == 0 ? pairs.end() : found;
+  }
+
+  static void subtract(const Integer& factor, const Pair& from, Pair& to)
+  {
+    for(std::size_t c = 0; c < to.rest.size(); ++c)
+      to.rest[c] -= factor * from.rest[c];
+    for(std::size_t c = 0; c < to.row.size(); ++c)
+      to.row[c] -= factor * from.row[c];
+  }
+
+  std::vector<std::vector<Integer>> m_matrix;
+  std::size_t m_size = 0; // of the vectors that are there
+};
+
+/* What tells classes apart modulo 2^64: sums over the edges of a loop. It does not bound on the surface if its name is
+ * not zero, and bounds on a side in space if its remainder on that side is zero. */
+struct Class_sums
+{
+  std::uint64_t name = 0;
+  std::array<std::uint64_t, 2> remainders = {0, 0}; // behind the surface and in front of it
+
+  Class_sums& add(const Class_sums& other, bool is_backwards)
+  {
+    const auto add_to = [is_backwards](std::uint64_t& a, std::uint64_t b) { a += is_backwards ? -b : b; };
+    add_to(name, other.name);
+    for(std::size_t side : {0, 1})
+      add_to(remainders[side], other.remainders[side]);
+    return *this;
+  }
+
+  bool bounds(std::size_t side) const { return name != 0 && remainders[side] == 0; }
+};
+
+/*
+ * The shortest loops through a vertex that are made of a shortest path, an edge and a shortest path back, and bound
+ * behind the surface or in front of it: one of either kind, of those that are wanted. The search ends where longer ones
+ * begin, or when many vertices were reached.
+ */
+template <class Triangulation>
+class Bounding_loop_search
+{
+public:
+  using Sums = Indexed_by<Edge_index, std::vector<Class_sums>>;
+  using Loop = std::vector<Halfedge_index>;
+
+  /* `sums` are those of the first sides of edges; searches can be stopped. */
+  Bounding_loop_search(const Triangulation& triangulation, const Sums& sums, Interruption* interruption)
+    : m_sums(sums)
+    , m_search(triangulation, interruption)
+  {
+  }
+
+  /* The loops of which `is_wanted(side, sums)` holds, empty where none was found among `most` vertices; without a way
+   * that is passed out and back. \throws Interrupted */
+  template <class IsWanted>
+  std::array<Loop, 2> operator()(Vertex_index root, std::size_t most, const IsWanted& is_wanted)
+  {
+    Policy<IsWanted> policy(m_search, m_sums, most, is_wanted);
+    m_search.run(root, Class_sums(), policy);
+    return {loop(policy.closing(0)), loop(policy.closing(1))};
+  }
+
+private:
+  using Search = Loop_search<Triangulation, Class_sums>;
+
+  // Keeps the edges that close the best loops of either kind.
+  template <class IsWanted>
+  class Policy : public Search::template Policy<Policy<IsWanted>>
+  {
+    using Base = typename Search::template Policy<Policy<IsWanted>>;
+
+  public:
+    Policy(Search& search, const Sums& sums, std::size_t most, const IsWanted& is_wanted)
+      : Base(search)
+      , m_sums(sums)
+      , m_most(most)
+      , m_is_wanted(is_wanted)
+    {
+      m_lengths.fill(std::numeric_limits<double>::infinity());
+      m_closing.fill(null_index);
+    }
+
+    Input_halfedge_index closing(std::size_t side) const { return m_closing[side]; }
+
+    template <class Queue>
+    bool is_finished(Queue& queue) const
+    {
+      return m_number_of_reached >= m_most || !(2 * queue.priority() < (std::max)(m_lengths[0], m_lengths[1]));
+    }
+
+    Class_sums extended(Class_sums path, Input_halfedge_index h) const
+    {
+      return path.add(m_sums[edge_of(as_intrinsic(h))], !is_first_side(h));
+    }
+
+    void reach(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w, bool is_first)
+    {
+      Base::reach(origin, h, w, is_first);
+      m_number_of_reached += is_first ? 1 : 0;
+    }
+
+    void meet(const typename Base::Origin& origin, Input_halfedge_index h, Vertex_index w)
+    {
+      const double length = this->length_of_loop(origin, h, w);
+      const Class_sums sums = this->class_over(origin, h).add(this->class_of_path(w), true);
+      for(std::size_t side : {0, 1})
+        if(sums.bounds(side) && length < m_lengths[side] && m_is_wanted(side, sums)) {
+          m_lengths[side] = length;
+          m_closing[side] = h;
+        }
+    }
+
+  private:
+    const Sums& m_sums;
+    std::size_t m_most, m_number_of_reached = 1; // the root
+    const IsWanted& m_is_wanted;
+    std::array<double, 2> m_lengths;               // of the best loops
+    std::array<Input_halfedge_index, 2> m_closing; // their edges that are in no path
+  };
+
+  Loop loop(Input_halfedge_index h) const
+  {
+    if(h == null_index)
+      return {};
+    const auto [out, back] = m_search.legs(h);
+    return closed_chain(out, back, common_start(out, back));
+  }
+
+  const Sums& m_sums;
+  Search m_search;
+};
 
 /*
  * Loops of a closed surface in space that bound inside of it, and such that bound outside: a basis of either.

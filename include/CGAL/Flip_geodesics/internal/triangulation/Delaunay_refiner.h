@@ -3,28 +3,400 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_DELAUNAY_REFINER_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_DELAUNAY_REFINER_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Face_chart.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Face_shape.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Refinement_outlook.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Segment_points.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Sharp_sectors.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Star_flips.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Lawson_flips.h>
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <queue>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * Foresees whether the vertices that refinement may insert suffice to mend the thin faces in its queue.
+ *
+ * A face of area A with shortest side s takes about A / s^2 vertices where faces cannot grow away from that side: on a
+ * tube as thin as s, or between curves as close. Elsewhere they can, a few vertices do, and the *need*, the sum of
+ * A / s^2 over the bad faces, falls by half or more in a generation, in which as many faces are treated as there were
+ * at its start. So where the need is many times what is allowed, and has not fallen for two generations, the bounds are
+ * out of reach.
+ */
+class Refinement_outlook
+{
+public:
+  /* What a face adds to the need. */
+  static double need(const std::array<double, 3>& lengths, double sine_of_smallest_angle)
+  {
+    const double shortest = (std::min)({lengths[0], lengths[1], lengths[2]});
+    const double longest = (std::max)({lengths[0], lengths[1], lengths[2]});
+    const double middle = lengths[0] + lengths[1] + lengths[2] - shortest - longest;
+    return 0.5 * sine_of_smallest_angle * (longest / shortest) * (middle / shortest);
+  }
+
+  /* A face enters the queue. */
+  void add(double need)
+  {
+    m_need += need;
+    ++m_size;
+  }
+
+  /* A face leaves the queue. */
+  void remove(double need)
+  {
+    m_need -= need;
+    --m_size;
+    if(m_left_of_generation > 0)
+      --m_left_of_generation;
+  }
+
+  /* Are the bounds out of reach with so many more vertices? To be asked before each face. */
+  bool is_hopeless(std::size_t allowed)
+  {
+    if(m_left_of_generation > 0)
+      return false;
+    const bool is_stagnant = m_need > most_kept * m_need_before && m_need > certainty * static_cast<double>(allowed);
+    m_stagnant_generations = is_stagnant ? m_stagnant_generations + 1 : 0;
+    m_need_before = m_need;
+    m_left_of_generation = m_size;
+    return m_stagnant_generations >= 2;
+  }
+
+  /* Of a face in the queue. */
+  double mean_need() const { return m_need / static_cast<double>((std::max)(m_size, std::size_t(1))); }
+
+private:
+  static constexpr double most_kept = 0.9; // of the need, over a generation, if there is hope
+  static constexpr double certainty = 16;  // how many times the need must be what is allowed, since it is an estimate
+
+  double m_need = 0;
+  double m_need_before = std::numeric_limits<double>::infinity();
+  std::size_t m_size = 0, m_left_of_generation = 0;
+  int m_stagnant_generations = 0;
+};
+
+/*
+ * Makes the faces around a new vertex Delaunay. Each flip makes an edge at the vertex, and none of those is flipped
+ * again, but for a few ties and what wrong flips left; so there are few, and they are not interrupted.
+ */
+template <class Triangulation>
+class Star_flips
+{
+public:
+  explicit Star_flips(Triangulation& triangulation)
+    : m_triangulation(triangulation)
+    , m_lawson(triangulation, true)
+  {
+  }
+
+  /* Returns false, and leaves the faces as they were, if flips were wrong. The visitor is told of each flip. */
+  template <class Visitor>
+  bool flip_around(Vertex_index x, Visitor& visitor)
+  {
+    const auto before = m_triangulation.log_position();
+    m_lawson.clear();
+    for_each_edge_in_star(m_triangulation, x, [this](Halfedge_index h) { m_lawson.look_at(Triangulation::edge(h)); });
+    m_flipped.clear();
+    Recorder<Visitor> recorder = {visitor, m_flipped, x};
+    try {
+      m_flips += m_lawson.flip((std::numeric_limits<std::size_t>::max)(), recorder);
+      if(!recorder.has_lost_its_way() &&
+         std::all_of(m_flipped.begin(), m_flipped.end(), [this](Halfedge_index h) { return has_right_word(h); }))
+        return true;
+    } catch(const Insertion_error&) { // a word does not lead from end to end
+    }
+    m_triangulation.rollback(before);
+    return false;
+  }
+
+  /* The halfedges that were flipped around the last vertex. */
+  const std::vector<Halfedge_index>& flipped() const { return m_flipped; }
+
+  /* The number of all flips, those taken back included. */
+  std::size_t flips() const { return m_flips; }
+
+private:
+  // Notes flips, passes them on, and ends them if they are wrong.
+  template <class Visitor>
+  struct Recorder
+  {
+    Visitor& visitor;
+    std::vector<Halfedge_index>& flipped;
+    Vertex_index x;
+    int strays = 0;
+
+    bool go_further() const { return !has_lost_its_way(); }
+    bool has_lost_its_way() const { return strays > 64; }
+    void on_flip(const Triangulation& triangulation, Halfedge_index h)
+    {
+      strays += triangulation.tail(h) == x || triangulation.head(h) == x ? 0 : 1;
+      flipped.push_back(h);
+      visitor.on_flip(triangulation, h);
+    }
+  };
+
+  // Throws or returns false if flips were wrong: the words of flipped edges lead from end to end, inside the surface.
+  bool has_right_word(Halfedge_index h) const
+  {
+    const Crossing_word word = m_triangulation.crossing_word(h);
+    const auto is_inside = [&input = m_triangulation.input()](Input_halfedge_index g) {
+      return !input.is_border(g) && !input.is_border(twin_index(g));
+    };
+    return (word.along == null_index || is_inside(word.along)) &&
+           std::all_of(word.crossed.begin(), word.crossed.end(), is_inside);
+  }
+
+  Triangulation& m_triangulation;
+  Lawson_flips<Triangulation> m_lawson;
+  std::vector<Halfedge_index> m_flipped;
+  std::size_t m_flips = 0;
+};
+
+/* Is a type a model of CurveNetwork, rather than a triangulation? Told by the curves of one. */
+template <class T, class = void>
+struct Is_curve_network : std::false_type
+{
+};
+
+template <class T>
+struct Is_curve_network<T,
+                        std::void_t<typename T::Triangulation, decltype(std::declval<const T&>().number_of_curves())>>
+  : std::true_type
+{
+};
+
+/* The edges that a network holds, each once, in increasing order. */
+template <class Network>
+std::vector<Edge_index> edges_under_curves(const Network& network)
+{
+  std::vector<Edge_index> edges;
+  for(Curve_index c : descriptors<Curve_index>(network.number_of_curves()))
+    network.for_each_segment(
+        c, [&](Segment_index s) { edges.push_back(Network::Triangulation::edge(network.halfedge(s))); });
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/* Does a curve lie on the edge of h, or is it on the border? */
+template <class Triangulation>
+bool is_constrained_edge(const Triangulation& triangulation, Halfedge_index h)
+{
+  return triangulation.holds(Triangulation::edge(h)) != 0 || triangulation.is_border(h) ||
+         triangulation.is_border(Triangulation::twin(h));
+}
+
+/* Lengths and angles of an intrinsic face, rounded. Side i leads from corner i to corner i + 1; side 0 is h. */
+template <class Triangulation>
+class Face_shape
+{
+public:
+  Face_shape(const Triangulation& triangulation, Halfedge_index h)
+  {
+    for(int i = 0; i < 3; ++i, h = triangulation.next(h)) {
+      m_sides[i] = h;
+      m_lengths[i] = triangulation.length(h);
+    }
+  }
+
+  static Halfedge_index first_halfedge(const Triangulation& triangulation, Halfedge_index h)
+  {
+    const Halfedge_index hn = triangulation.next(h);
+    return (std::min)({h, hn, triangulation.next(hn)});
+  }
+
+  const std::array<double, 3>& lengths() const { return m_lengths; }
+
+  /* The angle at corner i. */
+  double angle(int i) const
+  {
+    // By half-angles [Kahan]: accurate whatever the shape is, if differences are taken in this order.
+    const double a = m_lengths[(i + 1) % 3], b = (std::max)(m_lengths[i], m_lengths[(i + 2) % 3]),
+                 c = (std::min)(m_lengths[i], m_lengths[(i + 2) % 3]);
+    const double rest = c >= a ? a - (b - c) : c - (b - a);
+    const double low = (std::max)(((b - c) + a) * rest, 0.0), high = (std::max)((b + (c + a)) * ((b - a) + c), 0.0);
+    return 2 * std::atan2(std::sqrt(low), std::sqrt(high));
+  }
+
+  /* The cosine of the angle opposite to side 0. */
+  double cosine_opposite() const { return std::cos(angle(2)); }
+
+  int smallest_corner() const
+  {
+    const int shortest = static_cast<int>((std::min_element)(m_lengths.begin(), m_lengths.end()) - m_lengths.begin());
+    return (shortest + 2) % 3;
+  }
+
+  double smallest_angle() const { return angle(smallest_corner()); }
+
+  double shortest() const { return (std::min)({m_lengths[0], m_lengths[1], m_lengths[2]}); }
+  double longest() const { return (std::max)({m_lengths[0], m_lengths[1], m_lengths[2]}); }
+
+  /* The shortest side. */
+  Halfedge_index shortest_side() const { return m_sides[(smallest_corner() + 1) % 3]; }
+
+  /* The spoke with the smallest corner on its left. */
+  Halfedge_index spoke_of_smallest_corner() const { return m_sides[smallest_corner()]; }
+
+private:
+  std::array<Halfedge_index, 3> m_sides;
+  std::array<double, 3> m_lengths;
+};
+
+/* The vertices by which refinement has split edges that were constrained at first, the *segments*. */
+template <class Triangulation>
+class Segment_points
+{
+public:
+  /* On a segment: its ends, and how far they are. */
+  struct Point
+  {
+    std::array<Vertex_index, 2> ends;
+    std::array<double, 2> distances;
+  };
+
+  explicit Segment_points(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  void add(Vertex_index v, const Point& point) { m_points[v] = point; }
+
+  /* What a vertex will be that is to split the edge of h, as far from its tail as `length`. */
+  Point point(Halfedge_index h, double length) const
+  {
+    const std::array<Vertex_index, 2> at = {m_triangulation.tail(h), m_triangulation.head(h)};
+    const std::array<double, 2> halves = {length, m_triangulation.length(h) - length};
+    Point result;
+    for(int i = 0; i < 2; ++i) {
+      result.ends[i] = at[i];
+      result.distances[i] = halves[i];
+      const auto found = m_points.find(at[i]);
+      if(found == m_points.end())
+        continue;
+      const Point& old = found->second;
+      const int beyond = end_beyond(old, at[1 - i]);
+      result.ends[i] = old.ends[beyond];
+      result.distances[i] += old.distances[beyond];
+    }
+    return result;
+  }
+
+  /* Does h lead from one segment to another that shares an end with it, at equal distances from there? */
+  bool spans_small_angle(Halfedge_index h) const
+  {
+    const auto p = m_points.find(m_triangulation.tail(h)), q = m_points.find(m_triangulation.head(h));
+    if(p == m_points.end() || q == m_points.end() || is_constrained_edge(m_triangulation, h))
+      return false;
+    for(int i = 0; i < 2; ++i)
+      for(int j = 0; j < 2; ++j) {
+        const double a = p->second.distances[i], b = q->second.distances[j];
+        if(p->second.ends[i] == q->second.ends[j] && std::abs(a - b) < 0.2 * (std::min)(a, b))
+          return true;
+      }
+    return false;
+  }
+
+private:
+  // The end of the point's segment that does not lie towards vertex v, another vertex of the segment.
+  int end_beyond(const Point& point, Vertex_index v) const
+  {
+    const auto found = m_points.find(v);
+    if(found == m_points.end())
+      return point.ends[0] == v ? 1 : 0;
+    const int same = found->second.ends[0] == point.ends[0] ? 0 : 1;
+    return found->second.distances[same] > point.distances[0] ? 0 : 1;
+  }
+
+  const Triangulation& m_triangulation;
+  std::unordered_map<Vertex_index, Point> m_points;
+};
+
+/*
+ * Tells where the angle about a vertex between constrained edges, or all round, is less than 60 degrees: a *sharp
+ * sector*. Flips and insertions do not change that, so sharp sectors are noted at their spokes, and not measured again:
+ * a spoke, as long as its version lasts, costs constant time on average, however many there are in the sector. Other
+ * sectors are measured only until they have 60 degrees.
+ */
+template <class Triangulation>
+class Sharp_sectors
+{
+public:
+  explicit Sharp_sectors(const Triangulation& triangulation)
+    : m_triangulation(triangulation)
+  {
+  }
+
+  /* Is the corner at the tail of h, in the face on its left, in a sharp sector? */
+  bool operator()(Halfedge_index h)
+  {
+    m_walked.assign(1, h);
+    double sum = angle_at_tail(h);
+    bool is_known = is_noted(h);
+    for(Halfedge_index g = h; !is_known && !is_constrained(g) && sum < sharp;) {
+      g = m_triangulation.clockwise(g);
+      if(g == h)
+        return note(sum);
+      is_known = walk_over(g, sum);
+    }
+    for(Halfedge_index g = m_triangulation.counterclockwise(h); !is_known && sum < sharp && !is_constrained(g);
+        g = m_triangulation.counterclockwise(g))
+      is_known = walk_over(g, sum);
+    return note(is_known ? 0 : sum);
+  }
+
+private:
+  static constexpr double sharp = boost::math::constants::pi<double>() / 3;
+
+  // Returns whether the sector is noted there.
+  bool walk_over(Halfedge_index g, double& sum)
+  {
+    m_walked.push_back(g);
+    sum += angle_at_tail(g);
+    return is_noted(g);
+  }
+
+  bool note(double sum)
+  {
+    if(sum < sharp - sharp_sector_margin)
+      for(Halfedge_index g : m_walked) {
+        if(m_versions.size() <= static_cast<std::size_t>(g.idx()))
+          m_versions.resize(static_cast<std::size_t>(m_triangulation.number_of_halfedges()), null_index);
+        m_versions[static_cast<std::size_t>(g.idx())] = m_triangulation.version(Triangulation::edge(g));
+      }
+    return sum < sharp;
+  }
+
+  bool is_noted(Halfedge_index g) const
+  {
+    return static_cast<std::size_t>(g.idx()) < m_versions.size() &&
+           m_versions[static_cast<std::size_t>(g.idx())] == m_triangulation.version(Triangulation::edge(g));
+  }
+
+  double angle_at_tail(Halfedge_index h) const { return Face_shape<Triangulation>(m_triangulation, h).angle(0); }
+
+  bool is_constrained(Halfedge_index h) const { return is_constrained_edge(m_triangulation, h); }
+
+  const Triangulation& m_triangulation;
+  std::vector<Index> m_versions; // by halfedge: of its edge, when its sector was found sharp
+  std::vector<Halfedge_index> m_walked;
+};
 
 /*
  * Delaunay refinement [Chew 1993, Ruppert 1995, Shewchuk 1997] on an intrinsic triangulation [SSC19, section 4.3]: bad

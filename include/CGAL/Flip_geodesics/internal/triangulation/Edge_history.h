@@ -3,18 +3,24 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_HISTORY_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_HISTORY_H
 
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/Block_array.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/shared_memory.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Crossing_words.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Version_cache.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Precise_face.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Word_path.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Precise_strip.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -22,6 +28,458 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+/*
+ * Values that were computed for the edges that flips created, by the version of the edge: one more than the position of
+ * its flip in the log. The least recently used values are dropped when all take too much memory, so that the same calls
+ * drop the same values. A value is stored with the number of bytes that it owns besides its own size.
+ *
+ * As `std::list` and `std::unordered_map`, which are as fast for what they hold. But their nodes would take most of the
+ * memory, so that the same limit would hold fewer values, and long histories would be derived again and again.
+ */
+template <class Value>
+class Version_cache
+{
+  struct Entry
+  {
+    Value value;
+    std::size_t bytes;
+    Index version, newer, older;
+  };
+
+public:
+  /* The value of a version, null if there is none. Valid until it is dropped or erased. */
+  Value* find(Index version)
+  {
+    if(slot(version) == null_index)
+      return nullptr;
+    const Index i = m_slots[position(version)];
+    if(i != m_newest) {
+      unlink(i);
+      link_newest(i);
+    }
+    return &entry(i).value;
+  }
+
+  bool contains(Index version) const { return slot(version) != null_index; }
+
+  /* \pre it has no value */
+  Value& insert(Index version, Value&& value, std::size_t bytes)
+  {
+    if(m_slots.size() <= position(version))
+      m_slots.resize(position(version) + 1, null_index);
+    const Index i = free_entry();
+    entry(i).value = std::move(value);
+    entry(i).bytes = bytes;
+    entry(i).version = version;
+    m_slots[position(version)] = i;
+    m_bytes += sizeof(Entry) + bytes;
+    link_newest(i);
+    return entry(i).value;
+  }
+
+  /* Forgets the last version. What it held goes to `recycle`. \pre no later one is known */
+  template <class Recycle>
+  void forget(Index version, const Recycle& recycle)
+  {
+    if(m_slots.size() <= position(version))
+      return;
+    if(m_slots.back() != null_index)
+      drop(m_slots.back(), recycle);
+    m_slots.pop_back();
+  }
+
+  /* Drops the values that have not been asked for longest until all take at most so many bytes. */
+  template <class Recycle>
+  void shrink(std::size_t most_bytes, const Recycle& recycle)
+  {
+    while(m_bytes > most_bytes && m_oldest != null_index)
+      drop(m_oldest, recycle);
+  }
+
+  std::size_t memory() const { return m_bytes + m_slots.memory(); }
+
+private:
+  static std::size_t position(Index version) { return static_cast<std::size_t>(version) - 1; }
+
+  Index slot(Index version) const
+  {
+    return position(version) < m_slots.size() ? m_slots[position(version)] : null_index;
+  }
+
+  Entry& entry(Index i) { return m_entries[static_cast<std::size_t>(i)]; }
+
+  Index free_entry()
+  {
+    if(m_free == null_index) {
+      m_entries.push_back(Entry());
+      return static_cast<Index>(m_entries.size()) - 1;
+    }
+    return std::exchange(m_free, entry(m_free).older);
+  }
+
+  template <class Recycle>
+  void drop(Index i, const Recycle& recycle)
+  {
+    unlink(i);
+    Entry& dropped = entry(i);
+    m_slots[position(dropped.version)] = null_index;
+    m_bytes -= sizeof(Entry) + dropped.bytes;
+    recycle(std::move(dropped.value));
+    dropped.value = Value();
+    dropped.older = std::exchange(m_free, i);
+  }
+
+  void link_newest(Index i)
+  {
+    entry(i).newer = null_index;
+    entry(i).older = m_newest;
+    (m_newest == null_index ? m_oldest : entry(m_newest).newer) = i;
+    m_newest = i;
+  }
+
+  void unlink(Index i)
+  {
+    const Entry& e = entry(i);
+    (e.newer == null_index ? m_newest : entry(e.newer).older) = e.older;
+    (e.older == null_index ? m_oldest : entry(e.older).newer) = e.newer;
+  }
+
+  Block_array<Index> m_slots;   // by position in the log: which entry is the version's
+  Block_array<Entry> m_entries; // whose values stay where they are
+  Index m_newest = null_index, m_oldest = null_index;
+  Index m_free = null_index; // the first entry without a value; the others follow as older ones
+  std::size_t m_bytes = 0;
+};
+
+/*
+ * The crossing words of an intrinsic triangulation's edges, by combinatorics alone, so that they are exact whatever the
+ * numbers do. Those of the edges that are there now are read off the triangulation; where that cannot be, and for edges
+ * that flips have replaced, they are derived from the flip log.
+ *
+ * The diagonal kl that a flip made is the path k, i, l pulled off i through the flipped edge ij. So its word is the
+ * free reduction of the word of ki, the input edges that the turn about i crosses, and the word of il, less what
+ * touches k or l at the ends. The words of edges at an inserted point are given when it is inserted. Only the edges
+ * that the asked ones descend from are visited: about as many as the curve had segments, not as there were flips.
+ *
+ * Words can be as long as there are faces. So those of flips are kept in memory proportional to the number of flips,
+ * as long as they are asked for, and derived again if need be. What numbers are derived from is kept for each flip, is
+ * found without words nearly always, and does not depend on which of them are there.
+ */
+template <class Triangulation>
+class Crossing_words
+{
+public:
+  /* An edge of the input, or one as a flip or split made it, with a direction. */
+  struct Edge_version
+  {
+    Halfedge_index halfedge;
+    Index version;
+  };
+
+  /*
+   * Of the diagonal kl that a flip made: how many input edges the turn about i from ik to il crosses, how many lie between
+   * the first faces of ki and of kl about k, and between those of li and of lk about l.
+   */
+  struct Spokes
+  {
+    Index at_joint, at_tail, at_head;
+    // Are vectors to be derived along with the word? Where it is so short, it is faster to unfold it.
+    bool are_many;
+  };
+
+  /*
+   * The word of halfedge h, from tail to head.
+   *
+   * An edge whose ends and the points that it passes lie on one input edge has a word only if it is straight, which
+   * rounded flips need not see to where points are closer to each other than numbers can tell. Then the number of
+   * crossings, which flips keep right whatever they do, is another one.
+   */
+  Crossing_word operator()(const Triangulation& triangulation, Halfedge_index h)
+  {
+    const Edge_version asked = {h, triangulation.version(Triangulation::edge(h))};
+    if(asked.version == 0)
+      return input_word(triangulation, h);
+    if(!is_there(asked))
+      trace(triangulation, asked);
+    Crossing_word found = word(triangulation, asked);
+    if(found.crossed.size() != static_cast<std::size_t>(number_of_crossings(triangulation, h)))
+      fail(triangulation, found);
+    return found;
+  }
+
+  /*
+   * The word of halfedge h by the triangulation alone, without a look at what is kept; returns false if that cannot be.
+   * For several threads at once.
+   */
+  static bool read_off(const Triangulation& triangulation, Halfedge_index h, Crossing_word& word)
+  {
+    if(triangulation.version(Triangulation::edge(h)) == 0) {
+      word = input_word(triangulation, h);
+      return true;
+    }
+    if(!trace_first_side(triangulation, first_side(edge_of(h)), word))
+      return false;
+    if(!is_first_side(h))
+      word.reverse();
+    return true;
+  }
+
+  /* Keeps the word of the edge of h, from the tail of h to its head, that a split of log position `version - 1` made.
+   */
+  void store(Halfedge_index h, Index version, const Crossing_word& word)
+  {
+    m_words_of_splits.emplace(key(Triangulation::edge(h), version), is_first_side(h) ? word : word.reversed());
+    m_bytes_of_splits += bytes_of_split(word);
+  }
+
+  /* The word of an edge as a flip or split made it; from the log if it is not there. */
+  Crossing_word word(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    derive(triangulation, wanted);
+    Crossing_word input_edge;
+    const Directed_word found = directed_word(triangulation, wanted, input_edge);
+    return found.is_reversed ? found.word.reversed() : found.word;
+  }
+
+  /*
+   * From numbers of crossings alone: the input edges in the triangle that the flip made of k, i, l are those that start at
+   * its corners, and those that cut one off. \pre a flip made the edge
+   */
+  Spokes spokes(const Triangulation& triangulation, Index version) const
+  {
+    const Flip_record& flip = triangulation.flip_record(position(version));
+    const Index kl = (std::max)(flip.number, 0);
+    const Triangle_crossings corners(crossings(triangulation, {flip.tn, flip.version_tn}), kl,
+                                     crossings(triangulation, {flip.hp, flip.version_hp}));
+    return {corners.emanating[1], corners.emanating[0], corners.emanating[2], kl > few_crossings};
+  }
+
+  /* Was it a split that made the edge? */
+  bool is_of_split(const Edge_version& wanted) const { return word_of_split(wanted) != nullptr; }
+
+  /* Drops words that have not been asked for long. To be called when none is being used. */
+  void shrink(std::size_t number_of_records)
+  {
+    m_words.shrink(few_bytes + bytes_per_record * number_of_records,
+                   [this](Crossing_word&& word) { recycle(std::move(word)); });
+  }
+
+  /* In bytes. */
+  std::size_t memory() const { return m_words.memory() + m_bytes_of_splits; }
+
+  /* Forgets the word of an edge that a flip or split made, since that is taken back. \pre so is all that came later */
+  void forget(Edge_index e, Index version)
+  {
+    m_words.forget(version, [this](Crossing_word&& word) { recycle(std::move(word)); });
+    if(!m_words_of_splits.empty())
+      forget_split(key(e, version));
+  }
+
+private:
+  using Flip_record = typename Triangulation::Flip_record;
+
+  // Words are kept in so much memory.
+  static constexpr std::size_t few_bytes = 1 << 20, bytes_per_record = 4;
+  static constexpr std::size_t most_spare_letters = 1 << 10;
+  // How many crossings are unfolded faster than vectors are derived.
+  static constexpr Index few_crossings = 4;
+
+  [[noreturn]] static void fail(const Triangulation& triangulation, const Crossing_word& word)
+  {
+    const Vertex_index v = triangulation.is_inserted(word.tail) ? word.tail : word.head;
+    const Input_halfedge_index h = triangulation.location(v).halfedge;
+    throw Insertion_error("points at vertex " + std::to_string(v.idx()) + ", in the face of halfedge " +
+                              std::to_string(h.idx()) +
+                              ", are closer together than numbers can tell: the flips around them were wrong",
+                          {static_cast<std::size_t>(h.idx())});
+  }
+
+  // A word, and whether it is that of the other direction.
+  struct Directed_word
+  {
+    const Crossing_word& word;
+    bool is_reversed;
+
+    Word_end tail() const { return is_reversed ? head_end(word) : tail_end(word); }
+    Word_end head() const { return is_reversed ? tail_end(word) : head_end(word); }
+  };
+
+  static std::size_t position(Index version) { return static_cast<std::size_t>(version) - 1; }
+
+  // Tells edges and the split that made them.
+  static std::uint64_t key(Edge_index e, Index version)
+  {
+    return static_cast<std::uint64_t>(version) << 32 | static_cast<std::uint32_t>(e.idx());
+  }
+
+  static Crossing_word input_word(const Triangulation& triangulation, Halfedge_index h)
+  {
+    const Input_halfedge_index along = as_input(h);
+    return {along, {}, null_index, triangulation.input().tail(along), triangulation.input().tail(twin_index(along))};
+  }
+
+  static bool has_inserted_vertices(const Triangulation& triangulation)
+  {
+    return triangulation.number_of_vertices() != triangulation.input().number_of_vertices();
+  }
+
+  static Index number_of_crossings(const Triangulation& triangulation, Halfedge_index h)
+  {
+    return (std::max)(triangulation.crossings(Triangulation::edge(h)), 0);
+  }
+
+  // How many input edges it crosses; 0 if it lies along one.
+  Index crossings(const Triangulation& triangulation, const Edge_version& e) const
+  {
+    if(e.version == 0)
+      return 0;
+    if(const Crossing_word* of_split = word_of_split(e))
+      return static_cast<Index>(of_split->crossed.size());
+    return (std::max)(triangulation.flip_record(position(e.version)).number, 0);
+  }
+
+  // The word of an edge that is there; `input_edge` holds that of one of the input.
+  Directed_word directed_word(const Triangulation& triangulation, const Edge_version& wanted, Crossing_word& input_edge)
+  {
+    const Halfedge_index h = wanted.halfedge;
+    if(wanted.version == 0) {
+      input_edge = input_word(triangulation, h);
+      return {input_edge, false};
+    }
+    const Crossing_word* of_flip = m_words.find(wanted.version);
+    return {of_flip != nullptr ? *of_flip : *word_of_split(wanted), !is_first_side(h)};
+  }
+
+  bool is_there(const Edge_version& wanted) const
+  {
+    return wanted.version == 0 || m_words.contains(wanted.version) || is_of_split(wanted);
+  }
+
+  const Crossing_word* word_of_split(const Edge_version& wanted) const
+  {
+    if(m_words_of_splits.empty())
+      return nullptr;
+    const auto found = m_words_of_splits.find(key(Triangulation::edge(wanted.halfedge), wanted.version));
+    return found == m_words_of_splits.end() ? nullptr : &found->second;
+  }
+
+  void forget_split(std::uint64_t key)
+  {
+    const auto found = m_words_of_splits.find(key);
+    if(found == m_words_of_splits.end())
+      return;
+    m_bytes_of_splits -= bytes_of_split(found->second);
+    m_words_of_splits.erase(found);
+  }
+
+  static std::size_t bytes_of_letters(std::size_t number)
+  {
+    constexpr std::size_t of_allocation = 16;
+    return number > 0 ? number * sizeof(Index) + of_allocation : 0;
+  }
+
+  static std::size_t bytes_of_split(const Crossing_word& word)
+  {
+    constexpr std::size_t of_node = 48;
+    return sizeof(Crossing_word) + of_node + bytes_of_letters(word.crossed.size());
+  }
+
+  // Reads the word of an edge as it is now off the triangulation, and keeps it. Returns false if it cannot.
+  bool trace(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    if(has_inserted_vertices(triangulation))
+      return false;
+    Crossing_word traced;
+    traced.crossed = spare_letters();
+    if(!trace_first_side(triangulation, first_side(edge_of(wanted.halfedge)), traced))
+      return false;
+    keep(wanted.version, std::move(traced));
+    return true;
+  }
+
+  // From one end or the other.
+  static bool trace_first_side(const Triangulation& triangulation, Halfedge_index h, Crossing_word& traced)
+  {
+    if(has_inserted_vertices(triangulation))
+      return false;
+    Word_tracer<Triangulation> tracer(triangulation);
+    if(tracer(h, traced))
+      return true;
+    if(!tracer(Triangulation::twin(h), traced))
+      return false;
+    traced.reverse();
+    return true;
+  }
+
+  // Derives the word of an edge, and those that it descends from as far as they are not there. Depth first.
+  void derive(const Triangulation& triangulation, const Edge_version& wanted)
+  {
+    m_pending.assign(1, wanted);
+    while(!m_pending.empty()) {
+      const Edge_version next = m_pending.back();
+      if(is_there(next)) {
+        m_pending.pop_back();
+        continue;
+      }
+      const Flip_record& flip = triangulation.flip_record(position(next.version));
+      const Edge_version ki = {flip.hp, flip.version_hp}, il = {flip.tn, flip.version_tn};
+      if(!is_there(ki) || !is_there(il)) {
+        m_pending.push_back(ki);
+        m_pending.push_back(il);
+        continue;
+      }
+      keep(next.version, join(triangulation, next.version, ki, il));
+      m_pending.pop_back();
+    }
+  }
+
+  // The diagonal that a flip made. \pre the words of ki and il are there
+  Crossing_word join(const Triangulation& triangulation, Index version, const Edge_version& ki, const Edge_version& il)
+  {
+    Crossing_word input_ki, input_il;
+    const Directed_word first = directed_word(triangulation, ki, input_ki);
+    const Directed_word second = directed_word(triangulation, il, input_il);
+    const Word_end k = first.tail(), i = first.head(), l = second.head();
+    const Index turn = spokes(triangulation, version).at_joint;
+    Word_path<Triangulation> path(triangulation, k.vertex, tail_anchor(triangulation, k), spare_letters());
+    path.cross(first.word, first.is_reversed);
+    path.turn(i.vertex, turn > 0 ? head_anchor(triangulation, i) : null_index, turn);
+    path.cross(second.word, second.is_reversed);
+    Crossing_word kl = path.finish(l.vertex, head_anchor(triangulation, l));
+    if(is_first_side(triangulation.flip_record(position(version)).h)) // it leaves h = l->k and its twin k->l
+      kl.reverse();
+    return kl;
+  }
+
+  void keep(Index version, Crossing_word&& word)
+  {
+    if(m_words.contains(version))
+      return recycle(std::move(word));
+    if(word.crossed.capacity() > word.crossed.size() + word.crossed.size() / 4 + 16)
+      word.crossed.shrink_to_fit();
+    const std::size_t bytes = bytes_of_letters(word.crossed.capacity());
+    m_words.insert(version, std::move(word), bytes);
+  }
+
+  std::vector<Input_halfedge_index> spare_letters()
+  {
+    return m_number_of_spares > 0 ? std::move(m_spares[--m_number_of_spares]) : std::vector<Input_halfedge_index>();
+  }
+
+  void recycle(Crossing_word&& word)
+  {
+    if(m_number_of_spares < m_spares.size() && word.crossed.capacity() <= most_spare_letters)
+      m_spares[m_number_of_spares++] = std::move(word.crossed);
+  }
+
+  Version_cache<Crossing_word> m_words;
+  std::unordered_map<std::uint64_t, Crossing_word> m_words_of_splits;
+  std::size_t m_bytes_of_splits = 0;
+  std::vector<Edge_version> m_pending;
+  std::array<std::vector<Input_halfedge_index>, 64> m_spares; // memory for letters
+  std::size_t m_number_of_spares = 0;
+};
 
 /*
  * What is derived of an intrinsic triangulation's edges from its flip log: crossing words; and, for the decisions that

@@ -3,13 +3,13 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_STRAIGHTNESS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_EDGE_STRAIGHTNESS_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>
 

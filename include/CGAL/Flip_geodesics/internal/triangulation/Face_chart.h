@@ -3,12 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_FACE_CHART_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_FACE_CHART_H
 
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 

@@ -3,10 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_OVERLAY_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/internal/surface/checked_index_bound.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/overlay_descriptors.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/surface/Slot_table.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
 
 #include <CGAL/assertions.h>
 
@@ -20,6 +19,26 @@
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+struct Overlay_vertex_element
+{
+  static constexpr const char* letter = "overlay v";
+};
+
+struct Overlay_halfedge_element
+{
+  static constexpr const char* letter = "overlay h";
+};
+
+/* The elements of an overlay, which are neither the input's nor the triangulation's. */
+using Overlay_vertex = Descriptor<Overlay_vertex_element>;
+using Overlay_halfedge = Descriptor<Overlay_halfedge_element>;
+
+/* One value for each of them. */
+template <class T>
+using Per_overlay_vertex = Indexed_by<Overlay_vertex, std::vector<T>>;
+template <class T>
+using Per_overlay_halfedge = Indexed_by<Overlay_halfedge, std::vector<T>>;
 
 /*
  * The input mesh and an intrinsic triangulation laid over each other: a polygon mesh whose edges are the pieces into

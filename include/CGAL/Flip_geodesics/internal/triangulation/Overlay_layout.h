@@ -5,15 +5,19 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 
 #include <CGAL/assertions.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -293,6 +297,246 @@ private:
   Per_overlay_halfedge<Weights> m_weights;
   std::vector<Crossing> m_crossings;
   std::vector<Midpoint> m_midpoints;
+};
+
+/*
+ * Triangulates the polygons of an overlay, which are convex up to rounding, by diagonals: of all triangulations the one
+ * whose worst triangle is best, by dynamic programming [Klincsek, Minimal Triangulations of Polygonal Domains].
+ *
+ * No diagonal joins two vertices of one straight line, that is, of a run of sides along one edge. That is decided by
+ * labels and not by positions, so that the result has no double edges whatever rounding does.
+ */
+template <class Triangulation>
+class Polygon_triangulator
+{
+  using Overlay = internal::Overlay<Triangulation>;
+  using Layout = Overlay_layout<Triangulation>;
+  using Point_2 = typename Layout::Point_2;
+
+public:
+  Polygon_triangulator(Overlay& overlay, Layout& layout)
+    : m_overlay(overlay)
+    , m_layout(layout)
+  {
+  }
+
+  /* Triangulates all polygons. Cubic in the sides of each, of which there are rarely more than six. */
+  void operator()()
+  {
+    std::vector<Overlay_halfedge> polygons;
+    m_overlay.for_each_polygon([&](Overlay_halfedge h) { polygons.push_back(h); });
+    for(Overlay_halfedge h : polygons)
+      triangulate(h);
+  }
+
+private:
+  // Beyond this, polygons are halved first: so many vertices lie on straight lines.
+  static constexpr std::size_t largest = 32;
+
+  void triangulate(Overlay_halfedge h)
+  {
+    std::vector<Overlay_halfedge> sides;
+    m_overlay.for_each_side(h, [&](Overlay_halfedge side) { sides.push_back(side); });
+    if(sides.size() <= 3)
+      return;
+    find_runs(sides);
+    if(sides.size() > largest && halve(sides))
+      return;
+    m_points.clear();
+    const auto corners = m_layout.corners(m_layout.face(h));
+    for(Overlay_halfedge side : sides)
+      m_points.push_back(Layout::point(corners, m_layout.weights(side)));
+    find_best(sides.size());
+    add_diagonals(sides, 0, sides.size() - 1, sides.back());
+  }
+
+  bool is_on_one_line(Overlay_halfedge side, Overlay_halfedge other) const
+  {
+    const Input_halfedge_index input = m_overlay.input_halfedge(side);
+    const Halfedge_index intrinsic = m_overlay.intrinsic_halfedge(side);
+    return (input != null_index && input == m_overlay.input_halfedge(other)) ||
+           (intrinsic != null_index && intrinsic == m_overlay.intrinsic_halfedge(other));
+  }
+
+  // How many sides from each on lie on one line.
+  void find_runs(const std::vector<Overlay_halfedge>& sides)
+  {
+    const std::size_t n = sides.size();
+    m_runs.assign(n, 1);
+    for(std::size_t i = 0; i < n; ++i)
+      while(m_runs[i] < n && is_on_one_line(sides[i], sides[(i + m_runs[i]) % n]))
+        ++m_runs[i];
+  }
+
+  bool is_diagonal(std::size_t i, std::size_t j) const // i < j
+  {
+    return m_runs[i] < j - i && m_runs[j] < m_runs.size() - (j - i);
+  }
+
+  bool halve(const std::vector<Overlay_halfedge>& sides)
+  {
+    const std::size_t n = sides.size(), half = n / 2;
+    for(std::size_t i = 0; i < n - half; ++i)
+      if(is_diagonal(i, i + half)) {
+        const Overlay_halfedge d = add_diagonal(sides[i], sides[i + half]);
+        triangulate(d);
+        triangulate(Overlay::twin(d));
+        return true;
+      }
+    return false;
+  }
+
+  // m_best of (i, j) is the quality of the worst triangle of the best triangulation of the vertices i to j.
+  void find_best(std::size_t n)
+  {
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    m_best.assign(n * n, none);
+    m_apex.assign(n * n, 0);
+    for(std::size_t i = 0; i + 1 < n; ++i)
+      m_best[i * n + i + 1] = (std::numeric_limits<double>::max)();
+    for(std::size_t width = 2; width < n; ++width)
+      for(std::size_t i = 0; i + width < n; ++i) {
+        const std::size_t j = i + width;
+        if(width + 1 < n && !is_diagonal(i, j))
+          continue;
+        for(std::size_t k = i + 1; k < j; ++k) {
+          const double worst = (std::min)({m_best[i * n + k], m_best[k * n + j], quality(i, k, j)});
+          if(worst > m_best[i * n + j] || m_apex[i * n + j] == 0) {
+            m_best[i * n + j] = worst;
+            m_apex[i * n + j] = k;
+          }
+        }
+      }
+  }
+
+  // Twice the area over the squares of the sides; negative if rounding has turned the triangle over.
+  double quality(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    const auto difference = [](const Point_2& p, const Point_2& q) { return Point_2{q[0] - p[0], q[1] - p[1]}; };
+    const auto square = [](const Point_2& v) { return v[0] * v[0] + v[1] * v[1]; };
+    const Point_2 u = difference(m_points[i], m_points[j]), v = difference(m_points[i], m_points[k]);
+    const double sum = square(u) + square(v) + square(difference(m_points[j], m_points[k]));
+    return sum > 0 ? (u[0] * v[1] - u[1] * v[0]) / sum : 0;
+  }
+
+  // Sides i to j - 1 and `closing`, which leads from vertex j to vertex i, are a polygon of the overlay.
+  void add_diagonals(const std::vector<Overlay_halfedge>& sides, std::size_t i, std::size_t j, Overlay_halfedge closing)
+  {
+    if(j - i < 2)
+      return;
+    const std::size_t k = m_apex[i * sides.size() + j];
+    if(k - i > 1)
+      add_diagonals(sides, i, k, Overlay::twin(add_diagonal(sides[i], sides[k])));
+    if(j - k > 1)
+      add_diagonals(sides, k, j, Overlay::twin(add_diagonal(sides[k], closing)));
+  }
+
+  Overlay_halfedge add_diagonal(Overlay_halfedge a, Overlay_halfedge b)
+  {
+    const Overlay_halfedge d = m_overlay.add_diagonal(a, b);
+    m_layout.add_diagonal(a, b);
+    return d;
+  }
+
+  Overlay& m_overlay;
+  Layout& m_layout;
+  std::vector<Point_2> m_points;
+  std::vector<std::size_t> m_runs, m_apex;
+  std::vector<double> m_best;
+};
+
+/*
+ * Builds a MutableFaceGraph from an overlay, link by link, so that nothing has to be searched for, and edges that share
+ * both end vertices are no matter. The elements of the mesh are created in the order of the overlay's.
+ */
+template <class Triangulation, class OutputMesh>
+class Overlay_to_mesh
+{
+  using Overlay = internal::Overlay<Triangulation>;
+  using Graph = boost::graph_traits<OutputMesh>;
+
+public:
+  using vertex_descriptor = typename Graph::vertex_descriptor;
+  using halfedge_descriptor = typename Graph::halfedge_descriptor;
+  using face_descriptor = typename Graph::face_descriptor;
+
+  Overlay_to_mesh(const Overlay& overlay, OutputMesh& mesh)
+    : m_overlay(overlay)
+    , m_mesh(mesh)
+    , m_vertices(static_cast<std::size_t>(overlay.number_of_vertices()), Graph::null_vertex())
+    , m_halfedges(static_cast<std::size_t>(overlay.number_of_halfedges()), Graph::null_halfedge())
+  {
+    create_vertices();
+    create_edges();
+    create_faces();
+    link_border();
+  }
+
+  /* The mesh's vertex for a vertex of the overlay, the null vertex if it was dissolved. */
+  vertex_descriptor vertex(Overlay_vertex v) const { return m_vertices[v]; }
+  /* The mesh's halfedge for a halfedge of the overlay, the null halfedge if it was dissolved. */
+  halfedge_descriptor halfedge(Overlay_halfedge h) const { return m_halfedges[h]; }
+
+private:
+  // All but the crossings and inserted vertices that were dissolved.
+  void create_vertices()
+  {
+    Per_overlay_vertex<char> is_used(m_vertices.size(), 0);
+    for(Overlay_halfedge h : m_overlay.halfedges())
+      if(m_overlay.is_alive(h))
+        is_used[m_overlay.origin(h)] = 1;
+    for(Overlay_vertex v : m_overlay.vertices())
+      if(is_used[v] != 0 || m_overlay.is_input_vertex(v)) {
+        m_vertices[v] = add_vertex(m_mesh);
+        set_halfedge(m_vertices[v], Graph::null_halfedge(), m_mesh);
+      }
+  }
+
+  void create_edges()
+  {
+    for(Overlay_halfedge h : m_overlay.halfedges()) {
+      if(!is_first_side(h) || !m_overlay.is_alive(h))
+        continue;
+      const Overlay_halfedge t = Overlay::twin(h);
+      m_halfedges[h] = graph_halfedge(add_edge(m_mesh), m_mesh);
+      m_halfedges[t] = opposite(m_halfedges[h], m_mesh);
+      set_target(m_halfedges[h], m_vertices[m_overlay.target(h)], m_mesh);
+      set_target(m_halfedges[t], m_vertices[m_overlay.origin(h)], m_mesh);
+    }
+  }
+
+  void create_faces()
+  {
+    m_overlay.for_each_polygon([&](Overlay_halfedge h) {
+      const face_descriptor f = add_face(m_mesh);
+      set_halfedge(f, m_halfedges[h], m_mesh);
+      m_overlay.for_each_side(h, [&](Overlay_halfedge side) {
+        set_face(m_halfedges[side], f, m_mesh);
+        set_next(m_halfedges[side], m_halfedges[m_overlay.next(side)], m_mesh);
+        set_halfedge(m_vertices[m_overlay.target(side)], m_halfedges[side], m_mesh);
+      });
+    });
+  }
+
+  // Vertices on the border refer to a halfedge there, as `Surface_mesh` wants it.
+  void link_border()
+  {
+    for(Overlay_halfedge h : m_overlay.halfedges()) {
+      if(!m_overlay.is_alive(h) || !m_overlay.is_border(h))
+        continue;
+      Overlay_halfedge after = Overlay::twin(h); // turns about the target of h
+      while(!m_overlay.is_border(after))
+        after = Overlay::twin(m_overlay.previous(after));
+      set_face(m_halfedges[h], Graph::null_face(), m_mesh);
+      set_next(m_halfedges[h], m_halfedges[after], m_mesh);
+      set_halfedge(m_vertices[m_overlay.target(h)], m_halfedges[h], m_mesh);
+    }
+  }
+
+  const Overlay& m_overlay;
+  OutputMesh& m_mesh;
+  Per_overlay_vertex<vertex_descriptor> m_vertices;
+  Per_overlay_halfedge<halfedge_descriptor> m_halfedges;
 };
 
 } // namespace internal

@@ -3,13 +3,14 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_POINT_LOCATOR_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_POINT_LOCATOR_H
 
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/normal_coordinates.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/umbrellas.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Halfedge_store.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Point_side.h>
+#include <CGAL/Flip_geodesics/reports.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -21,6 +22,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -246,7 +248,35 @@ private:
   Point_side<Triangulation> m_side;
 };
 
+template <class Triangulation, class TriangleMesh, class Place, class = void>
+constexpr bool is_place = false;
+template <class Triangulation, class TriangleMesh, class Place>
+constexpr bool is_place<
+    Triangulation, TriangleMesh, Place,
+    std::void_t<decltype(surface_location(std::declval<const Triangulation&>(), std::declval<const TriangleMesh&>(),
+                                          std::declval<const Place&>()))>> = true;
+
+/* A place on the mesh, of whichever kind, as a location. */
+template <class Triangulation, class TriangleMesh, class Place>
+Surface_location located_place(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
+{
+  static_assert(is_place<Triangulation, TriangleMesh, Place>,
+                "this is neither a vertex of the mesh nor a Face_location, a Surface_location or a point in space");
+  return surface_location(triangulation, mesh, place);
+}
+
+template <class Triangulation, class TriangleMesh, class PlaceRange>
+std::vector<Surface_location> located(const Triangulation& triangulation, const TriangleMesh& mesh,
+                                      const PlaceRange& places)
+{
+  std::vector<Surface_location> result;
+  for(const auto& place : places)
+    result.push_back(located_place(triangulation, mesh, place));
+  return result;
+}
+
 } // namespace internal
+
 } // namespace Flip_geodesics
 } // namespace CGAL
 

@@ -3,8 +3,8 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_VERTEX_DIRECTIONS_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_VERTEX_DIRECTIONS_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/Surface_location.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>

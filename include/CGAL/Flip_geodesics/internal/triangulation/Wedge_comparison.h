@@ -3,12 +3,12 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WEDGE_COMPARISON_H
 
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
-#include <CGAL/Flip_geodesics/internal/triangulation/Precise_wedge.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/refresh_face.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/wedge_between.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>
 

@@ -3,15 +3,15 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_ANGLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_TRIANGULATION_WORD_ANGLE_H
 
-#include <CGAL/Flip_geodesics/Crossing_word.h>
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
+#include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Wedge_comparison.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Wedge_angle.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/enum.h>
 

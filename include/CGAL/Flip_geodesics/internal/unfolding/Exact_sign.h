@@ -3,11 +3,10 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_EXACT_SIGN_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_EXACT_SIGN_H
 
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Ball_ring.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Multiquadratic.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

@@ -3,9 +3,9 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PLACES_ON_INPUT_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_PLACES_ON_INPUT_H
 
-#include <CGAL/Flip_geodesics/Surface_location.h>
-#include <CGAL/Flip_geodesics/internal/numbers/Exact_face.h>
-#include <CGAL/Flip_geodesics/internal/unfolding/Exact_input_faces.h>
+#include <CGAL/Flip_geodesics/Surface_point.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
 
 #include <cstddef>
 #include <vector>

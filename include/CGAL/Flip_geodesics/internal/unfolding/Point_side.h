@@ -3,11 +3,11 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_POINT_SIDE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_POINT_SIDE_H
 
-#include <CGAL/Flip_geodesics/Decision_statistics.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Exact_sign.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Unfolding_chain.h>
+#include <CGAL/Flip_geodesics/reports.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

@@ -6,8 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
-#include <CGAL/Flip_geodesics/internal/surface/check_triangle.h>
-#include <CGAL/Flip_geodesics/internal/surface/input_face_geometry.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
 
 #include <boost/math/constants/constants.hpp>
 

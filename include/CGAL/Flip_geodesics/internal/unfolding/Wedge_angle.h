@@ -3,7 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_WEDGE_ANGLE_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_UNFOLDING_WEDGE_ANGLE_H
 
-#include <CGAL/Flip_geodesics/internal/numbers/Funnel.h>
+#include <CGAL/Flip_geodesics/internal/numbers/plane_vectors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>

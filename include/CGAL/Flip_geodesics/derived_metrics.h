@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_DERIVED_METRICS_H
+#define CGAL_FLIP_GEODESICS_DERIVED_METRICS_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Plane_triangle.h>
+#include <CGAL/Flip_geodesics/internal/numbers/ieee_arithmetic.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/checks.h>
+#include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/internal/surface/planar_sine.h>
+#include <CGAL/Flip_geodesics/metrics.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+/* Lengths in units of a power of two, so that the largest is at least 1 and less than 2. \return its exponent */
+inline int scale_to_one(std::array<double, 3>& lengths)
+{
+  const int exponent = std::ilogb((std::max)({lengths[0], lengths[1], lengths[2]}));
+  for(double& length : lengths)
+    length = std::scalbn(length, -exponent);
+  return exponent;
+}
+
+/*
+ * By what factor segments in a triangle are at least longer than in another one, whose points correspond linearly. Never
+ * too large: what rounding can do is taken off. The sides of the other one, `before`, can be wrong by some units in the
+ * last place, or zero; those of the first, `after`, are what they are. Zero if one of these cannot be used, or they make
+ * no triangle with an area.
+ *
+ * Sides alone do not tell: where two of three are stretched less than the third, heights can become shorter by any factor.
+ *
+ * The linear map back, from `after` to `before`, stretches by its larger singular value at most. The sum of the squares of
+ * both follows from the cotangents of `after` [Pinkall, Polthier, Computing discrete minimal surfaces and their
+ * conjugates], and their product is that of the areas.
+ */
+inline double least_stretch(std::array<double, 3> before, std::array<double, 3> after)
+{
+  if(!std::all_of(after.begin(), after.end(), is_usable_length) ||
+     !std::all_of(before.begin(), before.end(), is_zero_or_usable_length))
+    return 0;
+  if(before == std::array<double, 3>{{0, 0, 0}})
+    return std::numeric_limits<double>::infinity();
+  const int exponent = scale_to_one(after) - scale_to_one(before);
+  const Plane_triangle shape(after);
+  double sum = 0; // of squares of singular values, times twice the area
+  for(int i = 0; i < 3; ++i)
+    sum += shape.cotangents[i] * before[(i + 1) % 3] * before[(i + 1) % 3]; // of the side opposite to the corner
+  const double area_before = Plane_triangle(before).area;
+  const double most_squares = sum / (2 * shape.area) + area_product_error / (shape.area * shape.area);
+  const double least_square_of_product = (area_before * area_before - area_product_error) / (shape.area * shape.area);
+  const double difference = most_squares * most_squares - 4 * (std::max)(least_square_of_product, 0.0);
+  const double most = 0.5 * (most_squares + std::sqrt((std::max)(difference, 0.0)));
+  return most > 0 ? (1 - stretch_rounding) * std::scalbn(1 / std::sqrt(most), exponent) : 0; // NaN without an area
+}
+
+/* The least of all faces of a mesh, between two metrics; infinite if there are none. Linear in the mesh. */
+template <class Before, class After, class Input_mesh>
+double least_stretch_of_faces(const Before& before, const After& after, const Input_mesh& mesh)
+{
+  const auto lengths = [&mesh](const auto& metric, Input_halfedge_index h) {
+    const Input_halfedge_index hn = mesh.next(h);
+    return std::array<double, 3>{{metric.weight(mesh, h), metric.weight(mesh, hn), metric.weight(mesh, mesh.next(hn))}};
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for(Input_halfedge_index h : descriptors<Input_halfedge_index>(mesh.number_of_halfedges()))
+    if(!mesh.is_border(h) && h < mesh.next(h) && h < mesh.next(mesh.next(h)))
+      least = (std::min)(least, least_stretch(lengths(before, h), lengths(after, h)));
+  return least;
+}
+
+/* The point type of a metric, `void` if it has none. */
+template <class Metric, class = void>
+struct Metric_point
+{
+  using type = void;
+};
+
+template <class Metric>
+struct Metric_point<Metric, std::void_t<typename Metric::Point_3>>
+{
+  using type = typename Metric::Point_3;
+};
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsMetrics
+ *
+ * Another metric with one small length added to every edge [Sharp, Crane, A Laplacian for Nonmanifold Triangle Meshes,
+ * section 4.5]. It is so large that each face satisfies the triangle inequality with a margin. It makes meshes with
+ * edges of length zero and faces without area usable, at the price of a slightly different surface: an explicit choice.
+ *
+ * Curves are geodesics of the changed surface. They are still read off on the mesh's own points, if it has any.
+ *
+ * \tparam Metric `Embedded_metric` or `Edge_length_metric`
+ *
+ * \cgalModels{IntrinsicMetric}
+ */
+template <class Metric>
+class Mollified_metric : private Metric
+{
+  using Base = Metric;
+
+public:
+  using Mesh = typename Base::Mesh;                            ///< the mesh, numbered
+  using Kernel = typename Base::Kernel;                        ///< that of the other metric
+  using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
+
+  /*!
+   * Finds the length to add; linear in the mesh.
+   *
+   * \param mesh the triangle mesh of the metric
+   * \param factor the margin of the triangle inequality, relative to the mean edge length; 1e-5 unless given
+   * \pre 0 < factor < 1
+   * \throws Invalid_coordinate_error if an edge's length is negative or not a finite number
+   * \throws Invalid_mesh_error if a face is not a triangle
+   */
+  template <class TriangleMesh>
+  Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor = internal::default_mollification)
+    : Base(metric)
+  {
+    CGAL_precondition(0 < factor && factor < 1);
+    const Mesh indexed(mesh);
+    m_added = needed_length(indexed, factor * mean_length(indexed));
+    if constexpr(!std::is_empty<Place>::value)
+      m_least_stretch =
+          (std::min)(1., internal::least_stretch_of_faces(static_cast<const Base&>(*this), *this, indexed));
+  }
+
+  /// The length that was added to every edge; zero if none was needed.
+  double added_length() const { return m_added; }
+
+  /// The length of halfedge `h`. \throws Invalid_coordinate_error
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
+
+  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) + m_added; }
+
+  using typename Base::Place;
+
+  /// The same, where the places of the two ends are at hand.
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place& tail, const Place& head) const
+  {
+    return Base::weight(mesh, h, tail, head) + m_added;
+  }
+
+  using Base::place;
+
+  /// The other metric's lower bound, and less where lengths are rounded in faces of little area. Lengths that are added
+  /// shorten no path: what they add to the squares of the sides are the squares of sides of a triangle.
+  double distance_lower_bound(const Place& p, const Place& q) const
+  {
+    return m_least_stretch * Base::distance_lower_bound(p, q);
+  }
+
+  /// The point of vertex `v`. Only over `Embedded_metric`.
+  decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
+
+  /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  {
+    const auto [a, b, c] = internal::face_lengths(*this, mesh, h);
+    return traits.construct_face_from_lengths_object()(a, b, c);
+  }
+
+  /// The same face in exact numbers; the lengths are taken as the doubles they are.
+  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    return internal::exact_face_from_lengths(internal::face_lengths(*this, mesh, h));
+  }
+
+  /// False: lengths do not say what lies in one plane.
+  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, internal::Flat_edges&, Sign&) const
+  {
+    return false;
+  }
+
+  /// Returns whether the other metric rounds numbers of the mesh to doubles. Then nothing is certified.
+  bool is_rounded(const Mesh& mesh) const { return Base::is_rounded(mesh); }
+
+private:
+  double checked_weight(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    const double weight = Base::weight(mesh, h);
+    if(!(weight >= 0) || std::isinf(weight))
+      internal::throw_unusable_length(weight, mesh.tail(h), mesh.tail(internal::twin_index(h)));
+    return weight;
+  }
+
+  double mean_length(const Mesh& mesh) const
+  {
+    double sum = 0;
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(mesh.number_of_halfedges()))
+      sum += internal::is_first_side(h) ? checked_weight(mesh, h) : 0;
+    return mesh.number_of_halfedges() == 0 ? 0 : sum / (mesh.number_of_halfedges() / 2);
+  }
+
+  // Adding e to three sides adds e to the margin of each triangle inequality.
+  double needed_length(const Mesh& mesh, double margin) const
+  {
+    double needed = 0;
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(mesh.number_of_halfedges())) {
+      if(mesh.is_border(h))
+        continue;
+      internal::check_triangle(mesh, h);
+      const Input_halfedge_index hn = mesh.next(h), hp = mesh.next(hn);
+      needed = (std::max)(needed, margin + Base::weight(mesh, h) - Base::weight(mesh, hn) - Base::weight(mesh, hp));
+    }
+    return needed;
+  }
+
+  double m_added = 0;
+  double m_least_stretch = 1;
+};
+
+/*!
+ * \ingroup PkgFlipGeodesicsMetrics
+ *
+ * Another metric with every edge longer or shorter by a weight of the places that it passes: paths keep away from where
+ * the weight is large.
+ *
+ * Weights are given at vertices, and are linear along edges. The length of an edge is its weighted length: the other
+ * metric's, times the mean of the weights of its two ends. Faces are flat again, with these lengths: where the weight
+ * changes little over a face, that is the conformal change of the metric by the weight, up to terms of second order.
+ *
+ * A weight that is constant on each face, and jumps between them, is no metric of edge lengths: shortest paths are
+ * refracted where it jumps, as light is. Weights given for faces are made ones of vertices, each the mean of the faces
+ * about it.
+ *
+ * Where weights change by so much over one face that its lengths violate the triangle inequality, the face has no shape.
+ * Whatever needs it throws `Degenerate_face_error`; smaller faces or smoother weights help, or a `Mollified_metric` of
+ * lengths.
+ *
+ * \tparam Metric `Embedded_metric` or `Edge_length_metric`
+ *
+ * \cgalModels{IntrinsicMetric}
+ */
+template <class Metric>
+class Weighted_metric : private Metric
+{
+  using Base = Metric;
+
+  struct Base_place
+  {
+    typename Base::Place place;
+  };
+
+public:
+  using Mesh = typename Base::Mesh;                            ///< the mesh, numbered
+  using Kernel = typename Base::Kernel;                        ///< that of the other metric
+  using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
+
+  /*!
+   * Reads all weights. Linear in the mesh, if that is a `Surface_mesh`.
+   *
+   * \param mesh the triangle mesh of the metric
+   * \param metric the other metric
+   * \param weights a model of `ReadablePropertyMap` with the mesh's vertices, or else its faces, as keys, and positive
+   *        numbers as values
+   * \throws Invalid_parameter_error if a weight is not positive and finite
+   */
+  template <class TriangleMesh, class WeightMap>
+  Weighted_metric(const TriangleMesh& mesh, const Metric& metric, const WeightMap& weights)
+    : Base(metric)
+    , m_weights(std::make_shared<std::vector<double>>(vertex_weights(mesh, weights)))
+  {
+    if constexpr(!std::is_empty<Place>::value) {
+      const double least = internal::least_stretch_of_faces(static_cast<const Base&>(*this), *this, Mesh(mesh));
+      m_least_stretch = std::isfinite(least) ? least : 0;
+    }
+  }
+
+  /// The weight at vertex `v`.
+  double vertex_weight(Vertex_index v) const { return (*m_weights)[static_cast<std::size_t>(v.idx())]; }
+
+  /// The weighted length of halfedge `h`. \throws Invalid_coordinate_error, Degenerate_face_error
+  double length(const Mesh& mesh, Input_halfedge_index h) const { return internal::usable_length(*this, mesh, h); }
+
+  /// The length of halfedge `h` whatever it is, for a search that only passes by.
+  double weight(const Mesh& mesh, Input_halfedge_index h) const { return Base::weight(mesh, h) * factor(mesh, h); }
+
+  /// What a lower bound needs of a vertex: what the other metric's does. It is no point that faces are laid out from.
+  using Place = std::conditional_t<std::is_empty<typename Base::Place>::value, typename Base::Place, Base_place>;
+
+  /// The same, where the places of the two ends are at hand.
+  double weight(const Mesh& mesh, Input_halfedge_index h, const Place&, const Place&) const { return weight(mesh, h); }
+
+  /// What the other metric says of vertex `v`.
+  Place place(const Mesh& mesh, Vertex_index v) const { return {Base::place(mesh, v)}; }
+
+  /// The other metric's lower bound, times the factor by which faces stretch segments at least. It can be less than the
+  /// least weight: a face whose height is stretched less than its sides is laid flat again.
+  double distance_lower_bound(const Place& p, const Place& q) const
+  {
+    if constexpr(std::is_empty<Place>::value)
+      return 0;
+    else
+      return (1 - internal::distance_bound_rounding) * m_least_stretch * Base::distance_lower_bound(p.place, q.place);
+  }
+
+  /// The point of vertex `v`. Only over `Embedded_metric`.
+  decltype(auto) point(const Mesh& mesh, Vertex_index v) const { return Base::point(mesh, v); }
+
+  /// The vectors of the halfedges `h`, `next(h)`, `previous(h)` of an input face.
+  /// \throws Degenerate_face_error if the lengths violate the triangle inequality; equality is allowed
+  template <class Traits>
+  typename Traits::Face_geometry face_geometry(const Mesh& mesh, Input_halfedge_index h, const Traits& traits) const
+  {
+    return internal::face_from_lengths(*this, mesh, h, traits);
+  }
+
+  /// The same face in exact numbers; the lengths are taken as the doubles they are.
+  internal::Exact_face exact_face(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    return internal::exact_face_from_lengths(internal::face_lengths(*this, mesh, h));
+  }
+
+  /// False: lengths do not say what lies in one plane.
+  bool sine_in_plane(const Mesh&, const Crossing_word&, const Crossing_word&, Index, internal::Flat_edges&, Sign&) const
+  {
+    return false;
+  }
+
+  /// Returns whether the other metric rounds numbers of the mesh to doubles. Then nothing is certified.
+  bool is_rounded(const Mesh& mesh) const { return Base::is_rounded(mesh); }
+
+private:
+  // The same from both ends, since sums do not depend on the order.
+  double factor(const Mesh& mesh, Input_halfedge_index h) const
+  {
+    return 0.5 * (vertex_weight(mesh.tail(h)) + vertex_weight(mesh.tail(internal::twin_index(h))));
+  }
+
+  static double checked(double weight, Index element, const char* name)
+  {
+    if(!(weight > 0 && weight <= (std::numeric_limits<double>::max)()))
+      throw Invalid_parameter_error("the weight of " + std::string(name) + " " + std::to_string(element) +
+                                        " is no positive number",
+                                    {static_cast<std::size_t>(element)});
+    return weight;
+  }
+
+  template <class TriangleMesh, class WeightMap>
+  static std::vector<double> vertex_weights(const TriangleMesh& mesh, const WeightMap& weights)
+  {
+    using Key = typename boost::property_traits<WeightMap>::key_type;
+    const Mesh numbered(mesh);
+    std::vector<double> result(static_cast<std::size_t>(numbered.number_of_vertices()), 1);
+    if constexpr(std::is_same<Key, typename boost::graph_traits<TriangleMesh>::vertex_descriptor>::value) {
+      for(Vertex_index v : internal::descriptors<Vertex_index>(numbered.number_of_vertices()))
+        result[static_cast<std::size_t>(v.idx())] =
+            checked(CGAL::to_double(get(weights, numbered.vertex(v))), v.idx(), "vertex");
+    } else {
+      static_assert(std::is_same<Key, typename boost::graph_traits<TriangleMesh>::face_descriptor>::value,
+                    "the weights are those of the mesh's vertices, or of its faces");
+      add_face_weights(mesh, numbered, weights, result);
+    }
+    return result;
+  }
+
+  template <class TriangleMesh, class WeightMap>
+  static void add_face_weights(const TriangleMesh& mesh, const Mesh& numbered, const WeightMap& weights,
+                               std::vector<double>& result)
+  {
+    std::vector<double> sum(result.size(), 0);
+    std::vector<int> number(result.size(), 0);
+    for(Input_halfedge_index h : internal::descriptors<Input_halfedge_index>(numbered.number_of_halfedges())) {
+      if(numbered.is_border(h))
+        continue;
+      const std::size_t v = static_cast<std::size_t>(numbered.tail(h).idx());
+      const auto f = internal::graph_face(numbered.halfedge(h), mesh);
+      sum[v] += checked(CGAL::to_double(get(weights, f)), numbered.tail(h).idx(), "a face at vertex");
+      ++number[v];
+    }
+    for(std::size_t v = 0; v < result.size(); ++v)
+      if(number[v] > 0)
+        result[v] = sum[v] / number[v];
+  }
+
+  std::shared_ptr<const std::vector<double>> m_weights; // by vertex
+  double m_least_stretch = 0;
+};
+
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_DERIVED_METRICS_H

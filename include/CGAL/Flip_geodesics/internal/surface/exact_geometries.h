@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EXACT_GEOMETRIES_H
+#define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EXACT_GEOMETRIES_H
+
+#include <CGAL/Flip_geodesics/exceptions.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/numbers/Number_operations.h>
+#include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Flip_geodesics {
+namespace internal {
+
+[[noreturn]] inline void throw_inexact_root()
+{
+  throw Inexact_root_error("the area of a face is not a rational multiple of the root of the radicand; "
+                           "common_radicand() finds the radicand that fits a mesh, if there is one");
+}
+
+/*
+ * The unit in which areas are counted, and with them the second coordinates of vectors: 1 where the number type has
+ * roots, sqrt(d) where it has not. `root(s)` is the root of s in this unit, and `product(a, b)` that of two
+ * second coordinates.
+ */
+template <class NT, Number_kind Kind = Number_operations<NT>::kind>
+class Area_unit
+{
+public:
+  using Radicand = NT;
+
+  NT root(const NT& square) const
+  {
+    // Below zero is a degenerate triangle seen through rounding.
+    if constexpr(Number_operations<NT>::kind == Number_kind::FLOATING)
+      if(Number_operations<NT>::sign(square) == NEGATIVE)
+        return NT(0);
+    return Number_operations<NT>::sqrt(square);
+  }
+
+  NT product(const NT& a, const NT& b) const { return a * b; }
+  double to_double() const { return 1; }
+};
+
+template <class NT>
+class Area_unit<NT, Number_kind::RATIONAL>
+{
+  using Operations = Number_operations<NT>;
+
+public:
+  using Radicand = NT;
+
+  explicit Area_unit(const NT& radicand = NT(1))
+    : m_radicand(radicand)
+    , m_is_one(radicand == NT(1))
+    , m_value(std::sqrt(Operations::to_double(radicand)))
+  {
+  }
+
+  NT root(const NT& square) const
+  {
+    NT result;
+    if(!Operations::is_square(square / m_radicand, result))
+      throw_inexact_root();
+    return result;
+  }
+
+  NT product(const NT& a, const NT& b) const { return m_is_one ? NT(a * b) : NT(m_radicand * NT(a * b)); }
+  double to_double() const { return m_value; }
+
+private:
+  NT m_radicand;
+  bool m_is_one;
+  double m_value;
+};
+
+/* The unit is 1, but roots are found only in the form r sqrt(d) with a coefficient r. */
+template <class NT>
+class Area_unit<NT, Number_kind::EXTENSION>
+{
+  using Coefficient = typename NT::NT;
+
+public:
+  using Radicand = typename NT::ROOT;
+
+  explicit Area_unit(const Radicand& radicand = Radicand(1))
+    : m_radicand(radicand)
+  {
+  }
+
+  NT root(const NT& square) const
+  {
+    Coefficient result;
+    if(square.is_extended() ||
+       !Number_operations<Coefficient>::is_square(square.a0() / Coefficient(m_radicand), result))
+      throw_inexact_root();
+    return m_radicand == Radicand(1) ? NT(result) : NT(Coefficient(0), result, m_radicand);
+  }
+
+  NT product(const NT& a, const NT& b) const { return a * b; }
+  double to_double() const { return 1; }
+
+private:
+  Radicand m_radicand;
+};
+
+/* A positive integer without the squares in it that are easily found. */
+inline Integer without_squares(Integer n)
+{
+  constexpr int limit = 1000;
+  for(int p = 2; p < limit; ++p)
+    while(n % (p * p) == 0)
+      n /= p * p;
+  for(int factor = 1; factor < limit; ++factor)
+    if(n % factor == 0 && exact_root(n / factor))
+      return factor;
+  return n;
+}
+
+/* The same integer in another number type. */
+template <class NT>
+NT converted(const Integer& n)
+{
+  constexpr int digits = 24;
+  if(n < (1 << digits))
+    return NT(static_cast<double>(n));
+  const NT upper = converted<NT>(Integer(n >> digits));
+  return upper * NT(static_cast<double>(1 << digits)) + NT(static_cast<double>(n % (1 << digits)));
+}
+
+/*
+ * Squared lengths L, and S = 4 area of each face in units of the area unit. Flips stay in the field of the input's
+ * numbers, and an edge's numbers are the same whatever flips led to it. For exact numbers only: in rounded ones L and S
+ * drift apart, exponentially in the number of flips.
+ *
+ * A face's S is copied to its halfedges. A flip does not touch two of them that change their face; so S comes with a
+ * generation, and of the copies in a face the one of the latest generation is right.
+ */
+template <class NT>
+class Squared_length_geometry
+{
+public:
+  using Vector_3 = std::array<NT, 3>;
+  using Unit = Area_unit<NT>;
+
+  struct Halfedge_geometry
+  {
+    NT squared_length, quadrupled_area;
+    int generation;
+  };
+
+  struct Flipped_geometry
+  {
+    Halfedge_geometry h, t, tn, tp;
+  };
+
+  struct Corner
+  {
+    NT x, y;
+  };
+
+  using Face_geometry = std::array<Halfedge_geometry, 3>;
+
+  static Face_geometry face(const Vector_3& u, const Vector_3& v, const Vector_3& w, const NT& quadrupled_area)
+  {
+    return face_from_squares(square(u), square(v), square(w), quadrupled_area);
+  }
+
+  static Face_geometry face_from_squares(const NT& a, const NT& b, const NT& c, const NT& quadrupled_area)
+  {
+    return {{{a, quadrupled_area, 0}, {b, quadrupled_area, 0}, {c, quadrupled_area, 0}}};
+  }
+
+  /* The corner at the head of `in` as a complex number, twice the product of the lengths: by the law of cosines. */
+  static Corner corner(const Halfedge_geometry& in, const Halfedge_geometry& out, const Halfedge_geometry& opposite)
+  {
+    return {NT(in.squared_length + out.squared_length - opposite.squared_length), quadrupled_area(in, out, opposite)};
+  }
+
+  /*
+   * With h = i->j of squared length L, k and l opposite, and x_k = (k - i).(j - i), x_l = (l - i).(j - i):
+   * |kl|^2 = ((x_k - x_l)^2 + (S_ijk + S_jil)^2 / 4) / L, and S_ikl = (x_k S_jil + x_l S_ijk) / L.
+   */
+  static Flipped_geometry flip(const Unit& unit, const Halfedge_geometry& h, const Halfedge_geometry& hn,
+                               const Halfedge_geometry& hp, const Halfedge_geometry& t, const Halfedge_geometry& tn,
+                               const Halfedge_geometry& tp)
+  {
+    const NT half = NT(1) / NT(2);
+    const NT& l = h.squared_length;
+    const NT area_h = quadrupled_area(h, hn, hp), area_t = quadrupled_area(t, tn, tp), area = area_h + area_t;
+    const NT x_k = (l + hp.squared_length - hn.squared_length) * half;
+    const NT x_l = (l + tn.squared_length - tp.squared_length) * half;
+    const NT along = x_k - x_l, across = area * half;
+    const NT diagonal = (NT(along * along) + unit.product(across, across)) / l;
+    const NT at_i = (x_k * area_t + x_l * area_h) / l, at_j = area - at_i;
+    const int generation =
+        1 + (std::max)({h.generation, hn.generation, hp.generation, t.generation, tn.generation, tp.generation});
+    return {{diagonal, at_i, generation},
+            {diagonal, at_j, generation},
+            {tn.squared_length, at_i, generation},
+            {tp.squared_length, at_j, generation}};
+  }
+
+  /* The triangle of three points, given by weights of the corners of a face, in the order of its halfedges' tails. */
+  static Face_geometry subface(const Face_geometry& face, const std::array<std::array<double, 3>, 3>& weights)
+  {
+    std::array<std::array<NT, 3>, 3> p;
+    for(int i = 0; i < 3; ++i) {
+      const NT sum = NT(weights[i][0]) + NT(weights[i][1]) + NT(weights[i][2]);
+      for(int k = 0; k < 3; ++k)
+        p[i][k] = NT(weights[i][k]) / sum;
+    }
+    const auto square = [&](int from, int to) { // of the length, from barycentric differences
+      const NT a = p[to][0] - p[from][0], b = p[to][1] - p[from][1], c = p[to][2] - p[from][2];
+      return NT(-(NT(a * b) * face[0].squared_length + NT(b * c) * face[1].squared_length +
+                  NT(c * a) * face[2].squared_length));
+    };
+    const NT determinant = p[0][0] * NT(p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
+                           p[0][1] * NT(p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
+                           p[0][2] * NT(p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+    return face_from_squares(square(0, 1), square(1, 2), square(2, 0),
+                             NT(determinant * quadrupled_area(face[0], face[1], face[2])));
+  }
+
+  static NT squared_length(const Halfedge_geometry& h) { return h.squared_length; }
+
+private:
+  static NT square(const Vector_3& v) { return NT(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+  static const NT& quadrupled_area(const Halfedge_geometry& a, const Halfedge_geometry& b, const Halfedge_geometry& c)
+  {
+    const Halfedge_geometry& later = a.generation >= b.generation ? a : b;
+    return later.generation >= c.generation ? later.quadrupled_area : c.quadrupled_area;
+  }
+};
+
+/*
+ * Vectors in a frame of the face, as in Intrinsic_triangulation_traits, for numbers that round: errors grow linearly
+ * with flips. A frame has the length of an input halfedge as its unit, whose square, the scale, is stored as well, so
+ * that faces are laid out with one root, that of the area, and no length.
+ */
+template <class NT>
+class Vector_geometry
+{
+public:
+  using Vector_3 = std::array<NT, 3>;
+  using Unit = Area_unit<NT>;
+
+  struct Halfedge_geometry
+  {
+    NT x, y, scale;
+  };
+
+  struct Flipped_geometry
+  {
+    Halfedge_geometry h, t, tn, tp;
+  };
+
+  struct Corner
+  {
+    NT x, y;
+  };
+
+  using Face_geometry = std::array<Halfedge_geometry, 3>;
+
+  static Face_geometry face(const Vector_3& u, const Vector_3& v, const Vector_3& w, const NT& quadrupled_area)
+  {
+    return laid_out(dot(u, u), dot(u, v), dot(u, w), quadrupled_area);
+  }
+
+  static Face_geometry face_from_squares(const NT& a, const NT& b, const NT& c, const NT& quadrupled_area)
+  {
+    const NT half(0.5);
+    return laid_out(a, NT((c - a - b) * half), NT((b - c - a) * half), quadrupled_area);
+  }
+
+  /* From vectors with a relative error, which intervals take in. */
+  static Face_geometry face_from_vectors(const std::array<std::array<double, 2>, 3>& v, double error)
+  {
+    Face_geometry result;
+    for(int i = 0; i < 3; ++i) {
+      const double radius = error * (std::abs(v[i][0]) + std::abs(v[i][1]));
+      result[i] = {within(v[i][0], radius), within(v[i][1], radius), NT(1)};
+    }
+    return result;
+  }
+
+  /* The corner at the head of `in` as a complex number. */
+  static Corner corner(const Halfedge_geometry& in, const Halfedge_geometry& out, const Halfedge_geometry&)
+  {
+    return {NT(-(out.x * in.x + out.y * in.y)), non_negative(NT(out.y * in.x - out.x * in.y))};
+  }
+
+  /* The rotation from the frame of t's face to that of h's changes the scale as well. */
+  static Flipped_geometry flip(const Unit&, const Halfedge_geometry& h, const Halfedge_geometry& hn,
+                               const Halfedge_geometry& hp, const Halfedge_geometry& t, const Halfedge_geometry& tn,
+                               const Halfedge_geometry& tp)
+  {
+    const NT norm = -(t.x * t.x + t.y * t.y);
+    const Halfedge_geometry rotation = {NT((h.x * t.x + h.y * t.y) / norm), NT((h.y * t.x - h.x * t.y) / norm),
+                                        h.scale};
+    const Halfedge_geometry moved_tn = product(rotation, tn), moved_tp = product(rotation, tp);
+    return {opposite_sum(hp, moved_tn), opposite_sum(hn, moved_tp), moved_tn, moved_tp};
+  }
+
+  static NT squared_length(const Halfedge_geometry& h) { return NT((h.x * h.x + h.y * h.y) * h.scale); }
+
+  static bool is_inaccurate(const Halfedge_geometry& h)
+  {
+    if constexpr(is_interval)
+      return !(Operations::radius(h.x) + Operations::radius(h.y) <
+               inaccurate_vector * (std::abs(Operations::to_double(h.x)) + std::abs(Operations::to_double(h.y))));
+    else
+      return static_cast<void>(h), false;
+  }
+
+private:
+  using Operations = Number_operations<NT>;
+  static constexpr bool is_interval = Operations::kind == Number_kind::INTERVAL;
+
+  static Face_geometry laid_out(const NT& square, const NT& dot_next, const NT& dot_previous, const NT& quadrupled_area)
+  {
+    const NT height = quadrupled_area / NT(square * NT(2));
+    return {{{NT(1), NT(0), square},
+             {NT(dot_next / square), height, square},
+             {NT(dot_previous / square), NT(-height), square}}};
+  }
+
+  static NT dot(const Vector_3& u, const Vector_3& v) { return NT(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]); }
+
+  static NT within(double x, double radius)
+  {
+    if constexpr(is_interval)
+      return NT(x) + NT(-radius, radius);
+    else
+      return static_cast<void>(radius), NT(x);
+  }
+
+  // Areas are not negative, whatever rounding makes of them.
+  static NT non_negative(const NT& y)
+  {
+    if constexpr(is_interval)
+      return Operations::non_negative(y);
+    else
+      return Operations::sign(y) == NEGATIVE ? NT(0) : y;
+  }
+
+  static Halfedge_geometry product(const Halfedge_geometry& rotation, const Halfedge_geometry& v)
+  {
+    return {NT(rotation.x * v.x - rotation.y * v.y), NT(rotation.x * v.y + rotation.y * v.x), rotation.scale};
+  }
+
+  static Halfedge_geometry opposite_sum(const Halfedge_geometry& a, const Halfedge_geometry& b)
+  {
+    return {NT(-(a.x + b.x)), NT(-(a.y + b.y)), a.scale};
+  }
+};
+
+} // namespace internal
+} // namespace Flip_geodesics
+} // namespace CGAL
+
+#endif // CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_EXACT_GEOMETRIES_H
