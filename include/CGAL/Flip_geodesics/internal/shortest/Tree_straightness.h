@@ -355,7 +355,7 @@ public:
     if(before == null_index)
       return false;
     Edge_end from = m_edges(Triangulation::twin(before)).tail, to = m_edges(h).tail;
-    if(!(angle_clockwise(from, to) < Straightness::straight_angle()))
+    if(!is_bent_clockwise(from, to))
       std::swap(from, to);
     const bool is_inside = angle_clockwise(from, to) < infinity;
     return refresh_wedge(m_triangulation, from.halfedge, to.halfedge) && is_inside; // up to the border, if there is one
@@ -408,6 +408,19 @@ private:
     return umbrella.has(b.reference) ? umbrella.smaller_wedge(umbrella.angle_of(a.reference, u) + a.angle,
                                                               umbrella.angle_of(b.reference, u) + b.angle)
                                      : infinity;
+  }
+
+  // By the directions of the edges, also where flips were wrong, so that their order about the vertex is another one.
+  bool is_bent_clockwise(const Edge_end& from, const Edge_end& to) const
+  {
+    const Word_angle &a = from.direction, &b = to.direction;
+    if(a.reference == null_index || b.reference == null_index)
+      return angle_clockwise(from, to) < Straightness::straight_angle();
+    const Vertex_index u = m_triangulation.tail(from.halfedge);
+    const Vertex_fan umbrella = umbrella_with(from, u);
+    return umbrella.has(b.reference) &&
+           umbrella.counterclockwise(umbrella.angle_of(b.reference, u) + b.angle,
+                                     umbrella.angle_of(a.reference, u) + a.angle) < Straightness::straight_angle();
   }
 
   // Infinite if the border intervenes.
