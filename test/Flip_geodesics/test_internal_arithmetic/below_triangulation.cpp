@@ -58,7 +58,7 @@ std::vector<double> unfolded(const Places& places)
   std::vector<double> result;
   FG::Decision_statistics statistics;
   const FI::Straight_strip<Places> is_straight(places, statistics);
-  FI::Sleeve<Places> sleeve(places);
+  FI::Sleeve<Places> sleeve(places, FI::Refused_faces::UNUSABLE);
   for(const FG::Crossing_word& word : words_across(places.input())) {
     const FI::Strip<Places> strip(places, word);
     const FI::Portal_turn turn = FI::largest_turn(places, strip);

@@ -311,7 +311,6 @@ namespace internal {
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_path(                                              \
       const Mesh&, Vertex_in<Mesh>, Vertex_in<Mesh>, const parameters::Default_named_parameters&);                     \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<Form> compute_loop(const Mesh&, const Vertices_of<Mesh>&,        \
-                                                                         const Never_stop_predicate&,                  \
                                                                          const parameters::Default_named_parameters&); \
   CGAL_FLIP_GEODESICS_CURVES_INSTANCE Computed_output<std::vector<Form>> compute_network(                              \
       const Mesh&, const std::vector<Vertices_of<Mesh>>&, const parameters::Default_named_parameters&);
