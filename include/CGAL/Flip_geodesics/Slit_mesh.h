@@ -86,6 +86,7 @@ struct graph_has_property<Flip_geodesics::Slit_mesh<TriangleMesh>, boost::vertex
 
 } // namespace CGAL
 
+#ifndef DOXYGEN_RUNNING
 namespace boost {
 
 template <class TriangleMesh>
@@ -108,6 +109,7 @@ struct property_map<CGAL::Flip_geodesics::Slit_mesh<TriangleMesh>, boost::vertex
 };
 
 } // namespace boost
+#endif
 
 namespace CGAL {
 namespace Flip_geodesics {
