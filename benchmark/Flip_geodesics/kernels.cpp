@@ -51,7 +51,7 @@ public:
         m_longest = h;
     });
     for(FG::Edge_index e : FG::internal::descriptors<FG::Edge_index>(1000))
-      if(m_tight_triangulation.is_flippable(e.halfedge()) && m_tight_triangulation.label(e) == 0)
+      if(m_tight_triangulation.is_flippable(e.halfedge()) && m_tight.stack(e).empty())
         m_flippable.push_back(e.halfedge());
   }
 
