@@ -75,7 +75,7 @@ public:
     return results;
   }
 
-  /// The mesh, or what is left of it when its edges of length zero are contracted.
+  /// The mesh, or what is left of it when its degenerate edges are contracted.
   const auto& input() const { return m_triangulation.input(); }
 
   void check(const Network_request& request) override
@@ -112,7 +112,7 @@ private:
                                                                : "give --mollify");
   }
 
-  // For `compute_on_surface()`, which decides whether edges of length zero are contracted.
+  // For `compute_on_surface()`, which decides whether degenerate edges are contracted.
   struct Surfaces
   {
     Curve_runner& runner;
@@ -205,7 +205,7 @@ private:
     return results;
   }
 
-  // With the edges of length zero contracted.
+  // With the degenerate edges contracted.
   Curve_runner& on_surface()
   {
     if(!m_on_surface)

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// What is asked for on a mesh, on the surface that is left when its edges of length zero are contracted.
+// What is asked for on a mesh, on the surface that is left when its degenerate edges are contracted.
 namespace program {
 
 /// A request on the surface, and which of its curves are left; the others have shrunk to a point.

@@ -37,7 +37,7 @@ namespace Flip_geodesics {
 struct Geodesic_tree_report
 {
   /// `LOCALLY_SHORTEST`, or `STOPPED_BY_VISITOR`. `PRECISION_LIMIT` if paths are bent and doubles, also as coordinates,
-  /// cannot mend it; `DEGENERATE_FACES` if exact decisions cannot, since faces without area fold vertices onto one place.
+  /// cannot mend it; `DEGENERATE_FACES` if exact decisions cannot, since degenerate faces fold vertices onto one point.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
   std::size_t flips = 0;     ///< edge flips
   std::size_t flip_outs = 0; ///< wedges flipped out [SC20, Algorithm 1]
@@ -515,7 +515,7 @@ struct Logarithmic_map
 
   /*!
    * The coordinates of vertex `v` in the plane, with the angles about an inner source stretched evenly to \f$2\pi\f$,
-   * as is usual; those about a source on the border stay. The origin for the source, NaN where there is no path.
+   * as is usual; those about a source on the border stay. The origin for the source, NaN if no path exists.
    */
   std::array<double, 2> in_plane(Vertex_index v) const
   {

@@ -154,7 +154,7 @@ template <class TriangleMesh, class Traits_, class Metric_>
 class Intrinsic_triangulation_elements
 {
   static_assert(internal::Is_triangulation_traits<Traits_>::value,
-                "the traits are no model of IntrinsicTriangulationTraits: of a kernel K, give "
+                "the traits are not a model of IntrinsicTriangulationTraits: of a kernel K, give "
                 "Intrinsic_triangulation_traits<K> or Certified_intrinsic_triangulation_traits<K>");
 
 public:

@@ -51,8 +51,8 @@ template <class NamedParameters, class... Others>
 decltype(auto) joined(const NamedParameters& np, const Others&... others)
 {
   static_assert(Is_named_parameters<NamedParameters>::value,
-                "an option is no named parameter: parameters::stop_predicate(), parameters::search_limit() and others "
-                "make one of it; named parameters come last");
+                "an option is not a named parameter: parameters::stop_predicate(), parameters::search_limit() and "
+                "others make one of it; named parameters come last");
   if constexpr(!Is_named_parameters<NamedParameters>::value)
     return joined(others...); // so that no other message follows
   else if constexpr(sizeof...(Others) == 0)

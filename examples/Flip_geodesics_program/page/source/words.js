@@ -8,7 +8,7 @@ const statuses = {
   LENGTH_LIMIT: 'stopped at the length that was asked for',
   MEMORY_LIMIT: 'stopped, as it takes too much memory',
   PRECISION_LIMIT: 'rounding leaves it open whether it is straight',
-  DEGENERATE_FACES: 'bent across faces without area',
+  DEGENERATE_FACES: 'bent across degenerate faces',
   PROVEN_SHORTEST: 'the shortest of its class, proven',
   CONFIRMED: 'the shortest of its class',
   UNCONFIRMED: 'perhaps not the shortest of its class',
