@@ -103,19 +103,14 @@ public:
   bool is_inserted(Vertex_index v) const { return m_triangulation.is_inserted(v); }
   auto location(Vertex_index v) const { return m_triangulation.location(v); }
   Halfedge_index clockwise(Halfedge_index h) const { return m_triangulation.clockwise(h); }
-  decltype(auto) exact_input_face(Input_halfedge_index h) const { return m_triangulation.exact_input_face(h); }
-  decltype(auto) flat_edges() const { return m_triangulation.flat_edges(); }
-  decltype(auto) precise_edge(Halfedge_index h) const { return m_triangulation.precise_edge(h); }
-  decltype(auto) precise_input_halfedge(Input_halfedge_index h) const
-  {
-    return m_triangulation.precise_input_halfedge(h);
-  }
   int input_edges_in_wedge(Halfedge_index from, Halfedge_index to) const
   {
     return m_triangulation.input_edges_in_wedge(from, to);
   }
 
 private:
+  friend struct CGAL::Flip_geodesics::internal::Internals<Plain_view>;
+
   const Triangulation& m_triangulation;
 };
 
@@ -124,6 +119,30 @@ private:
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
+
+template <class Triangulation>
+struct Internals<Flip_geodesics_test::Plain_view<Triangulation>>
+{
+  using View = Flip_geodesics_test::Plain_view<Triangulation>;
+  using Of_model = Internals<Triangulation>;
+
+  static constexpr bool has_exact_faces = true;
+  static constexpr bool has_precise_numbers = true;
+
+  static decltype(auto) exact_face(const View& view, Input_halfedge_index h)
+  {
+    return Of_model::exact_face(view.m_triangulation, h);
+  }
+  static decltype(auto) precise_halfedge(const View& view, Input_halfedge_index h)
+  {
+    return Of_model::precise_halfedge(view.m_triangulation, h);
+  }
+  static decltype(auto) precise_edge(const View& view, Halfedge_index h)
+  {
+    return Of_model::precise_edge(view.m_triangulation, h);
+  }
+  static decltype(auto) flat_edges(const View& view) { return Of_model::flat_edges(view.m_triangulation); }
+};
 
 template <class TriangleMesh, class K, class Metric>
 class Wedge_comparison<Intrinsic_triangulation<TriangleMesh, Flip_geodesics_test::Recording_traits<K>, Metric>>

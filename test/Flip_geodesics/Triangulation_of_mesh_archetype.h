@@ -163,9 +163,9 @@ public:
   }
 
   template <class OnSplit>
-  Vertex_index insert(const Location& location, const OnSplit& on_split, CGAL::Flip_geodesics::Known_piece* near)
+  Vertex_index insert(const Location& location, const OnSplit& on_split)
   {
-    return m_model.insert(location, on_split, near);
+    return m_model.insert(location, on_split);
   }
   template <class OnSplit>
   Vertex_index split_edge(Halfedge_index h, const Location& location, std::size_t gap, const OnSplit& on_split)

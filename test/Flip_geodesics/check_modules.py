@@ -66,6 +66,7 @@ def wrong_friends(text):
     code = COMMENT.sub('', text)
     declared = [what for what, end in FRIEND.findall(code) if end == ';']
     names = [name.group(1) if name else what for what in declared for name in [FRIEND_NAME.search(what)]]
+    names = [re.sub('^internal::', '', name) for name in names]
     return [name for name in names if name != 'boost::iterator_core_access' and
             not re.search(rf'\b(?:class|struct)\s+{re.escape(name)}\b[^;{{]*{{', code)]
 

@@ -381,7 +381,7 @@ namespace {
 
 using Plane_point = CGAL::Simple_cartesian<double>::Point_3;
 using Plane_mesh = CGAL::Surface_mesh<Plane_point>;
-using Plane_metric = FG::internal::Default_metric<Plane_mesh>;
+using Plane_metric = FG::Default_metric<Plane_mesh>;
 
 // A grid of n times n cells over [0, 2] x [1, 3].
 Plane_mesh half_plane(int n)

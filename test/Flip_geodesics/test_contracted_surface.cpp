@@ -368,13 +368,14 @@ BOOST_AUTO_TEST_CASE(without_being_asked_a_triangulation_refuses)
   const Mesh mesh = to_mesh<Mesh>(soup);
   const Triangulation strict(mesh, Metric(mesh.points()));
   const Vertex_sequence chain = {v, w};
-  BOOST_CHECK_THROW(FG::halfedges_on_surface(strict, chain, false), FG::Degenerate_face_error);
+  BOOST_CHECK_THROW(FG::internal::halfedges_on_surface(strict, chain, false), FG::Degenerate_face_error);
   const Triangulation left = contracted(mesh);
-  BOOST_CHECK(FG::halfedges_on_surface(left, chain, false).empty());
-  BOOST_CHECK_EQUAL(FG::vertex_on_surface(left, w), v);
-  BOOST_CHECK_THROW(FG::vertex_on_surface(left, FG::Vertex_index(w.idx() + 1)), FG::Vertex_out_of_range_error);
+  BOOST_CHECK(FG::internal::halfedges_on_surface(left, chain, false).empty());
+  BOOST_CHECK_EQUAL(FG::internal::vertex_on_surface(left, w), v);
+  BOOST_CHECK_THROW(FG::internal::vertex_on_surface(left, FG::Vertex_index(w.idx() + 1)),
+                    FG::Vertex_out_of_range_error);
   const Vertex_sequence apart = {v, FG::Vertex_index(grid_vertex(4, 0, 0))};
-  BOOST_CHECK_THROW(FG::halfedges_on_surface(left, apart, false), FG::Invalid_curve_error);
+  BOOST_CHECK_THROW(FG::internal::halfedges_on_surface(left, apart, false), FG::Invalid_curve_error);
 
   const Mesh regular = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
   BOOST_CHECK(!contracted(regular).input().is_contracted());
@@ -469,7 +470,7 @@ BOOST_AUTO_TEST_CASE(a_needle_by_itself_leaves_no_surface)
   BOOST_CHECK_EQUAL(left.number_of_halfedges(), static_cast<FG::Index>(mesh.number_of_halfedges()) - 6);
   for(int i : {1, 2}) {
     const Vertex_sequence ends = {FG::Vertex_index(first), FG::Vertex_index(first + i)};
-    BOOST_CHECK_THROW(FG::halfedges_on_surface(left, ends, false), FG::Degenerate_face_error);
+    BOOST_CHECK_THROW(FG::internal::halfedges_on_surface(left, ends, false), FG::Degenerate_face_error);
   }
   // Nor are its two ends in one place a place of the surface.
   const Mesh::Vertex_index v(static_cast<unsigned>(first + 1)), w(static_cast<unsigned>(first + 2));

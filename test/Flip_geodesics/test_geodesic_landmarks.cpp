@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(results_are_the_same)
         return sweep.number_of_updates();
       };
       without += updates(nullptr);
-      with += updates(&landmarks.rows());
+      with += updates(&FG::internal::Internals<FG::Geodesic_landmarks>::rows(landmarks));
     }
     BOOST_TEST(with < without);
     BOOST_TEST_MESSAGE(with << " instead of " << without << " cones");

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(decisions_are_exact_where_they_can_be)
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   using Metric = FG::Intrinsic_triangulation<Mesh>::Metric;
   using Lengths = FG::Edge_length_metric<Mesh, Mesh::Property_map<Mesh::Edge_index, double>>;
-  using FG::internal::Default_traits;
+  using FG::Default_traits;
   using std::is_same_v;
   using Exact = FG::Certified_intrinsic_triangulation_traits<Kernel>;
   static_assert(is_same_v<FG::Intrinsic_triangulation<Mesh>::Traits, Exact>);

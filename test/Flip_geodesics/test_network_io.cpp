@@ -687,17 +687,18 @@ BOOST_AUTO_TEST_CASE(forged_states)
       [](State& s) { s.stacks[0].edge = FG::null_index; },
       [](State& s) { s.stacks[0].segments[0] = s.curves[2].segments[0].id; },
       [](State& s) { s.stacks[0].segments.pop_back(); }};
+  using Internals = FG::internal::Internals<decltype(setting.network)>;
   setting.network.clear();
   for(std::size_t i = 0; i < forgeries.size(); ++i) {
     State forged = state;
     forgeries[i](forged);
-    BOOST_TEST(!setting.network.restore(forged), "forgery " << i);
+    BOOST_TEST(!Internals::restore(setting.network, forged), "forgery " << i);
     BOOST_TEST(setting.network.number_of_curves() == 0);
     BOOST_TEST(setting.triangulation.number_of_holds() == 0u);
     for(Edge_index e : descriptors<Edge_index>(setting.triangulation.number_of_edges()))
       BOOST_REQUIRE(setting.network.stack(e).empty());
   }
-  BOOST_REQUIRE(setting.network.restore(state));
+  BOOST_REQUIRE(Internals::restore(setting.network, state));
   BOOST_TEST(setting.network.stack(state.stacks[0].edge) == state.stacks[0].segments, boost::test_tools::per_element());
 }
 

@@ -77,7 +77,7 @@ std::vector<double> all_of(const Triangulation& t, FG::Halfedge_index h)
     if(result.back() > 0)
       break;
   }
-  const auto precise = t.precise_edge(h);
+  const auto precise = FG::internal::Internals<Triangulation>::precise_edge(t, h);
   result.push_back(precise.length);
   result.push_back(t.tail(t.outgoing(t.tail(h))) == t.tail(h));
   return result;

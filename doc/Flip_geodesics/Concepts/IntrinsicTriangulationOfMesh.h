@@ -90,11 +90,10 @@ public:
   /// Makes a point a vertex, unless it is one. It splits the face or the edge that holds it; new edges come after the
   /// others. Where an edge is split, calls `on_split` with an object that has two members: `first`, a halfedge that is
   /// shorter now, and `second`, which leads on from the new vertex to the old head of `first`. The log grows.
-  /// \param close_by if not null, where the point is nearly, which may be ignored
   /// \return the vertex
   /// \throws Invalid_location_error, Insertion_error; nothing is changed then
   template <class OnSplit>
-  Vertex_index insert(const Surface_location& location, const OnSplit& on_split, Known_piece* close_by);
+  Vertex_index insert(const Surface_location& location, const OnSplit& on_split);
 
   /// Splits the edge of `h` at a point that lies on it by definition, in the input face at a gap of its word.
   /// \throws as `insert()`

@@ -521,7 +521,7 @@ private:
     namespace FG = CGAL::Flip_geodesics;
     if(request.is_pair)
       return FG::shortest_halfedges_through(m_search, request.vertices);
-    return FG::halfedges_on_surface(m_triangulation, request.vertices, request.is_closed);
+    return FG::internal::halfedges_on_surface(m_triangulation, request.vertices, request.is_closed);
   }
 
   CGAL::Flip_geodesics::Memory_stop_predicate memory_limit() const
@@ -559,7 +559,7 @@ private:
   void check_folds(const CGAL::Flip_geodesics::Shortening_report& report) const
   {
     namespace FG = CGAL::Flip_geodesics;
-    if(!m_options.are_zero_edges_refused && FG::are_curves_folded(m_triangulation, report))
+    if(!m_options.are_zero_edges_refused && FG::internal::are_curves_folded(m_triangulation, report))
       throw FG::Degenerate_face_error("faces without area fold vertices onto one place", {});
   }
 

@@ -79,18 +79,18 @@ std::optional<CGAL::Flip_geodesics::Surface_point> put_on_surface(const Triangul
 {
   namespace FG = CGAL::Flip_geodesics;
   if(!curve.points.empty()) {
-    curve.points = FG::points_on_surface(triangulation, curve.points);
+    curve.points = FG::internal::points_on_surface(triangulation, curve.points);
     return are_in_one_place(triangulation, curve.points)
                ? std::make_optional(FG::surface_point(triangulation, curve.points.front()))
                : std::nullopt;
   }
   bool is_point = false;
-  const Vertex_index v = FG::vertex_on_surface(triangulation, curve.vertices.front());
+  const Vertex_index v = FG::internal::vertex_on_surface(triangulation, curve.vertices.front());
   if(curve.is_pair) {
-    curve.vertices = {v, FG::vertex_on_surface(triangulation, curve.vertices.back())};
+    curve.vertices = {v, FG::internal::vertex_on_surface(triangulation, curve.vertices.back())};
     is_point = v == curve.vertices.back();
   } else if(triangulation.input().is_contracted()) {
-    is_point = FG::halfedges_on_surface(triangulation, curve.vertices, curve.is_closed).empty();
+    is_point = FG::internal::halfedges_on_surface(triangulation, curve.vertices, curve.is_closed).empty();
   }
   return is_point ? std::make_optional(FG::Surface_point{v, v, 0, FG::null_index, FG::null_index, 0, v}) : std::nullopt;
 }
@@ -107,9 +107,9 @@ Surface_request surface_request(const Triangulation& triangulation, const Networ
       result.request.curves.push_back(curve);
   }
   for(Vertex_index v : request.fixed_vertices)
-    result.request.fixed_vertices.push_back(FG::vertex_on_surface(triangulation, v));
+    result.request.fixed_vertices.push_back(FG::internal::vertex_on_surface(triangulation, v));
   if(request.tree_source)
-    result.request.tree_source = FG::vertex_on_surface(triangulation, *request.tree_source);
+    result.request.tree_source = FG::internal::vertex_on_surface(triangulation, *request.tree_source);
   return result;
 }
 
@@ -135,7 +135,7 @@ void put_on_mesh(const Triangulation& triangulation, std::vector<Curve_result>& 
   for(Curve_result& result : tree)
     result.are_zero_edges_contracted = true;
   for(Vertex_index v(0); map && v.idx() < triangulation.number_of_vertices(); ++v)
-    map->vertices[v] = map->vertices[CGAL::Flip_geodesics::vertex_on_surface(triangulation, v)];
+    map->vertices[v] = map->vertices[CGAL::Flip_geodesics::internal::vertex_on_surface(triangulation, v)];
 }
 
 /// Lets a curve that ends at vertices start and end at those that were asked for, which lie in the same places.

@@ -53,15 +53,22 @@ class Conformal_flattening
 public:
   using Point = std::array<double, 2>; ///< in the plane, in the unit of the lengths
 
+  /// Cuts and flattens with a tolerance of 1e-10 radians.
+  template <class Network>
+  explicit Conformal_flattening(const Network& network)
+    : Conformal_flattening(network, internal::default_angle_sum_tolerance)
+  {
+  }
+
   /*!
    * Cuts and flattens.
    * \param network the finished curves, a model of `CurveNetwork`, in a triangulation of a connected surface
-   * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians; 1e-10 unless given
+   * \param tolerance the largest deviation of an angle sum from \f$2\pi\f$, in radians
    * \throws Flattening_error if the cut surface is no disk; if a face stays degenerate; if the angle sums stay off
    * \throws Degenerate_face_error if a face has no area to begin with
    */
   template <class Network>
-  explicit Conformal_flattening(const Network& network, double tolerance = internal::default_angle_sum_tolerance)
+  Conformal_flattening(const Network& network, double tolerance)
     : m_triangulation(&network.triangulation())
     , m_faces(all_faces(network.triangulation()))
     , m_surface(network.triangulation(), m_faces, [&network](Halfedge_index h) { return network.is_occupied(h); })

@@ -36,27 +36,6 @@ struct Null_index
 /// No element: every descriptor can be compared with it and made from it.
 inline constexpr Null_index null_index{};
 
-namespace internal {
-
-/* The order and the printed form of the descriptors derived from it. */
-template <class Derived>
-struct Descriptor_operators
-{
-  friend constexpr bool operator==(Derived a, Derived b) { return a.idx() == b.idx(); }
-  friend constexpr bool operator!=(Derived a, Derived b) { return a.idx() != b.idx(); }
-  friend constexpr bool operator<(Derived a, Derived b) { return a.idx() < b.idx(); }
-  friend constexpr bool operator>(Derived a, Derived b) { return a.idx() > b.idx(); }
-  friend constexpr bool operator<=(Derived a, Derived b) { return a.idx() <= b.idx(); }
-  friend constexpr bool operator>=(Derived a, Derived b) { return a.idx() >= b.idx(); }
-
-  /* For Boost's hash tables; std::hash is below. */
-  friend std::size_t hash_value(Derived a) { return static_cast<std::size_t>(a.idx()); }
-
-  friend std::ostream& operator<<(std::ostream& out, Derived a) { return out << Derived::letter() << a.idx(); }
-};
-
-} // namespace internal
-
 /*!
  * \ingroup PkgFlipGeodesicsDescriptors
  *
@@ -65,10 +44,10 @@ struct Descriptor_operators
  *
  * Descriptors are ordered by their numbers, can be hashed, and are printed as a letter and the number.
  *
- * \tparam Element what kind of element
+ * \tparam Element the kind of element, of `Element_kind`
  */
 template <class Element>
-class Descriptor : public internal::Descriptor_operators<Descriptor<Element>>
+class Descriptor
 {
 public:
   /// Names no element.
@@ -99,75 +78,62 @@ public:
     return *this;
   }
 
+  friend constexpr bool operator==(Descriptor a, Descriptor b) { return a.idx() == b.idx(); } ///< compares numbers
+  friend constexpr bool operator!=(Descriptor a, Descriptor b) { return a.idx() != b.idx(); } ///< compares numbers
+  friend constexpr bool operator<(Descriptor a, Descriptor b) { return a.idx() < b.idx(); }   ///< compares numbers
+  friend constexpr bool operator>(Descriptor a, Descriptor b) { return a.idx() > b.idx(); }   ///< compares numbers
+  friend constexpr bool operator<=(Descriptor a, Descriptor b) { return a.idx() <= b.idx(); } ///< compares numbers
+  friend constexpr bool operator>=(Descriptor a, Descriptor b) { return a.idx() >= b.idx(); } ///< compares numbers
+  /// The key for hash tables of Boost, and of `std::hash`.
+  friend std::size_t hash_value(Descriptor a) { return static_cast<std::size_t>(a.idx()); }
+  /// Prints the letter and the number.
+  friend std::ostream& operator<<(std::ostream& out, Descriptor a) { return out << letter() << a.idx(); }
+
 private:
   Index m_number = -1;
 };
 
-namespace internal {
-
-struct Vertex_element
+/// \ingroup PkgFlipGeodesicsDescriptors
+/// The kinds of elements that a `Descriptor` names, each with the letter that is printed before the number.
+struct Element_kind
 {
-  static constexpr const char* letter = "v";
+  // clang-format off
+  struct Vertex { static constexpr const char* letter = "v"; };               ///< of `Vertex_index`
+  struct Halfedge { static constexpr const char* letter = "h"; };             ///< of `Halfedge_index`
+  struct Face { static constexpr const char* letter = "f"; };                 ///< of `Face_index`
+  struct Input_halfedge { static constexpr const char* letter = "input h"; }; ///< of `Input_halfedge_index`
+  struct Segment { static constexpr const char* letter = "s"; };              ///< of `Segment_index`
+  struct Curve { static constexpr const char* letter = "c"; };                ///< of `Curve_index`
+  struct Vertex_copy { static constexpr const char* letter = "copy "; };      ///< of `Vertex_copy_index`
+  // clang-format on
 };
-
-struct Halfedge_element
-{
-  static constexpr const char* letter = "h";
-};
-
-struct Face_element
-{
-  static constexpr const char* letter = "f";
-};
-
-struct Input_halfedge_element
-{
-  static constexpr const char* letter = "input h";
-};
-
-struct Segment_element
-{
-  static constexpr const char* letter = "s";
-};
-
-struct Curve_element
-{
-  static constexpr const char* letter = "c";
-};
-
-struct Vertex_copy_element
-{
-  static constexpr const char* letter = "copy ";
-};
-
-} // namespace internal
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// A vertex of a triangulation; the input's have the same numbers as in the input.
-using Vertex_index = Descriptor<internal::Vertex_element>;
+using Vertex_index = Descriptor<Element_kind::Vertex>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// A halfedge of a triangulation.
-using Halfedge_index = Descriptor<internal::Halfedge_element>;
+using Halfedge_index = Descriptor<Element_kind::Halfedge>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// A face of a triangulation, by the smallest number of its halfedges. A flip takes away two faces and makes two.
-using Face_index = Descriptor<internal::Face_element>;
+using Face_index = Descriptor<Element_kind::Face>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// A halfedge of the input of a triangulation, which flips do not change.
-using Input_halfedge_index = Descriptor<internal::Input_halfedge_element>;
+using Input_halfedge_index = Descriptor<Element_kind::Input_halfedge>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// A segment of a curve of a network.
-using Segment_index = Descriptor<internal::Segment_element>;
+using Segment_index = Descriptor<Element_kind::Segment>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// A curve of a network.
-using Curve_index = Descriptor<internal::Curve_element>;
+using Curve_index = Descriptor<Element_kind::Curve>;
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// A vertex of a surface that is cut open: one of the copies of a vertex of a triangulation.
-using Vertex_copy_index = Descriptor<internal::Vertex_copy_element>;
+using Vertex_copy_index = Descriptor<Element_kind::Vertex_copy>;
 
 /// \ingroup PkgFlipGeodesicsDescriptors
 /// An edge of a triangulation. It knows from which halfedge it was made, and is the same edge whichever it was: so
 /// `source()` and `target()` of an edge that a traversal hands out are where the traversal is and where it leads.
-class Edge_index : public internal::Descriptor_operators<Edge_index>
+class Edge_index
 {
 public:
   /// Names no edge.
@@ -195,8 +161,16 @@ public:
   /// Goes on to the next number.
   Edge_index& operator++() { return *this = Edge_index(idx() + 1); }
 
-  /// What stands before the number when it is printed.
-  static constexpr const char* letter() { return "e"; }
+  friend constexpr bool operator==(Edge_index a, Edge_index b) { return a.idx() == b.idx(); } ///< compares numbers
+  friend constexpr bool operator!=(Edge_index a, Edge_index b) { return a.idx() != b.idx(); } ///< compares numbers
+  friend constexpr bool operator<(Edge_index a, Edge_index b) { return a.idx() < b.idx(); }   ///< compares numbers
+  friend constexpr bool operator>(Edge_index a, Edge_index b) { return a.idx() > b.idx(); }   ///< compares numbers
+  friend constexpr bool operator<=(Edge_index a, Edge_index b) { return a.idx() <= b.idx(); } ///< compares numbers
+  friend constexpr bool operator>=(Edge_index a, Edge_index b) { return a.idx() >= b.idx(); } ///< compares numbers
+  /// The key for hash tables of Boost, and of `std::hash`.
+  friend std::size_t hash_value(Edge_index a) { return static_cast<std::size_t>(a.idx()); }
+  /// Prints `e` and the number.
+  friend std::ostream& operator<<(std::ostream& out, Edge_index a) { return out << "e" << a.idx(); }
 
 private:
   Halfedge_index m_halfedge;
@@ -384,42 +358,41 @@ enum class Wedge_state {
   FIXED     ///< the node is fixed: the wedge is not looked at
 };
 
-/*!
- * \ingroup PkgFlipGeodesicsCurves
- *
+namespace internal {
+
+/*
  * What the log of an `Intrinsic_triangulation` keeps of a flip: enough to take it back, and to derive the crossings of
  * the new edge. If `hp` is `null_index`, nothing was flipped. Either the face of `h` was laid out afresh: then `tn` is
  * `null_index` as well, and the first three vectors are the old ones. Or a point was inserted: then `number` is the
  * number of the insertion, `version_hp` the `gap()`, and `tn` is `h` if its face was split, its twin if its edge was.
- *
- * \tparam Halfedge_geometry that of the triangulation
  */
 template <class Halfedge_geometry>
 struct Flip_record
 {
-  Halfedge_index h;         ///< the flipped halfedge, i->j before and l->k after
-  Halfedge_index hp;        ///< k->i
-  Halfedge_index tn;        ///< i->l
-  Index version_hp;         ///< the version of `hp` at the time
-  Index version_tn;         ///< the version of `tn` at the time
-  Index number;             ///< of input edges that the new edge crosses; -1 if it lies along one
-  Index old_version;        ///< of the edge, before
-  Index old_crossings;      ///< one more than the number of input edges that the edge crossed before
-  Halfedge_geometry old_h;  ///< what `h` stored before
-  Halfedge_geometry old_t;  ///< what the other side of the edge stored before
-  Halfedge_geometry old_tn; ///< what `tn` stored before
-  Halfedge_geometry old_tp; ///< what the halfedge l->j stored before
+  Halfedge_index h;         // the flipped halfedge, i->j before and l->k after
+  Halfedge_index hp;        // k->i
+  Halfedge_index tn;        // i->l
+  Index version_hp;         // the version of `hp` at the time
+  Index version_tn;         // the version of `tn` at the time
+  Index number;             // of input edges that the new edge crosses; -1 if it lies along one
+  Index old_version;        // of the edge, before
+  Index old_crossings;      // one more than the number of input edges that the edge crossed before
+  Halfedge_geometry old_h;  // what `h` stored before
+  Halfedge_geometry old_t;  // what the other side of the edge stored before
+  Halfedge_geometry old_tn; // what `tn` stored before
+  Halfedge_geometry old_tp; // what the halfedge l->j stored before
 
-  /// Was an edge flipped?
+  /* Was an edge flipped? */
   bool is_flip() const { return hp != null_index; }
-  /// Was a point inserted?
+  /* Was a point inserted? */
   bool is_insertion() const { return hp == null_index && tn != null_index; }
-  /// Was the point inserted on the edge of `h`, rather than into its face? \pre `is_insertion()`
+  /* Was the point inserted on the edge of `h`, rather than into its face? \pre `is_insertion()` */
   bool is_on_edge() const { return tn != h; }
-  /// The gap of the crossing word of `h` whose input face holds the inserted point. \pre `is_insertion()`
+  /* The gap of the crossing word of `h` whose input face holds the inserted point. \pre `is_insertion()` */
   Index gap() const { return version_hp; }
 };
 
+} // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 

@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/network/Segment_store.h>
 #include <CGAL/Flip_geodesics/internal/network/network_parts.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 
 #include <CGAL/assertions.h>
 
@@ -168,13 +169,13 @@ public:
 
   /*!
    * Makes a point of the surface a vertex of the triangulation, as `Intrinsic_triangulation::insert()`. Segments on an
-   * edge that is split become two each, with a joint that is not fixed; their order stays. `close_by` is as there.
+   * edge that is split become two each, with a joint that is not fixed; their order stays.
    * \return the new vertex, or the one that is there already
    * \throws as `Intrinsic_triangulation::insert()`
    */
-  Vertex_index insert(const Surface_location& location, Known_piece* close_by = nullptr)
+  Vertex_index insert(const Surface_location& location)
   {
-    return Division(*m_triangulation, m_segments).insert(location, close_by);
+    return Division(*m_triangulation, m_segments).insert(location);
   }
 
   /// Splits the edge of `h` with all its segments, as `Intrinsic_triangulation::split_edge()`.
@@ -334,8 +335,12 @@ public:
    */
   Segment_index perturb_loop(Segment_index s, Halfedge_index h) { return m_segments.perturb_loop(s, h); }
 
+#ifdef DOXYGEN_RUNNING
   /// Where a segment lies in its stack: what is needed to put another one into its place.
+  using Stack_place = unspecified_type;
+#else
   using Stack_place = internal::Stack_place;
+#endif
 
   /// The place of segment `s`, to be kept for `restore_loop()`.
   Stack_place stack_place(Segment_index s) const { return m_segments.stack_place(s); }
@@ -344,22 +349,6 @@ public:
   Segment_index restore_loop(Curve_index curve, const Stack_place& place)
   {
     return m_segments.restore_loop(curve, place);
-  }
-
-  /// @}
-  /// \name State
-  /// @{
-
-  /// Takes the state that `read_network()` has read, of a type that is not documented. Returns false, and is empty, if
-  /// its curves are not chains in the triangulation as it is, or its stacks not those of their edges. Whether curves
-  /// cross is not checked: they may before they are put in order. \pre there are no curves
-  bool restore(const internal::Network_state& state)
-  {
-    CGAL_precondition(number_of_curves() == 0);
-    const bool is_restored = m_segments.restore(state);
-    if(!is_restored)
-      clear();
-    return is_restored;
   }
 
   /// @}
@@ -377,6 +366,7 @@ public:
   }
 
 private:
+  friend struct internal::Internals<Edge_path_network>;
   using Walker = typename Triangulation::Walker;
   using Division = internal::Segment_division<Triangulation>;
 
@@ -429,6 +419,35 @@ private:
   internal::Segment_store<Triangulation> m_segments;
 };
 
+namespace internal {
+
+template <class Triangulation>
+struct Internals<Edge_path_network<Triangulation>>
+{
+  using Network = Edge_path_network<Triangulation>;
+
+  /* Inserts points with hints where they are, and splits edges, with all segments. */
+  static auto splitter(Network& network)
+  {
+    return typename Network::Division(*network.m_triangulation, network.m_segments);
+  }
+
+  /*
+   * Takes the state that read_network() has read. Returns false, and leaves the network empty, if its curves are not
+   * chains in the triangulation as it is, or its stacks not those of their edges. Whether curves cross is not checked:
+   * they may before they are put in order. \pre there are no curves
+   */
+  static bool restore(Network& network, const Network_state& state)
+  {
+    CGAL_precondition(network.number_of_curves() == 0);
+    const bool is_restored = network.m_segments.restore(state);
+    if(!is_restored)
+      network.clear();
+    return is_restored;
+  }
+};
+
+} // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 

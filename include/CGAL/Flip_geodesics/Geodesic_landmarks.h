@@ -8,6 +8,7 @@
 #include <CGAL/Flip_geodesics/internal/distances/Cone_sweep.h>
 #include <CGAL/Flip_geodesics/internal/distances/Landmark_rows.h>
 #include <CGAL/Flip_geodesics/internal/distances/Unfolded_faces.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/for_each_index.h>
@@ -133,10 +134,8 @@ public:
       throw Input_mismatch_error("the landmarks were made for another mesh, or another metric");
   }
 
-  /// The values, for searches; of a type that is not documented.
-  const internal::Landmark_rows& rows() const { return m_rows; }
-
 private:
+  friend struct internal::Internals<Geodesic_landmarks>;
   using Choice = internal::Landmark_choice;
 
   // At a landmark, or on a border.
@@ -272,6 +271,15 @@ private:
   bool m_is_complete = true;
 };
 
+namespace internal {
+
+template <>
+struct Internals<Geodesic_landmarks>
+{
+  static const Landmark_rows& rows(const Geodesic_landmarks& landmarks) { return landmarks.m_rows; }
+};
+
+} // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 

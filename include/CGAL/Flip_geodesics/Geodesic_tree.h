@@ -189,8 +189,11 @@ public:
     return regrow(grafts.m_taken_off);
   }
 
-  /// Checks the invariant, lengths up to a relative `tolerance`, which is 1e-10 unless given. Linear in the mesh.
-  bool is_valid(double tolerance = internal::default_tree_tolerance) const
+  /// Checks the invariant with a relative tolerance of 1e-10. Linear in the mesh.
+  bool is_valid() const { return is_valid(internal::default_tree_tolerance); }
+
+  /// Checks the invariant, lengths up to a relative `tolerance`. Linear in the mesh.
+  bool is_valid(double tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(m_triangulation->number_of_halfedges())) {
       const Vertex_index u = m_triangulation->tail(h), v = m_triangulation->head(h);

@@ -3,12 +3,15 @@
 #ifndef CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H
 #define CGAL_FLIP_GEODESICS_INTRINSIC_TRIANGULATION_H
 
+#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
+#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
 #include <CGAL/Flip_geodesics/internal/surface/Contracted_metric.h>
 #include <CGAL/Flip_geodesics/internal/surface/Flat_edges.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Edge_history.h>
@@ -33,6 +36,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -173,8 +177,12 @@ public:
   using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   /// Descriptors of `Triangle_mesh`.
   using Mesh_halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+#ifdef DOXYGEN_RUNNING
   /// A model of `IntrinsicTriangulationWalker`.
+  using Walker = unspecified_type;
+#else
   using Walker = internal::Placed_halfedge<internal::Halfedge_store<Input_mesh, Traits, Metric>>;
+#endif
 
   /// \name The input
   /// @{
@@ -302,12 +310,14 @@ public:
 
   /// @}
 
+  /// Checks the invariant with a tolerance of 1e-9.
+  bool is_valid() const { return is_valid(internal::default_validity_tolerance); }
+
   /*!
    * Checks the invariant of all that has been touched: the links of faces, the closing of their vectors, the equal
-   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`, 1e-9 unless given.
-   * Linear in the mesh.
+   * lengths of an edge's two sides, relative to the longest edge of the face by `tolerance`. Linear in the mesh.
    */
-  bool is_valid(double tolerance = internal::default_validity_tolerance) const
+  bool is_valid(double tolerance) const
   {
     for(Halfedge_index h : internal::descriptors<Halfedge_index>(number_of_halfedges()))
       if(m_halfedges[m_halfedges.slot(h)].is_known() && !is_border(h) &&
@@ -342,13 +352,24 @@ private:
   mutable Store m_halfedges;
 };
 
-namespace internal {
-
+/// \ingroup PkgFlipGeodesicsMetrics
+/// The metric of a mesh unless another is given: that of its own points.
 template <class TriangleMesh>
 using Default_metric =
     Embedded_metric<TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>;
 
-} // namespace internal
+#ifdef DOXYGEN_RUNNING
+/// \ingroup PkgFlipGeodesicsTraits
+/// The traits for a metric unless others are given: `Certified_intrinsic_triangulation_traits` of the metric's kernel,
+/// or, for a metric of one's own without `exact_face()`, `Intrinsic_triangulation_traits`.
+template <class Metric>
+using Default_traits = unspecified_type;
+#else
+template <class Metric>
+using Default_traits = std::conditional_t<internal::Has_exact_faces<Metric>::value,
+                                          Certified_intrinsic_triangulation_traits<typename Metric::Kernel>,
+                                          Intrinsic_triangulation_traits<typename Metric::Kernel>>;
+#endif
 
 /// \ingroup PkgFlipGeodesicsCurves
 /// What a triangulation makes of edges of length zero.
@@ -390,8 +411,8 @@ enum class Zero_length_edges {
  *         the points' kernel, whatever kernel that is
  * \tparam Metric_ a model of `IntrinsicMetric`
  */
-template <class TriangleMesh, class Traits_ = internal::Default_traits<internal::Default_metric<TriangleMesh>>,
-          class Metric_ = internal::Default_metric<TriangleMesh>>
+template <class TriangleMesh, class Traits_ = Default_traits<Default_metric<TriangleMesh>>,
+          class Metric_ = Default_metric<TriangleMesh>>
 class Intrinsic_triangulation : public Intrinsic_triangulation_elements<TriangleMesh, Traits_, Metric_>
 {
   using Elements = Intrinsic_triangulation_elements<TriangleMesh, Traits_, Metric_>;
@@ -405,8 +426,12 @@ public:
   using Turn = typename Traits::Turn;                           ///< a rotation about a vertex, of the traits
   using Walker = typename Elements::Walker;                     ///< a model of `IntrinsicTriangulationWalker`
 
-  /// What the log keeps of a flip.
-  using Flip_record = Flip_geodesics::Flip_record<Halfedge_geometry>;
+#ifdef DOXYGEN_RUNNING
+  /// What the log keeps of a flip, see `IntrinsicTriangulationOfMesh::Flip_record`.
+  using Flip_record = unspecified_type;
+#else
+  using Flip_record = internal::Flip_record<Halfedge_geometry>;
+#endif
 
   /// A position in the flip log, to roll back to.
   using Log_position = std::size_t;
@@ -480,22 +505,6 @@ public:
         return compare_with_straight(from, to) != SMALLER;
     return comparison.make_certain() != SMALLER;
   }
-
-  /// The input face on the left of input halfedge `h` in exact numbers. Like the next three, it is of a type that is not
-  /// documented, and kept, since hard decisions come in crowds.
-  const internal::Exact_face& exact_input_face(Input_halfedge_index h) const { return m_history.exact_face(*this, h); }
-  /// Input halfedge `h` in numbers of about 100 bits.
-  const internal::Precise_halfedge& precise_input_halfedge(Input_halfedge_index h) const
-  {
-    return m_history.input_halfedge(*this, h);
-  }
-  /// What is known of flat edges; as above.
-  internal::Flat_edges& flat_edges() const
-  {
-    return m_decisions.flat_edges(static_cast<std::size_t>(input().number_of_halfedges() / 2));
-  }
-  /// The edge of `h` in numbers of about 100 bits, if its ends are input vertices.
-  internal::Precise_edge precise_edge(Halfedge_index h) const { return m_history.edge(*this, h); }
 
   /// How the decisions that were left open by the traits were taken, since construction.
   Decision_statistics decision_statistics() const { return m_decisions.statistics(); }
@@ -644,19 +653,12 @@ public:
   /*!
    * As above. Where an edge is split, `on_split` is called with two halfedges: `first`, which is now half as long, and
    * `second`, which leads on from the new vertex to the old head of `first`. If it throws, the insertion is taken back.
-   *
-   * `close_by` is for `refine()`, which knows where the point is: many edges in the input face need not be passed then.
    */
   template <class OnSplit>
-  Vertex_index insert(const Surface_location& location, const OnSplit& on_split, Known_piece* close_by = nullptr)
+  Vertex_index insert(const Surface_location& location, const OnSplit& on_split)
   {
-    const Surface_location point = internal::canonical_location(input(), location);
-    if(kind(point) == Location_kind::VERTEX)
-      return input().tail(point.halfedge);
-    const internal::Located_point place = located(point, close_by);
-    if(place.vertex != null_index)
-      return place.vertex;
-    return internal::insert_point(*this, editor(), place, point, on_split);
+    return insert_found(location, on_split,
+                        [&](const auto& locate, const Surface_location& point) { return locate(point); });
   }
 
   /*!
@@ -728,6 +730,7 @@ public:
   /// @}
 
 private:
+  friend struct internal::Internals<Intrinsic_triangulation>;
   using Elements::store;
 
   static Input_mesh make_input(const TriangleMesh& mesh, const Metric& metric, Zero_length_edges zero_length_edges)
@@ -747,13 +750,20 @@ private:
     });
   }
 
-  internal::Located_point located(const Surface_location& point, Known_piece* close_by) const
+  // `search(locator, point)` finds where the point is.
+  template <class OnSplit, class Search>
+  Vertex_index insert_found(const Surface_location& location, const OnSplit& on_split, const Search& search)
   {
+    const Surface_location point = internal::canonical_location(input(), location);
+    if(kind(point) == Location_kind::VERTEX)
+      return input().tail(point.halfedge);
     Decision_statistics statistics;
     const internal::Point_locator<Intrinsic_triangulation> locate(*this, statistics);
-    const internal::Located_point place = close_by == nullptr ? locate(point) : locate(point, *close_by);
+    const internal::Located_point place = search(locate, point);
     m_decisions.add(statistics);
-    return place;
+    if(place.vertex != null_index)
+      return place.vertex;
+    return internal::insert_point(*this, editor(), place, point, on_split);
   }
 
   internal::Insertion_editor<Intrinsic_triangulation, Store> editor()
@@ -781,6 +791,48 @@ private:
   std::vector<internal::Inserted_point<Halfedge_geometry>> m_points;
 };
 
+namespace internal {
+
+/* What hard decisions compute is kept, since they come in crowds. */
+template <class TriangleMesh, class Traits, class Metric>
+struct Internals<Intrinsic_triangulation<TriangleMesh, Traits, Metric>>
+{
+  using Triangulation = Intrinsic_triangulation<TriangleMesh, Traits, Metric>;
+
+  static constexpr bool has_exact_faces = true;
+  static constexpr bool has_precise_numbers = true;
+
+  /* The input face on the left of h. */
+  static const Exact_face& exact_face(const Triangulation& t, Input_halfedge_index h)
+  {
+    return t.m_history.exact_face(t, h);
+  }
+
+  /* Of about 100 bits. */
+  static const Precise_halfedge& precise_halfedge(const Triangulation& t, Input_halfedge_index h)
+  {
+    return t.m_history.input_halfedge(t, h);
+  }
+
+  /* The edge of h in numbers of about 100 bits, if its ends are input vertices. */
+  static Precise_edge precise_edge(const Triangulation& t, Halfedge_index h) { return t.m_history.edge(t, h); }
+
+  static Flat_edges& flat_edges(const Triangulation& t)
+  {
+    return t.m_decisions.flat_edges(static_cast<std::size_t>(t.input().number_of_halfedges() / 2));
+  }
+
+  /* Close to a known piece, many edges in the input face need not be passed. */
+  template <class OnSplit>
+  static Vertex_index insert(Triangulation& t, const Surface_location& location, const OnSplit& on_split,
+                             Known_piece& close_by)
+  {
+    return t.insert_found(location, on_split,
+                          [&](const auto& locate, const Surface_location& point) { return locate(point, close_by); });
+  }
+};
+
+} // namespace internal
 } // namespace Flip_geodesics
 } // namespace CGAL
 

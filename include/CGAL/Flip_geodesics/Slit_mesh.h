@@ -122,15 +122,6 @@ auto graph_edge(Halfedge h, const TriangleMesh& mesh)
   return edge(h, mesh);
 }
 
-/* The order of elements of a slit mesh: by the mesh's elements, and then by copies. */
-template <class Element>
-struct Ordered_element
-{
-  friend bool operator==(const Element& a, const Element& b) { return a.key() == b.key(); }
-  friend bool operator!=(const Element& a, const Element& b) { return !(a == b); }
-  friend bool operator<(const Element& a, const Element& b) { return a.key() < b.key(); }
-};
-
 } // namespace internal
 
 /*!
@@ -159,7 +150,7 @@ class Slit_mesh
 
 public:
   /// A vertex, or one of its copies.
-  struct Vertex : internal::Ordered_element<Vertex>
+  struct Vertex
   {
     Mesh_vertex vertex;   ///< of the mesh
     std::size_t copy = 0; ///< which one, from 0 on
@@ -179,10 +170,13 @@ public:
     operator Mesh_vertex() const { return vertex; }
     /// By what vertices are ordered.
     auto key() const { return std::make_tuple(vertex, copy); }
+    friend bool operator==(const Vertex& a, const Vertex& b) { return a.key() == b.key(); } ///< compares keys
+    friend bool operator!=(const Vertex& a, const Vertex& b) { return !(a == b); }          ///< compares keys
+    friend bool operator<(const Vertex& a, const Vertex& b) { return a.key() < b.key(); }   ///< compares keys
   };
 
   /// A halfedge.
-  struct Halfedge : internal::Ordered_element<Halfedge>
+  struct Halfedge
   {
     Mesh_halfedge halfedge; ///< of the mesh, with the same direction
     bool is_outer = false;  ///< is it on the border, and the mesh's on the other side of a slit?
@@ -202,10 +196,13 @@ public:
     operator Mesh_halfedge() const { return halfedge; }
     /// By what halfedges are ordered.
     auto key() const { return std::make_tuple(halfedge, is_outer); }
+    friend bool operator==(const Halfedge& a, const Halfedge& b) { return a.key() == b.key(); } ///< compares keys
+    friend bool operator!=(const Halfedge& a, const Halfedge& b) { return !(a == b); }          ///< compares keys
+    friend bool operator<(const Halfedge& a, const Halfedge& b) { return a.key() < b.key(); }   ///< compares keys
   };
 
   /// An edge; those on the two sides of a slit are different.
-  struct Edge : internal::Ordered_element<Edge>
+  struct Edge
   {
     Mesh_edge edge;                                  ///< of the mesh
     Mesh_halfedge halfedge = Graph::null_halfedge(); ///< of the mesh's edge; at a slit, that on this side
@@ -216,6 +213,9 @@ public:
     operator Mesh_edge() const { return edge; }
     /// By what edges are ordered.
     auto key() const { return std::make_tuple(edge, is_at_slit ? halfedge : Graph::null_halfedge()); }
+    friend bool operator==(const Edge& a, const Edge& b) { return a.key() == b.key(); } ///< compares keys
+    friend bool operator!=(const Edge& a, const Edge& b) { return !(a == b); }          ///< compares keys
+    friend bool operator<(const Edge& a, const Edge& b) { return a.key() < b.key(); }   ///< compares keys
   };
 
   /*!

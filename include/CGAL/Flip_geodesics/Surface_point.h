@@ -50,17 +50,16 @@ inline Location_kind kind(const Surface_location& location)
   return zeros == 0 ? Location_kind::FACE : (zeros == 1 ? Location_kind::EDGE : Location_kind::VERTEX);
 }
 
-/// \ingroup PkgFlipGeodesicsCurves
-/// Where a point to be inserted is nearly: in the piece of an input face at a gap of the word of a halfedge, as seen
-/// from that halfedge's face.
+namespace internal {
+
+/* Where a point to be inserted is nearly: in the piece of an input face at a gap of the word of a halfedge, as seen
+ * from that halfedge's face. */
 struct Known_piece
 {
-  Halfedge_index halfedge; ///< an intrinsic halfedge
-  std::size_t gap;         ///< counted along its word: the piece before crossing `gap`, or the last one
-  std::size_t letters; ///< how long words may be looked at to find the point from elsewhere; the search takes from it
+  Halfedge_index halfedge; // an intrinsic halfedge
+  std::size_t gap;         // counted along its word: the piece before crossing `gap`, or the last one
+  std::size_t letters;     // how long words may be looked at to find the point from elsewhere; the search takes from it
 };
-
-namespace internal {
 
 /* Is halfedge `h` a side of the face on the left of `f`? */
 template <class Input>

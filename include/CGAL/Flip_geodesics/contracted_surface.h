@@ -142,24 +142,19 @@ bool has_lost_paths(const Input_mesh& contracted)
   return contracted.has_split_point() || has_lost_edges(contracted);
 }
 
-} // namespace internal
-
-/// \ingroup PkgFlipGeodesicsBuilders
-/// The report of a curve of which a point is left on the surface of a triangulation. It is proven to be one unless
-/// coordinates or lengths of the mesh are not doubles.
+/* The report of a curve of which a point is left on the surface of a triangulation. It is proven to be one unless
+ * coordinates or lengths of the mesh are not doubles. */
 template <class Triangulation>
 Curve_report report_of_point(const Triangulation& triangulation)
 {
   Curve_report report;
   report.status = Shortening_status::CONTRACTED;
-  if(!internal::is_input_rounded(triangulation))
+  if(!is_input_rounded(triangulation))
     report.verdict = Certificate_verdict::PROVEN;
   return report;
 }
 
-/*!
- * \ingroup PkgFlipGeodesicsBuilders
- *
+/*
  * The vertex of a triangulation in the place of vertex `v` of its mesh: `v` itself unless edges of length zero were
  * contracted, see `Zero_length_edges`. Constant time.
  *
@@ -169,13 +164,11 @@ Curve_report report_of_point(const Triangulation& triangulation)
 template <class Triangulation>
 Vertex_index vertex_on_surface(const Triangulation& triangulation, Vertex_index v)
 {
-  internal::check_vertex(v, triangulation.input().number_of_vertices());
+  check_vertex(v, triangulation.input().number_of_vertices());
   return triangulation.input().contracted_vertex(v);
 }
 
-/*!
- * \ingroup PkgFlipGeodesicsBuilders
- *
+/*
  * The chain of halfedges of a triangulation along edges of its mesh. Where edges of length zero were contracted, it may
  * run to and fro along an edge. Nothing is left of a curve whose vertices all lie in one place. Without such edges, it
  * is that of `halfedges_through()`.
@@ -192,12 +185,10 @@ std::vector<Halfedge_index> halfedges_on_surface(const Triangulation& triangulat
 {
   if(!triangulation.input().is_contracted())
     return halfedges_through(triangulation, vertices, is_closed);
-  return internal::contracted_halfedges_through(triangulation.input(), {vertices.begin(), vertices.end()}, is_closed);
+  return contracted_halfedges_through(triangulation.input(), {vertices.begin(), vertices.end()}, is_closed);
 }
 
-/*!
- * \ingroup PkgFlipGeodesicsBuilders
- *
+/*
  * Where a point of the mesh lies on the surface of a triangulation: the same location unless edges of length zero were
  * contracted. Constant time, but for the degree of a vertex.
  *
@@ -212,28 +203,26 @@ Surface_location location_on_surface(const Triangulation& triangulation, const S
   if(!contracted.is_contracted())
     return location;
   const auto& input = contracted.uncontracted();
-  Surface_location at = internal::canonical_location(input, location);
+  Surface_location at = canonical_location(input, location);
   if(kind(at) == Location_kind::VERTEX)
-    return internal::contracted_vertex_location(contracted, input.tail(at.halfedge));
+    return contracted_vertex_location(contracted, input.tail(at.halfedge));
   if(kind(at) == Location_kind::EDGE)
-    return internal::contracted_edge_location(contracted, at.halfedge, at.weights[0], at.weights[1]);
-  for(int i = 0; i < 3; ++i, at = internal::rotated(input, at))
-    if(contracted.contracted_halfedge(at.halfedge) == internal::Contraction::is_point) // the tail and the head are one
-      return internal::contracted_edge_location(contracted, input.next(at.halfedge), at.weights[0] + at.weights[1],
-                                                at.weights[2]);
-  for(int i = 0; i < 3; ++i, at = internal::rotated(input, at))
-    if(internal::is_folded_along(contracted, at.halfedge)) {
+    return contracted_edge_location(contracted, at.halfedge, at.weights[0], at.weights[1]);
+  for(int i = 0; i < 3; ++i, at = rotated(input, at))
+    if(contracted.contracted_halfedge(at.halfedge) == Contraction::is_point) // the tail and the head are one
+      return contracted_edge_location(contracted, input.next(at.halfedge), at.weights[0] + at.weights[1],
+                                      at.weights[2]);
+  for(int i = 0; i < 3; ++i, at = rotated(input, at))
+    if(is_folded_along(contracted, at.halfedge)) {
       const double share = contracted.fold(at.halfedge).share;
-      return internal::contracted_edge_location(contracted, at.halfedge, at.weights[0] + (1 - share) * at.weights[2],
-                                                at.weights[1] + share * at.weights[2]);
+      return contracted_edge_location(contracted, at.halfedge, at.weights[0] + (1 - share) * at.weights[2],
+                                      at.weights[1] + share * at.weights[2]);
     }
   at.halfedge = contracted.contracted_halfedge(at.halfedge);
   return at;
 }
 
-/*!
- * \ingroup PkgFlipGeodesicsBuilders
- *
+/*
  * Could curves be pulled tighter on the surface that is left by `Zero_length_edges::CONTRACT`? They could if faces
  * without area are in the way of one, and there is something to contract: edges of length zero, or vertices that such
  * faces fold onto one place. Linear in the mesh if they are in the way, else in the curves.
@@ -249,12 +238,9 @@ bool are_curves_folded(const Triangulation& triangulation, const Shortening_repo
   if(triangulation.input().is_contracted() || std::none_of(report.curves.begin(), report.curves.end(), is_hindered))
     return false;
   return triangulation.input()
-      .contracted(
-          internal::Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), triangulation.input()})
+      .contracted(Contracted_metric<typename Triangulation::Metric>{triangulation.metric(), triangulation.input()})
       .is_contracted();
 }
-
-namespace internal {
 
 /*
  * Has a surface that was taken as it is edges of length zero, or vertices that faces without area fold onto one place?

@@ -168,13 +168,13 @@ Free_legs geodesics_through(Triangulation& triangulation, const std::vector<Surf
   }
   result.report = straightener.report();
   if(std::all_of(result.legs.begin(), result.legs.end(), internal::is_point))
-    result.report.curves.front() = report_of_point(triangulation);
+    result.report.curves.front() = internal::report_of_point(triangulation);
   return result;
 }
 
-/*!
- * \ingroup PkgFlipGeodesicsBuilders
- *
+namespace internal {
+
+/*
  * Where points of the mesh lie on the surface of a triangulation, as `location_on_surface()`. On a contracted surface
  * each place has one location.
  */
@@ -186,11 +186,9 @@ std::vector<Surface_location> points_on_surface(const Triangulation& triangulati
     return locations;
   std::vector<Surface_location> result;
   for(const Surface_location& location : locations)
-    result.push_back(internal::canonical_location(triangulation.input(), location_on_surface(triangulation, location)));
+    result.push_back(canonical_location(triangulation.input(), location_on_surface(triangulation, location)));
   return result;
 }
-
-namespace internal {
 
 /* The same for points as they are given, which `locate(triangulation)` finds on the mesh itself: once, into `given`. */
 template <class Triangulation, class Locate>
@@ -199,7 +197,7 @@ std::vector<Surface_location> points_on_surface(const Triangulation& triangulati
 {
   if(!triangulation.input().is_contracted())
     given = locate(triangulation);
-  return Flip_geodesics::points_on_surface(triangulation, given);
+  return points_on_surface(triangulation, given);
 }
 
 /* Gives the points of a polyline their tangents, and their halfedges as sides of the face that is left. */

@@ -125,17 +125,24 @@ public:
   using Kernel = typename Base::Kernel;                        ///< that of the other metric
   using Point_3 = typename internal::Metric_point<Base>::type; ///< that of the other metric, `void` if it has no points
 
+  /// Finds the length to add for a factor of 1e-5; linear in the mesh.
+  template <class TriangleMesh>
+  Mollified_metric(const TriangleMesh& mesh, const Metric& metric)
+    : Mollified_metric(mesh, metric, internal::default_mollification)
+  {
+  }
+
   /*!
    * Finds the length to add; linear in the mesh.
    *
    * \param mesh the triangle mesh of the metric
-   * \param factor the margin of the triangle inequality, relative to the mean edge length; 1e-5 unless given
+   * \param factor the margin of the triangle inequality, relative to the mean edge length
    * \pre 0 < factor < 1
    * \throws Invalid_coordinate_error if an edge's length is negative or not a finite number
    * \throws Invalid_mesh_error if a face is not a triangle
    */
   template <class TriangleMesh>
-  Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor = internal::default_mollification)
+  Mollified_metric(const TriangleMesh& mesh, const Metric& metric, double factor)
     : Base(metric)
   {
     CGAL_precondition(0 < factor && factor < 1);

@@ -67,9 +67,11 @@ struct Mean_report
 /// When the search for a mean ends.
 struct Mean_limits
 {
-  /// The residual, as a part of the root of the variance, that counts as none: 1e-11.
-  double tolerance = internal::default_mean_tolerance;
-  std::size_t most_iterations = 100; ///< how many steps may be tried
+  double tolerance = default_tolerance(); ///< the residual, as a part of the root of the variance, that counts as none
+  std::size_t most_iterations = 100;      ///< how many steps may be tried
+
+  /// The tolerance unless another is given: 1e-11.
+  static constexpr double default_tolerance() { return internal::default_mean_tolerance; }
 };
 
 /*!

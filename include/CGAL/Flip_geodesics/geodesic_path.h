@@ -26,10 +26,15 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+#ifdef DOXYGEN_RUNNING
 /// \ingroup PkgFlipGeodesicsFunctions
-/// A vertex of a mesh, `boost::graph_traits<TriangleMesh>::vertex_descriptor`.
+/// A vertex of a mesh.
+template <class TriangleMesh>
+using Mesh_vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+#else
 template <class TriangleMesh>
 using Mesh_vertex = internal::Vertex_in<TriangleMesh>;
+#endif
 
 /// \ingroup PkgFlipGeodesicsFunctions
 /// What a function for one curve returns.

@@ -234,7 +234,7 @@ template <class TriangleMesh, class Point = Mesh_point<TriangleMesh>>
 struct Voronoi_boundary : Located_polyline<TriangleMesh, Point>
 {
   /// The number of what does not exist: the source where no distance is finite, the junction at an end on the border.
-  static constexpr std::size_t none = internal::no_source;
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   /// The nearest sources on its left and on its right, as seen from the side from which the faces of the mesh are
   /// counterclockwise.

@@ -37,34 +37,53 @@ namespace Flip_geodesics {
  * A mesh seen by consecutive numbers: what a triangulation has as its input, and what metrics are asked about. It is a
  * class, and no concept, since a metric and all triangulations with it must mean the same elements by the same numbers.
  *
- * Made from a mesh, which must outlive it; copyable. Vertices have the numbers of their order in `vertices(mesh)`. The
- * two halfedges of the edge with number `e` in `edges(mesh)` have `2e` and `2e+1`. All members are const:
+ * Vertices have the numbers of their order in `vertices(mesh)`. The two halfedges of the edge with number `e` in
+ * `edges(mesh)` have `2e` and `2e+1`. So a number that a result holds leads back to the mesh: of the
+ * `Input_halfedge_index h` of a surface point or a face, `triangulation.input().halfedge(h)` is the mesh's halfedge, and
+ * `face(triangulation.input().halfedge(h), mesh)` its face.
  *
- * | Member | |
- * |---|---|
- * | `Index number_of_vertices()`, `Index number_of_halfedges()` | |
- * | `Vertex_index index(v)`, `Input_halfedge_index index(h)` | of a descriptor; `null_index` if it is none of the mesh's |
- * | `vertex(Vertex_index v)`, `halfedge(Input_halfedge_index h)` | the mesh's own descriptors |
- * | `Input_halfedge_index twin(h)` | the other side of the edge; static |
- * | `Input_halfedge_index next(h)`, `previous(h)` | around the face, or the border |
- * | `Vertex_index tail(h)` | the vertex at which `h` starts |
- * | `bool is_border(h)` | has `h` no face on its left? |
- * | `bool is_triangle(h)` | have the face on the left of `h` three sides? |
- * | `Input_halfedge_index outgoing(v)` | a halfedge that starts at `v`, `null_index` at an isolated vertex |
- * | `bool is_contracted()` | were edges of length zero contracted, see `Zero_length_edges`? |
- * | `const Numbered_mesh& uncontracted()` | the mesh before, or itself |
- *
- * So a number that a result holds leads back to the mesh. Of the `Input_halfedge_index h` of a place or a face,
- * `triangulation.input().halfedge(h)` is the mesh's halfedge, and `face(triangulation.input().halfedge(h), mesh)` its
- * face.
- *
- * Constant time each, but `index()`, which takes logarithmic time unless the mesh is a `Surface_mesh`. Construction is
- * \f$O(n \log n)\f$, but for a `Surface_mesh`, which is numbered already and not copied.
+ * Member functions take constant time, except that `index()` takes logarithmic time unless the mesh is a `Surface_mesh`.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  */
+#ifdef DOXYGEN_RUNNING
+template <class TriangleMesh>
+class Numbered_mesh
+{
+public:
+  /// Numbers a mesh, which must outlive the object. \f$O(n \log n)\f$, but constant time for a `Surface_mesh`, which is
+  /// numbered already and not copied.
+  explicit Numbered_mesh(const TriangleMesh& mesh);
+
+  Index number_of_vertices() const;  ///< returns the number of vertices
+  Index number_of_halfedges() const; ///< returns the number of halfedges
+  /// Returns the number of a vertex of the mesh, `null_index` if it does not belong to the mesh.
+  Vertex_index index(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v) const;
+  /// Returns the number of a halfedge of the mesh, `null_index` if it does not belong to the mesh.
+  Input_halfedge_index index(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h) const;
+  /// Returns the vertex of the mesh with a number.
+  typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex(Vertex_index v) const;
+  /// Returns the halfedge of the mesh with a number.
+  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge(Input_halfedge_index h) const;
+
+  static Input_halfedge_index twin(Input_halfedge_index h);    ///< returns the other side of the edge
+  Input_halfedge_index next(Input_halfedge_index h) const;     ///< returns the next one around face or border
+  Input_halfedge_index previous(Input_halfedge_index h) const; ///< returns the previous one around face or border
+  Vertex_index tail(Input_halfedge_index h) const;             ///< returns the vertex at which `h` starts
+  bool is_border(Input_halfedge_index h) const;                ///< returns whether `h` has no face on its left
+  bool is_triangle(Input_halfedge_index h) const;              ///< returns whether the face of `h` has three sides
+  /// Returns a halfedge that starts at `v`, `null_index` at an isolated vertex.
+  Input_halfedge_index outgoing(Vertex_index v) const;
+
+  /// Returns whether edges of length zero were contracted, see `Zero_length_edges`.
+  bool is_contracted() const;
+  /// Returns the mesh before edges of length zero were contracted, or itself.
+  const Numbered_mesh& uncontracted() const;
+};
+#else
 template <class TriangleMesh>
 using Numbered_mesh = internal::Indexed_mesh<TriangleMesh>;
+#endif
 
 /*!
  * \ingroup PkgFlipGeodesicsMetrics

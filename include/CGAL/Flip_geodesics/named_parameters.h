@@ -155,12 +155,12 @@ namespace parameters {
  * \param metric a model of `IntrinsicMetric` for the mesh; it is copied
  */
 template <class Metric>
-Named_function_parameters<Metric, Flip_geodesics::internal::Metric_parameter> metric(const Metric& metric)
+auto metric(const Metric& metric)
 {
   static_assert(
       Flip_geodesics::internal::is_metric<Metric>,
       "metric() takes a model of IntrinsicMetric: of a property map of lengths, Edge_length_metric makes one");
-  return {metric};
+  return Named_function_parameters<Metric, Flip_geodesics::internal::Metric_parameter>(metric);
 }
 
 /*!
@@ -169,12 +169,11 @@ Named_function_parameters<Metric, Flip_geodesics::internal::Metric_parameter> me
  * \param predicate a model of `FlipOutStopPredicate`; it is copied, unless it is given by `std::ref()`
  */
 template <class StopPredicate>
-Named_function_parameters<StopPredicate, Flip_geodesics::internal::Stop_parameter> stop_predicate(
-    const StopPredicate& predicate)
+auto stop_predicate(const StopPredicate& predicate)
 {
   static_assert(Flip_geodesics::internal::is_stop_predicate<StopPredicate>,
                 "stop_predicate() takes a model of FlipOutStopPredicate");
-  return {predicate};
+  return Named_function_parameters<StopPredicate, Flip_geodesics::internal::Stop_parameter>(predicate);
 }
 
 /*!
@@ -183,9 +182,9 @@ Named_function_parameters<StopPredicate, Flip_geodesics::internal::Stop_paramete
  * \param limit a `Window_limit`, or a `Covering_limit` for `shortest_paths_by_class()`
  */
 template <class Limit>
-Named_function_parameters<Limit, Flip_geodesics::internal::Limit_parameter> search_limit(const Limit& limit)
+auto search_limit(const Limit& limit)
 {
-  return {limit};
+  return Named_function_parameters<Limit, Flip_geodesics::internal::Limit_parameter>(limit);
 }
 
 /*!
@@ -195,10 +194,10 @@ Named_function_parameters<Limit, Flip_geodesics::internal::Limit_parameter> sear
  *        mesh and its metric; they are not copied, and must outlive the call
  */
 template <class Landmarks>
-Named_function_parameters<std::reference_wrapper<const Landmarks>, Flip_geodesics::internal::Landmarks_parameter>
-landmarks(const Landmarks& landmarks)
+auto landmarks(const Landmarks& landmarks)
 {
-  return {std::cref(landmarks)};
+  using Reference = std::reference_wrapper<const Landmarks>;
+  return Named_function_parameters<Reference, Flip_geodesics::internal::Landmarks_parameter>(std::cref(landmarks));
 }
 
 } // namespace parameters

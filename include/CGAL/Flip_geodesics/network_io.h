@@ -478,7 +478,7 @@ void read_network(std::istream& in, Edge_path_network<Triangulation>& network)
     words.fail("number of segments");
   try {
     internal::replay(triangulation, log);
-    if(!network.restore(state))
+    if(!internal::Internals<std::decay_t<decltype(network)>>::restore(network, state))
       words.fail("network of curves");
   } catch(...) {
     network.clear();

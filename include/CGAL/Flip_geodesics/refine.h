@@ -65,10 +65,10 @@ namespace internal {
 template <class Triangulation>
 struct Triangulation_splitter
 {
-  Vertex_index insert(const Surface_location& location, Known_piece* close_by)
+  Vertex_index insert(const Surface_location& location, Known_piece& close_by)
   {
-    return triangulation.insert(
-        location, [](const auto&) {}, close_by);
+    return Internals<Triangulation>::insert(
+        triangulation, location, [](const auto&) {}, close_by);
   }
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)
   {
@@ -191,7 +191,8 @@ Refinement_report refine(Network& network, const Refinement_options& options = R
 {
   if(network.triangulation().number_of_holds() != internal::edges_under_curves(network).size())
     throw Occupied_triangulation_error("a triangulation in which several networks have curves cannot be refined");
-  return internal::refine(network.triangulation(), network, options, visitor);
+  auto splitter = internal::Internals<Network>::splitter(network);
+  return internal::refine(network.triangulation(), splitter, options, visitor);
 }
 
 /// \ingroup PkgFlipGeodesicsDelaunay

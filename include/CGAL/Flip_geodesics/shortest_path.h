@@ -244,7 +244,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
 
   constexpr double tolerance = Shortest_path_report::tolerance();
   Unfolded_faces<Triangulation> faces(triangulation);
-  const Landmark_rows* const rows = landmarks == nullptr ? nullptr : &landmarks->rows();
+  const Landmark_rows* const rows = landmarks == nullptr ? nullptr : &Internals<Geodesic_landmarks>::rows(*landmarks);
   Cone_sweep<Triangulation> sweep(triangulation, faces, target, {triangulation, source, rows});
   Window_search<Triangulation> windows(triangulation, faces, source, &sweep);
   const bool is_sound = run_between(sweep, windows, (std::min)(report.length, longest),

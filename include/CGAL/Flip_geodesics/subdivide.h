@@ -5,6 +5,7 @@
 
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Overlay_layout.h>
@@ -216,8 +217,10 @@ public:
 
   /// @}
 
-  /// Takes over a finished overlay; `original[v]` is the overlay vertex that vertex `v` is a copy of. For the functions
-  /// that make subdivisions.
+private:
+  friend struct internal::Internals<Surface_subdivision>;
+
+  // Takes over a finished overlay; `original[v]` is the overlay vertex that vertex v is a copy of.
   template <class IsConstrained>
   Surface_subdivision(const internal::Overlay<Triangulation>& overlay,
                       const internal::Overlay_layout<Triangulation>& layout,
@@ -241,7 +244,6 @@ public:
     list_halfedges_along(overlay, built);
   }
 
-private:
   struct Lines
   {
     Input_halfedge_index input;
@@ -364,6 +366,20 @@ private:
   std::vector<halfedge_descriptor> m_along;
   std::vector<std::ptrdiff_t> m_first_along;
 };
+
+namespace internal {
+
+template <class Triangulation, class OutputMesh>
+struct Internals<Surface_subdivision<Triangulation, OutputMesh>>
+{
+  template <class... Parts>
+  static Surface_subdivision<Triangulation, OutputMesh> make(const Parts&... parts)
+  {
+    return Surface_subdivision<Triangulation, OutputMesh>(parts...);
+  }
+};
+
+} // namespace internal
 
 namespace internal {
 
@@ -528,7 +544,7 @@ auto subdivide_along_curves(const Network& network, const typename Network::Tria
     original = overlay.split_vertices();
   } else
     original = same_vertices(overlay);
-  return Surface_subdivision<Triangulation, OutputMesh>(overlay, layout, original, mesh, is_on_curve);
+  return Internals<Surface_subdivision<Triangulation, OutputMesh>>::make(overlay, layout, original, mesh, is_on_curve);
 }
 
 } // namespace internal
@@ -555,8 +571,8 @@ Surface_subdivision<Triangulation, OutputMesh> common_subdivision(const Triangul
   internal::Overlay<Triangulation> overlay(triangulation);
   internal::Overlay_layout<Triangulation> layout(overlay);
   internal::Polygon_triangulator<Triangulation>(overlay, layout)();
-  return Surface_subdivision<Triangulation, OutputMesh>(overlay, layout, internal::same_vertices(overlay), mesh,
-                                                        [](Halfedge_index) { return false; });
+  return internal::Internals<Surface_subdivision<Triangulation, OutputMesh>>::make(
+      overlay, layout, internal::same_vertices(overlay), mesh, [](Halfedge_index) { return false; });
 }
 
 /// \ingroup PkgFlipGeodesicsSubdivision

@@ -64,7 +64,7 @@ Surface_location surface_location(
     const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
     const std::pair<typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor,
                     std::array<FT, 3>>& location,
-    double snap = internal::default_snap)
+    double snap)
 {
   if(!internal::is_face(location.first, mesh))
     throw Invalid_location_error("a location is in no face of the mesh");
@@ -84,6 +84,18 @@ Surface_location surface_location(
                                  ", not to one");
   internal::check_location(triangulation.input(), result);
   return result;
+}
+
+/// \ingroup PkgFlipGeodesicsBuilders
+/// Converts a `Face_location`, where weights of at most 1e-12 count as zero.
+/// \throws Invalid_location_error
+template <class Triangulation, class FT>
+Surface_location surface_location(
+    const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+    const std::pair<typename boost::graph_traits<typename Triangulation::Triangle_mesh>::face_descriptor,
+                    std::array<FT, 3>>& location)
+{
+  return surface_location(triangulation, mesh, location, internal::default_snap);
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders

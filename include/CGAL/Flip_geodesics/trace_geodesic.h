@@ -76,17 +76,19 @@ enum class At_vertices {
 
 namespace internal {
 
-/* The edges that end no geodesic. */
-struct No_edge_is_constrained
-{
-  bool operator()(Input_halfedge_index) const { return false; }
-};
-
 } // namespace internal
 
 /// \ingroup PkgFlipGeodesicsTracing
+/// Lets straightest geodesics cross all edges.
+struct No_edge_is_constrained
+{
+  /// Returns `false`.
+  bool operator()(Input_halfedge_index) const { return false; }
+};
+
+/// \ingroup PkgFlipGeodesicsTracing
 /// How far a straightest geodesic goes, and which edges it may not cross.
-template <class IsConstrained = internal::No_edge_is_constrained>
+template <class IsConstrained = No_edge_is_constrained>
 struct Trace_limits
 {
   double length;                                      ///< at most this long, a finite number
@@ -331,12 +333,20 @@ public:
    *
    * Complexity: linear in the edges that are crossed, where doubles suffice to decide.
    */
-  template <class IsConstrained, class Visitor = internal::No_visitor_of_points>
+  template <class IsConstrained, class Visitor>
   Trace trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
-              const Trace_limits<IsConstrained>& limits, Visitor visitor = Visitor()) const
+              const Trace_limits<IsConstrained>& limits, Visitor visitor) const
   {
     return walk(internal::Direction_finder<Triangulation>(m_triangulation).by_angle(location, halfedge, angle), limits,
                 visitor);
+  }
+
+  /// Traces a geodesic from a location, by an angle, without a visitor.
+  template <class IsConstrained>
+  Trace trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
+              const Trace_limits<IsConstrained>& limits) const
+  {
+    return trace(location, halfedge, angle, limits, internal::No_visitor_of_points());
   }
 
   /*!
@@ -344,12 +354,20 @@ public:
    * times the vector from the tail of the halfedge to its head, and `direction[1]` times that to the third corner. It is
    * not rounded, unless the location is a vertex and it points out of the face, or one number is 1e100 times the other.
    */
-  template <class IsConstrained, class Visitor = internal::No_visitor_of_points>
+  template <class IsConstrained, class Visitor>
   Trace trace(const Surface_location& location, const std::array<double, 2>& direction,
-              const Trace_limits<IsConstrained>& limits, Visitor visitor = Visitor()) const
+              const Trace_limits<IsConstrained>& limits, Visitor visitor) const
   {
     return walk(internal::Direction_finder<Triangulation>(m_triangulation).by_direction(location, direction), limits,
                 visitor);
+  }
+
+  /// Traces a geodesic from a location, by coordinates of its direction, without a visitor.
+  template <class IsConstrained>
+  Trace trace(const Surface_location& location, const std::array<double, 2>& direction,
+              const Trace_limits<IsConstrained>& limits) const
+  {
+    return trace(location, direction, limits, internal::No_visitor_of_points());
   }
 
 private:

@@ -241,9 +241,10 @@ private:
     const FG::Geodesic_landmarks of_given(triangulation, {m_last, Vertex(0)});
     BOOST_TEST(of_given.distance_lower_bound(Vertex(0), m_last) > 0);
     const auto polyline = FG::complete_polyline(triangulation, points(triangulation));
-    m_record.halfedges(FG::halfedges_on_surface(triangulation, FG::snap_polyline(triangulation, polyline), false));
-    m_record.polyline(FG::points_on_surface(triangulation, points(triangulation)));
-    const std::vector<Vertex> ends = {FG::vertex_on_surface(triangulation, Vertex(1)), m_last};
+    m_record.halfedges(
+        FG::internal::halfedges_on_surface(triangulation, FG::snap_polyline(triangulation, polyline), false));
+    m_record.polyline(FG::internal::points_on_surface(triangulation, points(triangulation)));
+    const std::vector<Vertex> ends = {FG::internal::vertex_on_surface(triangulation, Vertex(1)), m_last};
     m_record.halfedges(FG::shortest_halfedges_through(search, ends));
     m_record.space(triangulation, m_mesh, FG::surface_point(triangulation, points(triangulation).front()));
     const FG::Loop_basis<Triangulation> basis(triangulation);
@@ -337,14 +338,14 @@ private:
   {
     FG::Shortening_report hindered;
     hindered.curves.emplace_back().status = FG::Shortening_status::DEGENERATE_FACES;
-    BOOST_TEST(!FG::are_curves_folded(triangulation, hindered));
-    BOOST_TEST((FG::report_of_point(triangulation).verdict == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST(!FG::internal::are_curves_folded(triangulation, hindered));
+    BOOST_TEST((FG::internal::report_of_point(triangulation).verdict == FG::Certificate_verdict::PROVEN));
     const auto h = triangulation.input().halfedge(FG::Input_halfedge_index(0));
     return {
         FG::surface_location(triangulation, m_mesh, std::make_pair(face_of(h), std::array<double, 3>{{0.2, 0.3, 0.5}})),
         FG::surface_location(triangulation, m_mesh, Surface::Vertex_index(m_last.idx() / 2)),
         FG::location_on_edge(triangulation, FG::Halfedge_index(triangulation.number_of_halfedges() - 2), 0.25),
-        FG::location_on_surface(triangulation, triangulation.location(Vertex(m_last.idx() / 5)))};
+        FG::internal::location_on_surface(triangulation, triangulation.location(Vertex(m_last.idx() / 5)))};
   }
 
   Surface::Face_index face_of(Surface::Halfedge_index h) const

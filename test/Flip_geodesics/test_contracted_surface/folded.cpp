@@ -135,7 +135,7 @@ struct Row_of_places
 
   double x_of(const FG::Surface_location& place) const
   {
-    const Point q = FG::point_in_space(left, FG::surface_point(left, FG::location_on_surface(left, place)));
+    const Point q = FG::point_in_space(left, FG::surface_point(left, FG::internal::location_on_surface(left, place)));
     BOOST_CHECK_EQUAL(q.y(), 4);
     return q.x();
   }
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(places_on_folded_faces_are_on_what_they_lead_along)
   row.check_beside(grid.c, grid.d);
   row.check_beside(grid.d, grid.c);
   const Vertex_sequence along = {FG::Vertex_index(grid.c), FG::Vertex_index(grid.d)};
-  const std::vector<FG::Halfedge_index> chain = FG::halfedges_on_surface(left, along, false);
+  const std::vector<FG::Halfedge_index> chain = FG::internal::halfedges_on_surface(left, along, false);
   BOOST_REQUIRE_EQUAL(chain.size(), 2);
   BOOST_CHECK_EQUAL(left.tail(chain[0]), along[0]);
   BOOST_CHECK_EQUAL(left.head(chain[0]), left.index(vertex(grid.v)));
@@ -264,15 +264,15 @@ BOOST_AUTO_TEST_CASE(curves_that_are_bent_by_folded_faces_are_told)
   BOOST_CHECK(report.curves[0].status == FG::Shortening_status::DEGENERATE_FACES);
   BOOST_CHECK(report.curves[0].verdict == FG::Certificate_verdict::BENT_SEGMENT);
   BOOST_CHECK(!report.is_complete());
-  BOOST_CHECK(FG::are_curves_folded(strict, report));
-  BOOST_CHECK(!FG::are_curves_folded(contracted(mesh), report));
+  BOOST_CHECK(FG::internal::are_curves_folded(strict, report));
+  BOOST_CHECK(!FG::internal::are_curves_folded(contracted(mesh), report));
   FG::Shortening_report straight = report;
   straight.curves[0].status = FG::Shortening_status::LOCALLY_SHORTEST;
-  BOOST_CHECK(!FG::are_curves_folded(strict, straight));
+  BOOST_CHECK(!FG::internal::are_curves_folded(strict, straight));
   straight.curves[0].status = FG::Shortening_status::PRECISION_LIMIT;
-  BOOST_CHECK(FG::are_curves_folded(strict, straight));
+  BOOST_CHECK(FG::internal::are_curves_folded(strict, straight));
   const Mesh regular = to_mesh<Mesh>(flat_grid(4, 4, Diagonal_rule::RISING));
-  BOOST_CHECK(!FG::are_curves_folded(Triangulation(regular, Metric(regular.points())), straight));
+  BOOST_CHECK(!FG::internal::are_curves_folded(Triangulation(regular, Metric(regular.points())), straight));
 }
 
 // The folded vertices are met when a curve is finished: what was computed until then is not written.

@@ -157,7 +157,8 @@ BOOST_AUTO_TEST_CASE(vectors_derived_over_wrong_flips_are_those_of_the_words)
       setting.triangulation.flip(h); // of any quad
     }
     for(Halfedge_index h : descriptors<Halfedge_index>(t.number_of_halfedges())) {
-      const FG::internal::Precise_edge derived = t.precise_edge(h); // before its word is asked for, and then unfolded
+      const FG::internal::Precise_edge derived = // before its word is asked for, and then unfolded
+          FG::internal::Internals<Setting::Triangulation>::precise_edge(t, h);
       const FG::Crossing_word word = t.crossing_word(h);
       if(word.crossed.empty())
         continue;

@@ -8,6 +8,8 @@
 #include <CGAL/Flip_geodesics/reports.h>
 
 using namespace Flip_geodesics_test;
+using FG::internal::Internals;
+using FG::internal::Known_piece;
 
 namespace {
 
@@ -53,8 +55,8 @@ BOOST_AUTO_TEST_CASE(points_found_from_any_piece)
       const std::vector<FG::Vertex_index> expected = neighbors(t, t.insert(point));
       for(const std::size_t letters : {0u, 1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u, 1000u}) {
         t.rollback(start);
-        FG::Known_piece piece = {other.halfedge, other.gap, letters};
-        BOOST_TEST((neighbors(t, t.insert(point, no_split, &piece)) == expected));
+        Known_piece piece = {other.halfedge, other.gap, letters};
+        BOOST_TEST((neighbors(t, Internals<Triangulation>::insert(t, point, no_split, piece)) == expected));
         BOOST_TEST(piece.letters <= letters);
         ++(piece.letters == 0 ? from_piece : from_corner);
       }
@@ -97,8 +99,8 @@ BOOST_AUTO_TEST_CASE(points_at_vertices_and_on_edges)
         FG::Decision_statistics statistics;
         const FG::internal::Located_point other =
             FG::internal::Point_locator<Triangulation>(t, statistics)(point_of_face(h, random));
-        FG::Known_piece piece = {other.halfedge, other.gap, 0};
-        BOOST_TEST(t.insert(point, no_split, &piece) == p);
+        Known_piece piece = {other.halfedge, other.gap, 0};
+        BOOST_TEST(Internals<Triangulation>::insert(t, point, no_split, piece) == p);
       }
     }
   }

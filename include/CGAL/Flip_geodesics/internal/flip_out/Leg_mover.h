@@ -462,8 +462,8 @@ private:
       : m_at_end(triangulation)
     {
       const auto no_curve = [](const auto&) {}; // lies on an edge that is split
-      m_start = triangulation.insert(start, no_curve, nullptr);
-      m_end = triangulation.insert(end, no_curve, nullptr);
+      m_start = triangulation.insert(start, no_curve);
+      m_end = triangulation.insert(end, no_curve);
       if(m_start == m_end)
         throw Invalid_curve_error("two points of a curve in a row are in one place");
     }

@@ -138,10 +138,15 @@ public:
   {
   }
 
-  Vertex_index insert(const Surface_location& location, Known_piece* close_by)
+  Vertex_index insert(const Surface_location& location)
   {
-    return m_triangulation.insert(
-        location, [this](const auto& halves) { this->divide_stack(halves); }, close_by);
+    return m_triangulation.insert(location, [this](const auto& halves) { this->divide_stack(halves); });
+  }
+
+  Vertex_index insert(const Surface_location& location, Known_piece& close_by)
+  {
+    return Internals<Triangulation>::insert(
+        m_triangulation, location, [this](const auto& halves) { this->divide_stack(halves); }, close_by);
   }
 
   Vertex_index split_edge(Halfedge_index h, const Surface_location& location, std::size_t gap)

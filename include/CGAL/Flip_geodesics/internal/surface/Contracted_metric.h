@@ -3,9 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CONTRACTED_METRIC_H
 #define CGAL_FLIP_GEODESICS_INTERNAL_SURFACE_CONTRACTED_METRIC_H
 
-#include <CGAL/Flip_geodesics/Certified_intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
-#include <CGAL/Flip_geodesics/Intrinsic_triangulation_traits.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
 
 #include <type_traits>
@@ -59,12 +57,6 @@ struct Contracted_metric
       return false;
   }
 };
-
-/* The traits where none are named: they decide exactly over a metric that has its faces exactly. */
-template <class Metric>
-using Default_traits = std::conditional_t<Has_exact_faces<Metric>::value,
-                                          Certified_intrinsic_triangulation_traits<typename Metric::Kernel>,
-                                          Intrinsic_triangulation_traits<typename Metric::Kernel>>;
 
 } // namespace internal
 } // namespace Flip_geodesics

@@ -638,7 +638,7 @@ private:
       if(!place || !has_room(place->location, std::abs(center.point)))
         return null_index;
       Known_piece close_by = {place->halfedge, place->gap, m_letters + letters_per_point};
-      const Vertex_index x = m_splitter.insert(place->location, &close_by);
+      const Vertex_index x = m_splitter.insert(place->location, close_by);
       m_letters = close_by.letters;
       return x == wanted ? x : null_index;
     } catch(const Insertion_error&) {

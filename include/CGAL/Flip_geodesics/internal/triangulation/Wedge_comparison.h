@@ -122,7 +122,7 @@ private:
   bool have_long_words(Halfedge_index from, Halfedge_index to) const
   {
     constexpr Index many_letters = 16;
-    if constexpr(Keeps_precise_numbers<Triangulation>::value)
+    if constexpr(Internals<Triangulation>::has_precise_numbers)
       return m_triangulation.crossings(edge_of(from)) + m_triangulation.crossings(edge_of(to)) > many_letters;
     else
       return false;
@@ -135,8 +135,8 @@ private:
                                                     flat_edges, sine);
     };
     bool result;
-    if constexpr(Keeps_precise_numbers<Triangulation>::value) {
-      result = by_metric(m_triangulation.flat_edges());
+    if constexpr(Internals<Triangulation>::has_precise_numbers) {
+      result = by_metric(Internals<Triangulation>::flat_edges(m_triangulation));
     } else {
       Flat_edges none;
       result = by_metric(none);

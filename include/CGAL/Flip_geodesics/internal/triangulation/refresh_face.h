@@ -34,8 +34,8 @@ inline std::complex<double> in_double(const Double_double_vector& v) { return {v
 template <class Triangulation>
 Precise_edge precise_edge(const Triangulation& triangulation, Halfedge_index h)
 {
-  if constexpr(Keeps_precise_numbers<Triangulation>::value)
-    return triangulation.precise_edge(h);
+  if constexpr(Internals<Triangulation>::has_precise_numbers)
+    return Internals<Triangulation>::precise_edge(triangulation, h);
   else
     return unfolded_edge(triangulation, triangulation.crossing_word(h));
 }

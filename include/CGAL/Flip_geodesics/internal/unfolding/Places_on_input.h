@@ -41,7 +41,6 @@ public:
   {
     return m_places[static_cast<std::size_t>(v.idx() - input().number_of_vertices())];
   }
-  const Exact_face& exact_input_face(Input_halfedge_index h) const { return m_faces(*this, h); }
 
   /* The vertex at a place: a new one, unless it is the input's. */
   Vertex_index add(const Surface_location& location)
@@ -54,9 +53,23 @@ public:
   }
 
 private:
+  friend struct Internals<Places_on_input>;
+
   const Triangulation& m_triangulation;
   std::vector<Surface_location> m_places;
   mutable Exact_face_cache m_faces;
+};
+
+template <class Triangulation>
+struct Internals<Places_on_input<Triangulation>>
+{
+  static constexpr bool has_exact_faces = true;
+  static constexpr bool has_precise_numbers = false;
+
+  static const Exact_face& exact_face(const Places_on_input<Triangulation>& places, Input_halfedge_index h)
+  {
+    return places.m_faces(places, h);
+  }
 };
 
 } // namespace internal

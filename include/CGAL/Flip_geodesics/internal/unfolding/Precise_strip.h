@@ -6,6 +6,7 @@
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Double_double.h>
 #include <CGAL/Flip_geodesics/internal/numbers/tolerances.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
@@ -19,26 +20,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Flip_geodesics {
 namespace internal {
-
-/* Does a triangulation keep what it has computed with about 100 bits? */
-template <class Triangulation, class = void>
-struct Keeps_precise_numbers : std::false_type
-{
-};
-
-template <class Triangulation>
-struct Keeps_precise_numbers<Triangulation,
-                             std::void_t<decltype(std::declval<const Triangulation&>().precise_edge(Halfedge_index()))>>
-  : std::true_type
-{
-};
 
 /*
  * A halfedge of an input face: its length, and the direction of the next halfedge, of length 1, in the frame in which
@@ -166,8 +153,8 @@ private:
 template <class Triangulation>
 decltype(auto) precise_input_halfedge(const Triangulation& triangulation, Input_halfedge_index h)
 {
-  if constexpr(Keeps_precise_numbers<Triangulation>::value)
-    return triangulation.precise_input_halfedge(h);
+  if constexpr(Internals<Triangulation>::has_precise_numbers)
+    return Internals<Triangulation>::precise_halfedge(triangulation, h);
   else
     return Precise_halfedge(input_face_geometry(triangulation, h, Precise_face_traits())[0]);
 }

@@ -5,15 +5,14 @@
 
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/internal/numbers/Integer.h>
+#include <CGAL/Flip_geodesics/internal/surface/Internals.h>
 #include <CGAL/Flip_geodesics/internal/surface/Word_ends.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Vertex_fan.h>
 
 #include <array>
 #include <cstddef>
-#include <type_traits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,7 +40,7 @@ private:
 };
 
 /* The input's faces in exact numbers: those that the triangulation keeps, or others, kept for as long as this lives. */
-template <class Triangulation, class = void>
+template <class Triangulation, bool = Internals<Triangulation>::has_exact_faces>
 class Exact_input_faces
 {
 public:
@@ -58,8 +57,7 @@ private:
 };
 
 template <class Triangulation>
-class Exact_input_faces<
-    Triangulation, std::void_t<decltype(std::declval<const Triangulation&>().exact_input_face(Input_halfedge_index()))>>
+class Exact_input_faces<Triangulation, true>
 {
 public:
   explicit Exact_input_faces(const Triangulation& triangulation)
@@ -67,7 +65,10 @@ public:
   {
   }
 
-  const Exact_face& operator()(Input_halfedge_index h) const { return m_triangulation.exact_input_face(h); }
+  const Exact_face& operator()(Input_halfedge_index h) const
+  {
+    return Internals<Triangulation>::exact_face(m_triangulation, h);
+  }
 
 private:
   const Triangulation& m_triangulation;
