@@ -293,7 +293,7 @@ private:
     });
     m_slowest = (std::max)(m_slowest, time);
     for(const FG::Curve_report& curve : report.curves) {
-      const bool is_proven = curve.verdict == FG::Certificate_verdict::PROVEN && report.is_complete();
+      const bool is_proven = curve.verdict == FG::Verdict::PROVEN && report.is_complete();
       ++m_curves;
       m_proven += is_proven ? 1 : 0;
       m_contracted += curve.are_zero_edges_contracted ? 1 : 0;

@@ -96,7 +96,7 @@ void drag(const std::string& name, Triangulation& triangulation, const std::stri
                       after_move(editor);
                     }));
     by_flips += report.legs_by_flips;
-    unproven += report.verdict == FG::Certificate_verdict::PROVEN ? 0 : 1;
+    unproven += report.verdict == FG::Verdict::PROVEN ? 0 : 1;
     crossed += editor.leg(dragged == 0 ? 0 : dragged - 1).size();
   }
   const double undo = seconds([&] {

@@ -111,7 +111,7 @@ bool measure(const std::string& name, const Mesh& mesh)
     std::cout << ' ' << share(report.longer_before) << ' ' << 100 * report.largest_excess_before << ' '
               << share(report.longer) << ' ' << milliseconds_since(start) << ' ' << report.windows << ' '
               << FG::to_string(report.status) << (is_valid_then ? "" : ",INVALID")
-              << (report.is_confirmed ? " confirmed" : " unconfirmed") << std::endl;
+              << (report.is_confirmed() ? " confirmed" : " unconfirmed") << std::endl;
   } catch(const std::exception& error) {
     std::cout << " ERROR " << std::string(error.what()).substr(0, 100) << std::endl;
   }

@@ -67,7 +67,7 @@ try {
   const FG::Distances_report report = FG::geodesic_distances(mesh, source, distances);
   //! [Distances]
   std::cout << "The distances of " << report.vertices << " vertices are "
-            << (report.is_confirmed ? "those of shortest paths\n" : "not confirmed\n")
+            << (report.is_confirmed() ? "those of shortest paths\n" : "not confirmed\n")
             << "The distance to the target: " << distances[target] << '\n';
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
 } catch(const std::exception& error) {

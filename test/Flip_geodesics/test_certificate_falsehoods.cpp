@@ -59,7 +59,7 @@ private:
 };
 
 using Setting = Basic_curve_setting<Planted_triangulation>;
-using Verdict = FG::Certificate_verdict;
+using Verdict = FG::Verdict;
 
 // ---------------------------------------------------------------- screens
 

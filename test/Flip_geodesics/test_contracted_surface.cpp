@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(curves_are_proven_on_the_surface_that_is_left)
     Network network(triangulation);
     network.add_curve(FG::shortest_halfedges_through(search, ends), false);
     BOOST_CHECK(FG::shorten(network).is_complete());
-    BOOST_CHECK(FG::certify(network).curves.front().verdict == FG::Certificate_verdict::PROVEN);
+    BOOST_CHECK(FG::certify(network).curves.front().verdict == FG::Verdict::PROVEN);
     for(const FG::Surface_point& p : FG::Curve_extractor<Network>(network).surface_points(0_c))
       if(!p.is_vertex()) // told by an edge of the mesh itself
         BOOST_CHECK(mesh.halfedge(vertex(p.a.idx()), vertex(p.b.idx())) != Mesh::null_halfedge());
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(loops_on_a_line_are_points)
       const auto result =
           FG::geodesic_loop(mesh, std::vector<Vertex>{vertex(a), vertex(b)}, std::back_inserter(points));
       BOOST_CHECK(result.status() == FG::Shortening_status::CONTRACTED);
-      BOOST_CHECK(result.verdict() == FG::Certificate_verdict::PROVEN);
+      BOOST_CHECK(result.verdict() == FG::Verdict::PROVEN);
       BOOST_CHECK_EQUAL(result.length(), 0);
       BOOST_CHECK(points.empty());
     }

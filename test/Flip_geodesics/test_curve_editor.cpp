@@ -35,10 +35,7 @@ using FG::Surface_location;
 using Editor = FG::Curve_editor<Triangulation>;
 using Polyline = std::vector<Surface_location>;
 
-bool is_geodesic(FG::Certificate_verdict verdict)
-{
-  return verdict == FG::Certificate_verdict::PROVEN || verdict == FG::Certificate_verdict::PROBABLE;
-}
+bool is_geodesic(FG::Verdict verdict) { return verdict == FG::Verdict::PROVEN || verdict == FG::Verdict::PROBABLE; }
 
 bool is_same(const Surface_location& p, const Surface_location& q)
 {
@@ -400,7 +397,7 @@ BOOST_AUTO_TEST_CASE(a_leg_is_proven_if_and_only_if_it_is_straight)
     }
     BOOST_TEST(std::abs(editor.leg_length(0) - n) < 1e-14);
     const bool is_straight = is_on_line(t, editor.leg(0));
-    BOOST_TEST((editor.verdict(0) == FG::Certificate_verdict::PROVEN) == is_straight);
+    BOOST_TEST((editor.verdict(0) == FG::Verdict::PROVEN) == is_straight);
     BOOST_TEST(is_geodesic(editor.verdict(1)));
     BOOST_TEST(is_geodesic(report.verdict) == is_straight); // the worst of both
     ++(is_straight ? straight : bent);
@@ -409,7 +406,7 @@ BOOST_AUTO_TEST_CASE(a_leg_is_proven_if_and_only_if_it_is_straight)
         certified(mesh);
     FG::Curve_editor<decltype(certified)> proven(certified, {at(0, n / 2), at(n, n / 2 + step)});
     BOOST_TEST((proven.move(1, at(n, n / 2)).legs_by_flips == 1u) == !is_straight);
-    BOOST_TEST((proven.verdict(0) == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST((proven.verdict(0) == FG::Verdict::PROVEN));
   }
   BOOST_TEST(straight > 5u);
   BOOST_TEST(bent > 5u);

@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(exact_decisions)
       spline.refine();
     BOOST_TEST(spline.finish().size() == (kind == FG::Spline_kind::BEZIER ? 8u : 32u));
     BOOST_TEST(spline.report().is_complete());
-    BOOST_TEST((spline.report().curves[0].verdict == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST((spline.report().curves[0].verdict == FG::Verdict::PROVEN));
   }
 }
 

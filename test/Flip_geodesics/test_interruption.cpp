@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(a_tree_that_is_made_shortest)
     Tree tree(setting.triangulation);
     tree.grow(0_v);
     const auto report = FG::make_shortest(tree);
-    BOOST_TEST(report.is_confirmed);
+    BOOST_TEST(report.is_confirmed());
     BOOST_TEST(report.longer == 0u);
     longer = report.longer_before;
     for(Vertex_index v : descriptors<Vertex_index>(setting.triangulation.number_of_vertices()))
@@ -178,11 +178,11 @@ BOOST_AUTO_TEST_CASE(a_tree_that_is_made_shortest)
     tree.grow(0_v);
     const auto report = FG::make_shortest(tree, FG::Window_limit(), visitor);
     BOOST_TEST(is_stopped_by_visitor(report) == is_stopped);
-    BOOST_TEST(report.is_confirmed == !is_stopped);
+    BOOST_TEST(report.is_confirmed() == !is_stopped);
     BOOST_TEST(tree.is_valid());
     partly_repaired += is_stopped && report.longer < longer && report.flips > 0 ? 1 : 0;
     const auto again = FG::make_shortest(tree);
-    BOOST_TEST(again.is_confirmed);
+    BOOST_TEST(again.is_confirmed());
     BOOST_TEST(again.longer == 0u);
     BOOST_TEST(is_as_long(tree));
     setting.triangulation.rollback();
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(values_at_vertices)
         const FG::Distances_report report = compute(&number, CGAL::parameters::visitor(std::ref(visitor)));
         BOOST_TEST(is_stopped_by_visitor(report) == is_stopped);
         BOOST_TEST(number == (is_stopped ? 0 : num_vertices(mesh)));
-        BOOST_TEST((!is_stopped || !report.is_confirmed));
+        BOOST_TEST((!is_stopped || !report.is_confirmed()));
       });
       BOOST_TEST(calls > 5u);
     };

@@ -31,7 +31,7 @@ std::vector<Point> path_on_tetrahedron()
   std::vector<Point> points;
   const auto result = FG::geodesic_path(mesh, source, target, std::back_inserter(points));
   BOOST_CHECK(result.report.is_complete());
-  BOOST_CHECK(result.verdict() == FG::Certificate_verdict::PROVEN);
+  BOOST_CHECK(result.verdict() == FG::Verdict::PROVEN);
   BOOST_CHECK_CLOSE_FRACTION(result.report.curves.front().length, std::sqrt(8.0), 1e-15);
   return points;
 }

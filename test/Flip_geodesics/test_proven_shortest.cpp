@@ -65,7 +65,7 @@ Counts check(const char* name, const Mesh_soup& soup)
     for_pairs(soup, 1, [&](int s, int t) {
       const auto report = shortest(setting, s, t);
       const Number& distance = exact.distance(s, t);
-      BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t << ", gap " << report.gap());
+      BOOST_TEST(FG::to_string(report.verdict) == "WITHIN_ROUNDING", s << " to " << t << ", gap " << report.gap());
       BOOST_TEST((Number(report.lower_bound) <= distance), s << " to " << t);
       BOOST_TEST((distance <= Number(report.lower_bound) * (1 + 1e-12)), s << " to " << t);
       BOOST_TEST((abs(Number(report.length) - distance) <= distance * 1e-14), s << " to " << t);
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(long_faces_and_rows_of_flat_vertices)
     Setting setting(soup);
     for_pairs(soup, 1 + static_cast<int>(soup.points.size()) / 40, [&](int s, int t) {
       const auto report = shortest(setting, s, t);
-      BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t << ", gap " << report.gap());
+      BOOST_TEST(FG::to_string(report.verdict) == "WITHIN_ROUNDING", s << " to " << t << ", gap " << report.gap());
     });
   }
 }
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(bounds_on_cylinders_are_not_above_the_distance)
   for_pairs(soup, 3, [&](int s, int t) {
     const double distance = cylinder_distance(n, m, radius, height, s, t);
     const auto report = shortest(setting, s, t);
-    BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t << ", gap " << report.gap());
+    BOOST_TEST(FG::to_string(report.verdict) == "WITHIN_ROUNDING", s << " to " << t << ", gap " << report.gap());
     BOOST_TEST(report.lower_bound <= distance * (1 + 2e-15), s << " to " << t); // of the rounded coordinates
   });
 }
@@ -278,7 +278,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area)
     for_pairs(soup, 1, [&](int s, int t) {
       const auto report = shortest(setting, s, t, FG::Window_limit(20000));
       const auto &p = soup.points[s], &q = soup.points[t]; // all lie in a plane, without gaps
-      BOOST_TEST(FG::to_string(report.verdict) == "PROVEN_SHORTEST", s << " to " << t);
+      BOOST_TEST(FG::to_string(report.verdict) == "WITHIN_ROUNDING", s << " to " << t);
       BOOST_TEST(std::abs(report.length - std::hypot(p[0] - q[0], p[1] - q[1])) <= 1e-14 * report.length);
       BOOST_TEST(report.windows < 8000u, s << " to " << t);
     });
@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(fitted_cones_touch_what_they_are_fitted_to)
 
 BOOST_AUTO_TEST_CASE(verdicts)
 {
-  using Verdict = FG::Certificate_verdict;
+  using Verdict = FG::Verdict;
   FG::Shortest_path_report report;
   report.length = 2;
   report.shortening.curves.emplace_back();
@@ -335,13 +335,18 @@ BOOST_AUTO_TEST_CASE(verdicts)
     report.lower_bound = 2 * bound;
     return FG::internal::verdict_of(report);
   };
-  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 0.9e-12) == FG::Shortest_path_verdict::PROVEN_SHORTEST);
-  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 1.1e-12) == FG::Shortest_path_verdict::CONFIRMED);
-  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 0.9e-10) == FG::Shortest_path_verdict::CONFIRMED);
-  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 1.1e-10) == FG::Shortest_path_verdict::UNCONFIRMED);
-  for(Verdict other : {Verdict::PROBABLE, Verdict::BENT_SEGMENT, Verdict::BENT_JOINT, Verdict::NOT_CERTIFIED})
-    BOOST_CHECK(verdict(other, 1) == FG::Shortest_path_verdict::CONFIRMED);
-  BOOST_TEST(FG::to_string(FG::Shortest_path_verdict::UNCONFIRMED) == "UNCONFIRMED");
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 0.9e-12) == FG::Verdict::WITHIN_ROUNDING);
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 1.1e-12) == FG::Verdict::WITHIN_TOLERANCE);
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 0.9e-10) == FG::Verdict::WITHIN_TOLERANCE);
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1 - 1.1e-10) == FG::Verdict::UNDECIDED);
+  for(Verdict other : {Verdict::PROBABLE, Verdict::BENT_SEGMENT, Verdict::BENT_JOINT, Verdict::UNDECIDED})
+    BOOST_CHECK(verdict(other, 1) == FG::Verdict::WITHIN_TOLERANCE);
+  BOOST_TEST(FG::to_string(FG::Verdict::UNDECIDED) == "UNDECIDED");
+  BOOST_TEST(FG::to_string(FG::Verdict::WITHIN_TOLERANCE) == "WITHIN_TOLERANCE");
+  for(Verdict confirming : {Verdict::PROVEN, Verdict::PROBABLE, Verdict::WITHIN_ROUNDING, Verdict::WITHIN_TOLERANCE})
+    BOOST_TEST(FG::is_confirmed(confirming));
+  for(Verdict other : {Verdict::BENT_SEGMENT, Verdict::BENT_JOINT, Verdict::UNDECIDED})
+    BOOST_TEST(!FG::is_confirmed(other));
   report.shortening.curves[0].status = FG::Shortening_status::STOPPED_BY_VISITOR;
-  BOOST_CHECK(verdict(Verdict::PROVEN, 1) == FG::Shortest_path_verdict::UNCONFIRMED);
+  BOOST_CHECK(verdict(Verdict::PROVEN, 1) == FG::Verdict::UNDECIDED);
 }

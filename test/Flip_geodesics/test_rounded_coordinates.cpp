@@ -24,8 +24,8 @@
 // Decisions refer to coordinates and lengths as doubles. So nothing may be certain of a mesh that has others.
 
 namespace FG = CGAL::Flip_geodesics;
-using FG::Certificate_verdict;
 using FG::Shortening_status;
+using FG::Verdict;
 using FG::Vertex_index;
 
 namespace {
@@ -74,11 +74,11 @@ void check_curves(const Mesh& mesh, bool is_certain)
         t(static_cast<typename Vertex::size_type>(ends.target));
     std::vector<typename Mesh::Point> points;
     const auto path = FG::geodesic_path(mesh, s, t, std::back_inserter(points));
-    BOOST_TEST((path.verdict() == Certificate_verdict::PROVEN) == is_certain);
-    BOOST_TEST((path.verdict() == Certificate_verdict::NOT_CERTIFIED) == !is_certain);
+    BOOST_TEST((path.verdict() == Verdict::PROVEN) == is_certain);
+    BOOST_TEST((path.verdict() == Verdict::UNDECIDED) == !is_certain);
     BOOST_TEST(path.report.is_complete());
     const auto shortest = FG::shortest_path(mesh, s, t, std::back_inserter(points)).report;
-    BOOST_TEST((shortest.verdict == FG::Shortest_path_verdict::PROVEN_SHORTEST) == is_certain);
+    BOOST_TEST((shortest.verdict == FG::Verdict::WITHIN_ROUNDING) == is_certain);
     BOOST_TEST(shortest.is_confirmed() == is_certain);
     BOOST_TEST(shortest.shortening.is_complete());
   }
@@ -90,8 +90,8 @@ void check_fields(Mesh& mesh, bool is_certain)
   using Vertex = typename Mesh::Vertex_index;
   auto distances = mesh.template add_property_map<Vertex, double>("v:distance", 0).first;
   auto coordinates = mesh.template add_property_map<Vertex, FG::Polar_coordinates>("v:polar").first;
-  BOOST_TEST(FG::geodesic_distances(mesh, Vertex(7), distances).is_confirmed == is_certain);
-  BOOST_TEST(FG::polar_coordinates(mesh, Vertex(7), coordinates).is_confirmed == is_certain);
+  BOOST_TEST(FG::geodesic_distances(mesh, Vertex(7), distances).is_confirmed() == is_certain);
+  BOOST_TEST(FG::polar_coordinates(mesh, Vertex(7), coordinates).is_confirmed() == is_certain);
 }
 
 // The lower side of the grid, as a curve from elsewhere.
@@ -100,9 +100,9 @@ void check_given_curve(const Mesh& mesh, bool is_certain)
 {
   using Vertex = typename Mesh::Vertex_index;
   const std::vector<Vertex> side = {Vertex(0), Vertex(1), Vertex(2)};
-  BOOST_TEST((FG::certify_curve(mesh, side, false).verdict == Certificate_verdict::PROVEN) == is_certain);
+  BOOST_TEST((FG::certify_curve(mesh, side, false).verdict == Verdict::PROVEN) == is_certain);
   const std::vector<Vertex> bent = {Vertex(0), Vertex(1), Vertex(cells + 2)};
-  BOOST_TEST((FG::certify_curve(mesh, bent, false).verdict == Certificate_verdict::NOT_CERTIFIED) == !is_certain);
+  BOOST_TEST((FG::certify_curve(mesh, bent, false).verdict == Verdict::UNDECIDED) == !is_certain);
 }
 
 template <class Mesh>
@@ -113,7 +113,7 @@ void check_edited_curve(const Mesh& mesh, bool is_certain)
   const auto at = [&](FG::Index v) { return triangulation.location(Vertex_index(v)); };
   FG::Curve_editor<Triangulation> editor(triangulation, {at(0), at(8), at(22)}, false);
   for(std::size_t i = 0; i < editor.number_of_legs(); ++i)
-    BOOST_TEST((editor.verdict(i) == Certificate_verdict::NOT_CERTIFIED) == !is_certain);
+    BOOST_TEST((editor.verdict(i) == Verdict::UNDECIDED) == !is_certain);
 }
 
 template <class Kernel>
@@ -171,9 +171,9 @@ BOOST_AUTO_TEST_CASE(a_single_rounded_coordinate)
     return FG::geodesic_path(mesh, *mesh.vertices().begin(), *std::next(mesh.vertices().begin(), 2),
                              std::back_inserter(points));
   };
-  BOOST_TEST((path().verdict() == Certificate_verdict::PROVEN));
+  BOOST_TEST((path().verdict() == Verdict::PROVEN));
   mesh.point(*std::next(mesh.vertices().begin(), (cells + 1) * (cells + 1) - 1)) = {cells, cells, Rational(1, 3)};
-  BOOST_TEST((path().verdict() == Certificate_verdict::NOT_CERTIFIED));
+  BOOST_TEST((path().verdict() == Verdict::UNDECIDED));
 }
 
 // Flips over the same number type are exact, so that the path is right; its certificate refers to rounded coordinates.
@@ -194,10 +194,10 @@ BOOST_AUTO_TEST_CASE(no_faces_are_called_flat_that_are_not)
           false);
       const FG::Curve_report report = FG::shorten(network).curves.front();
       BOOST_TEST(FG::to_string(report.status) == std::string("LOCALLY_SHORTEST"));
-      BOOST_TEST((report.verdict == Certificate_verdict::PROVEN) == is_certain);
-      const Certificate_verdict verdict = FG::certify(network).curves.front().verdict;
-      BOOST_TEST((verdict == Certificate_verdict::PROVEN) == is_certain);
-      BOOST_TEST((verdict == Certificate_verdict::NOT_CERTIFIED) == !is_certain);
+      BOOST_TEST((report.verdict == Verdict::PROVEN) == is_certain);
+      const Verdict verdict = FG::certify(network).curves.front().verdict;
+      BOOST_TEST((verdict == Verdict::PROVEN) == is_certain);
+      BOOST_TEST((verdict == Verdict::UNDECIDED) == !is_certain);
     }
   }
 }
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(no_faces_are_called_flat_that_are_not)
 namespace {
 
 template <class Number>
-Certificate_verdict verdict_over_lengths(const Number& length)
+Verdict verdict_over_lengths(const Number& length)
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   Mesh mesh = flat_grid<CGAL::Simple_cartesian<double>>(1, 1);
@@ -224,9 +224,9 @@ Certificate_verdict verdict_over_lengths(const Number& length)
 
 BOOST_AUTO_TEST_CASE(lengths_that_are_no_doubles)
 {
-  BOOST_TEST((verdict_over_lengths<double>(1 / 3.) == Certificate_verdict::PROVEN));
-  BOOST_TEST((verdict_over_lengths<Rational>(Rational(3, 4)) == Certificate_verdict::PROVEN));
-  BOOST_TEST((verdict_over_lengths<Rational>(Rational(1, 3)) == Certificate_verdict::NOT_CERTIFIED));
+  BOOST_TEST((verdict_over_lengths<double>(1 / 3.) == Verdict::PROVEN));
+  BOOST_TEST((verdict_over_lengths<Rational>(Rational(3, 4)) == Verdict::PROVEN));
+  BOOST_TEST((verdict_over_lengths<Rational>(Rational(1, 3)) == Verdict::UNDECIDED));
   if(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits)
-    BOOST_TEST((verdict_over_lengths<long double>(1 + 0x1p-60L) == Certificate_verdict::NOT_CERTIFIED));
+    BOOST_TEST((verdict_over_lengths<long double>(1 + 0x1p-60L) == Verdict::UNDECIDED));
 }

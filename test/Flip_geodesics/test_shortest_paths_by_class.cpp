@@ -387,12 +387,12 @@ BOOST_AUTO_TEST_CASE(what_a_report_concludes)
   report.paths.resize(2);
   for(auto& path : report.paths) {
     path.length = 2;
-    path.verdict = FG::Shortest_path_verdict::PROVEN_SHORTEST;
+    path.verdict = FG::Verdict::WITHIN_ROUNDING;
   }
   BOOST_TEST(report.is_confirmed());
-  report.paths[1].verdict = FG::Shortest_path_verdict::UNCONFIRMED;
+  report.paths[1].verdict = FG::Verdict::UNDECIDED;
   BOOST_TEST(!report.is_confirmed());
-  report.paths[1].verdict = FG::Shortest_path_verdict::PROVEN_SHORTEST;
+  report.paths[1].verdict = FG::Verdict::WITHIN_ROUNDING;
   report.left_out.resize(1);
   report.left_out[0].lower_bound = 1.5; // of a class that may have a shorter path
   BOOST_TEST(report.lower_bound_of_others() == 1.5);

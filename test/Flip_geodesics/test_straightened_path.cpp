@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(paths_between_places_on_a_cone_of_many_sides_take_few_flips
     const std::vector<FG::Surface_location> places = {place(), place()};
     std::vector<Kernel::Point_3> points;
     const auto result = FG::geodesic_path_through(setting.mesh, places, std::back_inserter(points));
-    BOOST_TEST((result.verdict() == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST((result.verdict() == FG::Verdict::PROVEN));
     BOOST_TEST(result.report.flips < 20 * n);
   }
 }

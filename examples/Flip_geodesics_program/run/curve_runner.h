@@ -441,7 +441,7 @@ private:
     result.flip_outs = run.flip_outs;
     result.smallest_angle = curve.smallest_angle;
     result.status = to_string(curve.status);
-    if(curve.verdict != CGAL::Flip_geodesics::Certificate_verdict::NOT_CERTIFIED)
+    if(curve.verdict != CGAL::Flip_geodesics::Verdict::UNDECIDED)
       result.certificate = to_string(curve.verdict);
     if(curve.status == CGAL::Flip_geodesics::Shortening_status::MEMORY_LIMIT)
       result.error =

@@ -32,7 +32,7 @@ struct Ways
   std::string others;
 };
 
-/// Finds them. The statuses are the names of `Shortest_path_verdict`. \throws Bad_input
+/// Finds them. The statuses are the names of `Verdict`. \throws Bad_input
 Ways other_ways(const Mesh& mesh, const Ways_request& request, Progress& progress);
 
 } // namespace program

@@ -122,7 +122,7 @@ void make_point(const Triangulation& triangulation, const CGAL::Flip_geodesics::
   result.initial_length = result.length = 0;
   result.smallest_angle = std::numeric_limits<double>::infinity();
   if(!Triangulation::Traits::Has_drift::value)
-    result.certificate = to_string(FG::Certificate_verdict::PROVEN);
+    result.certificate = to_string(FG::Verdict::PROVEN);
   if(!result.is_closed)
     result.points.assign(2, {p, FG::point_in_space(triangulation, p), true});
 }

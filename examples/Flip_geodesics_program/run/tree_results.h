@@ -37,7 +37,7 @@ std::string describe_tree(const Tree& tree, std::size_t flips)
 /// What was done to make the paths of a tree shortest, in a line for people.
 inline std::string describe_shortest_paths(const CGAL::Flip_geodesics::Distances_report& report)
 {
-  if(!report.is_confirmed)
+  if(!report.is_confirmed())
     return "shortest not confirmed: the search for shorter paths was given up, or met faces without area\n";
   std::ostringstream out;
   out << "shortest " << readable(report.vertices - report.longer) << " of them, confirmed; "

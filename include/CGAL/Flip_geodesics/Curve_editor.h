@@ -28,9 +28,9 @@ namespace Flip_geodesics {
 /// What a move of a `Curve_editor` did.
 struct Move_report
 {
-  std::size_t legs = 0;          ///< the legs that were pulled tight, one or two
-  std::size_t legs_by_flips = 0; ///< those of them for which edges were flipped, as words did not suffice
-  Certificate_verdict verdict = Certificate_verdict::PROVEN; ///< what is said of them; the worst
+  std::size_t legs = 0;              ///< the legs that were pulled tight, one or two
+  std::size_t legs_by_flips = 0;     ///< those of them for which edges were flipped, as words did not suffice
+  Verdict verdict = Verdict::PROVEN; ///< what is said of them; the worst
 };
 
 /*!
@@ -132,7 +132,7 @@ public:
   /// What is said of a leg, by the exact numbers of the input. A leg that is no geodesic is one that needs flips and
   /// crosses itself, or one that the traits were not exact enough for.
   /// Nothing is certified if coordinates or lengths of the mesh are not doubles.
-  Certificate_verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
+  Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
   /// How the comparisons of all certificates were decided.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 
@@ -236,9 +236,9 @@ private:
     return report;
   }
 
-  Certificate_verdict verdict(const Leg& leg) const
+  Verdict verdict(const Leg& leg) const
   {
-    return internal::is_input_rounded(m_triangulation) ? Certificate_verdict::NOT_CERTIFIED : leg.verdict;
+    return internal::is_input_rounded(m_triangulation) ? Verdict::UNDECIDED : leg.verdict;
   }
 
   // Canonical, and a vertex by the same halfedge always.

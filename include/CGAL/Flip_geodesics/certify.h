@@ -47,12 +47,12 @@ struct Straightness
 /// The verdict on one curve; if it is bent, where.
 struct Curve_certificate
 {
-  Certificate_verdict verdict = Certificate_verdict::PROVEN; ///< what is said of the curve
+  Verdict verdict = Verdict::PROVEN;  ///< what is said of the curve
   Segment_index segment = null_index; ///< the bent segment, or the one that arrives at the bent joint
   Side side = Side::LEFT;             ///< the side of the bent joint
 
   /// Is the curve locally shortest, `PROVEN` or `PROBABLE`?
-  bool is_locally_shortest() const { return Flip_geodesics::is_locally_shortest(verdict); }
+  bool is_locally_shortest() const { return Flip_geodesics::is_confirmed(verdict); }
 };
 
 /*!
@@ -107,7 +107,7 @@ public:
       if(are_strips)
         note(s, edge, straightness);
       if(result.is_locally_shortest() && !(edge.has_strip && edge.is_straight))
-        result = {Certificate_verdict::BENT_SEGMENT, s, Side::LEFT};
+        result = {Verdict::BENT_SEGMENT, s, Side::LEFT};
     });
     // The angle of a joint is that between its segments' words, which are known to be true then.
     if(are_strips)
@@ -116,10 +116,10 @@ public:
         straightness.note_angle(angle.value);
         if(result.is_locally_shortest() && std::isfinite(angle.value) &&
            m_edges.is_below_straight(joint.from, joint.to, angle, statistics))
-          result = {Certificate_verdict::BENT_JOINT, joint.joint.incoming, joint.joint.side};
+          result = {Verdict::BENT_JOINT, joint.joint.incoming, joint.joint.side};
       });
     if(result.is_locally_shortest() && statistics.unproven_zeros > unproven)
-      result.verdict = Certificate_verdict::PROBABLE;
+      result.verdict = Verdict::PROBABLE;
     return result;
   }
 
@@ -210,7 +210,7 @@ struct Network_certificate
  * filtered by error bounds.
  *
  * A curve that has contracted is proven. If a coordinate or length of the mesh is not a double, no curve is certified:
- * the verdict is `Certificate_verdict::NOT_CERTIFIED`.
+ * the verdict is `Verdict::UNDECIDED`.
  *
  * Linear in the crossed input edges, where doubles suffice; linear in the mesh as well if its numbers can be others
  * than doubles.
@@ -227,7 +227,7 @@ Network_certificate certify(const Network& network)
     result.curves.push_back(meter.certify(c, straightness, result.statistics));
   if(internal::is_input_rounded(network.triangulation())) // then it is not the mesh that is measured
     for(Curve_certificate& curve : result.curves)
-      curve = {Certificate_verdict::NOT_CERTIFIED, null_index, Side::LEFT};
+      curve = {Verdict::UNDECIDED, null_index, Side::LEFT};
   return result;
 }
 

@@ -51,9 +51,9 @@ struct Given_curve_certificate
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< of the mesh
 
-  /// `BENT_JOINT` only if all segments are straight; `NOT_CERTIFIED` if coordinates or lengths of the mesh are not
+  /// `BENT_JOINT` only if all segments are straight; `UNDECIDED` if coordinates or lengths of the mesh are not
   /// doubles. Then the other members refer to the mesh with rounded ones.
-  Certificate_verdict verdict = Certificate_verdict::PROVEN;
+  Verdict verdict = Verdict::PROVEN;
   /// If it is bent, the largest angle by which, in radians, rounded. At a joint, what the angle on a side lacks to pi. In
   /// a segment, the turn of the shortest path that crosses the same edges between the same ends, about an end of an edge.
   /// Where a straight segment touches a vertex, what the angles there lack to 2 pi.
@@ -69,10 +69,7 @@ struct Given_curve_certificate
   Decision_statistics statistics; ///< how the comparisons were decided
 
   /// Is the curve locally shortest, `PROVEN` or `PROBABLE`?
-  bool is_locally_shortest() const
-  {
-    return verdict == Certificate_verdict::PROVEN || verdict == Certificate_verdict::PROBABLE;
-  }
+  bool is_locally_shortest() const { return is_confirmed(verdict); }
 };
 
 namespace internal {
@@ -186,12 +183,12 @@ public:
     if(m_result.is_locally_shortest())
       for(std::size_t i = is_closed ? 0 : 1; i < segments.size(); ++i)
         look_at_joint(segments[i == 0 ? segments.size() - 1 : i - 1].word, segments[i]);
-    if(m_result.verdict == Certificate_verdict::PROVEN && m_result.statistics.unproven_zeros > 0)
-      m_result.verdict = Certificate_verdict::PROBABLE;
+    if(m_result.verdict == Verdict::PROVEN && m_result.statistics.unproven_zeros > 0)
+      m_result.verdict = Verdict::PROBABLE;
     if(m_result.is_locally_shortest())
       tell_places(number_of_places);
     if(is_input_rounded(m_triangulation))
-      m_result.verdict = Certificate_verdict::NOT_CERTIFIED;
+      m_result.verdict = Verdict::UNDECIDED;
     return m_result;
   }
 
@@ -216,8 +213,8 @@ private:
     }
     const bool is_crossed = turn.portal < crossed.size();
     const bool is_on_left = is_crossed && tail(crossed[turn.portal]) != obstacle.vertex;
-    note(Certificate_verdict::BENT_SEGMENT, turn.angle, obstacle.vertex,
-         segment.start + (is_crossed ? 1 + turn.portal : 0), is_on_left ? Side::LEFT : Side::RIGHT);
+    note(Verdict::BENT_SEGMENT, turn.angle, obstacle.vertex, segment.start + (is_crossed ? 1 + turn.portal : 0),
+         is_on_left ? Side::LEFT : Side::RIGHT);
   }
 
   void look_at_joint(const Crossing_word& before, const Segment_of_places& segment)
@@ -235,11 +232,11 @@ private:
     constexpr double pi = boost::math::constants::pi<double>();
     const Compared_angle angle = compared_angle_clockwise(m_curve.places(), m_result.statistics, from, to);
     if(angle.with_straight == SMALLER)
-      note(Certificate_verdict::BENT_JOINT, (std::max)(pi - angle.value, 0.0), segment.word.tail, segment.start, side);
+      note(Verdict::BENT_JOINT, (std::max)(pi - angle.value, 0.0), segment.word.tail, segment.start, side);
   }
 
   // The first bend, and each that is larger.
-  void note(Certificate_verdict verdict, double bend, Vertex_index v, std::size_t number, Side side)
+  void note(Verdict verdict, double bend, Vertex_index v, std::size_t number, Side side)
   {
     if(!m_result.is_locally_shortest() && bend <= m_result.bend)
       return;

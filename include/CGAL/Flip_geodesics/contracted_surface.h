@@ -150,7 +150,7 @@ Curve_report report_of_point(const Triangulation& triangulation)
   Curve_report report;
   report.status = Shortening_status::CONTRACTED;
   if(!is_input_rounded(triangulation))
-    report.verdict = Certificate_verdict::PROVEN;
+    report.verdict = Verdict::PROVEN;
   return report;
 }
 

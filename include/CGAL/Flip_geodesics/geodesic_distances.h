@@ -187,7 +187,8 @@ Computed_values<Value> make_shortest_tree(Triangulation& triangulation,
     return result;
   if(result.report.status != Shortening_status::LOCALLY_SHORTEST && is_contraction_of_use(triangulation))
     throw Degenerate_face_error("paths lead through vertices that faces without area fold onto one place", {});
-  result.report.is_confirmed = result.report.is_confirmed && result.report.longer == 0;
+  if(result.report.longer > 0)
+    result.report.verdict = Verdict::UNDECIDED;
   write(tree, Value_collector<typename Triangulation::Mesh_vertex, Value>{&result.values});
   return result;
 }
@@ -217,8 +218,8 @@ Distances_report compute_from_vertices(Geodesic_distance_field<Triangulation>& f
   if(computed.status == Distance_field_status::STOPPED_BY_VISITOR)
     report.status = Shortening_status::STOPPED_BY_VISITOR;
   report.windows = computed.windows;
-  report.is_confirmed = computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face &&
-                        !computed.has_inaccurate_distance;
+  report.verdict = verdict_of_distances(computed.status == Distance_field_status::COMPLETE && !computed.has_flat_face &&
+                                        !computed.has_inaccurate_distance);
   report.vertices = number_of_finite(triangulation, field);
   return report;
 }
@@ -249,7 +250,7 @@ void search_distances(const Triangulation& triangulation, const typename Triangu
       return Search_outcome::INCOMPLETE;
     if(!are_bounds_close(search, search, triangulation.input().number_of_vertices(), infinity))
       return Search_outcome::UNCLEAR;
-    result.report.is_confirmed = true;
+    result.report.verdict = verdict_of_distances(true);
     take_distances(search, triangulation, mesh, result);
     return Search_outcome::CONFIRMED;
   });
@@ -269,7 +270,7 @@ Computed_values<double> field_distances(Geodesic_distance_field<Triangulation>& 
   result.report = compute_from_vertices(field, triangulation, sources, limit, visitor);
   take_distances(field, triangulation, mesh, result);
   const bool is_complete = field.reach() == std::numeric_limits<double>::infinity();
-  if(is_complete && !result.report.is_confirmed && !is_stopped_by_visitor(result.report))
+  if(is_complete && !result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
     search_distances(triangulation, mesh, sources, most_windows(triangulation, limit), visitor, result);
   return result;
 }
@@ -308,10 +309,10 @@ Computed_values<Polar_coordinates> field_coordinates(Geodesic_distance_field<Tri
 {
   Computed_values<Polar_coordinates> result;
   result.report = compute_from_vertices(field, triangulation, {source}, limit, visitor);
-  if(!result.report.is_confirmed)
+  if(!result.report.is_confirmed())
     return result;
   const std::optional<Logarithmic_map> map = logarithmic_map_of_field(field, triangulation, source);
-  result.report.is_confirmed = map.has_value();
+  result.report.verdict = verdict_of_distances(map.has_value());
   if(map)
     write_polar_coordinates(*map, triangulation, mesh,
                             Value_collector<typename Triangulation::Mesh_vertex, Polar_coordinates>{&result.values});
@@ -339,8 +340,8 @@ std::vector<Mesh_vertex<TriangleMesh>> source_vertices(const TriangleMesh&, cons
 template <class Triangulation, class Value>
 Computed_values<Value> confirmed_of_mesh(const Triangulation& triangulation, Computed_values<Value>&& result)
 {
-  result.report.is_confirmed =
-      result.report.is_confirmed && !has_lost_paths(triangulation.input()) && !is_input_rounded(triangulation);
+  if(result.report.is_confirmed() && (has_lost_paths(triangulation.input()) || is_input_rounded(triangulation)))
+    result.report.verdict = Verdict::UNDECIDED;
   return std::move(result);
 }
 
@@ -360,7 +361,7 @@ Computed_values<double> compute_distances(const TriangleMesh& mesh,
       indices.push_back(triangulation.index(v));
     Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
     auto result = field_distances(field, triangulation, mesh, indices, limit, visitor.get());
-    if(is_single && !result.report.is_confirmed && !is_stopped_by_visitor(result.report))
+    if(is_single && !result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
       result = make_shortest_tree<double>(triangulation, field, indices.front(), most_windows(triangulation, limit),
                                           visitor.get(),
                                           [&](const auto& tree, const auto& map) { write_distances(tree, mesh, map); });
@@ -379,7 +380,7 @@ Computed_values<Polar_coordinates> compute_polar_coordinates(const TriangleMesh&
     const Vertex_index s = triangulation.index(source);
     Geodesic_distance_field<Triangulation> field(triangulation, mesh, Distance_field_extent::VERTICES_ONLY);
     auto result = field_coordinates(field, triangulation, mesh, s, limit, visitor.get());
-    if(!result.report.is_confirmed && !is_stopped_by_visitor(result.report))
+    if(!result.report.is_confirmed() && !is_stopped_by_visitor(result.report))
       result = make_shortest_tree<Polar_coordinates>(
           triangulation, field, s, most_windows(triangulation, limit), visitor.get(),
           [&](const auto& tree, const auto& map) { write_polar_coordinates(logarithmic_map(tree), tree, mesh, map); });

@@ -44,9 +44,9 @@ struct Geodesic_result
   OutputIterator out;       ///< the end of the output
   Shortening_report report; ///< what became of the curve
 
-  double length() const { return report.curves.front().length; }                ///< the length of the curve
-  Shortening_status status() const { return report.curves.front().status; }     ///< whether the curve is a geodesic
-  Certificate_verdict verdict() const { return report.curves.front().verdict; } ///< whether it is proven to be one
+  double length() const { return report.curves.front().length; }            ///< the length of the curve
+  Shortening_status status() const { return report.curves.front().status; } ///< whether the curve is a geodesic
+  Verdict verdict() const { return report.curves.front().verdict; }         ///< whether it is proven to be one
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -57,10 +57,10 @@ struct Geodesics_result
   OutputIterator out;       ///< the end of the output
   Shortening_report report; ///< what became of the curves, one entry for each
 
-  std::size_t number_of_curves() const { return report.curves.size(); }                    ///< how many there are
-  double length(std::size_t i) const { return report.curves.at(i).length; }                ///< of a curve
-  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; }     ///< is it a geodesic?
-  Certificate_verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; } ///< is it proven to be one?
+  std::size_t number_of_curves() const { return report.curves.size(); }                ///< how many there are
+  double length(std::size_t i) const { return report.curves.at(i).length; }            ///< of a curve
+  Shortening_status status(std::size_t i) const { return report.curves.at(i).status; } ///< is it a geodesic?
+  Verdict verdict(std::size_t i) const { return report.curves.at(i).verdict; }         ///< is it proven to be one?
 };
 
 /*!
@@ -72,7 +72,7 @@ struct Geodesics_result
  * lie anywhere.
  *
  * A path between ends in one place is that point. It has length zero, `Shortening_status::CONTRACTED` and
- * `Certificate_verdict::PROVEN`, and is written as its two ends.
+ * `Verdict::PROVEN`, and is written as its two ends.
  *
  * If it meets an edge of length zero, such edges are contracted, and the path is computed again: it is a geodesic of
  * the surface that is left, and `Curve_report::are_zero_edges_contracted` says so. The ends of such an edge are in one

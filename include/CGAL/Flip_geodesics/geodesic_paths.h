@@ -47,9 +47,9 @@ struct Geodesic_path
   Curve_report report;      ///< what became of the curve, if there is no error
   std::exception_ptr error; ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
 
-  double length() const { return report.length; }                ///< the length of the path
-  Shortening_status status() const { return report.status; }     ///< whether the path is a geodesic
-  Certificate_verdict verdict() const { return report.verdict; } ///< whether it is proven to be one
+  double length() const { return report.length; }            ///< the length of the path
+  Shortening_status status() const { return report.status; } ///< whether the path is a geodesic
+  Verdict verdict() const { return report.verdict; }         ///< whether it is proven to be one
 };
 
 namespace internal {

@@ -30,7 +30,7 @@ namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTree
 /// How many paths of a tree are globally shortest. Paths are compared with those that the search found, and with nothing
-/// else: unless `is_confirmed`, it may have missed vertices, or shorter paths, and 0 longer ones then prove nothing.
+/// else: unless they are confirmed, it may have missed vertices, or shorter paths, and 0 longer ones then prove nothing.
 struct Distances_report
 {
   std::size_t vertices = 0;         ///< that the search reached within the tree's limit; without the source
@@ -40,17 +40,26 @@ struct Distances_report
   double largest_excess = 0;        ///< the same now
   std::size_t windows = 0;          ///< what the search for shortest paths cost
   std::size_t flips = 0;            ///< by which shortest paths were inserted
-  /// Are the figures exact up to rounding, and is no shortest path shorter than the one found by more than 1e-10 of it?
-  /// Not if the search was given up or stopped, or met an edge of length zero, or if coordinates or lengths of the mesh
-  /// are not doubles. Beside faces whose height is at most 1e-10 of their base, and where rounding errors can be as
-  /// large, only if a search with bounds that are rounded outward confirms it.
-  bool is_confirmed = false;
+  /// `WITHIN_TOLERANCE` if the figures are exact up to rounding, and no shortest path is shorter than the one found by more
+  /// than 1e-10 of it, otherwise `UNDECIDED`: if the search was given up or stopped, or met an edge of length zero, or if
+  /// coordinates or lengths of the mesh are not doubles. Beside faces whose height is at most 1e-10 of their base, and
+  /// where rounding errors can be as large, only if a search with bounds that are rounded outward confirms it.
+  Verdict verdict = Verdict::UNDECIDED;
   /// Are the paths locally shortest, as `Geodesic_tree::grow()` says it? Also of paths that were left as they are.
   /// `STOPPED_BY_VISITOR` if a visitor's `go_further()` returned `false`.
   Shortening_status status = Shortening_status::LOCALLY_SHORTEST;
+
+  /// Are the distances confirmed?
+  bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
 };
 
 namespace internal {
+
+/* What is said of distances that are right up to the tolerance of shortest paths, or may be wrong. */
+inline Verdict verdict_of_distances(bool are_right)
+{
+  return are_right ? Verdict::WITHIN_TOLERANCE : Verdict::UNDECIDED;
+}
 
 /* Counts the paths that are longer than those that a search has found, and by how much they are. False if one is
  * shorter, so that the search has failed. */
@@ -223,17 +232,16 @@ Distances_report make_shortest(Geodesic_tree<Triangulation>& tree, const Window_
   const bool is_complete = is_sound && field.reach() >= longest;
   const bool is_accurate = !field.has_flat_face() && !field.has_inaccurate_distance();
   if(is_complete && !is_accurate && prove_shortest(tree, longest, most_windows, interruption, report)) {
-    report.is_confirmed = true;
+    report.verdict = verdict_of_distances(true);
   } else {
-    report.is_confirmed = compare(tree, field, report) && is_complete && is_accurate;
+    report.verdict = verdict_of_distances(compare(tree, field, report) && is_complete && is_accurate);
     if((is_complete || field.number_of_windows() <= most_windows) && !interruption.has_occurred())
       replace_longer(tree, field, interruption, report);
   }
-  report.is_confirmed = report.is_confirmed && !is_input_rounded(tree.triangulation());
-  if(interruption.has_occurred()) {
+  if(interruption.has_occurred())
     report.status = Shortening_status::STOPPED_BY_VISITOR;
-    report.is_confirmed = false;
-  }
+  if(interruption.has_occurred() || is_input_rounded(tree.triangulation()))
+    report.verdict = Verdict::UNDECIDED;
   return report;
 }
 

@@ -13,44 +13,56 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
-/// \ingroup PkgFlipGeodesicsProving
-/// What a certificate says of a curve.
-enum class Certificate_verdict {
-  PROVEN,   ///< the curve is locally shortest, exactly
-  PROBABLE, ///< no bend was found, but an angle was taken for \f$\pi\f$ without a proof, since the limit of work was
-            ///< met, see `Decision_statistics::unproven_zeros`
-  BENT_SEGMENT, ///< a segment does not run straight through its strip of input faces, or its word is no such strip; or
-                ///< it touches a vertex, as happens along faces without area, whose angles sum up to less than
-                ///< \f$2\pi\f$
-  BENT_JOINT,   ///< a side of a joint that is not blocked has an angle below \f$\pi\f$
-  NOT_CERTIFIED ///< there is no certificate: the traits' decisions are rounded, and `certify()` was not called; or
-                ///< coordinates or lengths of the mesh are not doubles and were rounded, see
-                ///< `Embedded_metric::is_rounded()`
+/*!
+ * \ingroup PkgFlipGeodesicsProving
+ *
+ * How certain the claim of a function is. A function for geodesics claims that a curve is locally shortest, one for
+ * shortest paths that no path between the same ends is shorter, one for homotopy classes that no path of the class is
+ * shorter, one for distances that no path is shorter than the distance. The section \ref Flip_geodesicsVerdicts
+ * states the assumptions.
+ */
+enum class Verdict {
+  PROVEN,       ///< the claim holds exactly
+  PROBABLE,     ///< no bend was found, but an angle was taken for \f$\pi\f$ without a proof, since the limit of work
+                ///< was reached, see `Decision_statistics::unproven_zeros`
+  BENT_SEGMENT, ///< the claim is false: a segment does not run straight through its strip of input faces, or its edge
+                ///< sequence is not such a strip; or it touches a vertex with a total angle below \f$2\pi\f$
+  BENT_JOINT,   ///< the claim is false: a side of a joint that is not blocked has an angle below \f$\pi\f$
+  UNDECIDED,    ///< it is not known whether the claim holds: the decisions of the traits are rounded and `certify()`
+                ///< was not called, a search was not completed, or coordinates or lengths of the mesh are not doubles
+  WITHIN_ROUNDING,  ///< the claim holds for every path that is shorter by more than
+                    ///< `Shortest_path_report::rounding_tolerance()` of the length, and the path is a `PROVEN` geodesic
+  WITHIN_TOLERANCE, ///< the claim holds up to `Shortest_path_report::tolerance()` of the length
 };
 
-/// The name of a verdict, as the enumerator is spelled.
-inline const char* to_string(Certificate_verdict verdict)
+/// \ingroup PkgFlipGeodesicsProving
+/// Returns the name of a verdict, as the enumerator is spelled.
+inline const char* to_string(Verdict verdict)
 {
   switch(verdict) {
-  case Certificate_verdict::PROVEN:
+  case Verdict::PROVEN:
     return "PROVEN";
-  case Certificate_verdict::PROBABLE:
+  case Verdict::PROBABLE:
     return "PROBABLE";
-  case Certificate_verdict::BENT_SEGMENT:
+  case Verdict::BENT_SEGMENT:
     return "BENT_SEGMENT";
-  case Certificate_verdict::BENT_JOINT:
+  case Verdict::BENT_JOINT:
     return "BENT_JOINT";
-  case Certificate_verdict::NOT_CERTIFIED:
-    return "NOT_CERTIFIED";
+  case Verdict::UNDECIDED:
+    return "UNDECIDED";
+  case Verdict::WITHIN_ROUNDING:
+    return "WITHIN_ROUNDING";
+  case Verdict::WITHIN_TOLERANCE:
+    return "WITHIN_TOLERANCE";
   }
   return "";
 }
 
 /// \ingroup PkgFlipGeodesicsProving
-/// Does a verdict say that a curve is locally shortest, `PROVEN` or `PROBABLE`?
-inline bool is_locally_shortest(Certificate_verdict verdict)
+/// Returns whether a verdict confirms the claim: `PROVEN`, `PROBABLE`, `WITHIN_ROUNDING` or `WITHIN_TOLERANCE`.
+inline bool is_confirmed(Verdict verdict)
 {
-  return verdict == Certificate_verdict::PROVEN || verdict == Certificate_verdict::PROBABLE;
+  return verdict != Verdict::BENT_SEGMENT && verdict != Verdict::BENT_JOINT && verdict != Verdict::UNDECIDED;
 }
 
 /// \ingroup PkgFlipGeodesicsTraits
@@ -98,7 +110,7 @@ enum class Shortening_status {
   STOPPED_BY_VISITOR, ///< the visitor's `go_further()` said no
   PRECISION_LIMIT,    ///< the traits' arithmetic, or coordinates rounded to double, could not tell whether the curve is
                       ///< locally shortest
-  DEGENERATE_FACES          ///< each angle is \f$\pi\f$ at least, but faces without area lie along the curve, and seen from
+  DEGENERATE_FACES    ///< each angle is \f$\pi\f$ at least, but faces without area lie along the curve, and seen from
                       ///< beyond them it is bent
 };
 
@@ -138,9 +150,9 @@ struct Curve_report
   /// The smallest angle, in radians, at a side of a joint that is not blocked; infinite where there is none.
   double smallest_angle = std::numeric_limits<double>::infinity();
   std::size_t flips = 0; ///< edge flips for this curve, those of steps that were taken back included
-  /// Is it proven from the input to be locally shortest, as `certify()` does it? `NOT_CERTIFIED` with traits of which
+  /// Is the curve locally shortest, as `certify()` decides it from the input? `UNDECIDED` with traits of which
   /// `Has_drift` is `CGAL::Tag_true`, and if coordinates or lengths of the mesh are not doubles.
-  Certificate_verdict verdict = Certificate_verdict::NOT_CERTIFIED;
+  Verdict verdict = Verdict::UNDECIDED;
   /// Did it meet an edge of length zero, or folded faces, so that such edges were contracted? Set by the one-call
   /// functions.
   bool are_zero_edges_contracted = false;
@@ -168,29 +180,6 @@ struct Shortening_report
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// Is a path globally shortest?
-enum class Shortest_path_verdict {
-  UNCONFIRMED, ///< there may be a shorter one, or coordinates or lengths of the mesh are not doubles
-  CONFIRMED,   ///< none is shorter by more than `Shortest_path_report::tolerance()`
-  /// The same with `Shortest_path_report::proof_tolerance()`, and the path is `Certificate_verdict::PROVEN`.
-  PROVEN_SHORTEST
-};
-
-/// \ingroup PkgFlipGeodesicsFunctions
-/// The name of a verdict, as it is written here.
-inline const char* to_string(Shortest_path_verdict verdict)
-{
-  switch(verdict) {
-  case Shortest_path_verdict::CONFIRMED:
-    return "CONFIRMED";
-  case Shortest_path_verdict::PROVEN_SHORTEST:
-    return "PROVEN_SHORTEST";
-  default:
-    return "UNCONFIRMED";
-  }
-}
-
-/// \ingroup PkgFlipGeodesicsFunctions
 /// What is known of a path that was to be shortest.
 struct Shortest_path_report
 {
@@ -200,8 +189,8 @@ struct Shortest_path_report
   double length = 0;       ///< the length of the result
   double lower_bound =
       0; ///< no path is shorter: a bound for the mesh with its coordinates as doubles, rounding included
-  std::size_t windows = 0;                                            ///< what the search cost
-  Shortest_path_verdict verdict = Shortest_path_verdict::UNCONFIRMED; ///< is the path globally shortest?
+  std::size_t windows = 0;              ///< what the search cost
+  Verdict verdict = Verdict::UNDECIDED; ///< is no path shorter?
   /// Are there other paths as short, up to 2^-42 of the length, which is about 2e-13? Those that a confirmed one ties with
   /// are all found.
   bool has_tie = false;
@@ -209,17 +198,17 @@ struct Shortest_path_report
   /// Is the path a geodesic?
   Shortening_status status() const { return shortening.curves.front().status; }
 
-  /// Is the path globally shortest? If not, it may still be.
-  bool is_confirmed() const { return verdict != Shortest_path_verdict::UNCONFIRMED; }
+  /// Is the path confirmed to be a shortest one? If not, it may still be.
+  bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict); }
 
   /// By how much the path may be longer than a shortest one.
   double gap() const { return (std::max)(length - lower_bound, 0.0); }
 
-  /// By what part of its length a path may be longer than a shortest one and is confirmed: 1e-10.
+  /// The part of its length by which a path may be longer than a shortest one if it is `WITHIN_TOLERANCE`: 1e-10.
   static constexpr double tolerance() { return internal::confirmed_gap; }
 
-  /// By what part of its length a path may be longer than a shortest one and is proven to be one: 1e-12.
-  static constexpr double proof_tolerance() { return internal::proven_gap; }
+  /// The part of its length by which a path may be longer than a shortest one if it is `WITHIN_ROUNDING`: 1e-12.
+  static constexpr double rounding_tolerance() { return internal::proven_gap; }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -230,9 +219,9 @@ struct Shortest_path_result
   OutputIterator out;          ///< the end of the output
   Shortest_path_report report; ///< what is known of the path
 
-  double length() const { return report.length; }                  ///< the length of the path
-  Shortening_status status() const { return report.status(); }     ///< whether the path is a geodesic
-  Shortest_path_verdict verdict() const { return report.verdict; } ///< whether it is shown to be a shortest one
+  double length() const { return report.length; }              ///< the length of the path
+  Shortening_status status() const { return report.status(); } ///< whether the path is a geodesic
+  Verdict verdict() const { return report.verdict; }           ///< whether no path is shorter
 };
 
 } // namespace Flip_geodesics

@@ -41,7 +41,7 @@ class Shortener
                 "decisions that can err are measured from the input, with which the triangulation does not correspond");
 
   using Traits = typename Network_::Triangulation::Traits;
-  using Verdicts = internal::Indexed_by<Curve_index, std::vector<Certificate_verdict>>;
+  using Verdicts = internal::Indexed_by<Curve_index, std::vector<Verdict>>;
   using Straightnesses = internal::Indexed_by<Curve_index, std::vector<Straightness>>;
 
 public:
@@ -104,7 +104,7 @@ public:
   /// one, and certified if the traits decide exactly. Linear in the network and in the input edges that it crosses.
   Shortening_report report() const
   {
-    Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Certificate_verdict::NOT_CERTIFIED);
+    Verdicts verdicts(static_cast<std::size_t>(m_network.number_of_curves()), Verdict::UNDECIDED);
     const Straightnesses straightness = m_straightness.empty() ? measured(verdicts) : m_straightness;
     Shortening_report report;
     report.flips = m_state.flips;
@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  Shortening_status status(Curve_index curve, const Straightness& straightness, Certificate_verdict verdict) const
+  Shortening_status status(Curve_index curve, const Straightness& straightness, Verdict verdict) const
   {
     const Shortening_status status = is_point(curve) ? Shortening_status::CONTRACTED : m_state.curves[curve].status;
     if(status != Shortening_status::LOCALLY_SHORTEST)
@@ -127,14 +127,14 @@ private:
     const bool is_measured = Traits::Has_drift::value || is_rounded();
     if(is_measured && !(straightness.is_locally_shortest() && std::isfinite(m_network.length(curve))))
       return Shortening_status::PRECISION_LIMIT;
-    if(verdict == Certificate_verdict::BENT_SEGMENT || verdict == Certificate_verdict::BENT_JOINT)
+    if(verdict == Verdict::BENT_SEGMENT || verdict == Verdict::BENT_JOINT)
       return Shortening_status::DEGENERATE_FACES;
     return status;
   }
 
-  Certificate_verdict verdict(Curve_index curve, Certificate_verdict verdict) const
+  Verdict verdict(Curve_index curve, Verdict verdict) const
   {
-    return !Traits::Has_drift::value && is_point(curve) && !is_rounded() ? Certificate_verdict::PROVEN : verdict;
+    return !Traits::Has_drift::value && is_point(curve) && !is_rounded() ? Verdict::PROVEN : verdict;
   }
 
   // Are coordinates or lengths of the input rounded? Then curves are measured, and not certified.

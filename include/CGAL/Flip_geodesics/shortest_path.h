@@ -66,7 +66,7 @@ bool run_to_the_end(Search& search, double bound, std::size_t most_windows, Inte
 template <class Sweep, class Search>
 bool run_between(Sweep& sweep, Search& search, double bound, std::size_t most_windows, Interruption* interruption)
 {
-  constexpr double tolerance = Shortest_path_report::proof_tolerance();
+  constexpr double tolerance = Shortest_path_report::rounding_tolerance();
   return meets_no_degenerate_face([&] {
     sweep.run(bound * (1 + 2 * tolerance), interruption);
     search.run(bound * (1 + tolerance), most_windows, interruption);
@@ -121,20 +121,19 @@ std::vector<Halfedge_index> insert_path_in_tree(Triangulation& triangulation,
 }
 
 /* What the gap and the certificate say of a path on a surface that is the mesh, without rounded numbers. */
-inline Shortest_path_verdict verdict_of(const Shortest_path_report& report)
+inline Verdict verdict_of(const Shortest_path_report& report)
 {
   if(!report.shortening.is_complete() || report.gap() > Shortest_path_report::tolerance() * report.length)
-    return Shortest_path_verdict::UNCONFIRMED;
-  const bool is_proven = report.shortening.curves.front().verdict == Certificate_verdict::PROVEN &&
-                         report.gap() <= Shortest_path_report::proof_tolerance() * report.length;
-  return is_proven ? Shortest_path_verdict::PROVEN_SHORTEST : Shortest_path_verdict::CONFIRMED;
+    return Verdict::UNDECIDED;
+  const bool is_proven = report.shortening.curves.front().verdict == Verdict::PROVEN &&
+                         report.gap() <= Shortest_path_report::rounding_tolerance() * report.length;
+  return is_proven ? Verdict::WITHIN_ROUNDING : Verdict::WITHIN_TOLERANCE;
 }
 
 /* Is a better lower bound all that a confirmed path lacks to be proven shortest? */
-inline bool lacks_proof_tolerance(const Shortest_path_report& report)
+inline bool lacks_rounding_tolerance(const Shortest_path_report& report)
 {
-  return verdict_of(report) == Shortest_path_verdict::CONFIRMED &&
-         report.shortening.curves.front().verdict == Certificate_verdict::PROVEN;
+  return verdict_of(report) == Verdict::WITHIN_TOLERANCE && report.shortening.curves.front().verdict == Verdict::PROVEN;
 }
 
 /*
@@ -155,7 +154,7 @@ void raise_lower_bound(const Triangulation& triangulation, Unfolded_faces<Triang
   using Precise_faces = Precise_unfolded_faces<Triangulation>;
   Precise_faces precise_faces(triangulation, faces);
   Window_search<Triangulation, Precise_faces> windows(triangulation, precise_faces, source, &sweep);
-  const double enough = report.length * (1 - Shortest_path_report::proof_tolerance() / 2);
+  const double enough = report.length * (1 - Shortest_path_report::rounding_tolerance() / 2);
   const bool is_sound = run_to_the_end(windows, enough, most_windows, &interruption);
   report.windows += windows.number_of_windows();
   if(is_sound)
@@ -168,8 +167,8 @@ inline Shortest_path_report report_of_no_length(const Shortening_report& shorten
 {
   Shortest_path_report report;
   report.shortening = shortening;
-  if(shortening.curves.front().verdict == Certificate_verdict::PROVEN)
-    report.verdict = Shortest_path_verdict::PROVEN_SHORTEST;
+  if(shortening.curves.front().verdict == Verdict::PROVEN)
+    report.verdict = Verdict::WITHIN_ROUNDING;
   return report;
 }
 
@@ -199,7 +198,7 @@ void take_shorter_path(Network& network, Vertex_index source, Vertex_index targe
   for(const Flipped_start& start : starts) {
     const Shortening_report shortening = pull_tight(network, start, visitor);
     const double length = network.length(Curve_index(0));
-    if(!shortening.is_complete() || !(length < report.length * (1 - Shortest_path_report::proof_tolerance())))
+    if(!shortening.is_complete() || !(length < report.length * (1 - Shortest_path_report::rounding_tolerance())))
       continue;
     best = &start;
     report.length = length;
@@ -255,7 +254,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     guard.dismiss();
     return report;
   }
-  if(windows.distance(target) < report.length * (1 - Shortest_path_report::proof_tolerance())) {
+  if(windows.distance(target) < report.length * (1 - Shortest_path_report::rounding_tolerance())) {
     const Shortening_report before = report.shortening;
     network.clear();
     triangulation.rollback(0);
@@ -285,7 +284,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
   if(is_sound && !triangulation.input().has_split_point()) {
     report.lower_bound = (std::max)(report.lower_bound,
                                     (std::min)({windows.lower_bound(), windows.least_distance(target), sweep.bound()}));
-    if(lacks_proof_tolerance(report) && !is_input_rounded(triangulation))
+    if(lacks_rounding_tolerance(report) && !is_input_rounded(triangulation))
       raise_lower_bound(triangulation, faces, sweep, source, 2 * windows.effort(), interruption, report);
     if(interruption.has_occurred())
       report.shortening.curves.front().status = Shortening_status::STOPPED_BY_VISITOR;
@@ -296,7 +295,7 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
     report.verdict = verdict_of(report);
   }
   if(is_input_rounded(triangulation))
-    report.verdict = Shortest_path_verdict::UNCONFIRMED;
+    report.verdict = Verdict::UNDECIDED;
   report.has_tie = is_sound && windows.is_reached(target) && windows.has_tie(target);
   guard.dismiss();
   return report;
@@ -314,8 +313,8 @@ Shortest_path_report add_shortest_path(Network& network, Search& search, const G
  * inserted instead, by flipping the edges that it crosses.
  *
  * The search is rounded outward: `Shortest_path_report::lower_bound` holds for the mesh with its coordinates as
- * doubles, to the last digit, and is mostly within 1e-13 of the length. If the path is `Certificate_verdict::PROVEN`,
- * then it is `Shortest_path_verdict::PROVEN_SHORTEST` where it is within `Shortest_path_report::proof_tolerance()`. The
+ * doubles, to the last digit, and is mostly within 1e-13 of the length. If the path is `Verdict::PROVEN`,
+ * then it is `Verdict::WITHIN_ROUNDING` where it is within `Shortest_path_report::rounding_tolerance()`. The
  * search cannot confirm where it meets an edge of length zero, where it is given up, and where coordinates or lengths
  * of the mesh are not doubles; the bound is one for the rounded ones then. If it could not on a mesh with faces without
  * area, paths of two trees of geodesics are tried as well.
@@ -404,7 +403,7 @@ Computed_output<Form, Shortest_path_report> compute_shortest_path(const Triangle
  *
  * \param mesh a triangle mesh
  * \param source, target vertices of one component; a path between ends in one place is
- *        `Shortest_path_verdict::PROVEN_SHORTEST`
+ *        `Verdict::WITHIN_ROUNDING`
  * \param out receives the points of the path, as `geodesic_path()` writes them
  * \param np named parameters: `vertex_point_map`, `metric`, `geom_traits` and `visitor` as for `geodesic_path()`;
  *        `search_limit`, a `Window_limit`, beyond which the search is given up and the rest of the gap reported;

@@ -99,14 +99,17 @@ struct Paths_by_class_report
   /// class has a shorter one, up to `Shortest_path_report::tolerance()`. It speaks of the paths there are, also if they
   /// are fewer than were asked for; never if there is none. A larger limit can find a further path and not confirm it,
   /// so that this is not monotone in the limit; what was confirmed remains true.
-  bool is_confirmed() const
+  Verdict verdict() const
   {
     const double least = lower_bound_of_others();
     for(const Shortest_path_report& path : paths)
       if(!path.is_confirmed() || least < path.length * (1 - Shortest_path_report::tolerance()))
-        return false;
-    return !paths.empty();
+        return Verdict::UNDECIDED;
+    return paths.empty() ? Verdict::UNDECIDED : Verdict::WITHIN_TOLERANCE;
   }
+
+  /// Are these confirmed to be the shortest paths of all classes?
+  bool is_confirmed() const { return Flip_geodesics::is_confirmed(verdict()); }
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions
@@ -117,10 +120,10 @@ struct Paths_by_class_result
   OutputIterator out;                         ///< the end of the output
   Paths_by_class_report<TriangleMesh> report; ///< what is known of the paths
 
-  std::size_t number_of_paths() const { return report.paths.size(); }      ///< how many there are
-  double length(std::size_t i) const { return report.paths.at(i).length; } ///< of a path, by its place in the output
-  Shortest_path_verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; } ///< of a path
-  Class_search_status status() const { return report.status; }                              ///< how the search ended
+  std::size_t number_of_paths() const { return report.paths.size(); }         ///< how many there are
+  double length(std::size_t i) const { return report.paths.at(i).length; }    ///< of a path, by its place in the output
+  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; } ///< of a path
+  Class_search_status status() const { return report.status; }                ///< how the search ended
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions

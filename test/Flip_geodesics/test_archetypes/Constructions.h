@@ -339,7 +339,7 @@ private:
     FG::Shortening_report hindered;
     hindered.curves.emplace_back().status = FG::Shortening_status::DEGENERATE_FACES;
     BOOST_TEST(!FG::internal::are_curves_folded(triangulation, hindered));
-    BOOST_TEST((FG::internal::report_of_point(triangulation).verdict == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST((FG::internal::report_of_point(triangulation).verdict == FG::Verdict::PROVEN));
     const auto h = triangulation.input().halfedge(FG::Input_halfedge_index(0));
     return {
         FG::surface_location(triangulation, m_mesh, std::make_pair(face_of(h), std::array<double, 3>{{0.2, 0.3, 0.5}})),

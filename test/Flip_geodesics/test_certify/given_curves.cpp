@@ -23,7 +23,7 @@ using Halfedge = Surface::Halfedge_index;
 using Place = FG::Given_place<Surface>;
 using Places = std::vector<Place>;
 using Certificate = FG::Given_curve_certificate<Surface>;
-using Verdict = FG::Certificate_verdict;
+using Verdict = FG::Verdict;
 
 Vertex vertex(int i) { return Vertex(static_cast<unsigned>(i)); }
 Place place(int i) { return vertex(i); }

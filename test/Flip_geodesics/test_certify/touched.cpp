@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(segments_along_faces_without_area_are_proven, Sett
       const auto p = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.tail(walk.front()))),
                  q = setting.mesh.point(setting.triangulation.vertex(setting.triangulation.head(walk.back())));
       setting.pull();
-      BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Certificate_verdict::PROVEN));
+      BOOST_TEST((FG::certify(setting.network).curves[0].verdict == FG::Verdict::PROVEN));
       BOOST_TEST(std::abs(setting.network.length(0_c) - std::sqrt(CGAL::squared_distance(p, q))) < 1e-12);
       ++walks;
     }
@@ -52,8 +52,7 @@ BOOST_AUTO_TEST_CASE(a_segment_that_touches_a_cone_is_bent)
     FG::Edge_path_network<Triangulation> network(triangulation);
     network.add_curve(FG::halfedges_through(triangulation, Vertex_sequence{0_v, 1_v}, false), false);
     const auto verdict = FG::certify(network).curves[0].verdict;
-    BOOST_TEST((verdict ==
-                (far_side < std::sqrt(2.0) ? FG::Certificate_verdict::BENT_SEGMENT : FG::Certificate_verdict::PROVEN)));
+    BOOST_TEST((verdict == (far_side < std::sqrt(2.0) ? FG::Verdict::BENT_SEGMENT : FG::Verdict::PROVEN)));
   }
 }
 
@@ -85,8 +84,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_touched_at_the_end_of_a_gate_has_a_full_angle_or_i
         FG::Edge_path_network<Triangulation> network(triangulation);
         network.add_curve(Halfedge_sequence{is_reversed ? Triangulation::twin(h) : h}, false);
         const auto verdict = FG::certify(network).curves[0].verdict;
-        BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Certificate_verdict::PROVEN
-                                                            : FG::Certificate_verdict::BENT_SEGMENT)));
+        BOOST_TEST((verdict == (has_border || far_side >= 5 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       }
 }
 
@@ -118,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_segment_along_an_edge_that_it_crosses)
       FG::Edge_path_network<Triangulation> network(triangulation);
       network.add_curve(Halfedge_sequence{side}, false);
       BOOST_TEST((FG::certify(network).curves[0].verdict ==
-                  (far_side > 3.1 ? FG::Certificate_verdict::PROVEN : FG::Certificate_verdict::BENT_SEGMENT)));
+                  (far_side > 3.1 ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
       network.clear();
     }
   }
@@ -157,14 +155,14 @@ public:
     });
   }
 
-  FG::Certificate_verdict verdict_on_edge(FG::Vertex_index u, FG::Vertex_index v) const
+  FG::Verdict verdict_on_edge(FG::Vertex_index u, FG::Vertex_index v) const
   {
     Triangulation triangulation = triangulated();
     return verdict(triangulation, FG::internal::halfedge_between(triangulation, u, v));
   }
 
   // Of what becomes of an edge when it is flipped, whether it could be or not; in both directions.
-  FG::Certificate_verdict verdict_on_flipped_edge(FG::Vertex_index u, FG::Vertex_index v) const
+  FG::Verdict verdict_on_flipped_edge(FG::Vertex_index u, FG::Vertex_index v) const
   {
     Triangulation triangulation = triangulated();
     const FG::Halfedge_index h = FG::internal::halfedge_between(triangulation, u, v);
@@ -175,7 +173,7 @@ public:
   }
 
   // Of the part of an edge from a point of it to its end.
-  FG::Certificate_verdict verdict_on_part(FG::Vertex_index u, FG::Vertex_index v, double at_tail) const
+  FG::Verdict verdict_on_part(FG::Vertex_index u, FG::Vertex_index v, double at_tail) const
   {
     Triangulation triangulation = triangulated();
     const FG::Halfedge_index h = FG::internal::halfedge_between(triangulation, u, v);
@@ -189,7 +187,7 @@ private:
     return Triangulation(m_mesh, Metric(m_mesh, boost::make_assoc_property_map(m_lengths)));
   }
 
-  static FG::Certificate_verdict verdict(Triangulation& triangulation, FG::Halfedge_index h)
+  static FG::Verdict verdict(Triangulation& triangulation, FG::Halfedge_index h)
   {
     FG::Edge_path_network<Triangulation> network(triangulation);
     network.add_curve(Halfedge_sequence{h}, false);
@@ -208,7 +206,7 @@ private:
 // one, the tip of a cone, counts where it lies on the edge, and not beyond its ends.
 BOOST_AUTO_TEST_CASE(cones_on_the_line_count_between_the_ends)
 {
-  const auto bent = FG::Certificate_verdict::BENT_SEGMENT, proven = FG::Certificate_verdict::PROVEN;
+  const auto bent = FG::Verdict::BENT_SEGMENT, proven = FG::Verdict::PROVEN;
   const std::vector<Corners> one_face = {{0, 1, 2}, {2, 1, 3}, {0, 2, 3}};
   const auto with_cone_at = [&](double x) {
     const double to_1 = std::abs(4 - x);
@@ -233,7 +231,7 @@ BOOST_AUTO_TEST_CASE(faces_on_the_line_are_followed_between_the_ends)
   const std::vector<Corners> triangles = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {2, 4, 5}};
   const std::vector<Edge_with_length> edges = {{0, 1, 4}, {1, 2, 1}, {0, 2, 5}, {1, 3, 2}, {2, 3, 1},
                                                {2, 4, 2}, {3, 4, 3}, {4, 5, 1}, {2, 5, 2}, {3, 5, 3}};
-  BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0_v, 1_v) == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST((Surface_of_lengths(triangles, edges).verdict_on_edge(0_v, 1_v) == FG::Verdict::PROVEN));
 }
 
 // Past the head, at 4, faces turn back to a tip at that place, or close before it: it is reached over the head only. A tip
@@ -252,13 +250,12 @@ BOOST_AUTO_TEST_CASE(faces_on_the_line_are_left_at_the_head)
                                                                                                          {5, 6, 1},
                                                                                                          {4, 6, 1},
                                                                                                          {3, 6, 2}});
-  BOOST_TEST((in_place.verdict_on_edge(0_v, 1_v) == FG::Certificate_verdict::PROVEN));
+  BOOST_TEST((in_place.verdict_on_edge(0_v, 1_v) == FG::Verdict::PROVEN));
   for(double tip : {3.5, 4.5}) {
     const Surface_of_lengths surface(
         {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {0, 3, 4}},
         {{0, 1, 4}, {1, 2, 1}, {0, 2, 5}, {0, 3, tip}, {2, 3, 5 - tip}, {3, 4, 0.5}, {0, 4, tip}, {2, 4, 5 - tip}});
-    BOOST_TEST((surface.verdict_on_edge(0_v, 1_v) ==
-                (tip < 4 ? FG::Certificate_verdict::BENT_SEGMENT : FG::Certificate_verdict::PROVEN)));
+    BOOST_TEST((surface.verdict_on_edge(0_v, 1_v) == (tip < 4 ? FG::Verdict::BENT_SEGMENT : FG::Verdict::PROVEN)));
   }
 }
 
@@ -277,7 +274,7 @@ BOOST_AUTO_TEST_CASE(many_faces_on_the_line_are_followed_to_the_last)
     triangles.insert(triangles.end(), {{0, n, tip}, {tip, n, beside}, {0, tip, beside}});
     edges.insert(edges.end(), {{0, tip, 2}, {n, tip, n + 1.0}, {tip, beside, 1}, {0, beside, 2}, {n, beside, n + 1.0}});
     const auto verdict = Surface_of_lengths(triangles, edges).verdict_on_edge(0_v, 1_v);
-    BOOST_TEST((verdict == FG::Certificate_verdict::BENT_SEGMENT));
+    BOOST_TEST((verdict == FG::Verdict::BENT_SEGMENT));
   }
 }
 
@@ -288,8 +285,7 @@ BOOST_AUTO_TEST_CASE(faces_with_little_area_are_told_from_those_without)
   for(double other : {rest, rest + 0x1p-53}) {
     const Surface_of_lengths surface({{0, 1, 2}, {2, 1, 3}, {0, 2, 3}},
                                      {{0, 1, 1}, {0, 2, close}, {1, 2, other}, {0, 3, 1}});
-    BOOST_TEST((surface.verdict_on_edge(0_v, 1_v) ==
-                (other > rest ? FG::Certificate_verdict::PROVEN : FG::Certificate_verdict::BENT_SEGMENT)));
+    BOOST_TEST((surface.verdict_on_edge(0_v, 1_v) == (other > rest ? FG::Verdict::PROVEN : FG::Verdict::BENT_SEGMENT)));
   }
 }
 
@@ -305,8 +301,8 @@ BOOST_AUTO_TEST_CASE(edges_crossed_on_the_line_lie_between_the_ends)
                                           {1, 3, std::abs(4 - to)}})
         .verdict_on_flipped_edge(2_v, 3_v);
   };
-  BOOST_TEST((verdict(1, 3) == FG::Certificate_verdict::PROVEN));
-  BOOST_TEST((verdict(-1, 5) == FG::Certificate_verdict::PROVEN));
-  BOOST_TEST((verdict(5, 6) == FG::Certificate_verdict::BENT_SEGMENT));
-  BOOST_TEST((verdict(-2, -1) == FG::Certificate_verdict::BENT_SEGMENT));
+  BOOST_TEST((verdict(1, 3) == FG::Verdict::PROVEN));
+  BOOST_TEST((verdict(-1, 5) == FG::Verdict::PROVEN));
+  BOOST_TEST((verdict(5, 6) == FG::Verdict::BENT_SEGMENT));
+  BOOST_TEST((verdict(-2, -1) == FG::Verdict::BENT_SEGMENT));
 }

@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(curves_over_folded_faces_are_proven)
       BOOST_TEST_CONTEXT("seed " << seed << " from " << s << " to " << t)
       {
         BOOST_CHECK(curve.status == FG::Shortening_status::LOCALLY_SHORTEST);
-        BOOST_CHECK(curve.verdict == FG::Certificate_verdict::PROVEN);
+        BOOST_CHECK(curve.verdict == FG::Verdict::PROVEN);
         BOOST_CHECK_CLOSE_FRACTION(length(points), curve.length, 1e-12);
         BOOST_CHECK_GT(curve.length, box_distance(n, n, n, soup.points[s], soup.points[t]) * (1 - 1e-12));
         met += curve.are_zero_edges_contracted ? 1 : 0;
@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(folded_vertices_are_one_place)
   BOOST_CHECK(in_place.are_zero_edges_contracted);
   BOOST_CHECK_EQUAL(in_place.length, 0);
   const FG::Curve_report across = of(grid_vertex(grid.n, 4, 3), grid_vertex(grid.n, 4, 5));
-  BOOST_CHECK(across.verdict == FG::Certificate_verdict::PROVEN);
+  BOOST_CHECK(across.verdict == FG::Verdict::PROVEN);
   BOOST_CHECK_EQUAL(across.length, 2);
 }
 
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(places_on_folded_faces_are_on_what_they_lead_along)
   const FG::Curve_report curve =
       FG::geodesic_path_through(mesh, std::vector<FG::Surface_location>{on_fold, below}, std::back_inserter(points))
           .report.curves.front();
-  BOOST_CHECK(curve.verdict == FG::Certificate_verdict::PROVEN);
+  BOOST_CHECK(curve.verdict == FG::Verdict::PROVEN);
   BOOST_CHECK_CLOSE_FRACTION(curve.length, std::hypot(0.5, 2), 1e-12);
 }
 
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(curves_that_are_bent_by_folded_faces_are_told)
   network.add_curve(FG::halfedges_through(strict, Vertex_sequence{v, w}, false), false);
   const FG::Shortening_report report = FG::shorten(network);
   BOOST_CHECK(report.curves[0].status == FG::Shortening_status::DEGENERATE_FACES);
-  BOOST_CHECK(report.curves[0].verdict == FG::Certificate_verdict::BENT_SEGMENT);
+  BOOST_CHECK(report.curves[0].verdict == FG::Verdict::BENT_SEGMENT);
   BOOST_CHECK(!report.is_complete());
   BOOST_CHECK(FG::internal::are_curves_folded(strict, report));
   BOOST_CHECK(!FG::internal::are_curves_folded(contracted(mesh), report));
@@ -413,6 +413,6 @@ BOOST_AUTO_TEST_CASE(vertices_beyond_a_tip_are_not_touched)
   std::vector<Point> points;
   const FG::Curve_report curve =
       FG::geodesic_path(mesh, vertex(6), vertex(7), std::back_inserter(points)).report.curves.front();
-  BOOST_CHECK(curve.verdict == FG::Certificate_verdict::PROVEN);
+  BOOST_CHECK(curve.verdict == FG::Verdict::PROVEN);
   BOOST_CHECK_EQUAL(curve.length, std::hypot(1.5, 1.5));
 }

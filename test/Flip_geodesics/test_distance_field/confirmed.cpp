@@ -34,7 +34,7 @@ void check_confirmed_in_the_plane(const Mesh_soup& soup, const std::vector<Verte
   std::vector<double> least(soup.points.size(), infinity), distances;
   for(Vertex source : sources) {
     BOOST_TEST(!has_accurate_field(soup, source));
-    BOOST_TEST(compute_distances(mesh, source, distances).is_confirmed, source);
+    BOOST_TEST(compute_distances(mesh, source, distances).is_confirmed(), source);
     for(Vertex v : mesh.vertices()) {
       const double expected = distance(soup.points[source], soup.points[v]);
       BOOST_TEST(std::abs(distances[v] - expected) <= 1e-14 * expected, source << " to " << v);
@@ -42,7 +42,7 @@ void check_confirmed_in_the_plane(const Mesh_soup& soup, const std::vector<Verte
     }
   }
   const auto report = compute_distances(mesh, sources, distances);
-  BOOST_TEST(report.is_confirmed);
+  BOOST_TEST(report.is_confirmed());
   BOOST_TEST(report.vertices == soup.points.size() - sources.size());
   for(Vertex v : mesh.vertices())
     BOOST_TEST(std::abs(distances[v] - least[v]) <= 1e-14 * least[v], v);
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(distances_from_several_sources_are_confirmed_beside_long_ed
   const std::vector<Vertex> sources = {Vertex(0), Vertex(7), Vertex(0)};
   std::vector<double> distances;
   const auto report = compute_distances(mesh, sources, distances);
-  BOOST_TEST(report.is_confirmed);
+  BOOST_TEST(report.is_confirmed());
   BOOST_TEST(report.vertices == soup.points.size() - 2);
   for(Vertex v : mesh.vertices()) {
     double least = infinity;
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(distances_from_an_isolated_source_are_confirmed)
   Mesh mesh = to_mesh<Mesh>(soup);
   const Vertex isolated = mesh.add_vertex(Point(0, 0, 1));
   std::vector<double> distances;
-  BOOST_TEST(compute_distances(mesh, std::vector<Vertex>{isolated, Vertex(12)}, distances).is_confirmed);
+  BOOST_TEST(compute_distances(mesh, std::vector<Vertex>{isolated, Vertex(12)}, distances).is_confirmed());
   BOOST_TEST(distances[isolated] == 0);
   for(Vertex v : mesh.vertices())
     if(v != isolated) {
@@ -116,5 +116,5 @@ BOOST_AUTO_TEST_CASE(distances_are_not_confirmed_where_contracted_sheets_met_in_
                                           {9, 13, 12}, {9, 10, 14}, {10, 11, 15}, {10, 15, 14}};
   const Mesh mesh = to_mesh<Mesh>({points, triangles});
   std::vector<double> distances;
-  BOOST_TEST(!compute_distances(mesh, Vertex(11), distances).is_confirmed);
+  BOOST_TEST(!compute_distances(mesh, Vertex(11), distances).is_confirmed());
 }

@@ -74,10 +74,10 @@ void check_distances(const Mesh_soup& soup, Surface::Vertex_index source)
   std::vector<double> distances(num_vertices(mesh));
   const auto report = FG::geodesic_distances(
       mesh, source, boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh)));
-  BOOST_TEST(report.is_confirmed);
+  BOOST_TEST(report.is_confirmed());
   setting.tree.grow(Vertex_index(static_cast<Index>(source)));
   const FG::Distances_report shortest = FG::make_shortest(setting.tree);
-  BOOST_TEST(shortest.is_confirmed);
+  BOOST_TEST(shortest.is_confirmed());
   BOOST_TEST(shortest.longer == 0u);
   BOOST_TEST(setting.tree.is_valid());
   for(const auto v : mesh.vertices()) {
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(paths_in_doubles_are_measured_in_each_umbrella)
     FG::geodesic_distances(mesh, source,
                            boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, mesh)));
     setting.tree.grow(Vertex_index(static_cast<Index>(source)));
-    BOOST_TEST(FG::make_shortest(setting.tree).is_confirmed);
+    BOOST_TEST(FG::make_shortest(setting.tree).is_confirmed());
     for(const auto v : mesh.vertices()) {
       const Vertex_index w(static_cast<Index>(v));
       BOOST_TEST(is_same(distances[v], setting.tree.distance(w)));

@@ -3,7 +3,7 @@
 #include "checked_curves.h"
 
 using namespace Flip_geodesics_test;
-using FG::Certificate_verdict;
+using FG::Verdict;
 
 BOOST_AUTO_TEST_CASE(results_are_proven_without_being_asked)
 {
@@ -13,10 +13,10 @@ BOOST_AUTO_TEST_CASE(results_are_proven_without_being_asked)
       std::vector<Point> points;
       const auto path = FG::geodesic_path(mesh, source, target, std::back_inserter(points));
       BOOST_CHECK(path.status() == FG::Shortening_status::LOCALLY_SHORTEST);
-      BOOST_CHECK(path.verdict() == Certificate_verdict::PROVEN);
+      BOOST_CHECK(path.verdict() == Verdict::PROVEN);
       const auto shortest = FG::shortest_path(mesh, source, target, std::back_inserter(points));
-      BOOST_CHECK(shortest.report.shortening.curves[0].verdict == Certificate_verdict::PROVEN);
-      BOOST_CHECK(shortest.report.verdict == FG::Shortest_path_verdict::PROVEN_SHORTEST);
+      BOOST_CHECK(shortest.report.shortening.curves[0].verdict == Verdict::PROVEN);
+      BOOST_CHECK(shortest.report.verdict == FG::Verdict::WITHIN_ROUNDING);
     }
   }
 }
@@ -57,8 +57,8 @@ BOOST_AUTO_TEST_CASE(what_rounds_or_is_not_finished_is_not_proven)
       mesh, Vertex(0), Vertex(100), std::back_inserter(points),
       CGAL::parameters::geom_traits(FG::Intrinsic_triangulation_traits<CGAL::Simple_cartesian<double>>()));
   BOOST_CHECK(rounded.status() == FG::Shortening_status::LOCALLY_SHORTEST);
-  BOOST_CHECK(rounded.verdict() == Certificate_verdict::NOT_CERTIFIED);
-  BOOST_CHECK(!FG::is_locally_shortest(rounded.verdict()));
+  BOOST_CHECK(rounded.verdict() == Verdict::UNDECIDED);
+  BOOST_CHECK(!FG::is_confirmed(rounded.verdict()));
 
   std::vector<Vertex> ring;
   for(std::size_t i = 72; i < 96; ++i)
@@ -66,14 +66,14 @@ BOOST_AUTO_TEST_CASE(what_rounds_or_is_not_finished_is_not_proven)
   const auto stopped = FG::geodesic_loop(mesh, ring, std::back_inserter(points),
                                          CGAL::parameters::stop_predicate(FG::Iteration_stop_predicate(1)));
   BOOST_CHECK(stopped.status() == FG::Shortening_status::ITERATION_LIMIT);
-  BOOST_CHECK(stopped.verdict() == Certificate_verdict::BENT_JOINT);
+  BOOST_CHECK(stopped.verdict() == Verdict::BENT_JOINT);
 
   const Surface sphere = bumpy_sphere_mesh();
   const Halfedge h = *sphere.halfedges().begin();
   const std::vector<Vertex> around_face = {sphere.source(h), sphere.target(h), sphere.target(sphere.next(h))};
   const auto contracted = FG::geodesic_loop(sphere, around_face, std::back_inserter(points));
   BOOST_CHECK(contracted.status() == FG::Shortening_status::CONTRACTED);
-  BOOST_CHECK(contracted.verdict() == Certificate_verdict::PROVEN);
+  BOOST_CHECK(contracted.verdict() == Verdict::PROVEN);
 }
 
 // Legs that are pulled straight each by itself have one verdict together.
@@ -83,9 +83,8 @@ BOOST_AUTO_TEST_CASE(ways_and_splines_have_a_verdict)
   const std::vector<Face_location> stations = {
       {Face(3), {{0.25, 0.25, 0.5}}}, {Face(200), {{0.25, 0.5, 0.25}}}, {Face(400), {{0.125, 0.125, 0.75}}}};
   std::vector<Point> points;
-  BOOST_CHECK(FG::geodesic_path_through(mesh, stations, std::back_inserter(points)).verdict() ==
-              Certificate_verdict::PROVEN);
+  BOOST_CHECK(FG::geodesic_path_through(mesh, stations, std::back_inserter(points)).verdict() == Verdict::PROVEN);
   std::vector<Curve_point> spline;
   BOOST_CHECK(FG::geodesic_spline(mesh, stations, FG::Spline_kind::BEZIER, std::back_inserter(spline)).verdict() ==
-              Certificate_verdict::PROVEN);
+              Verdict::PROVEN);
 }

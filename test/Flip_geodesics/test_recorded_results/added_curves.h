@@ -216,7 +216,7 @@ struct Add_trees
       vertices += shortest.vertices;
       longer += shortest.longer_before + shortest.longer;
       mended += shortest.flips;
-      confirmed += shortest.is_confirmed ? 1 : 0;
+      confirmed += shortest.is_confirmed() ? 1 : 0;
       summary.lengths.add(1 + shortest.largest_excess_before);
       add_tree(tree, summary);
       if(i == 0)

@@ -133,11 +133,11 @@ BOOST_AUTO_TEST_CASE(distances_to_what_is_lost_are_not_confirmed)
   mesh.add_face(v[0], v[1], v[2]);
   std::map<Surface::Vertex_index, double> distances;
   const auto report = FG::geodesic_distances(mesh, v[0], boost::make_assoc_property_map(distances));
-  BOOST_TEST(!report.is_confirmed);
+  BOOST_TEST(!report.is_confirmed());
   BOOST_TEST(distances[v[1]] == std::numeric_limits<double>::infinity());
   mesh.add_face(v[0], v[3], v[1]);
   const auto joined = FG::geodesic_distances(mesh, v[0], boost::make_assoc_property_map(distances));
-  BOOST_TEST(joined.is_confirmed);
+  BOOST_TEST(joined.is_confirmed());
   BOOST_TEST(distances[v[1]] == 1);
   BOOST_TEST(distances[v[2]] == 1);
 }

@@ -74,7 +74,7 @@ void check_against(const char* name, const Mesh_soup& soup, const Distance& dist
       Tree tree(setting.triangulation);
       tree.grow(source);
       const FG::Distances_report report = FG::make_shortest(tree);
-      BOOST_TEST(report.is_confirmed);
+      BOOST_TEST(report.is_confirmed());
       BOOST_TEST(report.longer == 0u);
       BOOST_TEST(report.largest_excess <= tolerance);
       BOOST_TEST(FG::to_string(report.status) == "LOCALLY_SHORTEST");

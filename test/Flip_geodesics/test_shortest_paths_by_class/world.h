@@ -184,7 +184,7 @@ inline void check_lengths(const Report& report, const std::vector<double>& expec
   BOOST_TEST_REQUIRE(report.paths.size() <= expected.size());
   for(std::size_t i = 0; i < report.paths.size(); ++i) {
     BOOST_TEST(std::abs(report.paths[i].length - expected[i]) < 1e-11 * expected[i]);
-    BOOST_TEST((report.paths[i].shortening.curves[0].verdict == FG::Certificate_verdict::PROVEN));
+    BOOST_TEST((report.paths[i].shortening.curves[0].verdict == FG::Verdict::PROVEN));
   }
 }
 

@@ -402,7 +402,7 @@ struct Measured_piece
   Surface_polyline crossings; // where it crosses edges
   double length = 0;
   Word_angle at_tail, at_head; // only at vertices of the input
-  Certificate_verdict verdict = Certificate_verdict::PROVEN;
+  Verdict verdict = Verdict::PROVEN;
 };
 
 /* A geodesic from place to place. Its words name inserted ends by the vertices that they were for a moment. */
@@ -411,7 +411,7 @@ struct Geodesic_leg
   std::vector<Measured_piece> pieces;
   Surface_polyline points;
   double length = 0;
-  Certificate_verdict verdict = Certificate_verdict::PROVEN;
+  Verdict verdict = Verdict::PROVEN;
   bool is_by_flips = false; // did it take flips?
 };
 
@@ -478,7 +478,7 @@ private:
 
   static bool is_proven(const Geodesic_leg& leg)
   {
-    return leg.verdict == Certificate_verdict::PROVEN || leg.verdict == Certificate_verdict::PROBABLE;
+    return leg.verdict == Verdict::PROVEN || leg.verdict == Verdict::PROBABLE;
   }
 
   // ---- by words
@@ -593,7 +593,7 @@ private:
     if(is_reversed)
       std::reverse(pieces.begin(), pieces.end());
     result.pieces.clear();
-    result.verdict = Certificate_verdict::PROVEN;
+    result.verdict = Verdict::PROVEN;
     for(Funnel_piece& piece : pieces) {
       result.pieces.emplace_back();
       result.pieces.back().piece = is_reversed ? reversed(std::move(piece)) : std::move(piece);
@@ -643,7 +643,7 @@ private:
           {word.crossed[i], {{(std::max)(1 - at_left, least_weight), (std::max)(at_left, least_weight), 0}}}));
     }
     if(!measured.piece.is_straight)
-      measured.verdict = Certificate_verdict::BENT_SEGMENT;
+      measured.verdict = Verdict::BENT_SEGMENT;
   }
 
   // Points, length and verdict of a leg whose pieces are measured; the points are its ends before.
@@ -661,17 +661,17 @@ private:
       leg.points.push_back(m_triangulation.location(piece.piece.word.head));
       const Measured_piece& next = leg.pieces[i + 1];
       if(m_triangulation.is_inserted(next.piece.word.tail)) { // flips do not pull a path over its own end
-        leg.verdict = Certificate_verdict::BENT_JOINT;
+        leg.verdict = Verdict::BENT_JOINT;
         continue;
       }
       const Seen_word in = {piece.piece.word, false, piece.at_head}, out = {next.piece.word, true, next.at_tail};
       if(compare_clockwise(m_triangulation, m_statistics, in, out) == SMALLER ||
          compare_clockwise(m_triangulation, m_statistics, out, in) == SMALLER)
-        leg.verdict = (std::max)(leg.verdict, Certificate_verdict::BENT_JOINT);
+        leg.verdict = (std::max)(leg.verdict, Verdict::BENT_JOINT);
     }
     leg.points.push_back(end);
-    if(leg.verdict == Certificate_verdict::PROVEN && m_statistics.unproven_zeros > unproven)
-      leg.verdict = Certificate_verdict::PROBABLE;
+    if(leg.verdict == Verdict::PROVEN && m_statistics.unproven_zeros > unproven)
+      leg.verdict = Verdict::PROBABLE;
   }
 
   // ---- by flips

@@ -564,9 +564,8 @@ private:
   Curve_report report_of_nothing() const
   {
     Curve_report report;
-    report.verdict = Triangulation::Traits::Has_drift::value || is_input_rounded(m_triangulation)
-                         ? Certificate_verdict::NOT_CERTIFIED
-                         : Certificate_verdict::PROVEN;
+    report.verdict = Triangulation::Traits::Has_drift::value || is_input_rounded(m_triangulation) ? Verdict::UNDECIDED
+                                                                                                  : Verdict::PROVEN;
     return report;
   }
 
