@@ -81,7 +81,7 @@ template <class ConcurrencyTag, class NamedParameters = CGAL::parameters::Defaul
 std::vector<Points> all_at_once(const Mesh& mesh, const std::vector<std::pair<Vertex, Vertex>>& pairs,
                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<FG::Geodesic_path<Mesh::Point>> paths;
+  std::vector<FG::Geodesic_path_result<Mesh::Point>> paths;
   FG::geodesic_paths<ConcurrencyTag>(mesh, pairs, std::back_inserter(paths), np);
   std::vector<Points> result;
   for(auto& path : paths)

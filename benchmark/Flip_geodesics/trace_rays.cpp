@@ -55,10 +55,10 @@ void measure(const std::string& name, std::size_t rays, std::size_t edges)
   const std::vector<Start> starts = random_starts(triangulation, rays);
   FG::Trace_limits<> limits{1e100};
   limits.most_crossings = edges;
-  FG::Trace sum;
+  FG::Trace_report sum;
   const double time = seconds([&] {
     for(const Start& start : starts) {
-      const FG::Trace trace = tracer.trace(start.location, start.location.halfedge, start.angle, limits);
+      const FG::Trace_report trace = tracer.trace(start.location, start.location.halfedge, start.angle, limits);
       sum.edges += trace.edges;
       sum.vertices += trace.vertices;
       sum.statistics.by_precision += trace.statistics.by_precision + trace.statistics.by_roots;

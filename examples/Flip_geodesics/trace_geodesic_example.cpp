@@ -61,7 +61,7 @@ try {
     //! [Trace]
     const auto trace = FG::trace_geodesic(mesh, source, direction, length, std::back_inserter(rays.back()));
     //! [Trace]
-    std::cout << trace.length << ", " << to_string(trace.end) << ", " << trace.edges << " edges\n";
+    std::cout << trace.length() << ", " << to_string(trace.status()) << ", " << trace.report.edges << " edges\n";
   }
   FG::IO::write_VTP("rays.vtp", mesh, rays);
   return std::cout.flush() ? EXIT_SUCCESS : EXIT_FAILURE;

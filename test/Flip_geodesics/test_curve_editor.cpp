@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(legs_on_a_flat_torus_are_the_segments_of_its_plane)
     places.push_back(torus.location(p));
   FG::Curve_editor<Length_triangulation> editor(torus.triangulation, places);
   for(std::size_t i = 0; i < 2; ++i) // the first ones are shortest: their class is told by their lengths
-    BOOST_REQUIRE(std::abs(editor.leg_length(i) - distance(points[i], points[i + 1])) < 1e-12);
+    BOOST_REQUIRE(std::abs(editor.length(i) - distance(points[i], points[i + 1])) < 1e-12);
   std::size_t vertices = 0;
   for(int move = 0; move < 600; ++move) {
     const auto i = static_cast<std::size_t>(random.below(3));
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(legs_on_a_flat_torus_are_the_segments_of_its_plane)
     editor.move(i, torus.location(to));
     points[i] = to;
     for(std::size_t l = 0; l < 2; ++l) {
-      BOOST_TEST(std::abs(editor.leg_length(l) - distance(points[l], points[l + 1])) < 1e-11);
+      BOOST_TEST(std::abs(editor.length(l) - distance(points[l], points[l + 1])) < 1e-11);
       BOOST_TEST(is_geodesic(editor.verdict(l)));
       BOOST_TEST(is_same(editor.leg(l).front(), editor.point(l)));
       BOOST_TEST(is_same(editor.leg(l).back(), editor.point(l + 1)));
@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_on_a_leg_is_compared_once)
   };
   Editor editor(edited, {place({0.5, 0.25}), place({5.5, 2.75})}); // by the vertices (2, 1) and (4, 2)
   BOOST_TEST(is_geodesic(editor.verdict(0)));
-  BOOST_TEST(std::abs(editor.leg_length(0) - std::hypot(5, 2.5)) < 1e-12);
+  BOOST_TEST(std::abs(editor.length(0) - std::hypot(5, 2.5)) < 1e-12);
   const FG::Decision_statistics& statistics = editor.statistics();
   BOOST_TEST(statistics.zeros_by_roots > 0u);
   BOOST_TEST(statistics.zeros_by_roots <= 20u, statistics.zeros_by_roots << " comparisons");
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(way_points_on_developable_surfaces)
         for(std::size_t l = 0; l < editor.number_of_legs(); ++l) {
           const double expected =
               distance(rolled_out(surface.flat, editor.point(l)), rolled_out(surface.flat, editor.point((l + 1) % 4)));
-          BOOST_TEST(std::abs(editor.leg_length(l) - expected) < 1e-12);
+          BOOST_TEST(std::abs(editor.length(l) - expected) < 1e-12);
           sum += expected;
           if(l != i && (l + 1) % 4 != i)
             BOOST_TEST(is_same(editor.leg(l), before[l]));
@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(way_points_on_developable_surfaces)
         places.push_back(editor.point(i));
       const Editor fresh(t, places, is_closed);
       for(std::size_t l = 0; l < fresh.number_of_legs(); ++l)
-        BOOST_TEST(std::abs(fresh.leg_length(l) - editor.leg_length(l)) < 1e-12);
+        BOOST_TEST(std::abs(fresh.length(l) - editor.length(l)) < 1e-12);
     }
 }
 
@@ -339,7 +339,7 @@ BOOST_AUTO_TEST_CASE(legs_are_geodesics_on_any_surface)
       flips += report.legs_by_flips;
       unproven += is_geodesic(report.verdict) ? 0 : 1;
       for(std::size_t l = 0; l < 2; ++l)
-        BOOST_TEST(std::abs(measure.length(editor.leg(l)) - editor.leg_length(l)) < 1e-9);
+        BOOST_TEST(std::abs(measure.length(editor.leg(l)) - editor.length(l)) < 1e-9);
       BOOST_TEST(t.log_position() == 0u);
     }
   }
@@ -395,7 +395,7 @@ BOOST_AUTO_TEST_CASE(a_leg_is_proven_if_and_only_if_it_is_straight)
       report = editor.move(1, at(n, n / 2 + y * step));
       BOOST_TEST(report.legs_by_flips == 0u); // as they prove no more, with traits in doubles
     }
-    BOOST_TEST(std::abs(editor.leg_length(0) - n) < 1e-14);
+    BOOST_TEST(std::abs(editor.length(0) - n) < 1e-14);
     const bool is_straight = is_on_line(t, editor.leg(0));
     BOOST_TEST((editor.verdict(0) == FG::Verdict::PROVEN) == is_straight);
     BOOST_TEST(is_geodesic(editor.verdict(1)));

@@ -39,7 +39,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 using Pairs = std::vector<std::pair<Vertex, Vertex>>;
-using Path = FG::Geodesic_path<Kernel::Point_3>;
+using Path = FG::Geodesic_path_result<Kernel::Point_3>;
 
 #ifdef CGAL_LINKED_WITH_TBB
 static_assert(std::is_convertible<CGAL::Parallel_if_available_tag, CGAL::Parallel_tag>::value, "threads are tested");
@@ -71,7 +71,7 @@ void check_same(const std::vector<Path>& a, const std::vector<Path>& b)
   BOOST_TEST_REQUIRE(a.size() == b.size());
   for(std::size_t i = 0; i < a.size(); ++i) {
     BOOST_TEST((a[i].points == b[i].points));
-    BOOST_TEST(a[i].report.length == b[i].report.length);
+    BOOST_TEST(a[i].length() == b[i].length());
     BOOST_TEST(!a[i].error == !b[i].error);
   }
 }
@@ -100,8 +100,8 @@ BOOST_AUTO_TEST_CASE(paths_are_those_of_single_calls)
     std::vector<Kernel::Point_3> points;
     const auto single = FG::geodesic_path(mesh, pairs[i].first, pairs[i].second, std::back_inserter(points));
     BOOST_TEST((paths[i].points == points));
-    BOOST_TEST(paths[i].report.length == single.report.curves.front().length);
-    BOOST_TEST((paths[i].report.status == FG::Shortening_status::LOCALLY_SHORTEST));
+    BOOST_TEST(paths[i].length() == single.length());
+    BOOST_TEST((paths[i].status() == FG::Shortening_status::LOCALLY_SHORTEST));
     BOOST_TEST((paths[i].error == nullptr));
   }
 }
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(a_stop_predicate_ends_each_path)
   FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::stop_predicate(stop));
   std::size_t stopped = 0;
   for(std::size_t i = 0; i < pairs.size(); ++i) {
-    const FG::Curve_report& report = paths[i].report;
+    const FG::Curve_report& report = paths[i].report.curves.front();
     BOOST_TEST(report.length >= 0.97 * report.initial_length);
     stopped += report.status == FG::Shortening_status::LENGTH_LIMIT ? 1 : 0;
     std::vector<Kernel::Point_3> points;
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(an_error_is_the_result_of_its_pair_alone)
 
   const std::vector<Path> equal_ends = paths_of<CGAL::Sequential_tag>(mesh, {{Vertex(0), Vertex(0)}, pairs[0]});
   BOOST_TEST(!equal_ends[0].error);
-  BOOST_TEST((equal_ends[0].report.status == FG::Shortening_status::CONTRACTED));
+  BOOST_TEST((equal_ends[0].status() == FG::Shortening_status::CONTRACTED));
   BOOST_TEST(equal_ends[0].points.size() == 2u);
   BOOST_TEST((equal_ends[1].points == paths[0].points));
 }
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(an_interrupted_path_leaves_the_others_alone)
       FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::visitor(std::ref(visitor)));
     int stopped = 0, thrown = 0;
     for(std::size_t i = 0; i < pairs.size(); ++i) {
-      const bool is_stopped = !paths[i].error && paths[i].report.status == FG::Shortening_status::STOPPED_BY_VISITOR;
+      const bool is_stopped = !paths[i].error && paths[i].status() == FG::Shortening_status::STOPPED_BY_VISITOR;
       stopped += is_stopped ? 1 : 0;
       thrown += paths[i].error ? 1 : 0;
       if(!is_stopped && !paths[i].error)
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(no_path_is_searched_once_the_visitor_has_cancelled)
   for(const Path& path : paths) {
     BOOST_TEST(!path.error);
     BOOST_TEST(path.points.empty());
-    BOOST_TEST((path.report.status == FG::Shortening_status::STOPPED_BY_VISITOR));
+    BOOST_TEST((path.status() == FG::Shortening_status::STOPPED_BY_VISITOR));
   }
   BOOST_TEST(visitor.calls == pairs.size());
 }
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(an_exception_leaves_no_flips_behind)
       if(paths[i].error)
         continue;
       BOOST_TEST((paths[i].points == undisturbed[i].points));
-      BOOST_TEST(paths[i].report.initial_length == undisturbed[i].report.initial_length);
+      BOOST_TEST(paths[i].report.curves[0].initial_length == undisturbed[i].report.curves[0].initial_length);
     }
     BOOST_TEST(thrown == 1);
   }
@@ -363,7 +363,7 @@ BOOST_AUTO_TEST_CASE(landmarks_know_the_way_round)
   FG::geodesic_paths(mesh, pairs, std::back_inserter(directed_paths), CGAL::parameters::landmarks(landmarks));
   BOOST_CHECK_THROW(std::rethrow_exception(directed_paths[1].error), FG::Disconnected_endpoints_error);
   for(const std::size_t i : {0u, 2u})
-    BOOST_TEST(directed_paths[i].report.length == paths[i].report.length, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(directed_paths[i].length() == paths[i].length(), boost::test_tools::tolerance(1e-12));
 
   // Landmarks of another mesh have no distances of further vertices.
   mesh.add_vertex(Kernel::Point_3(0, 0, 9));

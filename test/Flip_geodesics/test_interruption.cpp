@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(paths_of_several_classes)
                std::string(is_stopped ? "STOPPED_BY_VISITOR" : FG::to_string(complete.status())));
     BOOST_TEST(result.report.is_confirmed() == !is_stopped);
     BOOST_TEST((curves == (is_stopped ? std::vector<Curve>() : expected)));
-    BOOST_TEST(result.number_of_paths() == curves.size());
+    BOOST_TEST(result.number_of_curves() == curves.size());
     BOOST_TEST(result.report.lower_bound_of_others() == (is_stopped ? 0 : complete.report.lower_bound_of_others()));
   });
   BOOST_TEST(calls > 20u);

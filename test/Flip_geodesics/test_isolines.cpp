@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(levels_at_vertices_and_along_edges)
   }
   // The border itself: nothing is farther.
   for(const Isoline& isoline : checked_isolines(mesh, square, {5}, 0.1))
-    BOOST_TEST(std::abs(length(isoline) - 40) < 1e-10);
+    BOOST_TEST(std::abs(isoline.length() - 40) < 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(plateaus_and_levels_without_isolines)

@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(least_policies_are_enough)
 
   const std::vector<std::pair<Vertex, Vertex>> pairs = {{Vertex(0), Vertex(150)}, {Vertex(7), Vertex(200)}};
   for(const Stop_predicate_archetype* stop : {&few, &many}) {
-    std::vector<FG::Geodesic_path<Point>> paths;
+    std::vector<FG::Geodesic_path_result<Point>> paths;
     Visitor_archetype visitor;
     FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::stop_predicate(*stop),
                        CGAL::parameters::visitor(std::ref(visitor)));

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(needles_of_a_skewed_torus)
       std::vector<std::vector<FG::Curve_place<Surface>>> out;
       const auto result = FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(static_cast<unsigned>(i + n * j)), 1,
                                                       std::back_inserter(out), CGAL::parameters::metric(metric));
-      BOOST_TEST_REQUIRE(result.number_of_paths() == 1u);
+      BOOST_TEST_REQUIRE(result.number_of_curves() == 1u);
       BOOST_TEST(result.report.is_confirmed());
       BOOST_TEST(result.report.visited <= 1000u);
       BOOST_TEST(std::abs(result.length(0) - flat.distance(i, j)) <= 1e-11 * flat.distance(i, j));
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(lattice_on_a_flat_torus)
     std::vector<std::vector<FG::Curve_place<Surface>>> out;
     const auto result = FG::shortest_paths_by_class(mesh, Vertex(0), Vertex(static_cast<unsigned>(i + n * j)), 10,
                                                     std::back_inserter(out), CGAL::parameters::metric(metric));
-    BOOST_TEST_REQUIRE(result.number_of_paths() == 10u);
+    BOOST_TEST_REQUIRE(result.number_of_curves() == 10u);
     BOOST_TEST(out.size() == 10u);
     BOOST_TEST(result.report.is_confirmed());
     BOOST_TEST((result.status() == FG::Class_search_status::FOUND));
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(other_side_of_a_bump)
   std::vector<Curve> one, two;
   const auto alone = open.paths(source, target, 3, one);
   BOOST_TEST((alone.status() == FG::Class_search_status::NO_MORE_CLASSES));
-  BOOST_TEST(alone.number_of_paths() == 1u);
+  BOOST_TEST(alone.number_of_curves() == 1u);
   BOOST_TEST(alone.report.is_confirmed());
   BOOST_TEST(alone.report.lower_bound == std::numeric_limits<double>::infinity());
   std::vector<Curve> only;
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(classes_on_surfaces_with_handles)
   std::vector<Curve> out;
   const World donut(torus(9, 7, 3, 1));
   const auto on_donut = donut.paths(0, 31, 10, out);
-  BOOST_TEST(on_donut.number_of_paths() == 10u);
+  BOOST_TEST(on_donut.number_of_curves() == 10u);
   BOOST_TEST(on_donut.report.is_confirmed());
   check_classes(donut, 0, 31, out, on_donut.report);
   const Mesh_soup plate = genus_3_plate(1);
@@ -314,7 +314,7 @@ BOOST_AUTO_TEST_CASE(classes_on_surfaces_with_handles)
     out.clear();
     const World world(plate, [&](std::size_t f) { return has_border && f == 40; });
     const auto result = world.paths(0, last, 10, out);
-    BOOST_TEST(result.number_of_paths() == 10u);
+    BOOST_TEST(result.number_of_curves() == 10u);
     BOOST_TEST(result.report.is_confirmed());
     check_classes(world, 0, last, out, result.report);
   }
@@ -343,7 +343,7 @@ BOOST_AUTO_TEST_CASE(limit_of_the_covering)
     std::vector<Curve> out;
     const auto result = world.paths(9, 40, 10, out, CGAL::parameters::search_limit(FG::Covering_limit(limit)));
     BOOST_TEST((result.status() == FG::Class_search_status::COVERING_LIMIT));
-    BOOST_TEST(result.number_of_paths() < 10u);
+    BOOST_TEST(result.number_of_curves() < 10u);
     BOOST_TEST((limit > 1 || out.empty()));
     BOOST_TEST(result.report.visited >= out.size()); // each class has an end of its own
     check_classes(world, 9, 40, out, result.report);
@@ -420,7 +420,7 @@ BOOST_AUTO_TEST_CASE(rough_terrain)
         world.paths(0, grid_vertex(n, n, n), number, out, CGAL::parameters::search_limit(FG::Covering_limit(20000)));
     BOOST_TEST((result.status() == FG::Class_search_status::FOUND));
     BOOST_TEST(result.report.is_confirmed());
-    BOOST_TEST(result.number_of_paths() == number);
+    BOOST_TEST(result.number_of_curves() == number);
     BOOST_TEST(result.report.visited < 8000u);
     BOOST_TEST(result.report.lower_bound_of_others() >= result.length(number - 1));
     BOOST_TEST(result.report.classes[0].edge_length > 1.5 * result.length(0));
@@ -446,13 +446,13 @@ BOOST_AUTO_TEST_CASE(edges_of_length_zero)
                             }),
                      [](std::size_t f) { return f == 28; });
   const auto result = folded.paths(grid_vertex(6, 0, 3), grid_vertex(6, 6, 3), 2, out);
-  BOOST_TEST(result.number_of_paths() == 2u);
+  BOOST_TEST(result.number_of_curves() == 2u);
   BOOST_TEST(std::abs(result.length(0) - 5) < 1e-12);
   for(const auto& path : result.report.paths)
     BOOST_TEST(path.shortening.curves[0].are_zero_edges_contracted);
   out.clear();
   const auto in_one_place = folded.paths(grid_vertex(6, 3, 3), grid_vertex(6, 4, 3), 1, out);
-  BOOST_TEST(in_one_place.number_of_paths() == 1u);
+  BOOST_TEST(in_one_place.number_of_curves() == 1u);
   BOOST_TEST(in_one_place.length(0) == 0);
 }
 
@@ -507,7 +507,7 @@ BOOST_AUTO_TEST_CASE(ends_and_obstacles)
         return is_on(p) && is_on(q) && (p.x() == q.x() || p.y() == q.y());
       });
   BOOST_CHECK_THROW(ring.paths(0, middle, 2, out), FG::Disconnected_endpoints_error);
-  BOOST_TEST(ring.paths(0, grid_vertex(n, 6, 6), 2, out).number_of_paths() == 2u);
+  BOOST_TEST(ring.paths(0, grid_vertex(n, 6, 6), 2, out).number_of_curves() == 2u);
 }
 
 // Many holes and many classes; the limit bounds what is visited.
@@ -521,7 +521,7 @@ BOOST_AUTO_TEST_CASE(many_holes)
   std::vector<Curve> out;
   const auto result = world.paths(0, grid_vertex(n, n, n), 40, out);
   BOOST_TEST((result.status() == FG::Class_search_status::FOUND));
-  BOOST_TEST(result.number_of_paths() == 40u);
+  BOOST_TEST(result.number_of_curves() == 40u);
   BOOST_TEST(result.report.is_confirmed());
   out.clear();
   const auto few =
@@ -538,7 +538,7 @@ BOOST_AUTO_TEST_CASE(between_ends_in_one_place_are_a_point_and_loops)
   std::vector<Curve> out;
   const World world(cylinder(n, 4, 1, 2));
   const auto result = world.paths(2 * n, 2 * n, 4, out);
-  BOOST_REQUIRE(result.number_of_paths() == 4u);
+  BOOST_REQUIRE(result.number_of_curves() == 4u);
   for(std::size_t i = 0; i < 4; ++i) {
     const double expected = (i == 0 ? 0 : (i < 3 ? 1 : 2)) * ring;
     BOOST_TEST(std::abs(result.length(i) - expected) < 1e-12);

@@ -30,7 +30,7 @@ namespace {
 
 struct Traced
 {
-  FG::Trace trace;
+  FG::Trace_report trace;
   std::vector<FG::Surface_location> locations;
 };
 
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(along_straightest_geodesics_the_tangent_is_carried_to_the_t
       // Every second one runs along edges and through vertices.
       const FG::Surface_direction direction = {source.halfedge, i % 2 == 0 ? 0 : 0.1 * i};
       const Traced way = trace(t, source, direction, 1.5);
-      if(way.trace.end != FG::Trace_end::LENGTH)
+      if(way.trace.status != FG::Trace_status::LENGTH)
         continue;
       const FG::Surface_direction end = transport(way.locations, direction, way.trace.halfedge);
       BOOST_TEST(angle_between(end.angle, way.trace.angle) < 1e-12);

@@ -39,20 +39,20 @@ BOOST_AUTO_TEST_CASE(in_the_plane_it_is_a_straight_line)
     const Vector v(number(random), number(random), number(random)); // its height does not count
     const Vector unit = Vector(v.x(), v.y(), 0) / std::hypot(v.x(), v.y());
     const Traced t = trace(mesh, source, v, 5);
-    const Point end = start + t.result.length * unit;
+    const Point end = start + t.result.length() * unit;
     BOOST_TEST(distance(t.points.front(), start) < 1e-14);
     BOOST_TEST(distance(t.points.back(), end) < 1e-13);
     BOOST_TEST(distance(point_at(mesh, t.result.location), end) < 1e-13);
-    BOOST_TEST(std::abs(length_of(t.points) - t.result.length) < 1e-12);
-    BOOST_TEST(t.points.size() == t.result.edges + 2);
-    BOOST_TEST(t.result.vertices == 0u);
-    if(t.result.end == Trace_end::LENGTH) {
+    BOOST_TEST(std::abs(length_of(t.points) - t.result.length()) < 1e-12);
+    BOOST_TEST(t.points.size() == t.result.report.edges + 2);
+    BOOST_TEST(t.result.report.vertices == 0u);
+    if(t.result.status() == Trace_status::LENGTH) {
       ++inside;
-      BOOST_TEST(t.result.length == 5);
+      BOOST_TEST(t.result.length() == 5);
     } else {
       ++on_border;
-      BOOST_TEST((t.result.end == Trace_end::BORDER));
-      BOOST_TEST(t.result.length < 5);
+      BOOST_TEST((t.result.status() == Trace_status::BORDER));
+      BOOST_TEST(t.result.length() < 5);
     }
   }
   BOOST_TEST(inside > 50u);
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(directions_in_needles_are_accurate)
       const double length = std::sqrt(along.squared_length()), angle = 1e-3 + 0.7 * i;
       const Vector direction = (std::cos(angle) * along + std::sin(angle) * Vector(-along.y(), along.x(), 0)) / length;
       const Traced t = trace(mesh, source, std::make_pair(h, angle), 3);
-      BOOST_TEST(distance(t.points.back(), t.points.front() + t.result.length * direction) < 1e-13);
+      BOOST_TEST(distance(t.points.back(), t.points.front() + t.result.length() * direction) < 1e-13);
     }
   }
 }
@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(it_can_be_traced_on_from_beside_a_vertex)
     const Vector way(-2, beside, 0); // to the edge that leads from the corner along the y-axis
     const Traced whole = trace(mesh, source, way, 4);
     const Traced part = trace(mesh, source, way, 4, CGAL::parameters::number_of_iterations(0));
-    BOOST_TEST((part.result.end == Trace_end::CROSSING_LIMIT));
-    const Traced rest = trace(mesh, part.result.location, part.result.direction, 4 - part.result.length);
+    BOOST_TEST((part.result.status() == Trace_status::CROSSING_LIMIT));
+    const Traced rest = trace(mesh, part.result.location, part.result.direction, 4 - part.result.length());
     BOOST_TEST(distance(whole.points.back(), Point(0, 2 * beside, 2)) < 1e-14 + beside);
     BOOST_TEST(distance(rest.points.back(), whole.points.back()) < 1e-13);
   }
@@ -128,17 +128,17 @@ BOOST_AUTO_TEST_CASE(it_runs_along_edges)
 {
   const Surface mesh = grid_mesh();
   const Traced t = trace_from_middle(mesh, Vector(-1, 0, 0), 3.5);
-  BOOST_TEST(t.result.vertices == 3u);
-  BOOST_TEST(t.result.edges == 0u);
+  BOOST_TEST(t.result.report.vertices == 3u);
+  BOOST_TEST(t.result.report.edges == 0u);
   BOOST_TEST(distance(t.points.back(), Point(2.5, 6, 0)) < 1e-14);
   // From a point of an edge, along it and across it.
   const Halfedge h = mesh.halfedge(Vertex(grid_vertex(12, 6, 6)), Vertex(grid_vertex(12, 7, 6)));
   const Traced along = trace(mesh, Point(6.25, 6, 0), std::make_pair(h, 0.0), 1.0);
-  BOOST_TEST(along.result.vertices == 1u);
+  BOOST_TEST(along.result.report.vertices == 1u);
   BOOST_TEST(distance(along.points.back(), Point(7.25, 6, 0)) < 1e-14);
   for(double angle : {0.5 * pi, -0.5 * pi}) {
     const Traced across = trace(mesh, Point(6.25, 6, 0), std::make_pair(h, angle), 0.1);
-    BOOST_TEST(across.points.size() == (angle > 0 ? 2u : across.result.edges + 1));
+    BOOST_TEST(across.points.size() == (angle > 0 ? 2u : across.result.report.edges + 1));
     BOOST_TEST(distance(across.points.back(), Point(6.25, 6 + (angle > 0 ? 0.1 : -0.1), 0)) < 1e-14);
   }
 }
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(the_band_of_a_cube_is_closed)
         continue;
       const Traced t = trace(mesh, source, v, 16.0);
       BOOST_TEST(distance(t.points.back(), start) < 1e-13);
-      BOOST_TEST(t.result.vertices == 0u);
+      BOOST_TEST(t.result.report.vertices == 0u);
       ++bands;
     }
   }
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(at_the_apex_of_a_cone_both_angles_are_equal)
     const Halfedge h = mesh.halfedge(Vertex(disk_vertex(n, 1, 0)), Vertex(0)); // up to the apex
     const double ring = distance(mesh.point(Vertex(0)), mesh.point(Vertex(disk_vertex(n, 1, 0))));
     const Traced t = trace(mesh, Vertex(disk_vertex(n, 1, 0)), std::make_pair(h, 0.0), 2 * ring);
-    BOOST_TEST(t.result.vertices == 1u);
+    BOOST_TEST(t.result.report.vertices == 1u);
     BOOST_TEST(distance(t.points.back(), mesh.point(Vertex(disk_vertex(n, 1, n / 2)))) < 1e-13);
   }
 }
@@ -267,8 +267,8 @@ BOOST_AUTO_TEST_CASE(vectors_in_needles_are_accurate)
   const Face_location center = {Face(0), {1. / 3, 1. / 3, 1. / 3}};
   const Vector median(n + 1.5, n + 0.5, 0);
   const Traced t = trace(mesh, center, median, n);
-  BOOST_TEST((t.result.end == Trace_end::BORDER));
-  BOOST_TEST(std::abs(t.result.length - std::sqrt(median.squared_length()) / 3) < 1e-9 * n);
+  BOOST_TEST((t.result.status() == Trace_status::BORDER));
+  BOOST_TEST(std::abs(t.result.length() - std::sqrt(median.squared_length()) / 3) < 1e-9 * n);
 }
 
 // A weight of next to nothing is none: then the place is a vertex, with all faces about it.
@@ -295,28 +295,28 @@ BOOST_AUTO_TEST_CASE(constrained_edges_and_limits_end_it)
   const auto np = CGAL::parameters::edge_is_constrained_map(is_constrained);
   const Face_location middle = at_vertex(mesh, Vertex(grid_vertex(12, 6, 6)));
   const Traced wall = trace(mesh, middle, Vector(3, 0.5, 0), 100, np);
-  BOOST_TEST((wall.result.end == Trace_end::CONSTRAINED_EDGE));
+  BOOST_TEST((wall.result.status() == Trace_status::CONSTRAINED_EDGE));
   BOOST_TEST(distance(wall.points.back(), Point(9, 6.5, 0)) < 1e-14);
   const Traced corner = trace(mesh, middle, Vector(1, 0, 0), 100, np);
-  BOOST_TEST((corner.result.end == Trace_end::CONSTRAINED_EDGE));
+  BOOST_TEST((corner.result.status() == Trace_status::CONSTRAINED_EDGE));
   BOOST_TEST(distance(corner.points.back(), Point(9, 6, 0)) < 1e-14);
   const Traced few = trace(mesh, middle, Vector(3, 0.5, 0), 100, CGAL::parameters::number_of_iterations(2));
-  BOOST_TEST((few.result.end == Trace_end::CROSSING_LIMIT));
-  BOOST_TEST(few.result.edges + few.result.vertices == 2u);
+  BOOST_TEST((few.result.status() == Trace_status::CROSSING_LIMIT));
+  BOOST_TEST(few.result.report.edges + few.result.report.vertices == 2u);
   const Traced before = trace(mesh, middle, Vector(3, 0.5, 0), 100, np.number_of_iterations(2));
-  BOOST_TEST((before.result.end == Trace_end::CROSSING_LIMIT));
-  BOOST_TEST(before.result.edges + before.result.vertices == 2u);
+  BOOST_TEST((before.result.status() == Trace_status::CROSSING_LIMIT));
+  BOOST_TEST(before.result.report.edges + before.result.report.vertices == 2u);
   const Traced first = trace(mesh, middle, Vector(1, 0, 0), 100, At_vertices::STOP, np);
-  BOOST_TEST((first.result.end == Trace_end::VERTEX));
+  BOOST_TEST((first.result.status() == Trace_status::VERTEX));
   BOOST_TEST(distance(first.points.back(), Point(7, 6, 0)) < 1e-14);
   const auto negative = CGAL::parameters::number_of_iterations(-1);
   BOOST_CHECK_THROW(trace(mesh, middle, Vector(3, 0.5, 0), 100, negative), FG::Invalid_parameter_error);
   const Traced rim = trace(mesh, middle, Vector(0, -1, 0), 100);
-  BOOST_TEST((rim.result.end == Trace_end::BORDER));
-  BOOST_TEST(std::abs(rim.result.length - 6) < 1e-14);
+  BOOST_TEST((rim.result.status() == Trace_status::BORDER));
+  BOOST_TEST(std::abs(rim.result.length() - 6) < 1e-14);
   const Traced none = trace(mesh, middle, Vector(0, -1, 0), 0);
-  BOOST_TEST((none.result.end == Trace_end::LENGTH));
-  BOOST_TEST(none.result.length == 0);
+  BOOST_TEST((none.result.status() == Trace_status::LENGTH));
+  BOOST_TEST(none.result.length() == 0);
   BOOST_TEST(distance(none.points.back(), Point(6, 6, 0)) < 1e-14);
 }
 
@@ -327,8 +327,8 @@ BOOST_AUTO_TEST_CASE(out_of_the_surface_it_ends_at_once)
   const Halfedge rim = mesh.halfedge(corner, Vertex(grid_vertex(12, 1, 0)));
   for(double angle : {2.0, -0.5}) {
     const Traced t = trace(mesh, corner, std::make_pair(rim, angle), 1);
-    BOOST_TEST((t.result.end == Trace_end::BORDER));
-    BOOST_TEST(t.result.length == 0);
+    BOOST_TEST((t.result.status() == Trace_status::BORDER));
+    BOOST_TEST(t.result.length() == 0);
     BOOST_TEST(distance(t.points.back(), Point(0, 0, 0)) == 0);
     // Its direction is still the one that was given.
     const auto [h, on] = t.result.direction;
@@ -337,10 +337,10 @@ BOOST_AUTO_TEST_CASE(out_of_the_surface_it_ends_at_once)
   }
   // On from the end of one that has run into a vertex of the border.
   const Traced rim_met = trace_from_middle(mesh, Vector(0, -1, 0), 100);
-  BOOST_TEST((rim_met.result.end == Trace_end::BORDER));
+  BOOST_TEST((rim_met.result.status() == Trace_status::BORDER));
   const Traced on = trace(mesh, rim_met.result.location, rim_met.result.direction, 1);
-  BOOST_TEST((on.result.end == Trace_end::BORDER));
-  BOOST_TEST(on.result.length == 0);
+  BOOST_TEST((on.result.status() == Trace_status::BORDER));
+  BOOST_TEST(on.result.length() == 0);
   BOOST_TEST(distance(on.points.back(), Point(6, 0, 0)) < 1e-14);
 }
 
@@ -362,17 +362,18 @@ BOOST_AUTO_TEST_CASE(along_the_border_it_stays_on_the_border)
     const double corner = std::acos((p - q) * (r - q) / (distance(p, q) * distance(r, q)));
     const double to_edge = (told_from == edge ? 0 : corner - pi) + 2 * pi * (i % 3) + (i % 5 < 2 ? pi : 0);
     const double length = 0.05 * distance(p, q);
-    const FG::Trace t = tracer.trace(at, triangulation.input().index(told_from), to_edge, FG::Trace_limits<>{length});
-    BOOST_TEST((t.end == Trace_end::LENGTH));
+    const FG::Trace_report t =
+        tracer.trace(at, triangulation.input().index(told_from), to_edge, FG::Trace_limits<>{length});
+    BOOST_TEST((t.status == Trace_status::LENGTH));
     BOOST_TEST(std::abs(t.length - length) < 1e-14);
-    const FG::Trace on = tracer.trace(t.location, t.halfedge, t.angle, FG::Trace_limits<>{length});
-    BOOST_TEST((on.end == Trace_end::LENGTH));
+    const FG::Trace_report on = tracer.trace(t.location, t.halfedge, t.angle, FG::Trace_limits<>{length});
+    BOOST_TEST((on.status == Trace_status::LENGTH));
     // What does not run along it does leave the surface.
     for(double outward : {1e-9, -1e-9}) {
-      const FG::Trace none =
+      const FG::Trace_report none =
           tracer.trace(at, triangulation.input().index(told_from), to_edge + outward, FG::Trace_limits<>{length});
       const bool leads_out = (i % 5 < 2) == (outward > 0);
-      BOOST_TEST((none.end == (leads_out ? Trace_end::BORDER : Trace_end::LENGTH)));
+      BOOST_TEST((none.status == (leads_out ? Trace_status::BORDER : Trace_status::LENGTH)));
     }
   }
 }

@@ -40,12 +40,12 @@ Curve_result traced_curve(const Triangulation& triangulation, const Mesh& mesh,
   try {
     if(triangulation.input().outgoing(request.source) == FG::null_index)
       throw FG::Vertex_out_of_range_error("vertex " + std::to_string(request.source.idx()) + " is in no face");
-    const FG::Trace trace =
+    const FG::Trace_report trace =
         tracer.trace(triangulation.location(request.source), zero_halfedge(triangulation, mesh, request.source),
                      request.angle, FG::Trace_limits<>{request.length}, [&](const FG::Surface_point& p) {
                        result.points.push_back({p, point_in_space(triangulation, p), p.is_inside_face()});
                      });
-    result.status = to_string(trace.end);
+    result.status = to_string(trace.status);
     result.length = trace.length;
     result.initial_length = trace.length;
     result.initial_segments = result.points.size() - 1;

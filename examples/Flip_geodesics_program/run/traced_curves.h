@@ -19,7 +19,7 @@ struct Trace_request
   double length;
 };
 
-/// Traces them, in the order of the requests. Their statuses are the names of `Trace_end`.
+/// Traces them, in the order of the requests. Their statuses are the names of `Trace_status`.
 std::vector<Curve_result> traced_curves(const Mesh& mesh, const std::vector<Trace_request>& requests,
                                         Progress& progress);
 

@@ -120,7 +120,7 @@ public:
     return result;
   }
   /// The length of a leg.
-  double leg_length(std::size_t i) const { return m_legs[i].length; }
+  double length(std::size_t i) const { return m_legs[i].length; }
   /// The length of the curve.
   double length() const
   {
@@ -133,6 +133,14 @@ public:
   /// crosses itself, or one that the traits were not exact enough for.
   /// Nothing is certified if coordinates or lengths of the mesh are not doubles.
   Verdict verdict(std::size_t i) const { return verdict(m_legs[i]); }
+  /// The verdict on the curve: the worst one of its legs.
+  Verdict verdict() const
+  {
+    Verdict worst = Verdict::PROVEN;
+    for(const Leg& leg : m_legs)
+      worst = (std::max)(worst, verdict(leg));
+    return worst;
+  }
   /// How the comparisons of all certificates were decided.
   const Decision_statistics& statistics() const { return m_mover.statistics(); }
 

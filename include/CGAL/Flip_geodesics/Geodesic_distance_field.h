@@ -13,6 +13,7 @@
 #include <CGAL/Flip_geodesics/internal/surface/Interruption.h>
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
+#include <CGAL/Flip_geodesics/reports.h>
 #include <CGAL/Flip_geodesics/stop_predicates.h>
 
 #include <CGAL/assertions.h>
@@ -92,6 +93,10 @@ struct Distance_field_report
   /// Can rounding errors have changed the distance of a vertex by more than 1e-10 of it? They grow with the edges that are
   /// long compared with the distance, and the faces that paths cross. The bound is cautious: most errors are far smaller.
   bool has_inaccurate_distance = false;
+  /// `WITHIN_TOLERANCE` if no path is shorter than a distance up to `Geodesic_distance_field::reach()` by more than 1e-10 of
+  /// it. `UNDECIDED` beside such a face, if such rounding errors are possible, and if coordinates or lengths of the mesh
+  /// are not doubles.
+  Verdict verdict = Verdict::UNDECIDED;
 };
 
 /*!
@@ -286,6 +291,8 @@ public:
     report.windows = m_propagation.number_of_windows();
     report.has_flat_face = m_propagation.has_flat_face();
     report.has_inaccurate_distance = m_propagation.has_inaccurate_distance();
+    report.verdict = internal::verdict_of_distances(!report.has_flat_face && !report.has_inaccurate_distance &&
+                                                    !internal::is_input_rounded(m_triangulation));
     return report;
   }
 

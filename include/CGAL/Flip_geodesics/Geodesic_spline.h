@@ -120,10 +120,10 @@ public:
    */
   int refine(double tolerance, int most_rounds)
   {
-    double before = length();
+    double before = polygon_length();
     for(int round = 1; round <= most_rounds; ++round) {
       refine();
-      const double now = length();
+      const double now = polygon_length();
       if(std::abs(before - now) <= tolerance * now)
         return round;
       before = now;
@@ -159,7 +159,7 @@ public:
   }
 
   /// The length of the control polygons of all pieces.
-  double length() const
+  double polygon_length() const
   {
     double sum = 0;
     for(const Leg& leg : m_legs)
@@ -170,6 +170,12 @@ public:
   /// What `finish()` has done, with the flips of all before. Its initial length is that of the first control polygon,
   /// its verdict that of all geodesics together.
   const Shortening_report& report() const { return m_report; }
+  /// The length of the finished curve. \pre `finish()` has been called, as for the next two
+  double length() const { return m_report.curves.front().length; }
+  /// Whether the geodesics that the finished curve consists of are such.
+  Shortening_status status() const { return m_report.curves.front().status; }
+  /// The verdict on all of them together.
+  Verdict verdict() const { return m_report.curves.front().verdict; }
 
 private:
   struct Leg
@@ -227,7 +233,7 @@ private:
       m_legs.back().ends_piece = true;
     else
       make_cubic(kind == Spline_kind::CLOSED_CUBIC_B_SPLINE);
-    m_control_length = length();
+    m_control_length = polygon_length();
   }
 
   // Legs are divided into thirds, and the lines that cut the corners off at their middles [Farin].

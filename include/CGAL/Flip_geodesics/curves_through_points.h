@@ -132,6 +132,10 @@ struct Free_legs
 {
   std::vector<std::vector<Surface_location>> legs; ///< the points of each: its ends, and where it crosses edges
   Shortening_report report;                        ///< of all legs together, as one curve
+
+  double length() const { return report.curves.front().length; }            ///< the length of all legs
+  Shortening_status status() const { return report.curves.front().status; } ///< whether each leg is a geodesic
+  Verdict verdict() const { return report.curves.front().verdict; }         ///< whether each is confirmed to be one
 };
 
 /*!

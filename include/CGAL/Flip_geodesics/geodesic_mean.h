@@ -174,7 +174,7 @@ public:
       if(report.iterations == limits.most_iterations)
         break;
       ++report.iterations;
-      const Trace step = step_from(here, part);
+      const Trace_report step = step_from(here, part);
       const State next = step.length > 0 ? look(step.location) : here;
       const bool is_better = next.variance < here.variance || next.residual < here.residual;
       if(is_better && next.variance <= here.variance * (1 + internal::variance_rounding)) {
@@ -233,7 +233,7 @@ private:
   }
 
   // Along a part of the vector, up to the border; of length 0 if it leads out of the surface.
-  Trace step_from(const State& here, double part) const
+  Trace_report step_from(const State& here, double part) const
   {
     const Trace_limits<> limits = {part * here.residual};
     return m_tracer.trace(here.place, here.direction.halfedge, here.direction.angle, limits);
@@ -286,6 +286,8 @@ struct Geodesic_mean_result
 
   std::pair<face_descriptor, std::array<double, 3>> location; ///< the mean, a `Face_location`
   Mean_report report;                                         ///< whether it is one
+
+  Mean_status status() const { return report.status; } ///< how the search for it ended
 };
 
 /*!

@@ -38,18 +38,18 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// One of the paths of `geodesic_paths()`, by points as `geodesic_path()` writes them.
+/// What `geodesic_paths()` writes for each path: its points, as `geodesic_path()` writes them, and what that returns.
 template <class Point>
-struct Geodesic_path
+struct Geodesic_path_result
 {
   /// From the source to the target; none if there is an error, or if the visitor stopped the computation before it.
   std::vector<Point> points;
-  Curve_report report;      ///< what became of the curve, if there is no error
+  Shortening_report report = {std::vector<Curve_report>(1), 0, 0}; ///< what became of the curve, if there is no error
   std::exception_ptr error; ///< what was thrown, null if nothing was; `std::rethrow_exception()` throws it again
 
-  double length() const { return report.length; }            ///< the length of the path
-  Shortening_status status() const { return report.status; } ///< whether the path is a geodesic
-  Verdict verdict() const { return report.verdict; }         ///< whether it is proven to be one
+  double length() const { return report.curves.front().length; }            ///< the length of the path
+  Shortening_status status() const { return report.curves.front().status; } ///< whether the path is a geodesic
+  Verdict verdict() const { return report.curves.front().verdict; }         ///< whether it is confirmed to be one
 };
 
 namespace internal {
@@ -65,7 +65,7 @@ class Path_workspace
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
 public:
-  using Result = Geodesic_path<Form>;
+  using Result = Geodesic_path_result<Form>;
 
   Path_workspace(const TriangleMesh& mesh, const NamedParameters& np)
     : m_mesh(mesh)
@@ -79,7 +79,7 @@ public:
     Result result;
     try {
       if(!is_to_go_on()) {
-        result.report.status = Shortening_status::STOPPED_BY_VISITOR;
+        result.report.curves.front().status = Shortening_status::STOPPED_BY_VISITOR;
         return result;
       }
       if(!m_memory)
@@ -129,7 +129,7 @@ private:
     Network network(triangulation);
     auto path = geodesic_between<Form>(network, search_over(triangulation), m_mesh, source, target, m_np,
                                        restarted(stop_predicate_of(m_np)));
-    return {std::move(path.values), path.report.curves.front(), nullptr};
+    return {std::move(path.values), std::move(path.report), nullptr};
   }
 
   const TriangleMesh& m_mesh;
@@ -181,8 +181,8 @@ void compute_paths(Parallel_tag, const Pairs& pairs, std::vector<typename Worksp
  *
  * \param mesh a triangle mesh
  * \param pairs a range of `std::pair`s of vertices, source and target
- * \param out receives a `Geodesic_path` per pair, in the order of the pairs, of what `geodesic_path()` writes: a
- *        `Geodesic_path` of the mesh's points, of `Face_location`s or of `Curve_point`s
+ * \param out receives a `Geodesic_path_result` per pair, in the order of the pairs, of what `geodesic_path()` writes: a
+ *        `Geodesic_path_result` of the mesh's points, of `Face_location`s or of `Curve_point`s
  * \param np named parameters as for `geodesic_path()`. A `stop_predicate` is asked from all threads, for each path as
  *        `restarted()` if it can be; a `visitor` is called from all threads, a copy for each path unless it is given by
  *        `std::ref()`. `landmarks`, `Landmark_distances` made for this mesh and its metric, direct the searches, which
@@ -208,7 +208,7 @@ OutputIterator geodesic_paths(const TriangleMesh& mesh, const PairRange& pairs, 
 #endif
   const auto& options = internal::curve_options<internal::Landmarks_parameter>(np...);
   using Options = internal::Joined<NamedParameters...>;
-  using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator, Geodesic_path>;
+  using Form = internal::Form_by_name<TriangleMesh, Options, OutputIterator, Geodesic_path_result>;
   using Workspace = internal::Path_workspace<Form, TriangleMesh, Options>;
   const std::vector<std::pair<Mesh_vertex<TriangleMesh>, Mesh_vertex<TriangleMesh>>> ends(std::begin(pairs),
                                                                                           std::end(pairs));

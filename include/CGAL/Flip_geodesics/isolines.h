@@ -11,6 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -53,6 +54,17 @@ struct Located_polyline
   std::vector<Face_location> locations; ///< of the points; one on an edge of the mesh in one of the two faces, always
                                         ///< the same one
   std::vector<Point> points;            ///< in space
+
+  /// The length of the polyline, in space.
+  double length() const
+  {
+    double sum = 0;
+    for(std::size_t i = 1; i < points.size(); ++i)
+      sum += std::hypot(CGAL::to_double(points[i].x() - points[i - 1].x()),
+                        CGAL::to_double(points[i].y() - points[i - 1].y()),
+                        CGAL::to_double(points[i].z() - points[i - 1].z()));
+    return sum;
+  }
 };
 
 /*!

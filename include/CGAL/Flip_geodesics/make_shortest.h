@@ -55,12 +55,6 @@ struct Distances_report
 
 namespace internal {
 
-/* What is said of distances that are right up to the tolerance of shortest paths, or may be wrong. */
-inline Verdict verdict_of_distances(bool are_right)
-{
-  return are_right ? Verdict::WITHIN_TOLERANCE : Verdict::UNDECIDED;
-}
-
 /* Counts the paths that are longer than those that a search has found, and by how much they are. False if one is
  * shorter, so that the search has failed. */
 template <class Tree, class Search>

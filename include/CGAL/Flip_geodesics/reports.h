@@ -65,6 +65,16 @@ inline bool is_confirmed(Verdict verdict)
   return verdict != Verdict::BENT_SEGMENT && verdict != Verdict::BENT_JOINT && verdict != Verdict::UNDECIDED;
 }
 
+namespace internal {
+
+/* The verdict on distances that are right up to the tolerance of shortest paths, or may be wrong. */
+inline Verdict verdict_of_distances(bool are_right)
+{
+  return are_right ? Verdict::WITHIN_TOLERANCE : Verdict::UNDECIDED;
+}
+
+} // namespace internal
+
 /// \ingroup PkgFlipGeodesicsTraits
 /// How the decisions that the filter left open were taken.
 struct Decision_statistics

@@ -120,10 +120,12 @@ struct Paths_by_class_result
   OutputIterator out;                         ///< the end of the output
   Paths_by_class_report<TriangleMesh> report; ///< what is known of the paths
 
-  std::size_t number_of_paths() const { return report.paths.size(); }         ///< how many there are
-  double length(std::size_t i) const { return report.paths.at(i).length; }    ///< of a path, by its place in the output
-  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; } ///< of a path
+  std::size_t number_of_curves() const { return report.paths.size(); }                  ///< how many paths there are
+  double length(std::size_t i) const { return report.paths.at(i).length; }              ///< of a path
+  Shortening_status status(std::size_t i) const { return report.paths.at(i).status(); } ///< is it a geodesic?
+  Verdict verdict(std::size_t i) const { return report.paths.at(i).verdict; } ///< is it shortest in its class?
   Class_search_status status() const { return report.status; }                ///< how the search ended
+  Verdict verdict() const { return report.verdict(); } ///< are these the shortest paths of all classes?
 };
 
 /// \ingroup PkgFlipGeodesicsFunctions

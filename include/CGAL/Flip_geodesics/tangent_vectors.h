@@ -273,6 +273,9 @@ struct Logarithm_result
   double total_angle = 0;    ///< the sum of the angles about the source, \f$2\pi\f$ but at vertices and on the border
   bool is_on_border = false; ///< is the source on the border? Then at a vertex angles can be negative
   Distance_field_report report; ///< what became of the distances
+
+  Distance_field_status status() const { return report.status; } ///< how their computation ended
+  Verdict verdict() const { return report.verdict; }             ///< whether the distances are confirmed
 };
 
 namespace internal {

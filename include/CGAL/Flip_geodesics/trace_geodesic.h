@@ -41,7 +41,7 @@ namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsTracing
 /// Why a straightest geodesic ends.
-enum class Trace_end {
+enum class Trace_status {
   LENGTH,           ///< it has the length that was asked for
   VERTEX,           ///< it runs into a vertex, exactly, and was to stop there
   BORDER,           ///< it meets the border, on an edge or at a vertex, or would leave the surface at its start there
@@ -50,18 +50,18 @@ enum class Trace_end {
 };
 
 /// The name of a reason, as the enumerator is spelled.
-inline const char* to_string(Trace_end end)
+inline const char* to_string(Trace_status end)
 {
   switch(end) {
-  case Trace_end::LENGTH:
+  case Trace_status::LENGTH:
     return "LENGTH";
-  case Trace_end::VERTEX:
+  case Trace_status::VERTEX:
     return "VERTEX";
-  case Trace_end::BORDER:
+  case Trace_status::BORDER:
     return "BORDER";
-  case Trace_end::CONSTRAINED_EDGE:
+  case Trace_status::CONSTRAINED_EDGE:
     return "CONSTRAINED_EDGE";
-  case Trace_end::CROSSING_LIMIT:
+  case Trace_status::CROSSING_LIMIT:
     return "CROSSING_LIMIT";
   }
   return "";
@@ -99,16 +99,16 @@ struct Trace_limits
 
 /// \ingroup PkgFlipGeodesicsTracing
 /// A straightest geodesic that has been traced: how long it is, and where and how it ends.
-struct Trace
+struct Trace_report
 {
-  double length = 0;                 ///< its length, at most that asked for
-  Trace_end end = Trace_end::LENGTH; ///< why it ends
-  std::size_t edges = 0;             ///< how many edges it crosses
-  std::size_t vertices = 0;          ///< how many vertices it passes straight on
-  Surface_location location;         ///< its end
-  Input_halfedge_index halfedge;     ///< what its direction at the end is told from, see `Geodesic_tracer::trace()`
-  double angle = 0;                  ///< from there on to its direction, counterclockwise, in radians
-  Decision_statistics statistics;    ///< how decisions were taken that doubles left open
+  double length = 0;                          ///< its length, at most that asked for
+  Trace_status status = Trace_status::LENGTH; ///< why it ends
+  std::size_t edges = 0;                      ///< how many edges it crosses
+  std::size_t vertices = 0;                   ///< how many vertices it passes straight on
+  Surface_location location;                  ///< its end
+  Input_halfedge_index halfedge;  ///< what its direction at the end is told from, see `Geodesic_tracer::trace()`
+  double angle = 0;               ///< from there on to its direction, counterclockwise, in radians
+  Decision_statistics statistics; ///< how decisions were taken that doubles left open
 };
 
 namespace internal {
@@ -128,12 +128,12 @@ public:
   {
   }
 
-  Trace operator()(Ray_start start)
+  Trace_report operator()(Ray_start start)
   {
     m_visitor(surface_point(m_triangulation, start.place));
     if(start.is_outward) {
       end_at_corner(start.place.halfedge, start.angle);
-      m_trace.end = Trace_end::BORDER;
+      m_trace.status = Trace_status::BORDER;
       return m_trace;
     }
     while(go_straight(start)) {
@@ -179,9 +179,9 @@ private:
     const Input_halfedge_index h = ray.gate();
     const bool is_border = m_triangulation.input().is_border(twin_index(h));
     if(is_border || m_limits.is_constrained(h))
-      return end_on_gate(ray, length, is_border ? Trace_end::BORDER : Trace_end::CONSTRAINED_EDGE);
+      return end_on_gate(ray, length, is_border ? Trace_status::BORDER : Trace_status::CONSTRAINED_EDGE);
     if(m_trace.edges + m_trace.vertices >= m_limits.most_crossings)
-      return end_on_gate(ray, length, Trace_end::CROSSING_LIMIT);
+      return end_on_gate(ray, length, Trace_status::CROSSING_LIMIT);
     if(!ray.starts_on_gate())
       m_visitor(surface_point_on_edge(m_triangulation, h, ray.place_on_gate()));
     return false;
@@ -190,21 +190,21 @@ private:
   bool end_inside(const Ray& ray, bool is_at_gate)
   {
     m_trace.location = ray.location_at(m_limits.length - m_trace.length, is_at_gate);
-    return finish(ray, m_limits.length, Trace_end::LENGTH);
+    return finish(ray, m_limits.length, Trace_status::LENGTH);
   }
 
-  bool end_on_gate(const Ray& ray, double length, Trace_end end)
+  bool end_on_gate(const Ray& ray, double length, Trace_status end)
   {
     const double place = (std::min)((std::max)(ray.place_on_gate(), least_weight), largest_below_one);
     m_trace.location = {ray.gate(), {{1 - place, place, 0}}};
     return finish(ray, length, end);
   }
 
-  bool finish(const Ray& ray, double length, Trace_end end)
+  bool finish(const Ray& ray, double length, Trace_status end)
   {
     m_visitor(surface_point(m_triangulation, m_trace.location));
     m_trace.length = length;
-    m_trace.end = end;
+    m_trace.status = end;
     m_trace.halfedge = ray.halfedge();
     m_trace.angle = ray.angle();
     return true;
@@ -222,10 +222,10 @@ private:
       return false;
     m_trace.length = length;
     end_at_corner(h, straight_on(ray));
-    m_trace.end = is_border                 ? Trace_end::BORDER
-                  : is_long                 ? Trace_end::LENGTH
-                  : has_constrained_edge(h) ? Trace_end::CONSTRAINED_EDGE
-                                            : (is_last ? Trace_end::CROSSING_LIMIT : Trace_end::VERTEX);
+    m_trace.status = is_border                 ? Trace_status::BORDER
+                     : is_long                 ? Trace_status::LENGTH
+                     : has_constrained_edge(h) ? Trace_status::CONSTRAINED_EDGE
+                                               : (is_last ? Trace_status::CROSSING_LIMIT : Trace_status::VERTEX);
     return true;
   }
 
@@ -278,7 +278,7 @@ private:
   Direction_finder<Triangulation> m_directions;
   const Limits& m_limits;
   Visitor& m_visitor;
-  Trace m_trace;
+  Trace_report m_trace;
 };
 
 struct No_visitor_of_points
@@ -334,8 +334,8 @@ public:
    * Complexity: linear in the edges that are crossed, where doubles suffice to decide.
    */
   template <class IsConstrained, class Visitor>
-  Trace trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
-              const Trace_limits<IsConstrained>& limits, Visitor visitor) const
+  Trace_report trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
+                     const Trace_limits<IsConstrained>& limits, Visitor visitor) const
   {
     return walk(internal::Direction_finder<Triangulation>(m_triangulation).by_angle(location, halfedge, angle), limits,
                 visitor);
@@ -343,8 +343,8 @@ public:
 
   /// Traces a geodesic from a location, by an angle, without a visitor.
   template <class IsConstrained>
-  Trace trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
-              const Trace_limits<IsConstrained>& limits) const
+  Trace_report trace(const Surface_location& location, Input_halfedge_index halfedge, double angle,
+                     const Trace_limits<IsConstrained>& limits) const
   {
     return trace(location, halfedge, angle, limits, internal::No_visitor_of_points());
   }
@@ -355,8 +355,8 @@ public:
    * not rounded, unless the location is a vertex and it points out of the face, or one number is 1e100 times the other.
    */
   template <class IsConstrained, class Visitor>
-  Trace trace(const Surface_location& location, const std::array<double, 2>& direction,
-              const Trace_limits<IsConstrained>& limits, Visitor visitor) const
+  Trace_report trace(const Surface_location& location, const std::array<double, 2>& direction,
+                     const Trace_limits<IsConstrained>& limits, Visitor visitor) const
   {
     return walk(internal::Direction_finder<Triangulation>(m_triangulation).by_direction(location, direction), limits,
                 visitor);
@@ -364,15 +364,15 @@ public:
 
   /// Traces a geodesic from a location, by coordinates of its direction, without a visitor.
   template <class IsConstrained>
-  Trace trace(const Surface_location& location, const std::array<double, 2>& direction,
-              const Trace_limits<IsConstrained>& limits) const
+  Trace_report trace(const Surface_location& location, const std::array<double, 2>& direction,
+                     const Trace_limits<IsConstrained>& limits) const
   {
     return trace(location, direction, limits, internal::No_visitor_of_points());
   }
 
 private:
   template <class IsConstrained, class Visitor>
-  Trace walk(const internal::Ray_start& start, const Trace_limits<IsConstrained>& limits, Visitor& visitor) const
+  Trace_report walk(const internal::Ray_start& start, const Trace_limits<IsConstrained>& limits, Visitor& visitor) const
   {
     if(!(limits.length >= 0 && std::isfinite(limits.length)))
       throw Invalid_parameter_error("the length of a geodesic to be traced is negative or no finite number");
@@ -393,13 +393,12 @@ struct Trace_result
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor; ///< of the mesh
 
   OutputIterator out;                                         ///< the end of the output
-  double length = 0;                                          ///< the length of the geodesic
-  Trace_end end = Trace_end::LENGTH;                          ///< why it ends
-  std::size_t edges = 0;                                      ///< how many edges it crosses
-  std::size_t vertices = 0;                                   ///< how many vertices it passes straight on
+  Trace_report report;                                        ///< what became of the geodesic
   std::pair<face_descriptor, std::array<double, 3>> location; ///< its end, a `Face_location`
   std::pair<halfedge_descriptor, double> direction;           ///< in which it would go on from its end
-  Decision_statistics statistics;                             ///< how decisions were taken that doubles left open
+
+  double length() const { return report.length; }       ///< the length of the geodesic
+  Trace_status status() const { return report.status; } ///< why it ends
 };
 
 namespace internal {
@@ -431,17 +430,17 @@ public:
   }
 
   template <class Limits, class Visitor>
-  Trace trace(const Surface_location& source, const std::pair<Halfedge, double>& direction, const Limits& limits,
-              const Visitor& visitor) const
+  Trace_report trace(const Surface_location& source, const std::pair<Halfedge, double>& direction, const Limits& limits,
+                     const Visitor& visitor) const
   {
     return Geodesic_tracer<Triangulation>(m_triangulation)
         .trace(source, m_triangulation.input().index(direction.first), direction.second, limits, visitor);
   }
 
   template <class Direction, class Limits, class Visitor>
-  std::enable_if_t<is_vector_in_space<Direction>, Trace> trace(const Surface_location& source,
-                                                               const Direction& direction, const Limits& limits,
-                                                               const Visitor& visitor) const
+  std::enable_if_t<is_vector_in_space<Direction>, Trace_report> trace(const Surface_location& source,
+                                                                      const Direction& direction, const Limits& limits,
+                                                                      const Visitor& visitor) const
   {
     static_assert(Has_points<typename Triangulation::Metric>::value,
                   "the metric has no points in space: give the direction as a halfedge and an angle");
@@ -624,18 +623,14 @@ Trace_result<OutputIterator, TriangleMesh> trace_geodesic(const TriangleMesh& me
   const Triangulation triangulation = internal::make_triangulation(mesh, options);
   const Surface_location place = internal::trace_start(triangulation, mesh, source);
   std::vector<Surface_point> points;
-  const Trace trace =
+  const Trace_report trace =
       internal::Given_direction<Triangulation, TriangleMesh>(triangulation)
           .trace(place, direction, internal::make_trace_limits(triangulation, mesh, length, at_vertices, options),
                  [&points](const Surface_point& p) { points.push_back(p); });
   return {internal::write_points<Form>(triangulation, mesh, points, out),
-          trace.length,
-          trace.end,
-          trace.edges,
-          trace.vertices,
+          trace,
           internal::face_location_of(triangulation, mesh, trace.location),
-          {triangulation.input().halfedge(trace.halfedge), trace.angle},
-          trace.statistics};
+          {triangulation.input().halfedge(trace.halfedge), trace.angle}};
 }
 
 /// \ingroup PkgFlipGeodesicsTracing

@@ -53,7 +53,7 @@ void use(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& of_mesh,
   const std::vector<double> levels = {1, 2};
   std::vector<FG::Isoline<Mesh>> isolines;
   const std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> pairs = {{of_mesh[0], of_mesh[1]}};
-  std::vector<FG::Geodesic_path<Kernel::Point_3>> paths;
+  std::vector<FG::Geodesic_path_result<Kernel::Point_3>> paths;
 
 #if MISTAKE == 1
   FG::Intrinsic_triangulation<Mesh, Kernel> wrong(mesh);

@@ -304,7 +304,7 @@ private:
     const FG::Geodesic_tracer<Triangulation> tracer(triangulation);
     for(const FG::Surface_location& p : points(triangulation)) {
       BOOST_TEST(field.surface_points(p).size() >= 2u);
-      const FG::Trace trace = tracer.trace(p, p.halfedge, 0.5, FG::Trace_limits<>{1});
+      const FG::Trace_report trace = tracer.trace(p, p.halfedge, 0.5, FG::Trace_limits<>{1});
       BOOST_TEST(trace.length > 0);
       m_record.polyline({p, trace.location});
     }

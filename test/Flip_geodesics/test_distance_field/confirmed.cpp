@@ -24,7 +24,9 @@ bool has_accurate_field(const Mesh_soup& soup, Vertex source)
   Field field(s.triangulation, s.mesh);
   field.add_source(Vertex_index(static_cast<FG::Index>(source)));
   const auto report = field.compute();
-  return !report.has_flat_face && !report.has_inaccurate_distance;
+  const bool is_accurate = !report.has_flat_face && !report.has_inaccurate_distance;
+  BOOST_TEST(FG::is_confirmed(report.verdict) == is_accurate);
+  return is_accurate;
 }
 
 // The distances in a convex part of the plane, from each of some vertices and from the nearest of them.

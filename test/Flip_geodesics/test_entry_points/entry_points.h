@@ -170,7 +170,7 @@ void rethrow(const Paths& paths)
 inline void compute_many(const Surface& mesh, Vertex v, Vertex w, bool has_landmarks)
 {
   const std::vector<std::pair<Vertex, Vertex>> pairs = {{v, w}, {w, v}};
-  std::vector<FG::Geodesic_path<Point>> paths;
+  std::vector<FG::Geodesic_path_result<Point>> paths;
   if(has_landmarks) {
     const Triangulation triangulation(mesh);
     FG::Shortest_edge_path<Triangulation> search(triangulation, FG::Search_method::LOOK_BACK);

@@ -31,12 +31,12 @@ BOOST_AUTO_TEST_CASE(each_path_has_its_own_budget)
   for(int v = 0; v < 30; ++v)
     pairs.push_back({vertex(v), vertex(v + 100)});
   const auto statuses = [&](const auto& stop) {
-    std::vector<FG::Geodesic_path<Point>> paths;
+    std::vector<FG::Geodesic_path_result<Point>> paths;
     FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::stop_predicate(stop));
     rethrow(paths);
     std::vector<FG::Shortening_status> result;
     for(const auto& path : paths)
-      result.push_back(path.report.status);
+      result.push_back(path.status());
     return result;
   };
   const auto complete = statuses(FG::Never_stop_predicate());

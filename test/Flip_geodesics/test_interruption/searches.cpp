@@ -102,12 +102,12 @@ BOOST_AUTO_TEST_CASE(many_paths)
   const std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> pairs(2, {source, target});
   Stopping_visitor visitor;
   visitor.most = 1;
-  std::vector<FG::Geodesic_path<Mesh::Point>> paths;
+  std::vector<FG::Geodesic_path_result<Mesh::Point>> paths;
   FG::geodesic_paths(mesh, pairs, std::back_inserter(paths), CGAL::parameters::visitor(std::ref(visitor)));
   BOOST_TEST(visitor.calls == 3u); // before the first pair, in its search, and before the second pair
   for(const auto& path : paths) {
     BOOST_TEST(!path.error);
-    BOOST_TEST((path.report.status == FG::Shortening_status::STOPPED_BY_VISITOR));
+    BOOST_TEST((path.status() == FG::Shortening_status::STOPPED_BY_VISITOR));
     BOOST_TEST(path.points.empty());
   }
 }

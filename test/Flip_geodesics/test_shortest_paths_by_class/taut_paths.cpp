@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(all_taut_paths_around_obstacles)
       std::vector<Curve> curves;
       const auto found = world.paths(source, target, number, curves);
       BOOST_TEST(found.report.is_confirmed());
-      BOOST_TEST_REQUIRE(found.number_of_paths() == number);
+      BOOST_TEST_REQUIRE(found.number_of_curves() == number);
       for(std::size_t k = 0; k < number; ++k)
         BOOST_TEST(std::abs(found.length(k) - lengths[k]) < 1e-12 * lengths[k]);
       BOOST_TEST(found.report.lower_bound_of_others() < lengths[number] * (1 + 1e-12));

@@ -9,6 +9,7 @@
 #include "descriptors.h"
 #include "random_curves.h"
 
+#include <CGAL/Flip_geodesics/intrinsic_faces.h>
 #include <CGAL/Flip_geodesics/overlapping_curves.h>
 #include <CGAL/Flip_geodesics/subdivide.h>
 

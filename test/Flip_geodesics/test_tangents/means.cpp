@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(samples_are_equally_far_along_the_curve)
   const Face_location source = {Mesh::Face_index(50), {{0.25, 0.5, 0.25}}};
   std::vector<Face_location> way;
   const Vector direction(0.8, 0.6, 0);
-  const double length = FG::trace_geodesic(mesh, source, direction, 4.0, std::back_inserter(way)).length;
+  const double length = FG::trace_geodesic(mesh, source, direction, 4.0, std::back_inserter(way)).length();
   std::vector<Sample> samples;
   FG::sample_curve(mesh, way, 11, std::back_inserter(samples));
   BOOST_REQUIRE(samples.size() == 11u);

@@ -35,7 +35,7 @@ using Face = Surface::Face_index;
 using Face_location = std::pair<Face, std::array<double, 3>>;
 using Curve_point = FG::Curve_point<Surface, Point>;
 using FG::At_vertices;
-using FG::Trace_end;
+using FG::Trace_status;
 
 inline Point point_at(const Surface& mesh, const Face_location& location)
 {

@@ -33,14 +33,14 @@ BOOST_AUTO_TEST_CASE(vertices_on_its_way_are_met_exactly)
       const Vector v(x, y, 0), first = v / std::gcd(x, y);
       const double size = std::sqrt(first.squared_length());
       const Traced stopped = trace_from_middle(mesh, v, 100, At_vertices::STOP);
-      BOOST_TEST((stopped.result.end == Trace_end::VERTEX));
-      BOOST_TEST(stopped.result.vertices == 0u);
-      BOOST_TEST(std::abs(stopped.result.length - size) < 1e-14 * size);
+      BOOST_TEST((stopped.result.status() == Trace_status::VERTEX));
+      BOOST_TEST(stopped.result.report.vertices == 0u);
+      BOOST_TEST(std::abs(stopped.result.length() - size) < 1e-14 * size);
       BOOST_TEST(distance(stopped.points.back(), Point(6, 6, 0) + first) < 1e-14);
       const Traced passed = trace_from_middle(mesh, v, 1.1 * size);
-      BOOST_TEST((passed.result.end == Trace_end::LENGTH));
-      BOOST_TEST(passed.result.vertices == 1u);
-      BOOST_TEST(distance(passed.points.back(), Point(6, 6, 0) + passed.result.length / size * first) < 1e-13);
+      BOOST_TEST((passed.result.status() == Trace_status::LENGTH));
+      BOOST_TEST(passed.result.report.vertices == 1u);
+      BOOST_TEST(distance(passed.points.back(), Point(6, 6, 0) + passed.result.length() / size * first) < 1e-13);
     }
 }
 
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(flat_vertices_are_passed_without_rounding)
       {
         const std::array<int, 2> start = {2, b > 0 ? 2 : (b < 0 ? 38 : 20)};
         const Traced t = trace_from(mesh, Vertex(grid_vertex(n, start[0], start[1])), Vector(a, b, height * a), 1e3);
-        BOOST_TEST((t.result.end == Trace_end::BORDER));
+        BOOST_TEST((t.result.status() == Trace_status::BORDER));
         std::size_t passed = 0, at = 0;
         for(int x = start[0] + a, y = start[1] + b; x < n && y < m && y > 0; x += a, y += b, ++passed) {
           const Point p = mesh.point(Vertex(grid_vertex(n, x, y)));
@@ -64,9 +64,9 @@ BOOST_AUTO_TEST_CASE(flat_vertices_are_passed_without_rounding)
             ++at;
         }
         BOOST_TEST(at < t.points.size()); // all of them, in their order
-        BOOST_TEST(t.result.vertices == passed);
-        BOOST_TEST(t.result.statistics.unproven_zeros == 0u);
-        BOOST_TEST(std::abs(length_of(t.points) - t.result.length) < 1e-12);
+        BOOST_TEST(t.result.report.vertices == passed);
+        BOOST_TEST(t.result.report.statistics.unproven_zeros == 0u);
+        BOOST_TEST(std::abs(length_of(t.points) - t.result.length()) < 1e-12);
       }
     }
 }
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(flat_vertices_are_passed_without_rounding_from_inside_a_fac
         std::size_t passed = 0; // all is in quarters
         for(int x = int(4 * start.x()) + p, y = int(4 * start.y()) + q; x < 4 * n && y > 0 && y < 4 * m; x += p, y += q)
           passed += x % 4 == 0 && y % 4 == 0 ? 1 : 0;
-        BOOST_TEST(t.result.vertices == passed);
+        BOOST_TEST(t.result.report.vertices == passed);
         const Point end = t.points.back();
         BOOST_TEST(std::abs((end.x() - start.x()) * q - (end.y() - start.y()) * p) < 1e-12);
       }
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(on_a_cube_it_comes_back_to_its_start_exactly)
   const double round = 12 * std::sqrt(2.0);
   for(const Point& start : {Point(1, 2, 4), Point(2, 1, 4), Point(1, 2, 0)}) {
     const Traced t = trace_from(mesh, vertex_at(start), Vector(1, 1, 0), 100 * round + 0.5);
-    BOOST_TEST(t.result.vertices == 1200u);
+    BOOST_TEST(t.result.report.vertices == 1200u);
     std::size_t visits = 0;
     for(const Point& p : t.points)
       visits += p == start ? 1 : 0;
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(rays_over_two_hundred_thousand_edges_are_decided_by_few_dig
     const Vector v = (q - p) + slope * (r - p);
     const double length = 500000, rate = length / std::sqrt(v.squared_length());
     const Traced t = trace(mesh, Face_location(face, {0.25, 0.375, 0.375}), v, length);
-    BOOST_TEST((t.result.end == Trace_end::LENGTH));
+    BOOST_TEST((t.result.status() == Trace_status::LENGTH));
     std::size_t crossed = 0;
     for(const auto& [start, change] :
         {std::make_pair(0.25, -1 - slope), std::make_pair(0.375, 1.0), std::make_pair(0.375, slope)})
@@ -142,10 +142,10 @@ BOOST_AUTO_TEST_CASE(rays_over_two_hundred_thousand_edges_are_decided_by_few_dig
       BOOST_TEST(beyond > 1e-6);
       crossed += static_cast<std::size_t>(std::abs(std::floor(end)));
     }
-    BOOST_TEST(t.result.edges == crossed);
+    BOOST_TEST(t.result.report.edges == crossed);
     BOOST_TEST(crossed > 200000u);
-    BOOST_TEST(t.result.statistics.by_roots == 0u);
-    by_precision += t.result.statistics.by_precision;
+    BOOST_TEST(t.result.report.statistics.by_roots == 0u);
+    by_precision += t.result.report.statistics.by_precision;
   }
   BOOST_TEST(by_precision > 0u);
 }
@@ -174,13 +174,14 @@ BOOST_AUTO_TEST_CASE(lengths_say_that_vertices_are_flat)
       std::vector<FG::Index> expected, passed;
       for(int k = 1; k <= steps; ++k)
         expected.push_back(k * (a + b) % n + n * (k * b % m));
-      const FG::Trace trace = tracer.trace(start, {double(a), double(b)}, FG::Trace_limits<>{(steps + 0.5) * step},
-                                           [&passed, is_start = true](const FG::Surface_point& p) mutable {
-                                             if(p.a == p.b && !is_start)
-                                               passed.push_back(p.a.idx());
-                                             is_start = false;
-                                           });
-      BOOST_TEST((trace.end == Trace_end::LENGTH));
+      const FG::Trace_report trace =
+          tracer.trace(start, {double(a), double(b)}, FG::Trace_limits<>{(steps + 0.5) * step},
+                       [&passed, is_start = true](const FG::Surface_point& p) mutable {
+                         if(p.a == p.b && !is_start)
+                           passed.push_back(p.a.idx());
+                         is_start = false;
+                       });
+      BOOST_TEST((trace.status == Trace_status::LENGTH));
       BOOST_TEST(passed == expected);
     }
   }
@@ -191,9 +192,9 @@ BOOST_AUTO_TEST_CASE(a_vertex_that_it_misses_by_the_last_digit_is_missed)
   const Surface mesh = grid_mesh();
   for(double y : {std::nextafter(2.0, 3.0), std::nextafter(2.0, 1.0)}) {
     const Traced t = trace_from_middle(mesh, Vector(1, y, 0), 6, At_vertices::STOP);
-    BOOST_TEST((t.result.end == Trace_end::LENGTH));
-    BOOST_TEST(t.result.vertices == 0u);
-    BOOST_TEST(t.result.statistics.by_roots + t.result.statistics.by_precision > 0u);
+    BOOST_TEST((t.result.status() == Trace_status::LENGTH));
+    BOOST_TEST(t.result.report.vertices == 0u);
+    BOOST_TEST(t.result.report.statistics.by_roots + t.result.report.statistics.by_precision > 0u);
   }
 }
 
@@ -207,10 +208,10 @@ BOOST_AUTO_TEST_CASE(vertices_are_met_exactly_from_inside_a_face)
         const Point start = point_at(mesh, {f, weights});
         const Vector way = mesh.point(v) - start;
         const Traced t = trace(mesh, Face_location{f, weights}, way, 100, At_vertices::STOP);
-        const double part = t.result.length / std::sqrt(way.squared_length()); // of the way, up to its first vertex
+        const double part = t.result.length() / std::sqrt(way.squared_length()); // of the way, up to its first vertex
         const bool is_at_v = part > 1 - 1e-14;
         BOOST_TEST(part < 1 + 1e-14);
-        BOOST_TEST((t.result.end == (is_at_v && mesh.is_border(v) ? Trace_end::BORDER : Trace_end::VERTEX)));
+        BOOST_TEST((t.result.status() == (is_at_v && mesh.is_border(v) ? Trace_status::BORDER : Trace_status::VERTEX)));
         BOOST_TEST(distance(t.points.back(), start + part * way) < 1e-13);
         rays += is_at_v ? 1 : 0;
       }
