@@ -6,12 +6,15 @@
 
 #include "test_surface_points/inserted_points.h"
 
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/internal/flip_out/Path_straightener.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/spokes.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 using namespace Flip_geodesics_test;
@@ -119,6 +122,53 @@ BOOST_AUTO_TEST_CASE(a_location_has_one_canonical_form)
   const FG::Input_halfedge_index h = t.input().is_border(0_input_h) ? 1_input_h : 0_input_h;
   BOOST_CHECK_THROW(FG::internal::check_location(t.input(), {h, {{1, 1, 1}}}), FG::Invalid_mesh_error);
   BOOST_CHECK_NO_THROW(FG::internal::check_location(t.input(), {h, {{1, 0, 0}}}));
+}
+
+namespace {
+
+// The weights over their sum, from the canonical halfedge on.
+std::array<double, 3> relative_weights(const Plain& t, const FG::Surface_location& location)
+{
+  std::array<double, 3> weights = FG::internal::canonical_location(t.input(), location).weights;
+  const double sum = weights[0] + weights[1] + weights[2];
+  for(double& weight : weights)
+    weight /= sum;
+  return weights;
+}
+
+void check_same_point(const Plain& t, const FG::Surface_location& p, const FG::Surface_location& q)
+{
+  BOOST_TEST(FG::internal::canonical_location(t.input(), p).halfedge ==
+             FG::internal::canonical_location(t.input(), q).halfedge);
+  const auto a = relative_weights(t, p), b = relative_weights(t, q);
+  for(std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(std::abs(a[i] - b[i]) < 1e-15);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(all_forms_of_a_point_convert_to_a_location_and_back)
+{
+  for(const Mesh_soup& soup : {bumpy_sphere(5, 0.3, 1), flat_grid(3, 3, Diagonal_rule::RISING)}) {
+    const Mesh mesh = to_mesh<Mesh>(soup);
+    const Plain t(mesh);
+    Random_numbers random(6);
+    for(int i = 0; i < 200; ++i) {
+      const FG::Surface_location location = random_location(mesh, random);
+      const auto in_face = FG::face_location(t, mesh, location);
+      BOOST_TEST(std::abs(in_face.second[0] + in_face.second[1] + in_face.second[2] - 1) < 1e-15);
+      check_same_point(t, FG::surface_location(t, mesh, in_face), location);
+      const FG::Surface_point point = FG::surface_point(t, location);
+      check_same_point(t, FG::surface_location(t, mesh, point), location);
+      FG::Curve_place<Mesh> place;
+      place.location = in_face;
+      check_same_point(t, FG::surface_location(t, mesh, place), location);
+    }
+    for(FG::Input_halfedge_index h : descriptors<FG::Input_halfedge_index>(t.input().number_of_halfedges()))
+      check_same_point(t,
+                       FG::surface_location(t, mesh, FG::face_location(t, mesh, FG::Surface_location{h, {{1, 3, 0}}})),
+                       {h, {{1, 3, 0}}}); // the border as well
+  }
 }
 
 BOOST_AUTO_TEST_CASE(bad_locations_are_refused_and_change_nothing)

@@ -82,6 +82,43 @@ auto face_location(const Triangulation& triangulation, const typename Triangulat
 
 namespace internal {
 
+/* A location by a face and its weights as they are. */
+template <class Triangulation, class TriangleMesh>
+auto face_location_of(const Triangulation& triangulation, const TriangleMesh& mesh, Surface_location location)
+{
+  const auto& input = triangulation.input();
+  if(input.is_border(location.halfedge))
+    location = {twin_index(location.halfedge), {{location.weights[1], location.weights[0], 0}}};
+  const auto f = graph_face(input.halfedge(location.halfedge), mesh);
+  const Input_halfedge_index first = input.index(graph_halfedge(f, mesh));
+  while(location.halfedge != first)
+    location = rotated(input, location);
+  return std::make_pair(f, location.weights);
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgFlipGeodesicsExtraction
+ *
+ * Converts a location to a `CGAL::Polygon_mesh_processing::Face_location`. The coordinates are the weights, divided by
+ * their sum unless that is one within 1e-6, which `surface_location()` accepts.
+ */
+template <class Triangulation>
+auto face_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                   const Surface_location& location)
+{
+  internal::check_location(triangulation.input(), location);
+  auto result = internal::face_location_of(triangulation, mesh, location);
+  const double sum = result.second[0] + result.second[1] + result.second[2];
+  if(!(std::abs(sum - 1) <= internal::weight_sum_tolerance))
+    for(double& weight : result.second)
+      weight /= sum;
+  return result;
+}
+
+namespace internal {
+
 template <class T, class = void>
 constexpr bool is_iterator = false;
 template <class T>

@@ -221,12 +221,22 @@ Surface_point surface_point_at_vertex(const Triangulation& triangulation, Vertex
   return result;
 }
 
-/* Where a curve crosses an input edge, or the place of a vertex. */
+/* The location of a point of a curve. */
 template <class Triangulation>
 Surface_location surface_location(const Triangulation& triangulation, const Surface_point& p)
 {
   if(p.vertex != null_index)
     return triangulation.location(p.vertex);
+  if(p.is_inside_face()) {
+    const auto& input = triangulation.input();
+    Surface_location result = {p.halfedge, {{0, 0, 0}}};
+    for(double& weight : result.weights) {
+      const Vertex_index v = input.uncontracted_tail(result.halfedge);
+      weight = v == p.a ? 1 - p.t - p.u : (v == p.b ? p.t : p.u);
+      result.halfedge = input.next(result.halfedge);
+    }
+    return result;
+  }
   const bool is_forward = triangulation.input().uncontracted_tail(p.halfedge) == p.a;
   return {p.halfedge, {{is_forward ? 1 - p.t : p.t, is_forward ? p.t : 1 - p.t, 0}}};
 }

@@ -3,6 +3,7 @@
 #ifndef CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H
 #define CGAL_FLIP_GEODESICS_CERTIFY_CURVE_H
 
+#include <CGAL/Flip_geodesics/Curve_point.h>
 #include <CGAL/Flip_geodesics/Descriptors.h>
 #include <CGAL/Flip_geodesics/Surface_point.h>
 #include <CGAL/Flip_geodesics/exceptions.h>
@@ -11,12 +12,14 @@
 #include <CGAL/Flip_geodesics/internal/surface/checks.h>
 #include <CGAL/Flip_geodesics/internal/surface/graph_functions.h>
 #include <CGAL/Flip_geodesics/internal/surface/mistakes.h>
+#include <CGAL/Flip_geodesics/internal/triangulation/Point_locator.h>
 #include <CGAL/Flip_geodesics/internal/triangulation/Word_angle.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Places_on_input.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Straight_strip.h>
 #include <CGAL/Flip_geodesics/internal/unfolding/Strip.h>
 #include <CGAL/Flip_geodesics/named_parameters.h>
 #include <CGAL/Flip_geodesics/reports.h>
+#include <CGAL/Flip_geodesics/surface_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -28,6 +31,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -36,8 +40,8 @@ namespace CGAL {
 namespace Flip_geodesics {
 
 /// \ingroup PkgFlipGeodesicsFunctions
-/// A place of a curve that was made elsewhere: a vertex; a halfedge and a place on it, from 0 at its source to 1 at its
-/// target; or a face and barycentric coordinates, of source, target and third vertex of `halfedge(face, mesh)`.
+/// A place of a curve that was made elsewhere, in one of the forms in which other packages give it: a vertex; a halfedge
+/// and a place on it, from 0 at its source to 1 at its target; or a `CGAL::Polygon_mesh_processing::Face_location`.
 template <class TriangleMesh>
 using Given_place =
     std::variant<typename boost::graph_traits<TriangleMesh>::vertex_descriptor,
@@ -63,7 +67,7 @@ struct Given_curve_certificate
   std::size_t number = 0;
   Side side = Side::LEFT; ///< of a bent joint, the side; in a segment, the one on which `vertex` lies
   /// By the numbers of the given places, where straight segments cross these edges, from 0 at the source of the halfedge
-  /// to 1 at its target; rounded, by the length of the segment over that of the edge and over the sine of the angle at
+  /// to 1 at its target, of an edge given by a location by its halfedge in that face; rounded, by the length of the segment over that of the edge and over the sine of the angle at
   /// which it crosses it, times a unit in the last place. For what is no crossed edge 0. Empty if the curve is bent.
   std::vector<double> places;
   Decision_statistics statistics; ///< how the comparisons were decided
@@ -93,19 +97,26 @@ public:
   {
   }
 
-  void read(const std::vector<Given_place<Mesh>>& given, bool is_closed)
+  template <class Place>
+  void read(const std::vector<Place>& places, bool is_closed)
   {
+    std::vector<Given_place<Mesh>> given;
+    for(const Place& place : places)
+      given.push_back(as_given(place));
     if(given.size() < (is_closed ? 1u : 2u))
       throw Invalid_curve_error(is_closed ? "a closed curve has no places" : "a curve has fewer than two places");
-    if(is_closed && !std::holds_alternative<Vertex>(given.front()))
-      throw Invalid_curve_error("a closed curve does not start at a vertex", {0});
     for(std::size_t i = 0; i < given.size(); ++i) {
       const bool is_end = !is_closed && (i == 0 || i + 1 == given.size());
       const Crossing* crossing = std::get_if<Crossing>(&given[i]);
-      if(crossing != nullptr && !is_end)
-        m_words.cross(halfedge(crossing->first, i), i);
-      else if(is_end || std::holds_alternative<Vertex>(given[i]))
-        arrive(m_places.add(location(given[i], i)), i, i > 0 && i + 1 == given.size() && !is_closed);
+      const Surface_location at = crossing != nullptr && !is_end
+                                      ? Surface_location{halfedge(crossing->first, i), {{1, 1, 0}}}
+                                      : location(given[i], i);
+      if(is_closed && i == 0 && kind(at) != Location_kind::VERTEX)
+        throw Invalid_curve_error("a closed curve does not start at a vertex", {0});
+      if(is_end || kind(at) == Location_kind::VERTEX)
+        arrive(m_places.add(at), i, i > 0 && i + 1 == given.size() && !is_closed);
+      else if(kind(at) == Location_kind::EDGE)
+        m_words.cross(side_of_edge(at), i);
       else
         throw Invalid_curve_error("place " + std::to_string(i) + " of the curve, in between, is inside a face", {i});
     }
@@ -117,6 +128,25 @@ public:
   const std::vector<Segment_of_places>& segments() const { return m_words.segments(); }
 
 private:
+  template <class Place>
+  Given_place<Mesh> as_given(const Place& place) const
+  {
+    if constexpr(std::is_convertible<Place, Given_place<Mesh>>::value)
+      return place;
+    else if constexpr(std::is_convertible<const Place*, const Curve_place<Mesh>*>::value)
+      return place.location;
+    else
+      return face_location_of(m_triangulation, m_mesh, located_place(m_triangulation, m_mesh, place));
+  }
+
+  // The side of its edge that a location is told from, in its face.
+  Input_halfedge_index side_of_edge(Surface_location location) const
+  {
+    while(location.weights[2] != 0)
+      location = rotated(m_triangulation.input(), location);
+    return location.halfedge;
+  }
+
   void arrive(Vertex_index v, std::size_t number, bool is_last)
   {
     if(number == 0)
@@ -280,9 +310,10 @@ private:
  * 1 - t, rounded, and t. They are not snapped. Nothing is asked of the ends of a curve that is not closed.
  *
  * \param mesh a triangle mesh
- * \param curve a range of `Given_place`, or of what becomes one, as vertices. The first and the last are the ends. What
- *        is in between is a passed vertex, or a crossed edge, by either of its halfedges. Where nothing is crossed, the
- *        segment is on the edge, or in the face, that has both its ends
+ * \param curve a range of points on the mesh: vertices, `CGAL::Polygon_mesh_processing::Face_location`s,
+ *        `Surface_location`s, `Curve_point`s or `Given_place`s. The first and the last are the ends. What is in between is
+ *        a passed vertex, or a crossed edge: a location with one weight of zero, or either halfedge of the edge. Where
+ *        nothing is crossed, the segment is on the edge, or in the face, that has both its ends
  * \param is_closed does the curve go on from the last place to the first, which is a vertex then, and not repeated?
  * \param np named parameters: `vertex_point_map` or `metric`, as for `geodesic_path()`
  * \throws Invalid_curve_error if the places are no such curve: too few, two in a row equal, in between one inside a face
@@ -301,10 +332,13 @@ Given_curve_certificate<TriangleMesh> certify_curve(const TriangleMesh& mesh, co
   const auto& options = internal::surface_options(np...);
   using Triangulation =
       typename internal::Curve_types<TriangleMesh, internal::Joined<NamedParameters...>>::Triangulation;
-  static_assert(internal::is_range_of<PlaceRange, Given_place<TriangleMesh>>,
-                "the curve is not a range of vertices, or of Given_place of the mesh");
+  using Place = std::decay_t<decltype(*std::begin(curve))>;
+  static_assert(
+      std::is_convertible<Place, Given_place<TriangleMesh>>::value ||
+          internal::is_place<Triangulation, TriangleMesh, Place>,
+      "the curve is not a range of points on the mesh: vertices, Face_location, Surface_location or Given_place");
   const Triangulation triangulation = internal::make_triangulation(mesh, options);
-  const std::vector<Given_place<TriangleMesh>> places(std::begin(curve), std::end(curve));
+  const std::vector<Place> places(std::begin(curve), std::end(curve));
   internal::Given_curve<Triangulation> given(triangulation, mesh);
   given.read(places, is_closed);
   return internal::Given_curve_certifier<Triangulation>(triangulation, given)(places.size(), is_closed);

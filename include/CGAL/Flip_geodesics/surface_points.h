@@ -31,6 +31,9 @@
 namespace CGAL {
 namespace Flip_geodesics {
 
+template <class TriangleMesh>
+struct Curve_place;
+
 /// \ingroup PkgFlipGeodesicsBuilders
 /// The location of vertex `v` of a mesh. \throws Vertex_out_of_range_error if it is none, or isolated
 template <class Triangulation>
@@ -96,6 +99,25 @@ Surface_location surface_location(
                     std::array<FT, 3>>& location)
 {
   return surface_location(triangulation, mesh, location, internal::default_snap);
+}
+
+/// \ingroup PkgFlipGeodesicsBuilders
+/// Converts a point of a curve: the location of a vertex, or of the point on the edge that is crossed.
+template <class Triangulation>
+Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh&,
+                                  const Surface_point& point)
+{
+  return internal::surface_location(triangulation, point);
+}
+
+/// \ingroup PkgFlipGeodesicsBuilders
+/// Converts a `Curve_place`, a `Curve_point` or a `Curve_sample`, as their `location`.
+/// \throws Invalid_location_error
+template <class Triangulation>
+Surface_location surface_location(const Triangulation& triangulation, const typename Triangulation::Triangle_mesh& mesh,
+                                  const Curve_place<typename Triangulation::Triangle_mesh>& place)
+{
+  return surface_location(triangulation, mesh, place.location);
 }
 
 /// \ingroup PkgFlipGeodesicsBuilders

@@ -532,24 +532,17 @@ auto make_trace_limits(const Triangulation& triangulation, const TriangleMesh& m
 template <class Triangulation, class TriangleMesh, class Place>
 Surface_location trace_start(const Triangulation& triangulation, const TriangleMesh& mesh, const Place& place)
 {
-  Surface_location result = located_place(triangulation, mesh, place);
-  if constexpr(is_face_location<Place>)
-    for(std::size_t i = 0; i < 3; ++i) {
-      const double weight = CGAL::to_double(place.second[i]);
-      result.weights[i] = weight < least_weight ? 0 : weight;
-    }
-  return result;
-}
-
-/* A location in a face as users know it. */
-template <class Triangulation, class TriangleMesh>
-auto face_location_of(const Triangulation& triangulation, const TriangleMesh& mesh, Surface_location location)
-{
-  const auto f = graph_face(triangulation.input().halfedge(location.halfedge), mesh);
-  const Input_halfedge_index first = triangulation.input().index(graph_halfedge(f, mesh));
-  while(location.halfedge != first)
-    location = rotated(triangulation.input(), location);
-  return std::make_pair(f, location.weights);
+  if constexpr(std::is_convertible<const Place*, const Curve_place<TriangleMesh>*>::value) {
+    return trace_start(triangulation, mesh, place.location);
+  } else {
+    Surface_location result = located_place(triangulation, mesh, place);
+    if constexpr(is_face_location<Place>)
+      for(std::size_t i = 0; i < 3; ++i) {
+        const double weight = CGAL::to_double(place.second[i]);
+        result.weights[i] = weight < least_weight ? 0 : weight;
+      }
+    return result;
+  }
 }
 
 /* Points of a curve in the form that the output takes, with directions from each to the next. */

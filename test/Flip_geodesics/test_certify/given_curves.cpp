@@ -5,11 +5,13 @@
 #include "test_certify/second_opinion.h"
 
 #include <CGAL/Flip_geodesics/certify_curve.h>
+#include <CGAL/Flip_geodesics/geodesic_path.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -140,6 +142,37 @@ BOOST_AUTO_TEST_CASE(geodesics_are_proven_by_the_places_that_they_pass)
   }
   BOOST_TEST(crossings > 300u);
   BOOST_TEST(vertices > 20u);
+}
+
+// The forms in which curves of this package are written.
+template <class Form>
+void check_written_curves(const Surface& mesh)
+{
+  Random_numbers random(5);
+  const int n = static_cast<int>(mesh.number_of_vertices());
+  std::size_t crossings = 0;
+  for(int i = 0; i < 12; ++i) {
+    std::vector<Form> curve;
+    const auto path =
+        FG::geodesic_path(mesh, vertex(random.below(n)), vertex(random.below(n)), std::back_inserter(curve));
+    if(path.length() == 0)
+      continue;
+    const Certificate certificate = FG::certify_curve(mesh, curve, false);
+    BOOST_TEST((certificate.verdict == Verdict::PROVEN));
+    BOOST_TEST(certificate.places.size() == curve.size());
+    crossings += curve.size() - 2;
+  }
+  BOOST_TEST(crossings > 20u);
+}
+
+BOOST_AUTO_TEST_CASE(written_curves_are_certified_as_they_are)
+{
+  using Face_location = std::pair<Surface::Face_index, std::array<double, 3>>;
+  for(const Mesh_soup& soup : {jittered_grid(14, 14, Diagonal_rule::RANDOM, 0.24, 5), bumpy_sphere(8, 0.3, 1)}) {
+    const Surface mesh = to_mesh<Surface>(soup);
+    check_written_curves<Face_location>(mesh);
+    check_written_curves<FG::Curve_point<Surface, Surface::Point>>(mesh);
+  }
 }
 
 // A proof that takes another way comes to the same verdict: of joints anywhere, in faces of a network's triangulation.
